@@ -1,0 +1,492 @@
+/* SPDX-License-Identifier: MIT
+ * SPDX-FileCopyrightText: 2026 The Filigree authors
+ *
+ * Filigree: real-time expressive curves, as a C ABI.
+ *
+ * Grammar      flg + noun + verb (flgCurveSetCreate); types Flg...; constants FLG_....
+ * Conventions  Right-handed, y up, metres, seconds, radians. Colours are linear RGBA. Strings are UTF-8.
+ * Descriptors  Start with `struct_size`; take them from their defaults function (flgStylizeDefaults()), then
+ *              change what you need. Structs only ever grow at the end, so old hosts run with new libraries.
+ * Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: one that was
+ *              released is FLG_ERROR_INVALID_HANDLE, never a crash. They belong to the context that made them.
+ * Results      Every function returns an FlgResult; flgLastError() says what was wrong in one sentence that
+ *              names the argument and its value. No exception, abort or print crosses this interface. Output
+ *              arguments are written on every path: on failure with null handles and zeros.
+ * Threads      Calls on one context must not overlap, unless a function says [any thread]. Different contexts are
+ *              independent. Nothing the host can observe changes outside the host's own calls: jobs run on
+ *              workers, but what they made becomes visible inside flgTick, in order of submission.
+ * Waiting      No function waits for a job, but for flgContextWait, which exists to wait. Each says its cost.
+ * Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
+ */
+#ifndef FILIGREE_FILIGREE_H
+#define FILIGREE_FILIGREE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(FLG_STATIC)
+#define FLG_API
+#elif defined(_WIN32)
+#if defined(FLG_BUILD)
+#define FLG_API __declspec(dllexport)
+#else
+#define FLG_API __declspec(dllimport)
+#endif
+#else
+#define FLG_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Version ------------------------------------------------------------------------------------------------- */
+
+#define FLG_VERSION_MAJOR 0
+#define FLG_VERSION_MINOR 1
+#define FLG_VERSION_PATCH 0
+/* The version of this header, as one number. */
+#define FLG_VERSION ((FLG_VERSION_MAJOR << 22) | (FLG_VERSION_MINOR << 12) | FLG_VERSION_PATCH)
+
+/* [any thread] The version of the loaded library. flgContextCreate compares it with the header's: the major versions
+ * must be equal, and while the major version is 0 the minor ones too. */
+FLG_API uint32_t flgVersion(void);
+
+/* ---- Results ------------------------------------------------------------------------------------------------- */
+
+typedef enum FlgResult {
+    FLG_OK = 0,
+    FLG_NOT_READY = 1,                /* asked too early: the job behind it has not been published by flgTick */
+    FLG_ERROR_INVALID_ARGUMENT = -1,  /* a null, a value out of its range, data that can't be used */
+    FLG_ERROR_INVALID_HANDLE = -2,    /* null, released, of another kind or of another context */
+    FLG_ERROR_OUT_OF_MEMORY = -3,     /* the allocator hook returned null */
+    FLG_ERROR_VERSION = -4,           /* header and library do not fit each other */
+    FLG_ERROR_CANCELLED = -5,         /* the job was cancelled */
+    FLG_ERROR_DEPENDENCY = -6,        /* a job that this one depends on failed or was cancelled */
+    FLG_ERROR_FILE = -7,              /* a file can't be opened, read or written */
+    FLG_ERROR_FORMAT = -8,            /* a file holds something else than its format allows */
+    FLG_ERROR_LIMIT = -9,             /* a documented limit would be passed; the message says which */
+    FLG_ERROR_INTERNAL = -10,         /* a bug of ours */
+    FLG_RESULT_FORCE_32BIT = 0x7fffffff
+} FlgResult;
+
+/* [any thread] Why the last failing call on this thread failed: one sentence, never null, valid until the next
+ * failing call on this thread. Calls that succeed leave it as it is. */
+FLG_API const char* flgLastError(void);
+
+/* [any thread] The name of a result, such as "FLG_ERROR_LIMIT"; "FLG_RESULT_UNKNOWN" for other values. */
+FLG_API const char* flgResultName(FlgResult result);
+
+/* ---- Handles ------------------------------------------------------------------------------------------------- */
+
+#define FLG_HANDLE(Name)   \
+    typedef struct Name {  \
+        uint64_t id;       \
+    } Name
+
+/* A running or finished piece of work. */
+FLG_HANDLE(FlgJob);
+/* Curves in flat arrays; never changes once ready. */
+FLG_HANDLE(FlgCurveSet);
+/* A style, prepared: guide, displacement and patch graph. Never changes once ready. */
+FLG_HANDLE(FlgStyle);
+
+/* A context owns everything else. The one raw pointer of the interface: do not use it after flgContextDestroy. */
+typedef struct FlgContextT* FlgContext;
+
+/* ---- Host hooks ---------------------------------------------------------------------------------------------- */
+
+/* All memory of a context, that of its jobs included. Called from any thread; must be thread-safe. `allocate` may
+ * return null: what needed the memory then fails with FLG_ERROR_OUT_OF_MEMORY, and nothing is lost. Both null:
+ * the C++ runtime's aligned new and delete. */
+typedef struct FlgAllocator {
+    void* user_data;
+    void* (*allocate)(void* user_data, size_t size, size_t alignment);
+    void (*free)(void* user_data, void* memory, size_t size, size_t alignment);
+} FlgAllocator;
+
+/* The host's own job system. With `submit` set the SDK starts no thread: it hands over tasks, the host calls
+ * run(task) once for each, on any thread, at any time, in any order. A task never blocks and ends after about
+ * 500 us. At most `concurrency` (1 to 256) tasks are handed over at a time. `submit` is called from flgTick, from the
+ * calls that start jobs, and from inside tasks; it must not call run(task) before it returns, and must not fail. */
+typedef struct FlgJobSystem {
+    void* user_data;
+    uint32_t concurrency;
+    void (*submit)(void* user_data, void (*run)(void* task), void* task);
+} FlgJobSystem;
+
+typedef enum FlgLogLevel {
+    FLG_LOG_INFO = 0,
+    FLG_LOG_WARNING = 1,
+    FLG_LOG_ERROR = 2,
+    FLG_LOG_FORCE_32BIT = 0x7fffffff
+} FlgLogLevel;
+
+/* Messages worth a line in the host's log: one sentence, no line break. Called on the host's thread, from inside its
+ * calls. Null: silence. */
+typedef struct FlgLog {
+    void* user_data;
+    void (*write)(void* user_data, FlgLogLevel level, const char* message);
+} FlgLog;
+
+/* Monotonic nanoseconds, from any thread. Null: the system's steady clock. Budgets are measured with it; results
+ * never depend on it. */
+typedef struct FlgClock {
+    void* user_data;
+    uint64_t (*now_ns)(void* user_data);
+} FlgClock;
+
+/* Named zones for a profiler such as Tracy or the engine's own. Called on the thread that does the work, properly
+ * nested; names are string literals. Null: nothing. */
+typedef struct FlgProfiler {
+    void* user_data;
+    void (*begin)(void* user_data, const char* name);
+    void (*end)(void* user_data);
+} FlgProfiler;
+
+/* ---- Context ------------------------------------------------------------------------------------------------- */
+
+typedef struct FlgContextDesc {
+    uint32_t struct_size;
+    /* FLG_VERSION of the header the host was compiled with. Set by flgContextDefaults. */
+    uint32_t version;
+    /* Threads the context starts, 0 to 256. 0: none; flgTick itself advances jobs. Ignored with a job system.
+     * Default 1. */
+    uint32_t worker_count;
+    /* Microseconds each worker may work between two calls of flgTick; 0 = no limit. Not used without workers.
+     * A worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0. */
+    uint32_t worker_budget_us;
+    FlgAllocator allocator;
+    FlgJobSystem job_system;
+    FlgLog log;
+    FlgClock clock;
+    FlgProfiler profiler;
+} FlgContextDesc;
+
+FLG_API FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size);
+
+/* Makes a context and starts its workers. `desc` may be null: all defaults. Cost: below a millisecond. */
+FLG_API FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context);
+
+/* Cancels all jobs and frees everything the context owns, all handles with it. Built-in workers are joined: at most
+ * one kernel chunk (100 us). With a host's job system that still holds tasks of ours it returns FLG_NOT_READY, having
+ * cancelled the jobs: let the job system run, then call again. Null is allowed and does nothing. */
+FLG_API FlgResult flgContextDestroy(FlgContext context);
+
+/* What one flgTick did, and what the workers did since the one before. */
+typedef struct FlgFrameReport {
+    uint32_t struct_size;
+    uint32_t jobs_finished;         /* jobs published by this tick */
+    uint64_t frame;                 /* counts calls of flgTick, from 1 */
+    uint32_t jobs_pending;          /* jobs not finished yet, those that wait for others included */
+    float tick_us;                  /* wall time of this call */
+    float work_us;                  /* of it, spent advancing jobs (0 with workers) */
+    float callback_us;              /* of it, spent in the host's callbacks */
+    float worker_us;                /* time all workers spent on jobs since the last tick */
+    float longest_chunk_us;         /* longest uninterrupted kernel chunk since the last tick, on any thread */
+    const char* longest_chunk_stage; /* the stage it belongs to, a string literal; "" when there was none */
+    FlgJob longest_chunk_job;       /* the job it came from; may have been released since */
+} FlgFrameReport;
+
+/* One frame of the runtime: publishes what finished (at most until `budget_us` is used up, the rest next time), calls the
+ * callbacks of those jobs, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a
+ * context without workers then runs all its jobs to the end. It ends at most one kernel chunk after its budget.
+ * `report` may be null; set its struct_size. Allocates nothing in steady state. */
+FLG_API FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
+
+/* For tools and loading screens: sleeps until flgTick has something to publish, no job is left, or the time is over.
+ * Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise. A context without workers
+ * returns at once (there flgTick does the work). */
+FLG_API FlgResult flgContextWait(FlgContext context, uint32_t timeout_us);
+
+/* ---- Jobs ---------------------------------------------------------------------------------------------------- */
+
+typedef enum FlgPriority {
+    FLG_PRIORITY_LOW = 0,
+    FLG_PRIORITY_NORMAL = 1,
+    FLG_PRIORITY_HIGH = 2,
+    FLG_PRIORITY_FORCE_32BIT = 0x7fffffff
+} FlgPriority;
+
+/* How a job is run; part of every descriptor that starts one. Inputs that another job still makes are waited for without
+ * being named here. */
+typedef struct FlgJobOptions {
+    /* Ready jobs of higher priority run first; equals run in order of submission. Default FLG_PRIORITY_NORMAL. */
+    FlgPriority priority;
+    /* Further jobs to wait for. If one of them fails, so does this, with FLG_ERROR_DEPENDENCY. Copied. */
+    uint32_t dependency_count;
+    const FlgJob* dependencies;
+    /* Called once, inside flgTick, when the job is published, whatever its result. It may call any function of this
+     * header on the context except flgTick, flgContextWait and flgContextDestroy. Null: none. */
+    void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
+    void* user_data;
+    /* Nonzero: results may be viewed before the job is finished, as far as they are complete (flgCurveSetGetView then
+     * shows the leading curves that are done). Default 0. */
+    uint32_t partial_results;
+    uint32_t reserved;
+} FlgJobOptions;
+
+typedef enum FlgJobState {
+    FLG_JOB_WAITING = 0,  /* for its dependencies or its turn */
+    FLG_JOB_RUNNING = 1,
+    FLG_JOB_FINISHED = 2, /* published; `result` says how it ended */
+    FLG_JOB_FORCE_32BIT = 0x7fffffff
+} FlgJobState;
+
+typedef struct FlgJobStatus {
+    uint32_t struct_size;
+    FlgJobState state;
+    FlgResult result;       /* FLG_NOT_READY until finished */
+    float progress;         /* 0 to 1, never falling; 1 exactly when finished with FLG_OK */
+    const char* stage;      /* the stage it is in, a string literal; "" before the first */
+    const char* error;      /* what went wrong, "" if nothing; valid until the job is released */
+    float busy_us;          /* time spent on it, over all threads */
+    float longest_chunk_us; /* its longest uninterrupted kernel chunk so far */
+} FlgJobStatus;
+
+/* The job's state as of the last flgTick. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
+
+typedef struct FlgStageTime {
+    const char* name; /* string literal */
+    float wall_us;    /* from the stage's start to its end */
+    float busy_us;    /* of it, time spent working, over all threads */
+} FlgStageTime;
+
+/* The stages of a finished job in order; FLG_NOT_READY before. Writes at most `capacity` of them and their whole number
+ * (at most 16) to `out_count`; `out_stages` may be null when capacity is 0. */
+FLG_API FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* out_stages, uint32_t capacity,
+                                  uint32_t* out_count);
+
+/* Asks a job to end. It is published with FLG_ERROR_CANCELLED by a later flgTick (or with its result, if it was
+ * finished already); what it held is freed, jobs that depend on it fail. Cancelling a finished job does nothing. */
+FLG_API FlgResult flgJobCancel(FlgContext context, FlgJob job);
+
+/* Gives the handle back; the job goes on, and its callback is still called. Functions that start a job take a null
+ * `out_job` if no handle is wanted. */
+FLG_API FlgResult flgJobRelease(FlgContext context, FlgJob job);
+
+/* ---- Curve sets ---------------------------------------------------------------------------------------------- */
+
+/* What a column of a curve set means. One value a point, of so many floats: */
+typedef enum FlgAttribute {
+    FLG_ATTRIBUTE_POSITION = 0,    /* 3, metres; every set has it. Finite, at most 1e30 in size */
+    FLG_ATTRIBUTE_RADIUS = 1,      /* 1, metres, >= 0; of a tube, or half the width of a ribbon */
+    FLG_ATTRIBUTE_COLOR = 2,       /* 4, linear RGBA */
+    FLG_ATTRIBUTE_TANGENT = 3,     /* 3, unit length */
+    FLG_ATTRIBUTE_NORMAL = 4,      /* 3, unit length, across the tangent: the first normal of the moving frame; a
+                                      ribbon's width lies along the second, tangent x normal */
+    FLG_ATTRIBUTE_TIME = 5,        /* 1, seconds since the first point of the curve; may run backwards in real data */
+    FLG_ATTRIBUTE_PRESSURE = 6,    /* 1, 0 to 1 */
+    FLG_ATTRIBUTE_ORIENTATION = 7, /* 4, unit quaternion x y z w of the controller that drew it */
+    FLG_ATTRIBUTE_STYLE_INDEX = 8, /* 1, which point of the style a stylized point copies; whole numbers */
+    FLG_ATTRIBUTE_USER = 64,       /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
+    FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
+} FlgAttribute;
+
+/* One column. As input it may be strided; columns of results are tightly packed. */
+typedef struct FlgColumn {
+    FlgAttribute attribute;
+    uint32_t components; /* floats a point */
+    const float* data;
+    uint32_t stride;     /* bytes from one point to the next, a multiple of 4; 0 = tightly packed */
+    uint32_t reserved;
+} FlgColumn;
+
+enum {
+    FLG_CURVE_CLOSED = 1 /* the last point is joined to the first, which is not repeated */
+};
+
+/* Curves in flat arrays: curve c has the points curve_offsets[c] to curve_offsets[c + 1] - 1 of every column. Used for
+ * input (the host owns the arrays, for the time of the call) and for results (the set owns them, until released). */
+typedef struct FlgCurveSetView {
+    uint32_t struct_size;
+    uint32_t curve_count;
+    const uint32_t* curve_offsets; /* curve_count + 1 values, from 0, not falling */
+    const uint8_t* curve_flags;    /* curve_count values of FLG_CURVE_...; null in input: all 0 */
+    const FlgColumn* columns;
+    uint32_t column_count;         /* 1 to 16, each attribute at most once */
+    uint32_t reserved;
+} FlgCurveSetView;
+
+FLG_API FlgResult flgCurveSetViewInit(FlgCurveSetView* view, uint32_t struct_size);
+
+/* Copies curves into the context. Every curve needs at least one point; values must be finite. Repeated points and curves
+ * of zero length are taken as they are; each function that computes with them says what it makes of them.
+ * Cost: one pass over the data, about 2 ms for a million points. */
+FLG_API FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, FlgCurveSet* out_set);
+
+/* The set's arrays. They live, unmoved, until the set is released, also while jobs read it. FLG_NOT_READY while the job
+ * that makes the set has not been published (with partial_results: shows the leading curves that were complete at the
+ * last flgTick); the job's error if it failed. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view);
+
+/* Gives the handle and its views back. Jobs that read the set keep its memory until they are done; a job that was to make
+ * it goes on, cancel it if its result is not wanted. */
+FLG_API FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set);
+
+/* Which moving frame to carry along a curve. */
+typedef enum FlgFrameMethod {
+    FLG_FRAME_ROTATION_MINIMIZING = 0, /* double reflection (Wang et al. 2008); the twist of closed curves is spread
+                                          evenly. Defined everywhere */
+    FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last
+                                          point where it did not. Flips at inflections, as Frenet frames do */
+    FLG_FRAME_FORCE_32BIT = 0x7fffffff
+} FlgFrameMethod;
+
+typedef struct FlgResampleDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    FlgJobOptions job;
+    FlgCurveSet curves;
+    /* Wanted distance of neighbouring points along the curve, metres, > 0. Each curve gets a whole number of equal steps
+     * nearest to it, at least 1 (closed: 3). No default. */
+    float spacing;
+    /* Frame whose TANGENT and NORMAL columns are added to the result. */
+    FlgFrameMethod frame;
+} FlgResampleDesc;
+
+FLG_API FlgResult flgResampleDescInit(FlgResampleDesc* desc, uint32_t struct_size);
+
+/* Starts a job that redistributes points evenly by arc length along a smooth curve through the given points (a
+ * G1 cubic that keeps straight runs straight, circles round to fourth order, and turns of more than 50 degrees as
+ * corners) and carries a moving frame along. Other columns are interpolated linearly, orientations normalized.
+ * Points repeated in a row count once. A curve without length becomes one point. Cost: about 100 ns a point. */
+FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+/* ---- Styles -------------------------------------------------------------------------------------------------- */
+
+/* How a style is prepared (Minarcik, Fiser, Sykora: Example-Based Authoring of Expressive Space Curves, sec. 4.1 to
+ * 4.4). */
+typedef struct FlgStyleDesc {
+    uint32_t struct_size;
+    /* Points that the style is resampled to, 16 to 16384; 0 = chosen from the input: at least its number of points,
+     * and so many that the curve turns by less than 7 degrees from one to the next; between 256 and 2048. */
+    uint32_t point_count;
+    FlgJobOptions job;
+    /* The example: one open curve of non-zero length, with at least 3 different points. */
+    FlgCurveSet style;
+    /* Its unstyled form, one open curve, or null: made by the length-preserving flow of sec. 4.1. */
+    FlgCurveSet guide;
+    /* How much of its length the flow lets the guide keep, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain
+     * curve shortening, 1 keeps the length and removes little. Default 0.5. */
+    float alpha;
+    /* How far the flow smooths, as a multiple of what is chosen from the style; > 0. Default 1. */
+    float smoothing;
+    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2.
+     * Default 0.5. */
+    float beta;
+    /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, and 2p + 1 < points. Larger patches copy longer
+     * runs. Default 10. */
+    uint32_t patch;
+} FlgStyleDesc;
+
+FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
+
+/* Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be used at once in
+ * flgStylize, whose job then waits for this one. Cost: below 11 ms of work for 600 points. */
+FLG_API FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
+
+typedef struct FlgStyleInfo {
+    uint32_t struct_size;
+    uint32_t point_count;      /* of style, guide and displacement */
+    uint32_t patch;            /* p */
+    uint32_t edge_count;       /* of the patch graph, the consecutive ones included */
+    float style_length;        /* metres */
+    float guide_length;        /* metres */
+    float spacing;             /* guide_length / (point_count - 1): the distance of a result's points along its target */
+    float displacement_rms;    /* metres */
+    float matching_energy;     /* E' of sec. 4.2, square metres, as a mean over the points */
+    float temperature_unit;    /* metres: what temperature 1 means, see FlgStylizeDesc */
+    uint32_t flow_steps;       /* of the guide flow; 0 with a guide given */
+    uint32_t reserved;
+    const float* matching;     /* point_count arc lengths on the style, metres; lives until the style is released */
+} FlgStyleInfo;
+
+/* FLG_NOT_READY until the style is prepared, its job's error if that failed. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info);
+
+/* The guide as a curve set of its own, with TANGENT and NORMAL columns; to be released by the caller. Cost: one copy. */
+FLG_API FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide);
+
+FLG_API FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
+
+/* ---- Stylization --------------------------------------------------------------------------------------------- */
+
+/* Where on the style a target curve begins. */
+typedef enum FlgStart {
+    FLG_START_AUTO = 0,   /* a lone target curve as FLG_START_STYLE, several as FLG_START_RANDOM */
+    FLG_START_STYLE = 1,  /* at the style's own start; the first run goes to its end: a target as long as the guide
+                             gets the style once, whole */
+    FLG_START_RANDOM = 2, /* at a random point, by seed and index of the curve */
+    FLG_START_FORCE_32BIT = 0x7fffffff
+} FlgStart;
+
+typedef struct FlgStylizeDesc {
+    uint32_t struct_size;
+    FlgStart start;
+    FlgJobOptions job;
+    FlgStyle style;
+    /* The curves to stylize. Radius, colour and further columns are carried over. */
+    FlgCurveSet target;
+    /* sigma, sec. 4.5.3: factor on the displacement; any finite number, 0 gives the resampled target. Default 1. */
+    float magnitude;
+    /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 long runs of the style
+     * are copied, the higher the more often it jumps. In units of FlgStyleInfo::temperature_unit (the median distance
+     * of a patch to the one most like it), so that it does not depend on the style's size. Default 0. */
+    float temperature;
+    /* Size of the style on the target, > 0: 1 = as drawn. Default 1. */
+    float scale;
+    FlgFrameMethod frame;
+    /* Key of all random choices. Default 1. */
+    uint64_t seed;
+} FlgStylizeDesc;
+
+FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size);
+
+/* Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has the target's curves, resampled
+ * to the style's spacing times scale, with the columns POSITION, TANGENT and NORMAL (the target's frame), STYLE_INDEX
+ * and the target's others. A target curve shorter than one step gets two points, one without length gets one, not
+ * displaced; targets shorter than the style get a part of it. Closed targets are followed once around, from their first
+ * point to their first point; the result is open.
+ * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
+FLG_API FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+/* ---- Defaults by value --------------------------------------------------------------------------------------- */
+/* The struct is made in the host's code, in the host's size: safe with any library version. */
+
+static inline FlgContextDesc flgContextDefaults(void) {
+    FlgContextDesc desc;
+    flgContextDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCurveSetView flgCurveSetViewDefaults(void) {
+    FlgCurveSetView view;
+    flgCurveSetViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgResampleDesc flgResampleDefaults(void) {
+    FlgResampleDesc desc;
+    flgResampleDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgStyleDesc flgStyleDefaults(void) {
+    FlgStyleDesc desc;
+    flgStyleDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgStylizeDesc flgStylizeDefaults(void) {
+    FlgStylizeDesc desc;
+    flgStylizeDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
