@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Where the picture is taken from. Right-handed, y up, metres, radians, as in the rest of Filigree.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace flg::render {
+
+// An axis-aligned box, metres; empty while min > max.
+struct Box {
+    glm::vec3 min{1.0f};
+    glm::vec3 max{-1.0f};
+    bool empty() const { return min.x > max.x; }
+    glm::vec3 center() const { return 0.5f * (min + max); }
+    float diagonal() const { return empty() ? 0.0f : glm::length(max - min); }
+    void add(const Box& other);
+};
+
+struct Camera {
+    glm::vec3 eye{0.0f, 0.0f, 1.0f};
+    glm::vec3 target{0.0f};
+    glm::vec3 up{0.0f, 1.0f, 0.0f};  // not along the line of sight; corrected if it is
+    float fov_y_rad = 0.6f;          // height of the view, in (0, pi)
+};
+
+constexpr float default_fov_y_rad = 0.6f;  // about a 38 mm lens on film
+
+// The camera that looks along `direction` (from the eye into the scene, any length but zero) and sees the whole box, with a
+// small margin, in a picture `aspect` times as wide as high. An empty box is taken as a point, a point as a box of one
+// metre.
+Camera frame_box(const Box& box, glm::vec3 direction, float aspect, float fov_y_rad = default_fov_y_rad);
+
+// Turns around its target, moves nearer and aside; what the mouse does in a window.
+struct Orbit {
+    Camera camera;
+    void turn(float yaw_rad, float pitch_rad);  // stays clear of the poles
+    void pan(float right, float up);            // in heights of the picture
+    void zoom(float factor);                    // > 0; multiplies the distance to the target
+};
+
+}  // namespace flg::render

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// How the renderer says that it can't go on: one sentence that names the argument and its value, or Vulkan's reason.
+#pragma once
+
+#include <stdexcept>
+
+namespace flg::render {
+
+class Error : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace flg::render

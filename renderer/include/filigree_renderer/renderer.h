@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Filigree's renderer: curves as ribbons, tubes and lines, by Vulkan, offscreen or in a window.
+//
+//     flg::render::Renderer renderer;
+//     renderer.upload(view, {.shape = Shape::tube, .radius = 0.01f});
+//     flg::render::Target target(renderer, 1280, 720);
+//     renderer.draw(target, frame_box(renderer.bounds(), {-1, -0.4f, -1}, target.aspect()));
+//     write_png(renderer.capture(target), "out.png");
+//
+// Errors are thrown as flg::render::Error, a sentence each. One thread at a time may use a Renderer with its targets and
+// windows; several renderers in a process are independent. Nothing here needs a display except Window.
+// Same input, same device: same bits.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filigree/filigree.h"
+#include "filigree_renderer/camera.h"
+#include "filigree_renderer/error.h"
+#include "filigree_renderer/image.h"
+
+namespace flg::render {
+
+struct Options {
+    // Part of the name of the Vulkan device to use. Empty: what the environment variable FLG_RENDERER_DEVICE names, else the
+    // first discrete, integrated, virtual or CPU device, in this order.
+    std::string device;
+    // Turns the Khronos validation layer on, synchronization included; what it says is kept in Renderer::messages().
+    bool validation = false;
+    // Samples a pixel: 1, 2, 4 or 8; fewer where the device has fewer. 1 = no anti-aliasing.
+    uint32_t samples = 4;
+    // Edge of the sun's shadow map, pixels, 256 to 8192; 0 = no shadows.
+    uint32_t shadow_size = 2048;
+};
+
+enum class Shape {
+    ribbon,  // two-sided band, 2 radius wide along tangent x normal
+    tube,    // round, of that radius
+    line     // of a fixed width in pixels, always facing the camera; casts no shadow
+};
+
+enum class Caps { round, flat, none };
+
+// How a set of curves looks.
+struct CurveLook {
+    Shape shape = Shape::ribbon;
+    // Linear RGB, where the set has no COLOR column: from the first to the last point of each curve.
+    glm::vec3 color{0.98f, 0.30f, 0.10f};
+    glm::vec3 color_end{0.90f, 0.06f, 0.32f};
+    float radius = 0.005f;       // metres, where the set has no RADIUS column; >= 0
+    float radius_scale = 1.0f;   // on either; >= 0
+    uint32_t sides = 12;         // of a tube, 3 to 32: the most; tubes small on the screen get fewer
+    Caps caps = Caps::round;     // of a tube's ends
+    float line_width_px = 1.5f;  // of a line, 0.5 to 64
+    float gloss = 0.4f;          // 0 = matte to 1 = polished
+    bool casts_shadow = true;
+};
+
+// Light and surroundings. Colours are linear RGB.
+struct Scene {
+    glm::vec3 sun_direction{0.45f, 0.80f, 0.40f};  // towards the sun, any length but zero
+    glm::vec3 sun_color{3.1f, 2.85f, 2.5f};
+    glm::vec3 sky_color{0.62f, 0.72f, 0.90f};     // light from above ...
+    glm::vec3 bounce_color{0.42f, 0.36f, 0.32f};  // ... and from below
+    glm::vec3 background_top{0.42f, 0.52f, 0.66f};
+    glm::vec3 background_bottom{0.86f, 0.84f, 0.80f};
+    bool ground = true;     // a floor at the lowest point of the scene that takes shadows
+    float exposure = 1.0f;  // > 0
+};
+
+// What is uploaded; zero is none.
+struct CurvesId {
+    uint64_t value = 0;
+    bool operator==(const CurvesId&) const = default;
+};
+
+// The last frame that draw() recorded, but for gpu_*: those are of the newest frame the device has finished.
+struct FrameStats {
+    double cpu_ms = 0;          // of draw(), without the three below
+    double submit_ms = 0;       // in the driver: submission and presentation
+    double wait_ms = 0;         // for the device, which may be two frames behind
+    double gpu_ms = -1;         // of the whole frame on the device; -1: not known
+    double gpu_shadow_ms = -1;  // of it, the shadow map; 0 when it could be kept
+    uint32_t draw_calls = 0;
+    uint64_t triangles = 0;     // of the main pass, caps included
+    uint64_t device_bytes = 0;  // of memory held on the device
+};
+
+class Renderer;
+class TargetImage;
+struct FrameSubmission;
+
+// An image to draw into, no display needed.
+class Target {
+public:
+    // 1 to 16384 pixels each way, and no more than the device allows.
+    Target(Renderer& renderer, uint32_t width, uint32_t height);
+    virtual ~Target();
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+
+    // Same limits. Frames in flight are waited for; the picture is lost.
+    void resize(uint32_t width, uint32_t height);
+    uint32_t width() const;
+    uint32_t height() const;
+    float aspect() const { return static_cast<float>(width()) / static_cast<float>(height()); }
+
+protected:
+    friend class Renderer;
+    // What a window adds around each frame; a plain target needs none of it.
+    virtual bool begin_frame(uint32_t slot);
+    virtual void end_frame(FrameSubmission& submission);
+    virtual void present(FrameSubmission& submission);
+
+    Renderer& renderer_;
+    std::unique_ptr<TargetImage> image_;
+};
+
+class Renderer {
+public:
+    explicit Renderer(const Options& options = {});
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Copies curves to the device, in the background of the next frames. Needs a POSITION column; takes RADIUS, COLOR and
+    // NORMAL where there are; without NORMAL it carries a rotation-minimizing frame along. Values must be finite. Points
+    // repeated in a row count once, curves without length are not drawn. The view is not needed afterwards.
+    // Cost: one pass over the data, about 60 ns a point, more without NORMAL.
+    CurvesId upload(const FlgCurveSetView& view, const CurveLook& look = {});
+    // Replaces what `id` shows. On error nothing changes.
+    void update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look = {});
+    // Zero does nothing. Throws for an id that was removed or never given.
+    void remove(CurvesId id);
+    void clear();
+
+    void set_scene(const Scene& scene);
+    const Scene& scene() const;
+    // Of everything uploaded, radii included; lines count as thin.
+    Box bounds() const;
+
+    // Records and submits one frame; returns before it is drawn. Waits only when two frames are in flight already. A
+    // window that has no area just now (minimized) is left alone.
+    void draw(Target& target, const Camera& camera);
+    // Waits for the target's last frame and copies it out; black before the first.
+    Image capture(Target& target);
+    // Waits until all frames are drawn.
+    void wait_idle();
+
+    const FrameStats& stats() const;
+    const std::string& device_name() const;
+    uint32_t samples() const;
+    // What the validation layer said since the start: empty in a sound program.
+    const std::vector<std::string>& messages() const;
+
+private:
+    friend class Target;
+    friend class Window;
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace flg::render
