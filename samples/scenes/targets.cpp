@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// The targets: short strokes by formula, attractors by integration, and the bouquet.
+#include <cmath>
+#include <numbers>
+
+#include "attractors.h"
+#include "noise.h"
+
+namespace flg::scenes {
+namespace {
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+
+Point point(double x, double y, double z) {
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+Point s_curve(double u) {
+    const double a = kTau * (u - 0.5);
+    return point(0.45 * std::sin(a), 1.1 * (u - 0.5), 0.16 * std::sin(0.5 * a) * std::cos(a));
+}
+
+Point spiral(double u) {
+    const double a = kTau * 4.0 * u, r = 0.06 + 0.60 * u;
+    return point(r * std::cos(a), 0.9 * (1.0 - u) - 0.45, r * std::sin(a));
+}
+
+// A signature: two tall loops, a run of small ones, and an underline that swings back.
+Point flourish(double u) {
+    const Noise hand(77);
+    const double write = smooth_step(u / 0.72), back = smooth_step((u - 0.66) / 0.34);
+    const double a = kTau * 5.5 * std::min(u / 0.72, 1.0);
+    const double tall =
+        0.10 + 0.26 * std::exp(-std::pow((u - 0.13) / 0.10, 2.0)) + 0.12 * std::exp(-std::pow((u - 0.47) / 0.05, 2.0));
+    const double fade = 1.0 - smooth_step((u - 0.62) / 0.12);
+    const double x = -0.75 + 1.45 * write - 1.75 * back + 0.11 * fade * std::sin(a);
+    const double y = fade * tall * (1.0 - std::cos(a)) * 0.8 - 0.30 * std::sin(0.5 * kTau * back) + 0.05 * back +
+                     0.03 * hand(4.0 * u);
+    return point(x, y, 0.10 * std::sin(a * 0.5) * fade + 0.12 * hand(3.0 * u + 9.0));
+}
+
+Point ring(double u) {
+    const double a = kTau * u;
+    return point(0.6 * std::cos(a), 0.12 * std::sin(3.0 * a), 0.6 * std::sin(a));
+}
+
+struct Shape {
+    const char* name;
+    Point (*at)(double u);  // null: an attractor
+    const Attractor& (*attractor)();
+    uint32_t usual_count;
+    bool closed;
+    std::array<float, 4> color;
+};
+
+constexpr Shape kShapes[] = {
+    {"s_curve", s_curve, nullptr, 200, false, {0.80f, 0.25f, 0.12f, 1.0f}},
+    {"spiral", spiral, nullptr, 600, false, {0.12f, 0.40f, 0.70f, 1.0f}},
+    {"flourish", flourish, nullptr, 500, false, {0.10f, 0.12f, 0.30f, 1.0f}},
+    {"ring", ring, nullptr, 300, true, {0.75f, 0.55f, 0.10f, 1.0f}},
+    {"lorenz", nullptr, lorenz, 10000, false, {0.85f, 0.35f, 0.10f, 1.0f}},
+    {"thomas", nullptr, thomas, 369400, false, {0.15f, 0.55f, 0.60f, 1.0f}},
+};
+
+constexpr uint32_t kMinCount = 2, kMaxCount = 100'000'000;
+
+// One stem: rises, leans outwards, and rolls up into a volute at its end.
+Curve stem(uint32_t index) {
+    constexpr uint32_t kPoints = 90;
+    constexpr double kGoldenAngle = 2.399963229728653;
+    const Noise hand(1000 + index);
+    const double heading = kGoldenAngle * index + 0.25 * hand(0.5);
+    const double height = 0.75 + 0.35 * hand(7.5), lean = 0.22 + 0.20 * std::sqrt(index / 36.0) + 0.05 * hand(3.5);
+    const double roll = 0.055 + 0.02 * hand(5.5), turns = 1.6 + 0.4 * hand(9.5);
+    Curve curve;
+    // The stem bends in its own upright plane: a turtle whose curvature grows towards the end.
+    double along = 0.02 + 0.03 * hand(11.5), up = 0.0, pitch = 0.5 * std::numbers::pi - 0.6 * lean;
+    const double stem_step = height / (0.62 * kPoints);
+    for (uint32_t i = 0; i < kPoints; ++i) {
+        const double u = static_cast<double>(i) / (kPoints - 1);
+        const double sway = 0.03 * u * hand(2.5 * u + 20.0);
+        curve.points.push_back(point(along * std::cos(heading) - sway * std::sin(heading), up - 0.55,
+                                     along * std::sin(heading) + sway * std::cos(heading)));
+        curve.radii.push_back(static_cast<float>(0.0075 * (1.0 - 0.75 * u) + 0.0008));
+        const double volute = smooth_step((u - 0.55) / 0.25);
+        const double radius = roll * (1.3 - u);
+        const double step = stem_step * (1.0 - volute) + volute * kTau * turns * roll * 0.6 / (0.38 * kPoints);
+        pitch -= (1.0 - volute) * lean * 2.2 / kPoints + volute * step / radius;
+        along += step * std::cos(pitch);
+        up += step * std::sin(pitch);
+    }
+    const double hue = 0.5 + 0.5 * std::sin(0.61 * index);
+    curve.color = {static_cast<float>(0.10 + 0.75 * hue), static_cast<float>(0.42 - 0.25 * hue),
+                   static_cast<float>(0.16 + 0.22 * (1.0 - hue)), 1.0f};
+    return curve;
+}
+
+}  // namespace
+
+const std::vector<std::string>& target_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> list;
+        for (const Shape& shape : kShapes) list.emplace_back(shape.name);
+        return list;
+    }();
+    return names;
+}
+
+Curve make_target(std::string_view name, uint32_t count) {
+    Curve curve;
+    for (const Shape& shape : kShapes) {
+        if (name != shape.name) continue;
+        const uint32_t points = count == 0 ? shape.usual_count : std::min(std::max(count, kMinCount), kMaxCount);
+        curve.color = shape.color;
+        curve.closed = shape.closed;
+        if (shape.at == nullptr) {
+            curve.points = follow(shape.attractor(), points);
+            continue;
+        }
+        curve.points.reserve(points);
+        // A closed curve does not repeat its first point.
+        const double steps = shape.closed ? points : points - 1.0;
+        for (uint32_t i = 0; i < points; ++i) curve.points.push_back(shape.at(i / steps));
+    }
+    return curve;
+}
+
+std::vector<Curve> make_bouquet() {
+    constexpr uint32_t kStems = 36;
+    std::vector<Curve> curves;
+    for (uint32_t i = 0; i < kStems; ++i) curves.push_back(stem(i));
+    return curves;
+}
+
+}  // namespace flg::scenes
