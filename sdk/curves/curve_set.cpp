@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "curves/curve_set.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+namespace flg {
+
+void CurveSet::allocate_curves(uint32_t curve_count) {
+    offsets_ = Buffer<uint32_t>(size_t{curve_count} + 1, memory_);
+    flags_ = Buffer<uint8_t>(curve_count, memory_);
+    complete_ = Buffer<std::atomic<bool>>(curve_count, memory_);
+    for (std::atomic<bool>& complete : complete_) new (&complete) std::atomic<bool>(false);
+    curve_count_ = curve_count;
+}
+
+void CurveSet::allocate_columns(const std::pmr::vector<ColumnLayout>& layout) {
+    columns_.reserve(layout.size());
+    view_columns_.reserve(layout.size());
+    for (const ColumnLayout& column : layout) {
+        columns_.push_back(
+            {column.attribute, column.components, Buffer<float>(size_t{point_count()} * column.components, memory_)});
+        view_columns_.push_back({column.attribute, column.components, columns_.back().values.data(), 0, 0});
+    }
+    laid_out_.store(true, std::memory_order_release);
+}
+
+void CurveSet::publish_complete() {
+    show(curve_count_);
+}
+
+const Column* CurveSet::find(FlgAttribute attribute) const {
+    const auto place = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const Column& column) { return column.attribute == attribute; });
+    return place == columns_.end() ? nullptr : &*place;
+}
+
+void CurveSet::show(uint32_t curves) noexcept {
+    result_ = FLG_OK;
+    visible_curves_ = curves;
+    view_ = {.struct_size = sizeof(FlgCurveSetView),
+             .curve_count = curves,
+             .curve_offsets = offsets_.data(),
+             .curve_flags = flags_.data(),
+             .columns = view_columns_.data(),
+             .column_count = static_cast<uint32_t>(view_columns_.size()),
+             .reserved = 0};
+}
+
+void CurveSet::publish_partial() noexcept {
+    if (!laid_out_.load(std::memory_order_acquire)) return;
+    constexpr uint32_t most_at_a_time = 10'000;  // bounds the tick: tens of microseconds
+    uint32_t curves = visible_curves_;
+    const uint32_t end = std::min(curve_count_, curves + most_at_a_time);
+    while (curves < end && complete_[curves].load(std::memory_order_acquire)) ++curves;
+    if (curves > 0) show(curves);
+}
+
+void CurveSet::publish(const Job& job) noexcept {
+    if (job.result == FLG_OK) {
+        show(curve_count_);
+    } else {
+        result_ = job.result;
+        std::snprintf(error_, sizeof error_, "%s", job.error);
+    }
+}
+
+}  // namespace flg

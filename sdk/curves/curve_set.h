@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Curves in flat arrays, as jobs make and read them and as the host sees them.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "core/memory.h"
+#include "filigree/filigree.h"
+#include "runtime/job.h"
+
+namespace flg {
+
+struct Column {
+    FlgAttribute attribute;
+    uint32_t components;
+    Buffer<float> values;
+};
+
+// A set never changes once it is complete; until then only the job that makes it touches its data, and curve by curve it
+// says what is complete. What the host sees of it (view) changes on the host's thread only.
+class CurveSet final : public Output {
+public:
+    explicit CurveSet(Memory* memory) : memory_(memory), columns_(memory), view_columns_(memory) {}
+
+    // ---- making one ----
+
+    // Takes memory for the curves' structure; offsets (curve_count + 1) and flags are to be filled in.
+    void allocate_curves(uint32_t curve_count);
+    // Takes memory for columns of offsets[curve_count] points, the first one POSITION. The values are not initialized.
+    struct ColumnLayout {
+        FlgAttribute attribute;
+        uint32_t components;
+    };
+    void allocate_columns(const std::pmr::vector<ColumnLayout>& layout);
+    // Curve `curve` will not change any more. Any thread.
+    void complete_curve(uint32_t curve) { complete_[curve].store(true, std::memory_order_release); }
+    // For sets made in one go on the host's thread.
+    void publish_complete();
+
+    // ---- reading ----
+
+    uint32_t curve_count() const { return curve_count_; }
+    uint32_t point_count() const { return curve_count_ == 0 ? 0 : offsets_[curve_count_]; }
+    Buffer<uint32_t>& offsets() { return offsets_; }
+    const Buffer<uint32_t>& offsets() const { return offsets_; }
+    Buffer<uint8_t>& flags() { return flags_; }
+    const Buffer<uint8_t>& flags() const { return flags_; }
+    bool closed(uint32_t curve) const { return (flags_[curve] & FLG_CURVE_CLOSED) != 0; }
+    std::pmr::vector<Column>& columns() { return columns_; }
+    const std::pmr::vector<Column>& columns() const { return columns_; }
+    // Null if there is none.
+    const Column* find(FlgAttribute attribute) const;
+    const float* positions() const { return columns_.front().values.data(); }
+
+    // ---- what the host sees ----
+
+    void publish_partial() noexcept override;
+    void publish(const Job& job) noexcept override;
+    // FLG_NOT_READY until something can be seen, the job's error if it failed.
+    FlgResult visible_result() const { return result_; }
+    const char* error() const { return error_; }
+    const FlgCurveSetView& view() const { return view_; }
+    // The job that makes it, if there is one that may not be done.
+    std::weak_ptr<Job> producer;
+
+private:
+    void show(uint32_t curves) noexcept;
+
+    Memory* memory_;
+    uint32_t curve_count_ = 0;
+    Buffer<uint32_t> offsets_;
+    Buffer<uint8_t> flags_;
+    std::pmr::vector<Column> columns_;
+    Buffer<std::atomic<bool>> complete_;
+    std::atomic<bool> laid_out_{false};  // all arrays are there, though not their values
+
+    FlgResult result_ = FLG_NOT_READY;
+    char error_[256] = "";
+    uint32_t visible_curves_ = 0;
+    std::pmr::vector<FlgColumn> view_columns_;
+    FlgCurveSetView view_{};
+};
+
+}  // namespace flg

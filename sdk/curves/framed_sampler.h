@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Even samples of a curve with a moving frame: the stream that resampling and synthesis are made of.
+//
+// On closed curves the rotation-minimizing frame comes back turned by an angle; a pass ahead measures it, and each
+// sample's normal is turned back by its share. The Frenet normal is the direction in which the tangent turns between the
+// two neighbouring samples; where it doesn't turn, the last normal is carried on (at the start: the initial normal).
+#pragma once
+
+#include "curves/arc_length.h"
+#include "curves/even_sampler.h"
+#include "curves/moving_frame.h"
+#include "filigree/filigree.h"
+
+namespace flg {
+
+struct FramedSample : CurveSample {
+    Vec3 normal;  // unit, across the tangent
+};
+
+// How a curve is to be sampled. Ends: closed curves may have their first point once more at the end.
+struct SamplingPlan {
+    CurveView curve;
+    CurveMeasure measure;
+    uint32_t steps = 0;         // 0 exactly if the curve has no length
+    bool repeat_first = false;  // closed curves: steps + 1 samples instead of steps
+    FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;
+
+    uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed && !repeat_first ? steps : steps + 1); }
+};
+
+class FramedSampler {
+public:
+    explicit FramedSampler(const SamplingPlan& plan);
+
+    // The next of plan.sample_count() samples; `units` as for EvenSampler::next().
+    bool next(FramedSample& out, uint32_t& units) {
+        if (special_) return next_special(out, units);
+        if (!sampler_.next(out, units)) return false;
+        if (next_++ == 0) {
+            begin_frame(out);
+        } else {
+            frame_.step(out.position, out.tangent);
+        }
+        out.normal = frame_.normal();
+        return true;
+    }
+
+private:
+    bool next_special(FramedSample& out, uint32_t& units);
+    bool measure_twist(uint32_t& units);
+    bool next_twisted(FramedSample& out, uint32_t& units);
+    bool next_frenet(FramedSample& out, uint32_t& units);
+    void begin_frame(const CurveSample& first);
+
+    SamplingPlan plan_;
+    EvenSampler sampler_;
+    RotationMinimizingFrame frame_;
+    bool special_;  // anything but a rotation-minimizing frame on an open curve
+    bool twist_known_ = false;
+    bool has_ahead_ = false;
+    uint32_t next_ = 0;          // index of the sample to come
+    double twist_per_step_ = 0;  // radians
+    double straight_ = 0;        // tangents that turn by less than this between samples, radians, do not turn
+    Vec3 first_tangent_, first_normal_, before_;
+    CurveSample ahead_;  // Frenet: the sample to come
+};
+
+}  // namespace flg

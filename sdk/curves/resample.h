@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A curve resampled into the columns of a result.
+#pragma once
+
+#include <span>
+
+#include "curves/framed_sampler.h"
+
+namespace flg {
+
+// A column that follows the points, interpolated linearly. `in` is at the curve's first point, `out` at its first sample;
+// both tightly packed.
+struct ColumnPair {
+    const float* in = nullptr;
+    float* out = nullptr;
+    uint32_t components = 0;
+    bool orientation = false;  // unit quaternions: the shorter way, and normalized
+};
+
+// Where the samples of one curve go: three floats each, tightly packed.
+struct FrameColumns {
+    float* positions = nullptr;
+    float* tangents = nullptr;
+    float* normals = nullptr;
+};
+
+// Where a sample lies between the points of the input.
+struct SamplePlace {
+    uint32_t segment = 0;
+    float t = 0;
+};
+
+// Values number `first`, `first` + 1, ... of a column, for the given samples.
+void interpolate_column(const ColumnPair& column, const CurveView& curve, std::span<const SamplePlace> places,
+                        uint32_t first);
+
+// A unit is a sample or a point of the input, about 50 ns. On closed curves with a rotation-minimizing frame there are
+// twice as many.
+class ResampleKernel {
+public:
+    // The columns outlive the kernel.
+    ResampleKernel(const SamplingPlan& plan, const FrameColumns& out, std::span<const ColumnPair> columns);
+    bool run(uint32_t n);
+    // Samples written so far.
+    uint32_t written() const { return written_; }
+
+private:
+    FramedSampler sampler_;
+    CurveView curve_;
+    FrameColumns out_;
+    std::span<const ColumnPair> columns_;
+    uint32_t count_;
+    uint32_t written_ = 0;
+};
+
+}  // namespace flg
