@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Contexts: made, ticked, waited for, destroyed.
+#include "api/context.h"
+
+#include <new>
+
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "core/random.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t max_threads = 256;
+
+FlgContextDesc default_context_desc() {
+    FlgContextDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.version = FLG_VERSION;
+    desc.worker_count = 1;
+    return desc;
+}
+
+void check(const FlgContextDesc& desc) {
+    const uint32_t major = desc.version >> 22;
+    const uint32_t minor = desc.version >> 12 & 0x3ff;
+    if (major != FLG_VERSION_MAJOR || (FLG_VERSION_MAJOR == 0 && minor != FLG_VERSION_MINOR)) {
+        throw Failure(FLG_ERROR_VERSION, "the host was compiled for filigree %u.%u, this library is %d.%d.%d", major,
+                      minor, FLG_VERSION_MAJOR, FLG_VERSION_MINOR, FLG_VERSION_PATCH);
+    }
+    if (desc.worker_count > max_threads) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "worker_count is %u, must be 0 to %u", desc.worker_count,
+                      max_threads);
+    }
+    if (!desc.allocator.allocate != !desc.allocator.free) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "allocator has only one of allocate and free");
+    }
+    if (desc.job_system.submit && (desc.job_system.concurrency < 1 || desc.job_system.concurrency > max_threads)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job_system.concurrency is %u, must be 1 to %u",
+                      desc.job_system.concurrency, max_threads);
+    }
+    if (!desc.profiler.begin != !desc.profiler.end) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "profiler has only one of begin and end");
+    }
+}
+
+// Callbacks run inside flgTick and must not enter it again.
+void refuse_inside_callback(const Context& context, const char* function) {
+    if (context.ticking)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s was called from a callback inside flgTick", function);
+}
+
+}  // namespace
+
+Context& get_context(FlgContext context) {
+    if (!context) throw Failure(FLG_ERROR_INVALID_HANDLE, "context is null");
+    if (context->magic != Context::alive) throw Failure(FLG_ERROR_INVALID_HANDLE, "context is not a living FlgContext");
+    return *context;
+}
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_context_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context) {
+    return guarded([&] {
+        require(out_context, "out_context") = nullptr;
+        const FlgContextDesc read = desc ? read_struct(desc, default_context_desc(), "desc") : default_context_desc();
+        check(read);
+        HostMemory memory(read.allocator);
+        void* place = memory.allocate(sizeof(Context), alignof(Context));
+        try {
+            const auto salt = static_cast<uint32_t>(mix64(reinterpret_cast<uintptr_t>(place)));
+            *out_context = new (place) Context(read, memory, salt);
+        } catch (...) {
+            memory.deallocate(place, sizeof(Context), alignof(Context));
+            throw;
+        }
+        return FLG_OK;
+    });
+}
+
+FlgResult flgContextDestroy(FlgContext context) {
+    return guarded([&] {
+        if (!context) return FLG_OK;
+        Context& self = get_context(context);
+        refuse_inside_callback(self, "flgContextDestroy");
+        if (!self.runtime.stop()) return FLG_NOT_READY;
+        HostMemory memory(self.memory);
+        self.magic = 0;
+        self.~Context();
+        memory.deallocate(&self, sizeof(Context), alignof(Context));
+        return FLG_OK;
+    });
+}
+
+FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report) {
+    return guarded([&] {
+        Context& self = get_context(context);
+        refuse_inside_callback(self, "flgTick");
+        if (report) check_struct_size<FlgFrameReport>(report->struct_size, "report");
+        self.ticking = true;
+        const FlgFrameReport made = self.runtime.tick(budget_us);
+        self.ticking = false;
+        if (report) write_struct(report, made, "report");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgContextWait(FlgContext context, uint32_t timeout_us) {
+    return guarded([&] {
+        Context& self = get_context(context);
+        refuse_inside_callback(self, "flgContextWait");
+        return self.runtime.wait(timeout_us) ? FLG_OK : FLG_NOT_READY;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What an FlgContext points to: the runtime and the handles of one context.
+#pragma once
+
+#include "curves/curve_set.h"
+#include "runtime/handle_table.h"
+#include "runtime/runtime.h"
+#include "stylization/style.h"
+
+// In the global namespace because the C header declares it.
+struct FlgContextT {
+    FlgContextT(const FlgContextDesc& desc, const flg::HostMemory& host_memory, uint32_t salt)
+        : memory(host_memory),
+          jobs(flg::HandleKind::job, salt, &memory),
+          curve_sets(flg::HandleKind::curve_set, salt, &memory),
+          styles(flg::HandleKind::style, salt, &memory),
+          runtime(desc, &memory) {}
+
+    static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
+    uint64_t magic = alive;
+    flg::HostMemory memory;
+    flg::HandleTable<flg::Job> jobs;
+    flg::HandleTable<flg::CurveSet> curve_sets;
+    flg::HandleTable<flg::Style> styles;
+    flg::Runtime runtime;
+    bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
+};
+
+namespace flg {
+
+using Context = FlgContextT;
+
+// The context behind the pointer; throws if it is null or visibly none.
+Context& get_context(FlgContext context);
+
+// A new object in the context's memory.
+template <class T, class... Arguments>
+std::shared_ptr<T> make_object(Context& context, Arguments&&... arguments) {
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(&context.memory),
+                                   std::forward<Arguments>(arguments)...);
+}
+
+// Starts a job in two steps, so that a failure in between leaves nothing behind: make one of these, start its job's
+// strand with a task, then commit. `Output` is the object that the job makes.
+class Submission {
+public:
+    Submission(Context& context, const FlgJobOptions& options);
+
+    Job& job() { return *job_; }
+    Pace& pace() { return job_->strand.pace; }
+
+    // The job waits for whatever still makes this input.
+    void read(const std::weak_ptr<Job>& producer);
+
+    // Queues the job. Writes handles for the output and, unless out_job is null, for the job.
+    template <class T>
+    uint64_t commit(HandleTable<T>& table, std::shared_ptr<T> output, FlgJob* out_job) {
+        output->producer = job_;
+        job_->output = output;
+        const uint64_t id = table.add(std::move(output));
+        try {
+            queue(out_job);
+        } catch (...) {
+            table.remove(id, "output");
+            throw;
+        }
+        return id;
+    }
+
+private:
+    void queue(FlgJob* out_job);
+
+    Context& context_;
+    std::shared_ptr<Job> job_;
+    std::pmr::vector<std::shared_ptr<Job>> dependencies_;
+};
+
+// Defaults of the job part of descriptors.
+FlgJobOptions default_job_options();
+
+}  // namespace flg

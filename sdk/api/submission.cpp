@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "api/context.h"
+#include "api/descriptors.h"
+
+namespace flg {
+
+FlgJobOptions default_job_options() {
+    FlgJobOptions options{};
+    options.priority = FLG_PRIORITY_NORMAL;
+    return options;
+}
+
+Submission::Submission(Context& context, const FlgJobOptions& options)
+    : context_(context), dependencies_(&context.memory) {
+    if (options.priority < FLG_PRIORITY_LOW || options.priority > FLG_PRIORITY_HIGH) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job.priority is %d, must be one of FLG_PRIORITY_...",
+                      static_cast<int>(options.priority));
+    }
+    if (options.dependency_count > 0 && !options.dependencies) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job.dependencies is null, but dependency_count is %u",
+                      options.dependency_count);
+    }
+    for (uint32_t i = 0; i < options.dependency_count; ++i) {
+        dependencies_.push_back(context.jobs.get(options.dependencies[i].id, "a handle in job.dependencies"));
+    }
+    job_ = context.runtime.scheduler().make_job();
+    job_->priority = options.priority;
+    job_->partial_results = options.partial_results != 0;
+    job_->on_finished = options.on_finished;
+    job_->user_data = options.user_data;
+}
+
+void Submission::read(const std::weak_ptr<Job>& producer) {
+    if (std::shared_ptr<Job> job = producer.lock()) dependencies_.push_back(std::move(job));
+}
+
+void Submission::queue(FlgJob* out_job) {
+    if (out_job) job_->handle = {context_.jobs.add(job_)};
+    try {
+        context_.runtime.scheduler().submit(job_, dependencies_);
+    } catch (...) {
+        if (out_job) context_.jobs.remove(job_->handle.id, "job");
+        throw;
+    }
+    if (out_job) *out_job = job_->handle;
+}
+
+}  // namespace flg

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/handle_table.h"
+
+namespace flg {
+
+const char* handle_kind_name(HandleKind kind) {
+    switch (kind) {
+        case HandleKind::job: return "job";
+        case HandleKind::curve_set: return "curve set";
+        case HandleKind::style: return "style";
+    }
+    return "handle";
+}
+
+}  // namespace flg

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/host.h"
+
+#include <chrono>
+#include <cstdarg>
+#include <cstdio>
+#include <new>
+
+namespace flg {
+
+void* HostMemory::do_allocate(size_t size, size_t alignment) {
+    if (!allocator_.allocate) return ::operator new(size, std::align_val_t(alignment));
+    void* memory = allocator_.allocate(allocator_.user_data, size, alignment);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+
+void HostMemory::do_deallocate(void* memory, size_t size, size_t alignment) {
+    if (!allocator_.free) {
+        ::operator delete(memory, std::align_val_t(alignment));
+    } else {
+        allocator_.free(allocator_.user_data, memory, size, alignment);
+    }
+}
+
+uint64_t Host::now_ns() const {
+    if (clock_.now_ns) return clock_.now_ns(clock_.user_data);
+    const auto since_epoch = std::chrono::steady_clock::now().time_since_epoch();
+    return static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(since_epoch).count());
+}
+
+void Host::log(FlgLogLevel level, const char* format, ...) const {
+    if (!log_.write) return;
+    char message[512];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    log_.write(log_.user_data, level, message);
+}
+
+}  // namespace flg

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A job: a task with a place in the queue, dependencies, and what the host may know of it.
+//
+// Three kinds of members, by who may touch them:
+// - set at submission, read by all;
+// - live: atomics, or guarded by the scheduler's mutex;
+// - published: what the host sees, written only inside flgTick on the host's thread.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "runtime/strand.h"
+
+namespace flg {
+
+class Job;
+
+// What a job makes. The host sees it through a handle; what the handle shows changes when these are called.
+class Output {
+public:
+    virtual ~Output() = default;
+    virtual void publish_partial() noexcept = 0;  // for jobs with partial_results, each flgTick while they run
+    virtual void publish(const Job& job) noexcept = 0;
+};
+
+struct StageTime {
+    const char* name = "";
+    uint64_t start_ns = 0, end_ns = 0;
+    uint64_t busy_start_ns = 0, busy_end_ns = 0;
+};
+
+class Job : public std::enable_shared_from_this<Job> {
+public:
+    static constexpr uint32_t max_stages = 16;
+
+    Job(const Host& job_host, Memory* memory, uint32_t threads)
+        : host(job_host), concurrency(threads), strand(*this, job_host, memory), dependents(memory) {}
+
+    const Host& host;
+    const uint32_t concurrency;  // strands a fork may use
+    FlgPriority priority = FLG_PRIORITY_NORMAL;
+    bool partial_results = false;
+    uint64_t serial = 0;  // order of submission
+    FlgJob handle{};
+    void (*on_finished)(void*, FlgJob, FlgResult) = nullptr;
+    void* user_data = nullptr;
+    std::shared_ptr<Output> output;
+    Strand strand;
+
+    // Live, any thread.
+    std::atomic<bool> cancelled{false};
+    std::atomic<const char*> stage{""};
+    std::atomic<uint64_t> expected_units{0}, done_units{0};
+
+    // Live, guarded by the scheduler's mutex. The stages belong to the job's first strand while it runs.
+    bool started = false;
+    bool done = false;
+    uint32_t waiting_for = 0;  // dependencies that are not done
+    std::pmr::vector<std::shared_ptr<Job>> dependents;
+    FlgResult result = FLG_NOT_READY;
+    char error[256] = "";
+    uint64_t busy_ns = 0;
+    uint64_t longest_chunk_ns = 0;
+    std::array<StageTime, max_stages> stages;
+    uint32_t stage_count = 0;
+    std::shared_ptr<Job> next_started, next_finished;  // the scheduler's lists
+    Job* next_failing = nullptr;                       // while a failure spreads
+
+    // Published.
+    FlgJobStatus status{.struct_size = sizeof(FlgJobStatus),
+                        .state = FLG_JOB_WAITING,
+                        .result = FLG_NOT_READY,
+                        .progress = 0,
+                        .stage = "",
+                        .error = "",
+                        .busy_us = 0,
+                        .longest_chunk_us = 0};
+
+    void begin_stage(const char* name, uint64_t now_ns, uint64_t slice_busy_ns) noexcept {
+        end_stage(now_ns, slice_busy_ns);
+        stage.store(name, std::memory_order_relaxed);
+        if (stage_count < max_stages) {
+            const uint64_t busy = busy_ns + slice_busy_ns;
+            stages[stage_count++] = {name, now_ns, now_ns, busy, busy};
+        }
+    }
+    // Also ends the last stage when the job is done.
+    void end_stage(uint64_t now_ns, uint64_t slice_busy_ns) noexcept {
+        if (stage_count == 0) return;
+        stages[stage_count - 1].end_ns = now_ns;
+        stages[stage_count - 1].busy_end_ns = busy_ns + slice_busy_ns;
+    }
+};
+
+}  // namespace flg

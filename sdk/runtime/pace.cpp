@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pace.h"
+
+#include "runtime/job.h"
+#include "runtime/task.h"
+
+namespace flg {
+
+Memory* frame_memory(Pace& pace) {
+    return pace.memory();
+}
+
+bool Pace::await_ready() noexcept {
+    const uint64_t now_ns = host_.now_ns();
+    end_chunk(now_ns);
+    return now_ns < deadline_ns_ && !job_.cancelled.load(std::memory_order_relaxed);
+}
+
+void Pace::stage(const char* name) noexcept {
+    const uint64_t now_ns = host_.now_ns();
+    end_chunk(now_ns);
+    job_.begin_stage(name, now_ns, slice_busy_ns());
+}
+
+void Pace::expect(uint64_t units) noexcept {
+    job_.expected_units.store(units, std::memory_order_relaxed);
+}
+
+void Pace::advance(uint64_t units) noexcept {
+    job_.done_units.fetch_add(units, std::memory_order_relaxed);
+}
+
+void Pace::begin_slice(uint64_t now_ns, uint64_t deadline_ns) noexcept {
+    slice_start_ns_ = chunk_start_ns_ = now_ns;
+    deadline_ns_ = deadline_ns;
+    longest_ = {};
+}
+
+void Pace::end_slice(uint64_t now_ns) noexcept {
+    end_chunk(now_ns);
+}
+
+void Pace::end_chunk(uint64_t now_ns) noexcept {
+    const uint64_t duration_ns = now_ns - chunk_start_ns_;
+    if (duration_ns > longest_.duration_ns) longest_ = {duration_ns, job_.stage.load(std::memory_order_relaxed)};
+    chunk_start_ns_ = now_ns;
+}
+
+}  // namespace flg

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The pace of one strand of work: how long it may go on now, and what it reports while it does.
+//
+//     while (!kernel.run(256)) co_await pace;
+//
+// goes on without suspending while the slice has time left. Kernels are told how much to do in units of work, never in
+// time, so results cannot depend on the speed of the machine.
+#pragma once
+
+#include <coroutine>
+#include <cstdint>
+
+#include "core/memory.h"
+#include "runtime/host.h"
+
+namespace flg {
+
+class Job;
+class Fork;
+
+// The longest run of work between two pauses.
+struct Chunk {
+    uint64_t duration_ns = 0;
+    const char* stage = "";
+};
+
+class Pace {
+public:
+    Pace(Job& job, const Host& host, Memory* memory) : job_(job), host_(host), memory_(memory) {}
+    Pace(const Pace&) = delete;
+    Pace& operator=(const Pace&) = delete;
+
+    // Awaiting a pace ends the chunk; suspends when the slice's time is over or the job was cancelled.
+    bool await_ready() noexcept;
+    void await_suspend(std::coroutine_handle<> point) noexcept { resume_point_ = point; }
+    void await_resume() const noexcept {}
+
+    // Begins a named stage of the job (a string literal); for the job's first strand only. At most 16 a job.
+    void stage(const char* name) noexcept;
+    // Progress in units that the job chooses: what there is in all, and what was done just now (any strand).
+    void expect(uint64_t units) noexcept;
+    void advance(uint64_t units) noexcept;
+
+    Memory* memory() const { return memory_; }
+    Job& job() const { return job_; }
+
+    // For the scheduler: one slice is begin, resume, end.
+    void begin_slice(uint64_t now_ns, uint64_t deadline_ns) noexcept;
+    void end_slice(uint64_t now_ns) noexcept;
+    uint64_t slice_busy_ns() const { return chunk_start_ns_ - slice_start_ns_; }
+    const Chunk& longest_chunk() const { return longest_; }
+
+    // Where the strand goes on.
+    std::coroutine_handle<> resume_point_;
+    // Set when the strand has suspended to wait for the strands of a fork.
+    Fork* fork_ = nullptr;
+
+private:
+    void end_chunk(uint64_t now_ns) noexcept;
+
+    Job& job_;
+    const Host& host_;
+    Memory* memory_;
+    uint64_t slice_start_ns_ = 0;
+    uint64_t deadline_ns_ = 0;
+    uint64_t chunk_start_ns_ = 0;
+    Chunk longest_;
+};
+
+}  // namespace flg

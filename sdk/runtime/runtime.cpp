@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/runtime.h"
+
+namespace flg {
+
+namespace {
+
+Threading threading_of(const FlgContextDesc& desc) {
+    if (desc.job_system.submit) return Threading::host;
+    return desc.worker_count > 0 ? Threading::workers : Threading::none;
+}
+
+uint32_t thread_count_of(const FlgContextDesc& desc) {
+    return desc.job_system.submit ? desc.job_system.concurrency : desc.worker_count;
+}
+
+}  // namespace
+
+Runtime::Runtime(const FlgContextDesc& desc, Memory* memory)
+    : memory_(memory),
+      host_(desc.clock, desc.log, desc.profiler),
+      threading_(threading_of(desc)),
+      scheduler_(host_, memory, thread_count_of(desc), desc.worker_budget_us) {
+    if (threading_ == Threading::workers) crew_ = &workers_.emplace(scheduler_, desc.worker_count, memory);
+    if (threading_ == Threading::host) crew_ = &host_tasks_.emplace(scheduler_, desc.job_system);
+}
+
+Runtime::~Runtime() {
+    stop();
+}
+
+bool Runtime::stop() {
+    scheduler_.cancel_all();
+    return !crew_ || crew_->stop();
+}
+
+FlgFrameReport Runtime::tick(uint32_t budget_us) {
+    const uint64_t start_ns = host_.now_ns();
+    const uint64_t deadline_ns = budget_us == 0 ? UINT64_MAX : start_ns + budget_us * uint64_t{1000};
+    FlgFrameReport report{};
+    report.struct_size = sizeof report;
+    report.frame = ++frame_;
+    if (crew_) crew_->begin_frame();
+    scheduler_.publish_progress();
+    report.jobs_finished = scheduler_.publish(deadline_ns, &report.callback_us);
+    if (threading_ == Threading::none) {
+        const uint64_t work_start_ns = host_.now_ns();
+        float callbacks_us = 0;
+        // Jobs that finish here are published at once if there is time; their callbacks may start new ones.
+        while (host_.now_ns() < deadline_ns && scheduler_.run_next(deadline_ns)) {
+            scheduler_.publish_progress();
+            if (host_.now_ns() >= deadline_ns) break;
+            report.jobs_finished += scheduler_.publish(deadline_ns, &callbacks_us);
+        }
+        report.callback_us += callbacks_us;
+        report.work_us = static_cast<float>(host_.now_ns() - work_start_ns) * 1e-3f - callbacks_us;
+    }
+    const Scheduler::Statistics statistics = scheduler_.take_statistics();
+    if (threading_ != Threading::none) report.worker_us = static_cast<float>(statistics.busy_ns) * 1e-3f;
+    report.longest_chunk_us = static_cast<float>(statistics.longest.duration_ns) * 1e-3f;
+    report.longest_chunk_stage = statistics.longest.stage;
+    report.longest_chunk_job = statistics.longest_job;
+    report.jobs_pending = scheduler_.pending();
+    report.tick_us = static_cast<float>(host_.now_ns() - start_ns) * 1e-3f;
+    return report;
+}
+
+bool Runtime::wait(uint32_t timeout_us) {
+    return threading_ == Threading::none || scheduler_.wait_publishable(timeout_us);
+}
+
+}  // namespace flg

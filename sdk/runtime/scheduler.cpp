@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/scheduler.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "core/failure.h"
+#include "runtime/fork.h"
+
+namespace flg {
+
+namespace {
+
+template <class Vector>
+void reserve_one_more(Vector& vector) {
+    constexpr size_t smallest = 8;
+    if (vector.size() == vector.capacity()) vector.reserve(std::max(smallest, vector.size() * 2));
+}
+
+// The sentence of the first failure is passed on as it is, however long the chain.
+void describe_failed_dependency(const Job& failed, Job& dependent) {
+    constexpr char prefix[] = "a job it depends on failed: ";
+    const bool has_prefix = std::strncmp(failed.error, prefix, sizeof prefix - 1) == 0;
+    std::snprintf(dependent.error, sizeof dependent.error, "%s%.220s", has_prefix ? "" : prefix, failed.error);
+}
+
+}  // namespace
+
+Scheduler::~Scheduler() {
+    // One by one: lists of shared pointers would free themselves recursively.
+    while (started_) started_ = std::exchange(started_->next_started, nullptr);
+    while (finished_) finished_ = std::exchange(finished_->next_finished, nullptr);
+    for (const std::shared_ptr<Job>& job : all_) job->dependents.clear();
+}
+
+// ---- queues (mutex held) ---------------------------------------------------------------------------------------
+
+void Scheduler::push_back(Strand& strand) {
+    Queue& queue = ready_[strand.job.priority];
+    ++ready_count_;
+    strand.next = nullptr;
+    (queue.last ? queue.last->next : queue.first) = &strand;
+    queue.last = &strand;
+}
+
+void Scheduler::push_front(Strand& strand) {
+    Queue& queue = ready_[strand.job.priority];
+    ++ready_count_;
+    strand.next = queue.first;
+    queue.first = &strand;
+    if (!queue.last) queue.last = &strand;
+}
+
+Strand* Scheduler::pop() {
+    for (int p = priority_count - 1; p >= 0; --p) {
+        Queue& queue = ready_[p];
+        if (Strand* strand = queue.first) {
+            queue.first = strand->next;
+            if (!queue.first) queue.last = nullptr;
+            --ready_count_;
+            return strand;
+        }
+    }
+    return nullptr;
+}
+
+// ---- running (any thread) ----------------------------------------------------------------------------------------
+
+bool Scheduler::run_next(uint64_t deadline_ns) {
+    Strand* strand;
+    {
+        std::lock_guard lock(mutex_);
+        strand = pop();
+        if (!strand) return false;
+        Job& job = strand->job;
+        if (!job.started) {
+            job.started = true;
+            job.next_started = std::move(started_);
+            started_ = job.shared_from_this();
+        }
+    }
+    if (!strand->job.cancelled.load(std::memory_order_relaxed)) {
+        strand->pace.begin_slice(host_.now_ns(), deadline_ns);
+        host_.zone_begin(strand->job.stage.load(std::memory_order_relaxed));
+        strand->pace.resume_point_.resume();
+        host_.zone_end();
+        strand->pace.end_slice(host_.now_ns());
+    } else {
+        strand->pace.begin_slice(0, 0);
+    }
+    end_slice(*strand);
+    return true;
+}
+
+void Scheduler::end_slice(Strand& strand) {
+    Job& job = strand.job;
+    const std::shared_ptr<Job> keep_alive = job.shared_from_this();
+    const bool first = strand.member_of == nullptr;
+    const bool cancelled = job.cancelled.load(std::memory_order_relaxed);
+    const bool done = cancelled || strand.root.done();
+    FlgResult result = FLG_OK;
+    char error[sizeof job.error] = "";
+    if (first && done && !strand.pace.fork_) {
+        // The outcome is read, and what the job holds is freed, before others hear of it and outside the mutex.
+        if (cancelled && !strand.root.done()) {
+            result = FLG_ERROR_CANCELLED;
+            std::snprintf(error, sizeof error, "the job was cancelled");
+        } else if (strand.root.exception()) {
+            try {
+                std::rethrow_exception(strand.root.exception());
+            } catch (const Failure& failure) {
+                result = failure.result();
+                std::snprintf(error, sizeof error, "%s", failure.what());
+            } catch (const std::bad_alloc&) {
+                result = FLG_ERROR_OUT_OF_MEMORY;
+                std::snprintf(error, sizeof error, "the allocator returned null during %s", job.stage.load());
+            } catch (const std::exception& e) {
+                result = FLG_ERROR_INTERNAL;
+                std::snprintf(error, sizeof error, "%s", e.what());
+            } catch (...) {
+                result = FLG_ERROR_INTERNAL;
+                std::snprintf(error, sizeof error, "unknown exception during %s", job.stage.load());
+            }
+        }
+        job.end_stage(host_.now_ns(), strand.pace.slice_busy_ns());
+        strand.root.reset();
+    }
+
+    bool woke = false;
+    {
+        std::lock_guard lock(mutex_);
+        const Chunk& chunk = strand.pace.longest_chunk();
+        const uint64_t busy_ns = strand.pace.slice_busy_ns();
+        job.busy_ns += busy_ns;
+        job.longest_chunk_ns = std::max(job.longest_chunk_ns, chunk.duration_ns);
+        statistics_.busy_ns += busy_ns;
+        if (chunk.duration_ns > statistics_.longest.duration_ns) {
+            statistics_.longest = chunk;
+            statistics_.longest_job = job.handle;
+        }
+        if (Fork* fork = strand.pace.fork_) {
+            // The branches start only now, when nothing refers to the parent's slice any more.
+            strand.pace.fork_ = nullptr;
+            for (Strand& branch : fork->branches) push_back(branch);
+            woke = true;
+        } else if (!done) {
+            push_front(strand);
+        } else if (first) {
+            complete(job, result, error);
+            woke = true;
+        } else {
+            finish_branch(strand);
+        }
+    }
+    if (woke) wake();
+}
+
+void Scheduler::finish_branch(Strand& strand) {
+    Fork& fork = *strand.member_of;
+    if (--fork.unfinished == 0) push_front(fork.parent);
+}
+
+// Mutex held. Jobs that depend on a failed one fail too, however long the chain.
+void Scheduler::complete(Job& job, FlgResult result, const char* error) {
+    Job* failing = nullptr;
+    settle(job, result, error, failing);
+    while (failing) {
+        Job& next = *std::exchange(failing, failing->next_failing);
+        settle(next, FLG_ERROR_DEPENDENCY, next.error, failing);
+    }
+    publishable_.notify_all();
+}
+
+// Marks one job done; dependents that can't run any more are put on the list `failing`, with their sentence.
+void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& failing) {
+    job.done = true;
+    job.result = result;
+    if (error != job.error) std::snprintf(job.error, sizeof job.error, "%s", error);
+    std::shared_ptr<Job>* place = &finished_;
+    while (*place && (*place)->serial < job.serial) place = &(*place)->next_finished;
+    job.next_finished = std::move(*place);
+    *place = job.shared_from_this();
+    for (const std::shared_ptr<Job>& dependent : job.dependents) {
+        if (dependent->done) continue;
+        if (result == FLG_OK) {
+            if (--dependent->waiting_for == 0) push_back(dependent->strand);
+        } else {
+            dependent->done = true;
+            describe_failed_dependency(job, *dependent);
+            dependent->next_failing = std::exchange(failing, dependent.get());
+        }
+    }
+    job.dependents.clear();
+}
+
+// ---- host's thread -------------------------------------------------------------------------------------------------
+
+std::shared_ptr<Job> Scheduler::make_job() {
+    return std::allocate_shared<Job>(std::pmr::polymorphic_allocator<Job>(memory_), host_, memory_,
+                                     std::max(1u, threads_));
+}
+
+void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<std::shared_ptr<Job>>& dependencies) {
+    // All memory is taken before anything changes, so that a failing allocator leaves no trace.
+    reserve_one_more(all_);
+    running_.reserve(all_.capacity());
+    job->serial = next_serial_++;
+    bool ready = false;
+    {
+        std::lock_guard lock(mutex_);
+        for (const std::shared_ptr<Job>& dependency : dependencies) reserve_one_more(dependency->dependents);
+        const Job* failed = nullptr;
+        for (const std::shared_ptr<Job>& dependency : dependencies) {
+            if (!dependency->done) {
+                dependency->dependents.push_back(job);
+                ++job->waiting_for;
+            } else if (dependency->result != FLG_OK && !failed) {
+                failed = dependency.get();
+            }
+        }
+        if (failed) {
+            describe_failed_dependency(*failed, *job);
+            complete(*job, FLG_ERROR_DEPENDENCY, job->error);
+        } else if (job->waiting_for == 0) {
+            push_back(job->strand);
+            ready = true;
+        }
+    }
+    ++pending_;
+    all_.push_back(std::move(job));
+    if (ready) wake();
+}
+
+void Scheduler::cancel(Job& job) {
+    bool woke = false;
+    {
+        std::lock_guard lock(mutex_);
+        if (job.done) return;
+        job.cancelled.store(true, std::memory_order_relaxed);
+        if (job.waiting_for > 0) {
+            complete(job, FLG_ERROR_CANCELLED, "the job was cancelled");
+            woke = true;
+        }
+    }
+    if (woke) wake();
+}
+
+void Scheduler::cancel_all() {
+    for (const std::shared_ptr<Job>& job : all_) cancel(*job);
+}
+
+void Scheduler::publish_progress() {
+    std::shared_ptr<Job> started;
+    {
+        std::lock_guard lock(mutex_);
+        started = std::move(started_);
+    }
+    while (started) {
+        // Within its capacity, see submit. A job that was published meanwhile is not running any more.
+        if (started->status.state != FLG_JOB_FINISHED) running_.push_back(started.get());
+        started = std::move(started->next_started);
+    }
+    for (Job* job : running_) {
+        FlgJobStatus& status = job->status;
+        status.state = FLG_JOB_RUNNING;
+        status.stage = job->stage.load(std::memory_order_relaxed);
+        const auto expected = static_cast<double>(job->expected_units.load(std::memory_order_relaxed));
+        const auto done = static_cast<double>(job->done_units.load(std::memory_order_relaxed));
+        constexpr double highest_unfinished = 0.999;
+        if (expected > 0) {
+            const double fraction = std::min(done / expected, highest_unfinished);
+            status.progress = std::max(status.progress, static_cast<float>(fraction));
+        }
+        {
+            std::lock_guard lock(mutex_);
+            status.busy_us = static_cast<float>(job->busy_ns) * 1e-3f;
+            status.longest_chunk_us = static_cast<float>(job->longest_chunk_ns) * 1e-3f;
+        }
+        if (job->partial_results && job->output) job->output->publish_partial();
+    }
+}
+
+uint32_t Scheduler::publish(uint64_t deadline_ns, float* callback_us) {
+    uint32_t count = 0;
+    do {
+        std::shared_ptr<Job> job;
+        {
+            std::lock_guard lock(mutex_);
+            if (!finished_) break;
+            job = std::move(finished_);
+            finished_ = std::move(job->next_finished);
+        }
+        publish_job(*job);
+        ++count;
+        if (job->on_finished) {
+            const uint64_t start_ns = host_.now_ns();
+            job->on_finished(job->user_data, job->handle, job->result);
+            *callback_us += static_cast<float>(host_.now_ns() - start_ns) * 1e-3f;
+        }
+    } while (host_.now_ns() < deadline_ns);
+    return count;
+}
+
+void Scheduler::publish_job(Job& job) {
+    FlgJobStatus& status = job.status;
+    status.state = FLG_JOB_FINISHED;
+    status.result = job.result;
+    if (job.result == FLG_OK) status.progress = 1;
+    status.error = job.error;
+    status.stage = job.stage.load(std::memory_order_relaxed);
+    status.busy_us = static_cast<float>(job.busy_ns) * 1e-3f;
+    status.longest_chunk_us = static_cast<float>(job.longest_chunk_ns) * 1e-3f;
+    if (job.output) job.output->publish(job);
+    job.output.reset();
+    job.strand.root.reset();  // of a job that never ran; others freed it when they were done
+    std::erase(running_, &job);
+    const auto place = std::lower_bound(all_.begin(), all_.end(), job.serial,
+                                        [](const auto& other, uint64_t serial) { return other->serial < serial; });
+    all_.erase(place);
+    --pending_;
+    if (job.result != FLG_OK && job.result != FLG_ERROR_CANCELLED) {
+        host_.log(FLG_LOG_ERROR, "job %llu failed: %s", static_cast<unsigned long long>(job.serial), job.error);
+    }
+}
+
+bool Scheduler::wait_publishable(uint32_t timeout_us) {
+    if (pending_ == 0) return true;
+    std::unique_lock lock(mutex_);
+    return publishable_.wait_for(lock, std::chrono::microseconds(timeout_us), [this] { return finished_ != nullptr; });
+}
+
+Scheduler::Statistics Scheduler::take_statistics() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(statistics_, {});
+}
+
+}  // namespace flg

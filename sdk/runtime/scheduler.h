@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// The scheduler: which strand runs next, what happens when its slice is over, and what the host gets to see of it.
+//
+//   submit -> [wait for dependencies] -> ready queue -> slices -> done -> published by tick
+//
+// Strands are run by whoever calls run_next: the tick itself, built-in workers or tasks in the host's job system (see
+// workers.h). Ready strands run by priority, then in order of arrival; one whose slice is over goes back to the front.
+// One mutex guards the queues; it is held for some tens of instructions and never while work or a hook runs.
+#pragma once
+
+#include <array>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include "runtime/job.h"
+
+namespace flg {
+
+class Fork;
+
+// How the host pays for work.
+enum class Threading { none, workers, host };
+
+class Scheduler {
+public:
+    Scheduler(const Host& host, Memory* memory, uint32_t threads, uint32_t worker_budget_us)
+        : host_(host), memory_(memory), threads_(threads), worker_budget_ns_(worker_budget_us * uint64_t{1000}) {}
+
+    ~Scheduler();
+
+    // ---- host's thread ----
+
+    // A job ready to be filled in: output, task (job->strand.start), options.
+    std::shared_ptr<Job> make_job();
+    // Queues it once all `dependencies` are done; fails it if one of them failed.
+    void submit(std::shared_ptr<Job> job, const std::pmr::vector<std::shared_ptr<Job>>& dependencies);
+    void cancel(Job& job);
+    void cancel_all();
+
+    // Publishes done jobs in order of submission until `deadline_ns`, at least one. Returns how many.
+    uint32_t publish(uint64_t deadline_ns, float* callback_us);
+    // Copies progress and partial results of running jobs to where the host sees them.
+    void publish_progress();
+    // Whether publish would find something; waits for it until `timeout_us` if not.
+    bool wait_publishable(uint32_t timeout_us);
+    uint32_t pending() const { return pending_; }
+
+    // Since the last call: time spent by workers and the longest chunk with the job it came from.
+    struct Statistics {
+        uint64_t busy_ns = 0;
+        Chunk longest;
+        FlgJob longest_job{};
+    };
+    Statistics take_statistics();
+
+    // ---- any thread ----
+
+    // Runs one slice of the first ready strand; false if none was ready.
+    bool run_next(uint64_t deadline_ns);
+
+    // For the threads that run strands.
+    std::mutex& mutex() { return mutex_; }
+    uint32_t ready_count() const { return ready_count_; }  // with the mutex held
+    const Host& host() const { return host_; }
+    Memory* memory() const { return memory_; }
+    uint32_t threads() const { return threads_; }
+    uint64_t worker_budget_ns() const { return worker_budget_ns_; }
+
+    // Told, outside the mutex, when more strands became ready than the thread that made them so will run itself. Set once,
+    // before the first job.
+    void set_wake(void (*function)(void* context), void* context) {
+        wake_ = function;
+        wake_context_ = context;
+    }
+
+private:
+    struct Queue {
+        Strand* first = nullptr;
+        Strand* last = nullptr;
+    };
+    static constexpr int priority_count = 3;
+
+    void push_back(Strand& strand);
+    void push_front(Strand& strand);
+    Strand* pop();
+    void end_slice(Strand& strand);
+    void finish_branch(Strand& strand);
+    void complete(Job& job, FlgResult result, const char* error);
+    void settle(Job& job, FlgResult result, const char* error, Job*& failing);
+    void publish_job(Job& job);
+    void wake() {
+        if (wake_) wake_(wake_context_);
+    }
+
+    const Host& host_;
+    Memory* memory_;
+    uint32_t threads_;
+    uint64_t worker_budget_ns_;
+    void (*wake_)(void*) = nullptr;
+    void* wake_context_ = nullptr;
+
+    std::mutex mutex_;
+    std::condition_variable publishable_;
+    std::array<Queue, priority_count> ready_;
+    uint32_t ready_count_ = 0;
+    std::shared_ptr<Job> started_;   // list of jobs that ran for the first time since the last tick
+    std::shared_ptr<Job> finished_;  // list of done jobs, by serial
+    Statistics statistics_;
+
+    // Host's thread only.
+    uint64_t next_serial_ = 1;
+    uint32_t pending_ = 0;
+    std::pmr::vector<std::shared_ptr<Job>> all_{memory_};  // not yet published, in order of submission
+    std::pmr::vector<Job*> running_{memory_};
+};
+
+}  // namespace flg

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A strand: one line of execution of a job, a chain of tasks of which the innermost is suspended or running. A job has
+// one, and more while it forks. Only one thread runs a strand at a time; it wanders between threads.
+#pragma once
+
+#include "runtime/pace.h"
+#include "runtime/task.h"
+
+namespace flg {
+
+struct Strand {
+    Strand(Job& owner, const Host& host, Memory* memory) : job(owner), pace(owner, host, memory) {}
+
+    void start(Task<void> task) {
+        root = std::move(task);
+        pace.resume_point_ = root.handle();
+    }
+
+    Job& job;
+    Pace pace;
+    Task<void> root;
+    Fork* member_of = nullptr;  // the fork it is a branch of; null for a job's first strand
+    Strand* next = nullptr;     // in a ready queue
+};
+
+}  // namespace flg

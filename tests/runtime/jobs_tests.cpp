@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "runtime/busy.h"
+
+namespace flg::test {
+namespace {
+
+struct WithoutWorkers : testing::Test {
+    static FlgContextDesc desc(ManualClock& clock) {
+        FlgContextDesc d{};
+        d.clock = clock.hook();
+        return d;
+    }
+    ManualClock clock;
+    CountingMemory memory;
+};
+
+TEST_F(WithoutWorkers, TickStopsAtItsBudgetAndGoesOnNextTime) {
+    clock.step_ns = 1000;  // each look at the clock costs a microsecond
+    Runtime runtime(desc(clock), &memory);
+    uint64_t sum = 0;
+    const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 1000, 1, &sum); });
+    const FlgFrameReport first = runtime.tick(100);
+    EXPECT_EQ(first.jobs_pending, 1u);
+    EXPECT_GE(first.tick_us, 90.0f);
+    EXPECT_LE(first.tick_us, 115.0f);
+    int ticks = 1;
+    while (runtime.tick(100).jobs_pending > 0) ++ticks;
+    EXPECT_GE(ticks, 8);
+    EXPECT_EQ(sum, expected_hash_sum(1000));
+    EXPECT_EQ(job->status.result, FLG_OK);
+}
+
+TEST_F(WithoutWorkers, ProgressRisesAndIsOneExactlyWhenDone) {
+    clock.step_ns = 1000;
+    Runtime runtime(desc(clock), &memory);
+    uint64_t sum = 0;
+    const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 500, 1, &sum); });
+    float last = 0;
+    for (;;) {
+        const bool done = runtime.tick(50).jobs_pending == 0;
+        EXPECT_GE(job->status.progress, last);
+        last = job->status.progress;
+        if (done) break;
+        EXPECT_LT(last, 1.0f);
+        EXPECT_EQ(job->status.state, FLG_JOB_RUNNING);
+        EXPECT_STREQ(job->status.stage, "hash");
+    }
+    EXPECT_EQ(last, 1.0f);
+}
+
+TEST_F(WithoutWorkers, HigherPriorityRunsFirstEqualsInOrder) {
+    Runtime runtime(desc(clock), &memory);
+    std::vector<int> order;
+    const auto note = [&order](Pace& pace, int id) -> Task<void> {
+        struct Body {
+            static Task<void> run(Pace& p, std::vector<int>& out, int value) {
+                co_await p;
+                out.push_back(value);
+            }
+        };
+        return Body::run(pace, order, id);
+    };
+    submit(
+        runtime, [&](Pace& pace) { return note(pace, 1); }, FLG_PRIORITY_LOW);
+    submit(runtime, [&](Pace& pace) { return note(pace, 2); });
+    submit(
+        runtime, [&](Pace& pace) { return note(pace, 3); }, FLG_PRIORITY_HIGH);
+    submit(runtime, [&](Pace& pace) { return note(pace, 4); });
+    runtime.tick(0);
+    EXPECT_EQ(order, (std::vector<int>{3, 2, 4, 1}));
+}
+
+TEST_F(WithoutWorkers, DependentsWaitAndFailWithTheirDependencies) {
+    Runtime runtime(desc(clock), &memory);
+    struct Body {
+        static Task<void> fail(Pace& pace) {
+            co_await pace;
+            throw Failure(FLG_ERROR_LIMIT, "too many %s", "things");
+        }
+    };
+    uint64_t never = 0;
+    const auto failing = submit(
+        runtime, [&](Pace& pace) { return Body::fail(pace); }, FLG_PRIORITY_LOW);
+    const auto after =
+        submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {failing});
+    const auto last =
+        submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {after});
+    runtime.tick(0);
+    EXPECT_EQ(failing->status.result, FLG_ERROR_LIMIT);
+    EXPECT_STREQ(failing->status.error, "too many things");
+    EXPECT_EQ(after->status.result, FLG_ERROR_DEPENDENCY);
+    EXPECT_STREQ(last->status.error, "a job it depends on failed: too many things");
+    EXPECT_EQ(never, 0u);
+    // One submitted after the failure fails as well.
+    const auto late =
+        submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {failing});
+    runtime.tick(0);
+    EXPECT_EQ(late->status.result, FLG_ERROR_DEPENDENCY);
+}
+
+TEST_F(WithoutWorkers, LongChainsOfDependentsFailWithoutRecursion) {
+    {
+        Runtime runtime(desc(clock), &memory);
+        uint64_t never = 0;
+        std::shared_ptr<Job> first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); });
+        std::shared_ptr<Job> last = first;
+        for (int i = 0; i < 20'000; ++i) {
+            last = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_NORMAL,
+                          {last});
+        }
+        runtime.scheduler().cancel(*first);
+        runtime.tick(0);
+        EXPECT_EQ(last->status.result, FLG_ERROR_DEPENDENCY);
+        EXPECT_EQ(never, 0u);
+    }
+    EXPECT_EQ(memory.live, 0);
+}
+
+TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
+    FlgContextDesc d = desc(clock);
+    Runtime runtime(d, &memory);
+    std::vector<uint64_t> order;
+    std::vector<std::shared_ptr<Job>> jobs;
+    uint64_t sums[4];
+    for (uint64_t& sum : sums) {
+        const auto job = runtime.scheduler().make_job();
+        job->priority = &sum == &sums[3] ? FLG_PRIORITY_HIGH : FLG_PRIORITY_NORMAL;
+        job->user_data = &order;
+        job->handle = {jobs.size()};
+        job->on_finished = [](void* user, FlgJob handle, FlgResult) {
+            static_cast<std::vector<uint64_t>*>(user)->push_back(handle.id);
+        };
+        job->strand.start(store_hash_sum(job->strand.pace, 4, 2, &sum));
+        runtime.scheduler().submit(job, std::pmr::vector<std::shared_ptr<Job>>(&memory));
+        jobs.push_back(job);
+    }
+    while (runtime.scheduler().run_next(UINT64_MAX)) {}
+    for (const auto& job : jobs) EXPECT_EQ(job->status.state, FLG_JOB_WAITING);
+    EXPECT_TRUE(order.empty());
+    runtime.tick(0);
+    EXPECT_EQ(order, (std::vector<uint64_t>{0, 1, 2, 3}));
+}
+
+TEST_F(WithoutWorkers, ABudgetOfCallbacksIsKept) {
+    Runtime runtime(desc(clock), &memory);
+    uint64_t sums[5];
+    for (uint64_t& sum : sums) {
+        const auto job = runtime.scheduler().make_job();
+        job->user_data = &clock;
+        job->on_finished = [](void* user, FlgJob, FlgResult) { static_cast<ManualClock*>(user)->now_ns += 60'000; };
+        job->strand.start(store_hash_sum(job->strand.pace, 4, 4, &sum));
+        runtime.scheduler().submit(job, std::pmr::vector<std::shared_ptr<Job>>(&memory));
+    }
+    while (runtime.scheduler().run_next(UINT64_MAX)) {}
+    EXPECT_EQ(runtime.tick(100).jobs_finished, 2u);
+    EXPECT_EQ(runtime.tick(10).jobs_finished, 1u);
+    const FlgFrameReport rest = runtime.tick(0);
+    EXPECT_EQ(rest.jobs_finished, 2u);
+    EXPECT_NEAR(rest.callback_us, 120.0f, 1.0f);
+}
+
+TEST_F(WithoutWorkers, TheLongestChunkIsNamed) {
+    Runtime runtime(desc(clock), &memory);
+    struct Body {
+        static Task<void> run(Pace& pace, ManualClock& time) {
+            pace.stage("short");
+            time.now_ns += 20'000;
+            co_await pace;
+            pace.stage("long");
+            time.now_ns += 70'000;
+            co_await pace;
+        }
+    };
+    const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace, clock); });
+    const FlgFrameReport report = runtime.tick(0);
+    EXPECT_NEAR(report.longest_chunk_us, 70.0f, 0.1f);
+    EXPECT_STREQ(report.longest_chunk_stage, "long");
+    ASSERT_EQ(job->stage_count, 2u);
+    EXPECT_EQ(job->stages[0].busy_end_ns - job->stages[0].busy_start_ns, 20'000u);
+    EXPECT_EQ(job->stages[1].busy_end_ns - job->stages[1].busy_start_ns, 70'000u);
+    EXPECT_EQ(runtime.tick(0).longest_chunk_us, 0.0f);
+}
+
+TEST_F(WithoutWorkers, CancelledJobsFreeWhatTheyHold) {
+    Runtime runtime(desc(clock), &memory);
+    clock.step_ns = 1000;
+    struct Body {
+        static Task<void> run(Pace& pace) {
+            std::pmr::vector<char> held(1 << 20, pace.memory());
+            for (;;) co_await pace;
+        }
+    };
+    const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace); });
+    runtime.tick(100);
+    EXPECT_GT(memory.live, 1 << 20);
+    runtime.scheduler().cancel(*job);
+    runtime.tick(100);
+    EXPECT_EQ(job->status.result, FLG_ERROR_CANCELLED);
+    EXPECT_LT(memory.live, 1 << 16);
+    runtime.scheduler().cancel(*job);
+    EXPECT_EQ(job->status.result, FLG_ERROR_CANCELLED);
+}
+
+TEST_F(WithoutWorkers, TicksAllocateNothingInSteadyState) {
+    Runtime runtime(desc(clock), &memory);
+    clock.step_ns = 1000;
+    uint64_t sum;
+    const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 100'000, 1, &sum); });
+    runtime.tick(100);
+    const int64_t before = memory.calls;
+    for (int i = 0; i < 100; ++i) runtime.tick(100);
+    EXPECT_EQ(memory.calls, before);
+    EXPECT_EQ(job->status.state, FLG_JOB_RUNNING);
+}
+
+TEST_F(WithoutWorkers, MemoryThatRunsOutFailsTheJobAndNothingElse) {
+    Runtime runtime(desc(clock), &memory);
+    struct Body {
+        static Task<void> run(Pace& pace) {
+            std::pmr::vector<char> taken(100, pace.memory());
+            co_await pace;
+        }
+    };
+    const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace); });
+    memory.fail_at = memory.calls.load();
+    runtime.tick(0);
+    EXPECT_EQ(job->status.result, FLG_ERROR_OUT_OF_MEMORY);
+    uint64_t sum = 0;
+    submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
+    runtime.tick(0);
+    EXPECT_EQ(sum, expected_hash_sum(10));
+}
+
+}  // namespace
+}  // namespace flg::test
