@@ -49,8 +49,14 @@ public:
     Job& job() { return *job_; }
     Pace& pace() { return job_->strand.pace; }
 
-    // The job waits for whatever still makes this input.
-    void read(const std::weak_ptr<Job>& producer);
+    // The job waits for whatever still makes this input; refuses one whose job failed.
+    template <class T>
+    void read(const T& input, const char* argument) {
+        if (input.visible_result() < 0) {
+            throw Failure(FLG_ERROR_DEPENDENCY, "%s was not made: %.200s", argument, input.error());
+        }
+        if (std::shared_ptr<Job> producer = input.producer.lock()) dependencies_.push_back(std::move(producer));
+    }
 
     // Queues the job. Writes handles for the output and, unless out_job is null, for the job.
     template <class T>

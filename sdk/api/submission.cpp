@@ -30,10 +30,6 @@ Submission::Submission(Context& context, const FlgJobOptions& options)
     job_->user_data = options.user_data;
 }
 
-void Submission::read(const std::weak_ptr<Job>& producer) {
-    if (std::shared_ptr<Job> job = producer.lock()) dependencies_.push_back(std::move(job));
-}
-
 void Submission::queue(FlgJob* out_job) {
     if (out_job) job_->handle = {context_.jobs.add(job_)};
     try {

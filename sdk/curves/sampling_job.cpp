@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "curves/sampling_job.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "core/failure.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t measure_chunk = 800;   // points, about 20 us
+constexpr uint32_t resample_chunk = 400;  // samples, about 20 us
+constexpr uint32_t layout_chunk = 5000;   // curves, about 20 us
+constexpr double max_points = 2147483648.0;
+
+Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
+    const CurveRange range = curves_of_batch(sampling.in, batch);
+    for (uint32_t c = range.first; c < range.last; ++c) {
+        const CurveView curve = curve_view(sampling.in, c);
+        ArcLengthKernel kernel(curve);
+        while (!kernel.run(measure_chunk)) co_await pace;
+        const CurveMeasure& measure = kernel.measure();
+        const double steps = even_step_count(measure.length, sampling.spacing, curve.closed);
+        if (steps >= max_points) {
+            throw Failure(FLG_ERROR_LIMIT,
+                          "curve %u is %g m long and would get %.0f points %g m apart; the limit is 2^31", c,
+                          measure.length, steps, sampling.spacing);
+        }
+        std::construct_at(&sampling.plans[c], SamplingPlan{.curve = curve,
+                                                           .measure = measure,
+                                                           .steps = static_cast<uint32_t>(steps),
+                                                           .repeat_first = curve.closed && sampling.open_result,
+                                                           .frame = sampling.frame});
+        pace.advance(curve.count);
+        co_await pace;
+    }
+}
+
+Task<void> resample_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
+    const CurveRange range = curves_of_batch(sampling.in, batch);
+    std::pmr::vector<ColumnPair> pairs(pace.memory());
+    for (uint32_t c = range.first; c < range.last; ++c) {
+        column_pairs(sampling, c, pairs);
+        ResampleKernel kernel(sampling.plans[c], frame_columns(sampling, c), pairs);
+        uint32_t written = 0;
+        while (!kernel.run(resample_chunk)) {
+            pace.advance(kernel.written() - written);
+            written = kernel.written();
+            co_await pace;
+        }
+        pace.advance(kernel.written() - written);
+        sampling.out.complete_curve(c);
+        co_await pace;
+    }
+}
+
+}  // namespace
+
+CurveRange curves_of_batch(const CurveSet& set, uint32_t batch) {
+    const Buffer<uint32_t>& offsets = set.offsets();
+    const auto curve_at = [&](uint64_t point) {
+        const auto place = std::lower_bound(offsets.begin(), offsets.begin() + set.curve_count(), point);
+        return static_cast<uint32_t>(place - offsets.begin());
+    };
+    const uint64_t first_point = uint64_t{batch} * points_per_batch;
+    return {curve_at(first_point), curve_at(first_point + points_per_batch)};
+}
+
+CurveView curve_view(const CurveSet& set, uint32_t curve) {
+    const uint32_t first = set.offsets()[curve];
+    return {set.positions() + size_t{first} * 3, set.offsets()[curve + 1] - first, set.closed(curve)};
+}
+
+Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<FlgAttribute> added) {
+    pace.stage("measure");
+    const CurveSet& in = sampling.in;
+    CurveSet& out = sampling.out;
+    sampling.plans = Buffer<SamplingPlan>(in.curve_count(), pace.memory());
+    co_await fork(pace, batch_count(in), &measure_batch, sampling);
+
+    out.allocate_curves(in.curve_count());
+    uint64_t point_count = 0;
+    for (uint32_t c = 0; c < in.curve_count(); ++c) {
+        out.offsets()[c] = static_cast<uint32_t>(point_count);
+        out.flags()[c] = sampling.open_result ? 0 : in.flags()[c];
+        point_count += sampling.plans[c].sample_count();
+        if (static_cast<double>(point_count) >= max_points) {
+            throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points %g m apart", sampling.spacing);
+        }
+        if (c % layout_chunk == 0) co_await pace;
+    }
+    out.offsets()[in.curve_count()] = static_cast<uint32_t>(point_count);
+
+    std::pmr::vector<CurveSet::ColumnLayout> layout(
+        {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory());
+    for (FlgAttribute attribute : added) layout.push_back({attribute, 1});
+    const size_t made = layout.size();
+    for (const Column& column : in.columns()) {
+        const bool replaced = std::any_of(layout.begin(), layout.begin() + static_cast<ptrdiff_t>(made),
+                                          [&](const auto& other) { return other.attribute == column.attribute; });
+        if (replaced) continue;
+        layout.push_back({column.attribute, column.components});
+        sampling.carried.push_back({&column, nullptr});
+    }
+    out.allocate_columns(layout);
+    for (size_t i = 0; i < sampling.carried.size(); ++i) sampling.carried[i].out = &out.columns()[made + i];
+    pace.expect(in.point_count() + point_count);
+}
+
+FrameColumns frame_columns(const Sampling& sampling, uint32_t curve) {
+    const size_t at = size_t{sampling.out.offsets()[curve]} * 3;
+    std::pmr::vector<Column>& columns = sampling.out.columns();
+    return {columns[0].values.data() + at, columns[1].values.data() + at, columns[2].values.data() + at};
+}
+
+void column_pairs(const Sampling& sampling, uint32_t curve, std::pmr::vector<ColumnPair>& pairs) {
+    pairs.clear();
+    const size_t from = sampling.in.offsets()[curve];
+    const size_t to = sampling.out.offsets()[curve];
+    for (const Sampling::Carried& carried : sampling.carried) {
+        const uint32_t width = carried.in->components;
+        pairs.push_back({carried.in->values.data() + from * width, carried.out->values.data() + to * width, width,
+                         carried.in->attribute == FLG_ATTRIBUTE_ORIENTATION});
+    }
+}
+
+Task<void> resample_curves(Pace& pace, ResampleRequest request) {
+    Sampling sampling{*request.in,
+                      *request.out,
+                      request.spacing,
+                      request.frame,
+                      false,
+                      {},
+                      std::pmr::vector<Sampling::Carried>(pace.memory())};
+    co_await plan_sampling(pace, sampling, std::pmr::vector<FlgAttribute>(pace.memory()));
+    pace.stage("resample");
+    co_await fork(pace, batch_count(sampling.in), &resample_batch, sampling);
+}
+
+}  // namespace flg

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Jobs over curve sets: every curve is measured, the result is laid out, every curve is sampled into it. Resampling is
+// this and nothing more; stylization has the same first half.
+#pragma once
+
+#include "curves/curve_set.h"
+#include "curves/framed_sampler.h"
+#include "curves/resample.h"
+#include "runtime/fork.h"
+
+namespace flg {
+
+// Curves are shared out to threads in batches of about so many points.
+constexpr uint32_t points_per_batch = 4096;
+
+inline uint32_t batch_count(const CurveSet& set) {
+    return (set.point_count() + points_per_batch - 1) / points_per_batch;
+}
+
+// The curves of a batch: those whose first point lies in its share of the points.
+struct CurveRange {
+    uint32_t first, last;  // last is not included
+};
+CurveRange curves_of_batch(const CurveSet& set, uint32_t batch);
+
+CurveView curve_view(const CurveSet& set, uint32_t curve);
+
+// A curve set's way into another.
+struct Sampling {
+    const CurveSet& in;
+    CurveSet& out;
+    double spacing;  // metres
+    FlgFrameMethod frame;
+    bool open_result;            // closed curves are followed once around and come out open
+    Buffer<SamplingPlan> plans;  // one a curve
+    // Columns that are carried over, of `in` and, at the same place, of `out`.
+    struct Carried {
+        const Column* in;
+        Column* out;
+    };
+    std::pmr::vector<Carried> carried;
+};
+
+// Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, `added` ones of
+// one float each, and those carried over. Throws FLG_ERROR_LIMIT if the result would have more than 2^31 points.
+Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<FlgAttribute> added);
+
+// Where the samples of a curve go.
+FrameColumns frame_columns(const Sampling& sampling, uint32_t curve);
+void column_pairs(const Sampling& sampling, uint32_t curve, std::pmr::vector<ColumnPair>& pairs);
+
+struct ResampleRequest {
+    std::shared_ptr<const CurveSet> in;
+    std::shared_ptr<CurveSet> out;
+    double spacing;
+    FlgFrameMethod frame;
+};
+
+// The whole of flgResample.
+Task<void> resample_curves(Pace& pace, ResampleRequest request);
+
+}  // namespace flg

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: 2026 The Filigree authors
+//
+// Filigree for C++17 and later: filigree.h with owners instead of handles and exceptions instead of results. Header only,
+// and nothing that the C functions don't do; use both side by side (every owner has get()).
+//
+//     filigree::Context context;
+//     filigree::CurveSet stroke = context.curves(view);
+//     filigree::Style style = context.style(stroke);
+//     FlgStylizeDesc desc = flgStylizeDefaults();
+//     desc.style = style.get();
+//     desc.target = target.get();
+//     filigree::CurveSet result = context.stylize(desc);
+//     while (!result.ready()) context.tick(2000);   // once a frame
+//     draw(result.view());
+//
+// Owners must not outlive their context.
+#ifndef FILIGREE_FILIGREE_HPP
+#define FILIGREE_FILIGREE_HPP
+
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "filigree.h"
+
+namespace filigree {
+
+// What a failing function's FlgResult becomes; what() is flgLastError().
+class Error : public std::runtime_error {
+public:
+    explicit Error(FlgResult result) : std::runtime_error(flgLastError()), result_(result) {}
+    FlgResult result() const noexcept { return result_; }
+
+private:
+    FlgResult result_;
+};
+
+// Throws Error for failures; true for FLG_OK, false for FLG_NOT_READY.
+inline bool check(FlgResult result) {
+    if (result < 0) throw Error(result);
+    return result == FLG_OK;
+}
+
+namespace detail {
+
+// Owns one handle; releases it at its end. Move only.
+template <class Handle, FlgResult (*release)(FlgContext, Handle)>
+class Owner {
+public:
+    Owner() = default;
+    Owner(FlgContext context, Handle handle) : context_(context), handle_(handle) {}
+    Owner(Owner&& other) noexcept : context_(other.context_), handle_(std::exchange(other.handle_, Handle{})) {}
+    Owner& operator=(Owner&& other) noexcept {
+        std::swap(context_, other.context_);
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~Owner() { reset(); }
+
+    explicit operator bool() const noexcept { return handle_.id != 0; }
+    Handle get() const noexcept { return handle_; }
+    void reset() noexcept {
+        if (handle_.id != 0) release(context_, std::exchange(handle_, Handle{}));
+    }
+
+protected:
+    FlgContext context_ = nullptr;
+    Handle handle_{};
+};
+
+}  // namespace detail
+
+class Job : public detail::Owner<FlgJob, flgJobRelease> {
+public:
+    using Owner::Owner;
+    FlgJobStatus status() const {
+        FlgJobStatus status{};
+        status.struct_size = sizeof status;
+        check(flgJobGetStatus(context_, handle_, &status));
+        return status;
+    }
+    bool finished() const { return status().state == FLG_JOB_FINISHED; }
+    void cancel() { check(flgJobCancel(context_, handle_)); }
+    // Empty until finished.
+    std::vector<FlgStageTime> stages() const {
+        std::vector<FlgStageTime> stages(16);
+        uint32_t count = 0;
+        check(flgJobGetStages(context_, handle_, stages.data(), static_cast<uint32_t>(stages.size()), &count));
+        stages.resize(count);
+        return stages;
+    }
+};
+
+class CurveSet : public detail::Owner<FlgCurveSet, flgCurveSetRelease> {
+public:
+    using Owner::Owner;
+    // Throws what its job failed with.
+    bool ready() const {
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        return check(flgCurveSetGetView(context_, handle_, &view));
+    }
+    // Empty until ready.
+    FlgCurveSetView view() const {
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        check(flgCurveSetGetView(context_, handle_, &view));
+        return view;
+    }
+};
+
+class Style : public detail::Owner<FlgStyle, flgStyleRelease> {
+public:
+    using Owner::Owner;
+    bool ready() const {
+        FlgStyleInfo info{};
+        info.struct_size = sizeof info;
+        return check(flgStyleGetInfo(context_, handle_, &info));
+    }
+    // All zero until ready.
+    FlgStyleInfo info() const {
+        FlgStyleInfo info{};
+        info.struct_size = sizeof info;
+        check(flgStyleGetInfo(context_, handle_, &info));
+        return info;
+    }
+    CurveSet guide() const {
+        FlgCurveSet guide{};
+        check(flgStyleGetGuide(context_, handle_, &guide));
+        return {context_, guide};
+    }
+};
+
+class Context {
+public:
+    explicit Context(const FlgContextDesc& desc = flgContextDefaults()) { check(flgContextCreate(&desc, &context_)); }
+    Context(Context&& other) noexcept : context_(std::exchange(other.context_, nullptr)) {}
+    Context& operator=(Context&& other) noexcept {
+        std::swap(context_, other.context_);
+        return *this;
+    }
+    // With a host's job system it waits until that has let go of our tasks.
+    ~Context() {
+        while (flgContextDestroy(context_) == FLG_NOT_READY) std::this_thread::yield();
+    }
+
+    FlgContext get() const noexcept { return context_; }
+
+    // Once a frame, see flgTick.
+    FlgFrameReport tick(uint32_t budget_us) {
+        FlgFrameReport report{};
+        report.struct_size = sizeof report;
+        check(flgTick(context_, budget_us, &report));
+        return report;
+    }
+    // Ticks until no job is left: for tools, not for frames.
+    void finish() {
+        while (tick(0).jobs_pending > 0) flgContextWait(context_, 10'000);
+    }
+
+    CurveSet curves(const FlgCurveSetView& view) {
+        FlgCurveSet set{};
+        check(flgCurveSetCreate(context_, &view, &set));
+        return {context_, set};
+    }
+    CurveSet resample(const FlgResampleDesc& desc, Job* out_job = nullptr) {
+        return start<CurveSet, FlgCurveSet>(flgResample, desc, out_job);
+    }
+    Style style(const FlgStyleDesc& desc, Job* out_job = nullptr) {
+        return start<Style, FlgStyle>(flgStyleCreate, desc, out_job);
+    }
+    // With all defaults.
+    Style style(const CurveSet& example) {
+        FlgStyleDesc desc = flgStyleDefaults();
+        desc.style = example.get();
+        return style(desc);
+    }
+    CurveSet stylize(const FlgStylizeDesc& desc, Job* out_job = nullptr) {
+        return start<CurveSet, FlgCurveSet>(flgStylize, desc, out_job);
+    }
+
+private:
+    template <class Owner, class Handle, class Function, class Desc>
+    Owner start(Function function, const Desc& desc, Job* out_job) {
+        Handle made{};
+        FlgJob job{};
+        check(function(context_, &desc, &made, out_job ? &job : nullptr));
+        if (out_job) *out_job = Job(context_, job);
+        return {context_, made};
+    }
+
+    FlgContext context_ = nullptr;
+};
+
+}  // namespace filigree
+
+#endif
