@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/synthesis.h"
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "core/random.h"
+
+namespace flg {
+
+StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples)
+    : trees_(trees), seed_(seed), curve_index_(curve_index), samples_left_(samples - 1) {
+    if (from_start) {
+        // The last destination of the first style curve.
+        const uint32_t end = trees->graph().curve_end[0];
+        while (destination_ + 1 < trees->destination_count() && trees->destination(destination_ + 1) < end) {
+            ++destination_;
+        }
+        destination_node_ = trees->destination(destination_);
+    } else {
+        destination_ = random_below(seed, curve_index, draws_++, trees->destination_count());
+        node_ = destination_node_ = trees->destination(destination_);
+    }
+}
+
+// At the last patch of a style curve, and the rest of the curve is enough for the rest of the target.
+bool StyleWalk::runs_out() const {
+    const PatchGraph& graph = trees_->graph();
+    const uint32_t points_left = graph.curve_end[node_] - 1 - node_;
+    return points_left == graph.patch && samples_left_ <= points_left;
+}
+
+// One of the other destinations. A style with a single one is begun again.
+void StyleWalk::draw_destination() {
+    const uint32_t others = trees_->destination_count() - 1;
+    if (others == 0) {
+        node_ = 0;
+    } else {
+        const uint32_t drawn = random_below(seed_, curve_index_, draws_++, others);
+        destination_ = drawn < destination_ ? drawn : drawn + 1;
+        destination_node_ = trees_->destination(destination_);
+    }
+    hops_ = nullptr;
+}
+
+bool StyleWalk::advance() {
+    if (node_ == destination_node_ && !finishing_) {
+        finishing_ = runs_out();
+        if (!finishing_) draw_destination();
+    }
+    if (finishing_) {
+        ++node_;
+    } else {
+        if (hops_ == nullptr) hops_ = trees_->find(destination_);
+        if (hops_ == nullptr) return false;
+        node_ = hops_[node_];
+    }
+    --samples_left_;
+    return true;
+}
+
+void SynthesisKernel::begin(const SamplingPlan& plan, uint64_t curve_index, const StylizedColumns& out,
+                            std::span<const ColumnPair> columns) {
+    sampler_.emplace(plan);
+    curve_ = plan.curve;
+    out_ = out;
+    columns_ = columns;
+    count_ = plan.sample_count();
+    written_ = 0;
+    node_known_ = true;
+    walk_ = StyleWalk(input_.trees, input_.from_start, input_.seed, curve_index, count_);
+    // A target without length has no frame to be displaced in.
+    factor_ = plan.steps > 0 ? input_.magnitude * input_.scale : 0.0;
+}
+
+bool SynthesisKernel::run(uint32_t n) {
+    constexpr uint32_t block_size = 128;
+    std::array<SamplePlace, block_size> places;
+    FramedSample sample;
+    while (n > 0 && written_ < count_) {
+        const uint32_t first = written_;
+        uint32_t filled = 0;
+        while (filled < block_size && written_ < count_) {
+            if (!node_known_) {
+                if (!walk_.advance()) {
+                    if (make_tree(n)) continue;
+                    break;
+                }
+                node_known_ = true;
+            }
+            if (!sampler_->next(sample, n)) break;
+            write(sample);
+            places[filled++] = {sample.segment, sample.t};
+            ++written_;
+            node_known_ = false;
+        }
+        for (const ColumnPair& column : columns_) interpolate_column(column, curve_, {places.data(), filled}, first);
+    }
+    return written_ == count_;
+}
+
+bool SynthesisKernel::make_tree(uint32_t& units) {
+    PathTrees& trees = *input_.trees;
+    const uint32_t k = walk_.needed_tree();
+    if (tree_ == nullptr) {
+        if (units == 0) return false;
+        --units;
+        tree_ = trees.allocate();
+        tree_kernel_.begin(trees.graph(), trees.temperature(), trees.destination(k), tree_);
+    }
+    if (!tree_kernel_.run(units)) return false;
+    trees.publish(k, std::exchange(tree_, nullptr));
+    return true;
+}
+
+void SynthesisKernel::write(const FramedSample& sample) {
+    const Displacement& d = *input_.displacement;
+    const uint32_t node = walk_.node();
+    const Vec3 binormal = sample.tangent.cross(sample.normal);
+    const Vec3 position =
+        sample.position + factor_ * (d.along_tangent[node] * sample.tangent + d.along_normal[node] * sample.normal +
+                                     d.along_binormal[node] * binormal);
+    const size_t at = 3 * static_cast<size_t>(written_);
+    store_vec3(position, out_.frames.positions + at);
+    store_vec3(sample.tangent, out_.frames.tangents + at);
+    store_vec3(sample.normal, out_.frames.normals + at);
+    out_.style_index[written_] = static_cast<float>(node);
+}
+
+}  // namespace flg

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Displacement reconstruction (Minarcik, Fiser, Sykora, sec. 4.5): a style applied to one target curve,
+//   result = target + magnitude * scale * (d_t t + d_n n + d_b b),
+// with the target's moving frame and displacements read along shortest paths between random destinations of the patch
+// graph. Every sample is one table look-up, once the path trees are there.
+//
+// Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come than
+// the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble where
+// the target ends as well); so a target as long as the guide gets the whole style.
+#pragma once
+
+#include <optional>
+
+#include "curves/resample.h"
+#include "stylization/path_trees.h"
+
+namespace flg {
+
+// Which points of the style a target curve copies, one after the other.
+class StyleWalk {
+public:
+    StyleWalk() = default;
+    // `from_start`: begins at the style's first point, and goes to the end of its first curve first. Otherwise at a random
+    // destination. `samples`: how many points there will be.
+    StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
+
+    uint32_t node() const { return node_; }
+    // To the next node. False if the tree to needed_tree() is missing: make it, then call again.
+    bool advance();
+    uint32_t needed_tree() const { return destination_; }
+
+private:
+    void draw_destination();
+    bool runs_out() const;
+
+    PathTrees* trees_ = nullptr;
+    const uint16_t* hops_ = nullptr;  // to the destination; null before it was looked up
+    uint64_t seed_ = 0;
+    uint64_t curve_index_ = 0;
+    uint32_t draws_ = 0;
+    uint32_t node_ = 0;
+    uint32_t destination_ = 0;  // as PathTrees numbers them
+    uint32_t destination_node_ = 0;
+    uint32_t samples_left_ = 0;  // after node()
+    bool finishing_ = false;     // goes on to the style's end
+};
+
+// One target curve. The samples' columns begin at the curve's first sample; all are three floats a sample but for the
+// style index.
+struct StylizedColumns {
+    FrameColumns frames;  // positions are the result's, tangents and normals the target's
+    float* style_index = nullptr;
+};
+
+struct SynthesisInput {
+    const Displacement* displacement = nullptr;
+    PathTrees* trees = nullptr;
+    double magnitude = 1;
+    double scale = 1;
+    bool from_start = false;
+    uint64_t seed = 1;
+};
+
+// Stylizes one curve after the other. A unit is a sample, a point of the target or a settled node of a path tree: about
+// 50 ns.
+class SynthesisKernel {
+public:
+    // What the input refers to outlives the kernel. Scratch memory for path trees is taken when one is missing.
+    SynthesisKernel(const SynthesisInput& input, Memory* memory) : input_(input), tree_kernel_(memory) {}
+    ~SynthesisKernel() { input_.trees->discard(tree_); }
+    SynthesisKernel(const SynthesisKernel&) = delete;
+    SynthesisKernel& operator=(const SynthesisKernel&) = delete;
+
+    // `plan.steps` from even_step_count() with the guide's spacing times the scale; closed curves with repeat_first. The
+    // columns outlive the run.
+    void begin(const SamplingPlan& plan, uint64_t curve_index, const StylizedColumns& out,
+               std::span<const ColumnPair> columns);
+    bool run(uint32_t n);
+    // Samples of the curve written so far.
+    uint32_t written() const { return written_; }
+
+private:
+    bool make_tree(uint32_t& units);
+    void write(const FramedSample& sample);
+
+    SynthesisInput input_;
+    PathTreeKernel tree_kernel_;
+    uint16_t* tree_ = nullptr;  // being made
+    std::optional<FramedSampler> sampler_;
+    StyleWalk walk_;
+    CurveView curve_;
+    StylizedColumns out_;
+    std::span<const ColumnPair> columns_;
+    double factor_ = 0;
+    uint32_t count_ = 0;
+    uint32_t written_ = 0;
+    bool node_known_ = true;  // walk_ stands at the next sample's node
+};
+
+}  // namespace flg
