@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include "bench/groups.h"
+
+namespace flg::bench {
+
+const std::vector<Group>& groups() {
+    static const std::vector<Group> list = {
+        {"thomas", run_thomas}, {"prepare", run_prepare}, {"ticks", run_ticks}, {"growth", run_growth}};
+    return list;
+}
+
+}  // namespace flg::bench

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "bench/host.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace flg::bench {
+
+void check(FlgResult result) {
+    if (result != FLG_OK) throw std::runtime_error(std::string("bench: ") + flgLastError());
+}
+
+Host::Host() {
+    FlgContextDesc desc = flgContextDefaults();
+    desc.worker_count = 0;
+    check(flgContextCreate(&desc, &context_));
+}
+
+Host::~Host() {
+    flgContextDestroy(context_);
+}
+
+FlgCurveSet Host::add(const scenes::Curve& curve) {
+    const uint32_t offsets[] = {0, static_cast<uint32_t>(curve.points.size())};
+    const FlgColumn position = {FLG_ATTRIBUTE_POSITION, 3, &curve.points[0].x, 0, 0};
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    view.curve_count = 1;
+    view.curve_offsets = offsets;
+    view.columns = &position;
+    view.column_count = 1;
+    FlgCurveSet set = {};
+    check(flgCurveSetCreate(context_, &view, &set));
+    return set;
+}
+
+FlgStyle Host::prepare(FlgCurveSet curve, uint32_t point_count, FlgJob* job) {
+    FlgStyleDesc desc = flgStyleDefaults();
+    desc.style = curve;
+    desc.point_count = point_count;
+    FlgStyle style = {};
+    check(flgStyleCreate(context_, &desc, &style, job));
+    return style;
+}
+
+void Host::run() {
+    FlgFrameReport report = {};
+    report.struct_size = sizeof report;
+    do check(flgTick(context_, 0, &report));
+    while (report.jobs_pending > 0);
+}
+
+FlgStyleInfo Host::info(FlgStyle style) {
+    FlgStyleInfo info = {};
+    info.struct_size = sizeof info;
+    check(flgStyleGetInfo(context_, style, &info));
+    return info;
+}
+
+double Host::busy_us(FlgJob job, const std::string& stage) {
+    FlgJobStatus status = {};
+    status.struct_size = sizeof status;
+    check(flgJobGetStatus(context_, job, &status));
+    if (status.result != FLG_OK) throw std::runtime_error(std::string("bench: ") + status.error);
+    if (stage.empty()) return status.busy_us;
+    FlgStageTime stages[16];
+    uint32_t count = 0;
+    check(flgJobGetStages(context_, job, stages, 16, &count));
+    double sum = 0.0;
+    for (uint32_t i = 0; i < count && i < 16; ++i) {
+        if (std::string(stages[i].name).find(stage) != std::string::npos) sum += stages[i].busy_us;
+    }
+    return sum;
+}
+
+double length_of(const scenes::Curve& curve) {
+    double length = 0.0;
+    for (size_t i = 1; i < curve.points.size(); ++i) {
+        const scenes::Point &p = curve.points[i - 1], &q = curve.points[i];
+        length += std::hypot(q.x - p.x, q.y - p.y, q.z - p.z);
+    }
+    return length;
+}
+
+float scale_for(const FlgStyleInfo& style, double target_length, uint32_t count) {
+    return static_cast<float>(target_length / ((count - 1.0) * style.spacing));
+}
+
+}  // namespace flg::bench

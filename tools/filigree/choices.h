@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Options that are one of a few words, or a number in a range.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "filigree/filigree_io.h"
+
+namespace flg::cli {
+
+template <class T>
+std::string name_of(const std::map<std::string, T>& names, T value) {
+    for (const auto& [name, meaning] : names) {
+        if (meaning == value) return name;
+    }
+    return "";
+}
+
+template <class T>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value, const std::map<std::string, T>& names,
+                        const std::string& description) {
+    std::string words;
+    for (const auto& [name, meaning] : names) words += (words.empty() ? "" : "|") + name;
+    const auto set = [&value, &names, words](const std::string& word) {
+        const auto found = names.find(word);
+        if (found == names.end()) throw CLI::ValidationError("'" + word + "' is none of " + words);
+        value = found->second;
+    };
+    return app.add_option_function<std::string>(option, set, description)
+        ->type_name(words)
+        ->default_str(name_of(names, value));
+}
+
+inline const std::map<std::string, FlgGeometry>& geometry_names() {
+    static const std::map<std::string, FlgGeometry> names = {
+        {"lines", FLG_GEOMETRY_LINES}, {"ribbon", FLG_GEOMETRY_RIBBON}, {"tube", FLG_GEOMETRY_TUBE}};
+    return names;
+}
+
+// CLI::Range lets NaN pass; these do not.
+template <class Holds>
+CLI::Validator number_that(Holds holds, const std::string& demand) {
+    return CLI::Validator(
+        [holds, demand](std::string& text) {
+            double value = 0.0;
+            const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && holds(value);
+            return good ? std::string() : "'" + text + "' is not " + demand;
+        },
+        "");
+}
+
+inline CLI::Validator finite() {
+    return number_that([](double) { return true; }, "a finite number");
+}
+inline CLI::Validator at_least_zero() {
+    return number_that([](double v) { return v >= 0.0; }, "a number >= 0");
+}
+inline CLI::Validator above_zero() {
+    return number_that([](double v) { return v > 0.0; }, "a number > 0");
+}
+inline CLI::Validator between(double low, double high) {
+    return number_that([=](double v) { return v > low && v < high; }, "a number between 0 and 1, these excluded");
+}
+inline CLI::Validator between_including(double low, double high) {
+    return number_that([=](double v) { return v >= low && v <= high; }, "a number from 0 to 1");
+}
+
+}  // namespace flg::cli

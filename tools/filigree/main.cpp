@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The command line: everything the SDK does, without a window. Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <thread>
+
+#include "common.h"
+#include "failure.h"
+#include "support/curve_source.h"
+
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kBadUsage = 2;
+constexpr uint32_t kMaxWorkers = 256;
+
+// One line, whatever was in it.
+int complain(std::string sentence, int status) {
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    std::cerr << "filigree: " << sentence << "\n";
+    return status;
+}
+
+std::string version_text() {
+    const uint32_t version = flgVersion();
+    return "filigree " + std::to_string(version >> 22) + "." + std::to_string((version >> 12) & 0x3ff) + "." +
+           std::to_string(version & 0xfff);
+}
+
+void add_common_options(CLI::App& program, flg::cli::CommonOptions& common) {
+    program.add_option("--report", common.report, "Write a JSON report to this file")->type_name("FILE.json");
+    program.add_option("--seed", common.seed, "Key of all random choices")->type_name("N")->capture_default_str();
+    program
+        .add_option("--workers", common.workers,
+                    "Threads to work on, 0 to 256; 0 = on the calling thread. Default: one a core (here " +
+                        std::to_string(common.workers) + ")")
+        ->type_name("N")
+        ->check(CLI::Range(0u, kMaxWorkers).description(""));
+    program
+        .add_option("--budget", common.budget_us,
+                    "Budget of each tick in microseconds, as a host would give it; 0 = run to the end")
+        ->type_name("US")
+        ->capture_default_str();
+    program.add_flag("--quiet", common.quiet, "No progress and no warnings on stderr");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program(
+        "Filigree: real-time expressive curves. Curves are read from .xyz, .obj, .gltf, .glb and .tilt files,\n"
+        "or made: builtin:NAME or builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...).",
+        "filigree");
+    flg::cli::CommonOptions common;
+    common.workers = std::clamp(std::thread::hardware_concurrency(), 1u, kMaxWorkers);
+    add_common_options(program, common);
+    program.set_version_flag("--version", version_text());
+    program.require_subcommand(1);
+    // Common options may also follow the command.
+    program.fallthrough();
+
+    std::vector<flg::cli::Command> commands = {flg::cli::add_info(program, common),
+                                               flg::cli::add_stylize(program, common)};
+#if defined(FLG_WITH_RENDERER)
+    commands.push_back(flg::cli::add_render(program, common));
+#endif
+    commands.push_back(flg::cli::add_bench(program, common));
+
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {  // --help, --version
+        return program.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return complain(std::string(error.what()) + " (filigree --help)", kBadUsage);
+    }
+
+    try {
+        for (const flg::cli::Command& command : commands) {
+            if (command.app->parsed()) command.run();
+        }
+    } catch (const flg::cli::UsageError& error) {
+        return complain(error.what(), kBadUsage);
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory", kFailed);
+    } catch (const std::exception& error) {
+        return complain(error.what(), kFailed);
+    }
+    return kDone;
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A context that is ticked until its jobs are done, as a host would tick it every frame.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "common.h"
+#include "filigree/filigree.h"
+#include "report.h"
+
+namespace flg::cli {
+
+class Session {
+public:
+    explicit Session(const CommonOptions& common);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    FlgContext context() const { return context_; }
+
+    // A job to wait for, and what its errors are about (a file).
+    struct Pending {
+        FlgJob job;
+        std::string subject;
+    };
+    // Ticks until all are finished; throws InputError with the sentence of the first that failed. Adds their stages to the
+    // report. Shows progress on a terminal.
+    void finish(std::span<const Pending> jobs, Report& report);
+
+private:
+    void show_progress(std::span<const Pending> jobs) const;
+
+    const CommonOptions& common_;
+    FlgContext context_ = nullptr;
+    TickTimes times_;
+    bool shows_progress_;
+};
+
+}  // namespace flg::cli

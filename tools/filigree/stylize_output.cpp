@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "stylize_output.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "failure.h"
+#include "support/curve_source.h"
+#include "text_file.h"
+
+namespace flg::cli {
+namespace {
+
+using samples::find_column;
+using samples::value_at;
+
+// Radius of curves that bring none: this share of the diagonal of all points' box.
+constexpr float kDefaultRadiusShare = 1.0f / 500.0f;
+
+bool ends_with_one_of(const std::string& path, std::initializer_list<const char*> extensions) {
+    return std::any_of(extensions.begin(), extensions.end(), [&](const char* e) { return path.ends_with(e); });
+}
+
+float default_radius(const FlgCurveSetView& view) {
+    const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
+    const float* first = value_at(positions, 0);
+    std::array<float, 3> low = {first[0], first[1], first[2]}, high = low;
+    for (uint32_t i = 0; i < view.curve_offsets[view.curve_count]; ++i) {
+        const float* p = value_at(positions, i);
+        for (int k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], p[k]);
+            high[k] = std::max(high[k], p[k]);
+        }
+    }
+    const float diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    return diagonal > 0.0f ? diagonal * kDefaultRadiusShare : kDefaultRadiusShare;
+}
+
+void write_curves(const std::string& path, const FlgCurveSetView& view, FlgGeometry geometry) {
+    FlgCurveWriteDesc desc = {};
+    flgCurveWriteDescInit(&desc, sizeof desc);
+    desc.geometry = geometry;
+    desc.default_radius = default_radius(view);
+    if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw InputError(flgIoLastError());
+}
+
+// Calls visit(curve, point, style_index) for all points of a result.
+template <class Visit>
+void for_each_index(const FlgCurveSetView& result, Visit visit) {
+    const FlgColumn& indices = *find_column(result, FLG_ATTRIBUTE_STYLE_INDEX);
+    for (uint32_t c = 0; c < result.curve_count; ++c) {
+        for (uint32_t i = result.curve_offsets[c]; i < result.curve_offsets[c + 1]; ++i) {
+            visit(c, i, static_cast<int64_t>(std::lround(*value_at(indices, i))));
+        }
+    }
+}
+
+std::string path_text(const FlgCurveSetView& result) {
+    std::string text;
+    uint32_t curve = 0;
+    for_each_index(result, [&](uint32_t c, uint32_t i, int64_t index) {
+        for (; curve < c; ++curve) text += '\n';
+        if (i != result.curve_offsets[c]) text += ' ';
+        text += std::to_string(index);
+    });
+    return text + '\n';
+}
+
+std::string matching_text(const FlgStyleInfo& info) {
+    std::string text;
+    char number[32];
+    for (uint32_t i = 0; i < info.point_count; ++i) {
+        const auto end =
+            std::to_chars(number, number + sizeof number, info.matching[i], std::chars_format::general, 9).ptr;
+        text.append(number, end).push_back('\n');
+    }
+    return text;
+}
+
+void add_runs(const FlgCurveSetView& result, Report& report) {
+    uint64_t runs = 0, jumps = 0, points = 0, longest = 0, run = 0;
+    int64_t before = 0;
+    for_each_index(result, [&](uint32_t c, uint32_t i, int64_t index) {
+        const bool starts = i == result.curve_offsets[c];
+        if (starts || index != before + 1) {
+            ++runs;
+            jumps += !starts;
+            run = 0;
+        }
+        longest = std::max(longest, ++run);
+        before = index;
+        ++points;
+    });
+    report.quality["mean_copied_run"] = runs == 0 ? 0.0 : static_cast<double>(points) / static_cast<double>(runs);
+    report.quality["longest_copied_run"] = longest;
+    report.quality["jumps"] = jumps;
+}
+
+}  // namespace
+
+void StylizeOutput::check_paths() const {
+    if (!ends_with_one_of(curves, {".xyz", ".txt", ".obj", ".glb"})) {
+        throw UsageError(curves + ": the result is written as .xyz, .obj or .glb");
+    }
+    if (geometry != FLG_GEOMETRY_LINES && !curves.ends_with(".glb")) {
+        throw UsageError(curves + ": only .glb holds ribbons and tubes");
+    }
+    if (!guide.empty() && !ends_with_one_of(guide, {".xyz", ".txt", ".obj", ".glb"})) {
+        throw UsageError(guide + ": the guide is written as .xyz, .obj or .glb");
+    }
+    for (const std::string* file : {&curves, &guide, &matching, &path}) require_writable(*file);
+}
+
+void StylizeOutput::write(FlgContext context, FlgStyle style, FlgCurveSet result, Report& report) const {
+    FlgStyleInfo info = {};
+    info.struct_size = sizeof info;
+    check(flgStyleGetInfo(context, style, &info), "style");
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    check(flgCurveSetGetView(context, result, &view), "result");
+
+    report.counts["style_points"] = info.point_count;
+    report.counts["patch_graph_edges"] = info.edge_count;
+    report.counts["flow_steps"] = info.flow_steps;
+    report.counts["result_points"] = view.curve_offsets[view.curve_count];
+    report.quality["style_length"] = info.style_length;
+    report.quality["guide_length"] = info.guide_length;
+    report.quality["spacing"] = info.spacing;
+    report.quality["displacement_rms"] = info.displacement_rms;
+    report.quality["matching_energy"] = info.matching_energy;
+    report.quality["temperature_unit"] = info.temperature_unit;
+    add_runs(view, report);
+
+    if (!guide.empty()) {
+        FlgCurveSet set = {};
+        check(flgStyleGetGuide(context, style, &set), "guide");
+        FlgCurveSetView guide_view = flgCurveSetViewDefaults();
+        check(flgCurveSetGetView(context, set, &guide_view), "guide");
+        write_curves(guide, guide_view, FLG_GEOMETRY_LINES);
+    }
+    if (!matching.empty()) write_text_file(matching, matching_text(info));
+    if (!path.empty()) write_text_file(path, path_text(view));
+    write_curves(curves, view, geometry);
+}
+
+}  // namespace flg::cli
