@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// filigree render and the strokes sample, without a window.
+#include <set>
+
+#include "cli_test.h"
+
+namespace flg::test {
+namespace {
+
+using Render = Cli;
+
+uint32_t big_endian(const std::string& bytes, size_t at) {
+    uint32_t value = 0;
+    for (size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<uint8_t>(bytes.at(at + i));
+    return value;
+}
+
+// Width and height of a PNG; 0 by 0 if it is none.
+std::pair<uint32_t, uint32_t> size_of(const std::string& png) {
+    if (png.size() < 24 || png.substr(1, 3) != "PNG") return {0, 0};
+    return {big_endian(png, 16), big_endian(png, 20)};
+}
+
+TEST_F(Render, PictureHasTheSizeAskedFor) {
+    for (const char* shape : {"lines", "ribbon", "tube"}) {
+        done({"render", "builtin:spiral", "-o", "out.png", "--size", "160x90", "--as", shape, "--report",
+              "report.json"});
+        EXPECT_EQ(size_of(folder.read("out.png")), std::make_pair(160u, 90u)) << shape;
+        EXPECT_EQ(report().at("counts").at("points"), 600);
+    }
+}
+
+TEST_F(Render, ATurnAroundGivesDifferentPictures) {
+    done({"render", "builtin:spiral", "builtin:loops", "-o", "turn.png", "--size", "96x96", "--frames", "3"});
+    EXPECT_EQ(folder.list(), (std::vector<std::string>{"turn-0001.png", "turn-0002.png", "turn-0003.png"}));
+    std::set<std::string> pictures;
+    for (const std::string& name : folder.list()) pictures.insert(folder.read(name));
+    EXPECT_EQ(pictures.size(), 3u);
+}
+
+TEST_F(Render, SameCameraSamePicture) {
+    for (const char* name : {"a.png", "b.png"}) {
+        done({"render", "builtin:flourish", "-o", name, "--size", "96x96", "--camera", "0.2,0.4,3,0,0,0"});
+    }
+    EXPECT_EQ(folder.read("a.png"), folder.read("b.png"));
+    done({"render", "builtin:flourish", "-o", "c.png", "--size", "96x96", "--camera", "-40,10"});
+    EXPECT_NE(folder.read("a.png"), folder.read("c.png"));
+}
+
+TEST_F(Render, BadUsageIsRefused) {
+    for (const char* size : {"0x10", "10x0", "10", "10x", "10x10x10", "20000x10", "axb"}) {
+        expect_refused({"render", "builtin:loops", "-o", "out.png", "--size", size}, 2, {"--size"});
+    }
+    expect_refused({"render", "builtin:loops", "-o", "out.bmp"}, 2, {"out.bmp"});
+    expect_refused({"render", "builtin:loops", "-o", "out.png", "--frames", "0"}, 2, {"--frames"});
+    for (const char* camera : {"1", "1,2,3,4", "1,2,0", "1,nan"}) {
+        expect_refused({"render", "builtin:loops", "-o", "out.png", "--camera", camera}, 2, {"--camera"});
+    }
+    expect_refused({"render", "nosuch.xyz", "-o", "out.png"}, 1, {"nosuch.xyz"});
+    expect_refused({"render", "builtin:loops", "-o", "nosuch/out.png"}, 1, {"nosuch/out.png"});
+    EXPECT_TRUE(folder.list().empty());
+}
+
+class Strokes : public ::testing::Test {
+protected:
+    Folder folder;
+};
+
+TEST_F(Strokes, HeadlessRunLeavesItsResults) {
+    for (const char* workers : {"0", "2"}) {
+        const Outcome outcome = run_program(
+            FLG_STROKES_PROGRAM,
+            {"builtin:spiral", "builtin:s_curve", "--no-window", "--out", "out", "--workers", workers}, folder.path());
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        for (const char* picture : {"out/before.png", "out/styled_ribbons.png", "out/styled_tubes.png"}) {
+            EXPECT_EQ(size_of(folder.read(picture)), std::make_pair(1280u, 720u)) << picture;
+        }
+        EXPECT_EQ(folder.read("out/result.glb").substr(0, 4), "glTF");
+        const nlohmann::json frames = nlohmann::json::parse(folder.read("out/frames.json"));
+        EXPECT_EQ(frames.at("budget_us"), 2000);
+        EXPECT_GE(frames.at("frames"), 1);
+        EXPECT_GT(frames.at("points").at("result"), 800);
+        EXPECT_GT(frames.at("tick_us").at("max"), 0.0);
+        EXPECT_FALSE(frames.at("longest_chunk").at("stage").get<std::string>().empty());
+    }
+}
+
+TEST_F(Strokes, BadInputIsOneLine) {
+    const Outcome outcome = run_program(FLG_STROKES_PROGRAM, {"nosuch.tilt", "--no-window"}, folder.path());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("strokes: nosuch.tilt")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace flg::test

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// filigree stylize: its files, its report, and that nothing but the input decides about the bits.
+#include <cmath>
+#include <sstream>
+
+#include "cli_test.h"
+
+namespace flg::test {
+namespace {
+
+using Stylize = Cli;
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+template <class T>
+std::vector<T> numbers_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<T> numbers;
+    for (T number; stream >> number;) numbers.push_back(number);
+    return numbers;
+}
+
+// A straight line of a metre along x, in two curves with a gap.
+constexpr const char* kTwoLines = "0 0 0\n0.25 0 0\n0.5 0 0\n\n1 0 0\n1.25 0 0\n1.5 0 0\n";
+
+TEST_F(Stylize, ReportHasTheSchema) {
+    done({"stylize",
+          "--style",
+          "builtin:zigzag",
+          "--target",
+          "builtin:flourish",
+          "-o",
+          "out.xyz",
+          "--report",
+          "report.json",
+          "--seed",
+          "7",
+          "--workers",
+          "1",
+          "--budget",
+          "500",
+          "--sigma",
+          "0.5",
+          "--tau",
+          "0.25",
+          "--quiet"});
+    const nlohmann::json json = report();
+    EXPECT_EQ(json.at("command"), "stylize");
+    EXPECT_EQ(json.at("version"), "0.1.0");
+    EXPECT_EQ(json.at("seed"), 7);
+    EXPECT_EQ(json.at("workers"), 1);
+    EXPECT_EQ(json.at("parameters").at("sigma"), 0.5);
+    EXPECT_EQ(json.at("parameters").at("tau"), 0.25);
+    EXPECT_EQ(json.at("parameters").at("frame"), "rmf");
+    EXPECT_EQ(json.at("counts").at("target_points"), 500);
+    EXPECT_GT(json.at("counts").at("result_points"), 500);
+    ASSERT_FALSE(json.at("stages").empty());
+    for (const auto& [name, stage] : json.at("stages").items()) {
+        EXPECT_GE(stage.at("wall_ms"), 0.0) << name;
+        EXPECT_GE(stage.at("cpu_ms"), 0.0) << name;
+    }
+    const nlohmann::json& ticks = json.at("ticks");
+    EXPECT_GE(ticks.at("count"), 1);
+    EXPECT_EQ(ticks.at("budget_us"), 500);
+    EXPECT_LE(ticks.at("p50_us"), ticks.at("p99_us"));
+    EXPECT_LE(ticks.at("p99_us"), ticks.at("max_us"));
+    EXPECT_GT(ticks.at("longest_chunk_us"), 0.0);
+    EXPECT_TRUE(json.at("warnings").empty());
+    for (const char* key : {"mean_copied_run", "displacement_rms", "guide_length", "matching_energy"}) {
+        EXPECT_GT(json.at("quality").at(key), 0.0) << key;
+    }
+    EXPECT_GE(json.at("quality").at("jumps"), 0);
+}
+
+TEST_F(Stylize, SameBitsWhateverTheWorkersAndTheBudget) {
+    const std::vector<std::string> work = {"stylize",
+                                           "--style",
+                                           "builtin:loops",
+                                           "--target",
+                                           "builtin:lorenz:3000",
+                                           "--tau",
+                                           "0.5",
+                                           "--start",
+                                           "random",
+                                           "-o",
+                                           "out.xyz",
+                                           "--quiet",
+                                           "--save-path",
+                                           "path.txt",
+                                           "--save-guide",
+                                           "guide.xyz",
+                                           "--save-matching",
+                                           "matching.txt"};
+    std::vector<std::string> first;
+    for (const char* workers : {"0", "1", "2"}) {
+        for (const char* budget : {"0", "100", "1500"}) {
+            std::vector<std::string> arguments = work;
+            arguments.insert(arguments.end(), {"--workers", workers, "--budget", budget});
+            done(arguments);
+            std::vector<std::string> files;
+            for (const char* name : {"out.xyz", "path.txt", "guide.xyz", "matching.txt"}) {
+                files.push_back(folder.read(name));
+                EXPECT_FALSE(files.back().empty()) << name;
+            }
+            if (first.empty()) first = files;
+            EXPECT_TRUE(files == first) << workers << " workers, budget " << budget;
+        }
+    }
+}
+
+TEST_F(Stylize, TheSeedDecidesAboutRandomStarts) {
+    const std::vector<std::string> work = {"stylize", "--style", "builtin:loops", "--target", "builtin:spiral",
+                                           "--start", "random",  "--tau",         "0.5",      "-o",
+                                           "out.xyz", "--seed"};
+    std::vector<std::string> results;
+    for (const char* seed : {"1", "2", "1"}) {
+        std::vector<std::string> arguments = work;
+        arguments.push_back(seed);
+        done(arguments);
+        results.push_back(folder.read("out.xyz"));
+    }
+    EXPECT_NE(results[0], results[1]);
+    EXPECT_EQ(results[0], results[2]);
+}
+
+TEST_F(Stylize, MatchingHasAnArcLengthOnTheStyleForEachGuidePoint) {
+    done({"stylize", "--style", "builtin:curls", "--target", "builtin:s_curve", "-o", "out.xyz", "--save-matching",
+          "m.txt", "--save-guide", "guide.xyz", "--report", "report.json"});
+    const std::vector<double> matching = numbers_of<double>(folder.read("m.txt"));
+    const nlohmann::json json = report();
+    EXPECT_EQ(matching.size(), json.at("counts").at("style_points"));
+    const double style_length = json.at("quality").at("style_length");
+    for (size_t i = 0; i < matching.size(); ++i) {
+        EXPECT_GE(matching[i], i == 0 ? 0.0 : matching[i - 1]) << "at " << i;
+        EXPECT_LE(matching[i], style_length * 1.000001);
+    }
+    EXPECT_EQ(numbers_of<double>(folder.read("guide.xyz")).size(), 3 * matching.size());
+}
+
+TEST_F(Stylize, PathHasAStyleIndexForEachSampleAndALineForEachCurve) {
+    folder.write("target.xyz", kTwoLines);
+    done({"stylize", "--style", "builtin:zigzag", "--target", "target.xyz", "-o", "out.xyz", "--save-path", "p.txt",
+          "--scale", "0.3", "--report", "report.json"});
+    const nlohmann::json json = report();
+    const std::vector<std::string> lines = lines_of(folder.read("p.txt"));
+    EXPECT_EQ(lines.size(), 2u);
+    EXPECT_EQ(json.at("counts").at("target_curves"), 2);
+    size_t samples = 0, jumps = 0;
+    for (const std::string& line : lines) {
+        const std::vector<long> indices = numbers_of<long>(line);
+        samples += indices.size();
+        for (size_t i = 0; i < indices.size(); ++i) {
+            EXPECT_GE(indices[i], 0);
+            EXPECT_LT(indices[i], json.at("counts").at("style_points"));
+            jumps += i > 0 && indices[i] != indices[i - 1] + 1;
+        }
+    }
+    EXPECT_EQ(samples, json.at("counts").at("result_points"));
+    EXPECT_EQ(jumps, json.at("quality").at("jumps"));
+    EXPECT_DOUBLE_EQ(json.at("quality").at("mean_copied_run"),
+                     static_cast<double>(samples) / static_cast<double>(jumps + 2));
+}
+
+TEST_F(Stylize, WithoutMagnitudeTheTargetComesBack) {
+    folder.write("target.xyz", kTwoLines);
+    done({"stylize", "--style", "builtin:zigzag", "--target", "target.xyz", "-o", "out.xyz", "--sigma", "0"});
+    for (const std::string& line : lines_of(folder.read("out.xyz"))) {
+        const std::vector<double> p = numbers_of<double>(line);
+        if (line.empty() || line[0] == '#') continue;
+        ASSERT_GE(p.size(), 3u);
+        EXPECT_GE(p[0], -1e-6);
+        EXPECT_LE(p[0], 1.5 + 1e-6);
+        EXPECT_NEAR(p[1], 0.0, 1e-6);
+        EXPECT_NEAR(p[2], 0.0, 1e-6);
+    }
+}
+
+TEST_F(Stylize, RadiiAreCarriedOver) {
+    folder.write("target.xyz", "0 0 0 0.25\n1 0 0 0.25\n2 0 0 0.25\n");
+    done({"stylize", "--style", "builtin:zigzag", "--target", "target.xyz", "-o", "out.xyz"});
+    for (const std::string& line : lines_of(folder.read("out.xyz"))) {
+        if (line.empty() || line[0] == '#') continue;
+        const std::vector<double> p = numbers_of<double>(line);
+        ASSERT_EQ(p.size(), 4u) << line;
+        EXPECT_NEAR(p[3], 0.25, 1e-6);
+    }
+}
+
+TEST_F(Stylize, OfSeveralStyleCurvesTheFirstIsTakenWithAWarning) {
+    folder.write("one.xyz", "0 0 0\n0.3 0.1 0\n0.6 -0.1 0\n1 0 0\n");
+    folder.write("two.xyz", "0 0 0\n0.3 0.1 0\n0.6 -0.1 0\n1 0 0\n\n5 5 5\n6 7 8\n9 9 9\n");
+    const auto work = [](const char* style, const char* out) {
+        return std::vector<std::string>{"stylize", "--style", style,      "--target",   "builtin:s_curve",
+                                        "-o",      out,       "--report", "report.json"};
+    };
+    done(work("one.xyz", "a.xyz"));
+    EXPECT_TRUE(report().at("warnings").empty());
+    const Outcome outcome = done(work("two.xyz", "b.xyz"));
+    ASSERT_EQ(report().at("warnings").size(), 1u);
+    EXPECT_NE(outcome.err.find("two.xyz: 2 curves"), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.read("a.xyz"), folder.read("b.xyz"));
+}
+
+TEST_F(Stylize, AGuideOfOnesOwnIsUsed) {
+    folder.write("style.xyz", "0 0 0\n0.2 0.1 0\n0.4 -0.1 0\n0.6 0.1 0\n0.8 -0.1 0\n1 0 0\n");
+    folder.write("guide.xyz", "0 0 0\n0.5 0 0\n1 0 0\n");
+    done({"stylize", "--style", "style.xyz", "--guide", "guide.xyz", "--target", "builtin:s_curve", "-o", "out.xyz",
+          "--report", "report.json"});
+    EXPECT_EQ(report().at("counts").at("flow_steps"), 0);
+    EXPECT_NEAR(report().at("quality").at("guide_length"), 1.0, 1e-4);
+}
+
+TEST_F(Stylize, WritesAllFormatsAndShapes) {
+    for (const char* out : {"a.xyz", "a.obj", "a.glb"}) {
+        done({"stylize", "--style", "builtin:knots", "--target", "builtin:s_curve", "-o", out});
+        EXPECT_FALSE(folder.read(out).empty()) << out;
+    }
+    std::vector<size_t> sizes;
+    for (const char* shape : {"lines", "ribbon", "tube"}) {
+        done({"stylize", "--style", "builtin:knots", "--target", "builtin:s_curve", "-o", "shape.glb", "--as", shape});
+        EXPECT_EQ(folder.read("shape.glb").substr(0, 4), "glTF");
+        sizes.push_back(folder.read("shape.glb").size());
+    }
+    EXPECT_LT(sizes[0], sizes[1]);
+    EXPECT_LT(sizes[1], sizes[2]);
+}
+
+TEST_F(Stylize, QuietSaysNothing) {
+    const Outcome outcome =
+        done({"--quiet", "stylize", "--style", "builtin:bouquet", "--target", "builtin:s_curve", "-o", "a.xyz"});
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(folder.list(), std::vector<std::string>{"a.xyz"});
+}
+
+}  // namespace
+}  // namespace flg::test
