@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A curve set view from a host, checked whole before anything is made of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "filigree/filigree.h"
+
+namespace flg::io {
+
+// A column with its stride resolved; null data when the view has none of that attribute.
+struct Column {
+    const float* data = nullptr;
+    size_t stride = 0;  // bytes
+    explicit operator bool() const { return data != nullptr; }
+    const float* at(size_t point) const {
+        return reinterpret_cast<const float*>(reinterpret_cast<const char*>(data) + point * stride);
+    }
+};
+
+class CheckedView {
+public:
+    // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
+    explicit CheckedView(const FlgCurveSetView* view);
+
+    uint32_t curve_count() const { return view_.curve_count; }
+    size_t point_count() const { return view_.curve_offsets[view_.curve_count]; }
+    size_t begin(uint32_t curve) const { return view_.curve_offsets[curve]; }
+    size_t end(uint32_t curve) const { return view_.curve_offsets[curve + 1]; }
+    bool closed(uint32_t curve) const { return view_.curve_flags && (view_.curve_flags[curve] & FLG_CURVE_CLOSED); }
+
+    Column position, radius, color, tangent, normal;
+
+private:
+    void check_curves() const;
+    void check_column(uint32_t index) const;
+
+    FlgCurveSetView view_ = {};
+};
+
+}  // namespace flg::io

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// How reading or writing says that it can't go on: a Failure with a place and a reason, to which the ABI adds the name
+// of the file. All of this room is in flg::io, because a program may link it together with the rest of the SDK.
+#pragma once
+
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "filigree/filigree.h"
+
+namespace flg::io {
+
+class Failure : public std::exception {
+public:
+    // An empty `place` means the file as a whole.
+    Failure(FlgResult result, std::string place, std::string reason)
+        : result_(result), place_(std::move(place)), reason_(std::move(reason)) {}
+    FlgResult result() const { return result_; }
+    const std::string& place() const { return place_; }
+    const char* what() const noexcept override { return reason_.c_str(); }
+
+private:
+    FlgResult result_;
+    std::string place_;
+    std::string reason_;
+};
+
+// Throws a Failure; `format` and what follows as for printf.
+[[noreturn, gnu::format(printf, 3, 4)]] inline void fail(FlgResult result, std::string place, const char* format, ...) {
+    char reason[512];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(reason, sizeof reason, format, arguments);
+    va_end(arguments);
+    throw Failure(result, std::move(place), reason);
+}
+
+inline std::string line_place(uint64_t line) {
+    return std::to_string(line);
+}
+
+inline std::string byte_place(std::string_view part, uint64_t offset) {
+    return std::string(part) + "@" + std::to_string(offset);
+}
+
+// A piece of a file fit for a sentence: in quotes, cut short, with nothing unprintable in it.
+inline std::string cited(std::string_view text) {
+    constexpr size_t longest = 40;
+    std::string result = "'";
+    for (char c : text.substr(0, longest)) result += (c >= ' ' && c <= '~') ? c : '?';
+    return result + (text.size() > longest ? "...'" : "'");
+}
+
+}  // namespace flg::io

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Whole files in memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace flg::io {
+
+using Bytes = std::span<const uint8_t>;
+
+// Bytes with their memory; not cleared when made.
+class ByteBlock {
+public:
+    ByteBlock() = default;
+    explicit ByteBlock(size_t size) : data_(std::make_unique_for_overwrite<uint8_t[]>(size)), size_(size) {}
+    uint8_t* data() { return data_.get(); }
+    size_t size() const { return size_; }
+    Bytes bytes() const { return {data_.get(), size_}; }
+
+private:
+    std::unique_ptr<uint8_t[]> data_;
+    size_t size_ = 0;
+};
+
+// Reads a regular file of at most max_bytes. `place` is what failures name.
+ByteBlock read_file(const std::filesystem::path& path, const std::string& place);
+
+inline std::string_view as_text(Bytes bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace flg::io

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The limits that filigree_io.h and filigree.h state.
+#pragma once
+
+#include <cstdint>
+
+namespace flg::io {
+
+// Of a file, of what is unpacked from it, and of what is made of it: hostile files must not fill the machine.
+constexpr uint64_t max_bytes = uint64_t{1} << 31;
+constexpr uint64_t max_points = uint64_t{1} << 31;
+// Positions and radii, in size; beyond it squares overflow in float.
+constexpr float max_coordinate = 1e30f;
+// Metres; of curves that have no radius where others of the file have one, and of FlgCurveWriteDesc.
+constexpr float default_radius = 0.005f;
+
+}  // namespace flg::io

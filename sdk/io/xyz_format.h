@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Curves as text (.xyz, .txt).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/checked_view.h"
+#include "io/curve_data.h"
+
+namespace flg::io {
+
+CurveData read_xyz(std::string_view text);
+std::string write_xyz(const CheckedView& view);
+
+}  // namespace flg::io
