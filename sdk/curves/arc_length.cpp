@@ -49,8 +49,8 @@ bool ArcLengthKernel::run(uint32_t n) {
     return true;
 }
 
-void ArcLengthKernel::add(const HermiteSegment& segment) {
-    if (measure_.length == 0) measure_.tangent = segment.derivative(0).normalized();
+void ArcLengthKernel::add(const Segment& segment) {
+    if (measure_.length == 0) measure_.tangent = segment.tangent_start();
     measure_.length += segment.length();
     const Vec3 deviation = segment.end() - first_;
     moment_ += (0.5 * segment.length()) * (segment.start() - first_ + deviation);

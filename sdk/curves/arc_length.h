@@ -35,7 +35,7 @@ public:
     const CurveMeasure& measure() const { return measure_; }
 
 private:
-    void add(const HermiteSegment& segment);
+    void add(const Segment& segment);
 
     SegmentStream stream_;
     CurveMeasure measure_;

@@ -15,7 +15,7 @@ void EvenSampler::make_last(CurveSample& out) const {
         out.t = 0;
         return;
     }
-    out.tangent = stream_.segment().derivative(1.0).normalized();
+    out.tangent = stream_.segment().tangent_end();
     out.segment = stream_.index();
     out.t = 1;
 }

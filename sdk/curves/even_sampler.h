@@ -39,11 +39,10 @@ public:
             make_last(out);
             return true;
         }
-        const HermiteSegment& segment = stream_.segment();
+        const Segment segment = stream_.segment();
         const double t = segment.parameter_at(s - segment_start_);
-        const Vec3 derivative = segment.derivative(t);
         out.position = segment.position(t);
-        out.tangent = derivative * (1.0 / derivative.norm());
+        out.tangent = segment.tangent(t);
         out.segment = stream_.index();
         out.t = static_cast<float>(t);
         return true;

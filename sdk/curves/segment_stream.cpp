@@ -1,100 +1,169 @@
 // SPDX-License-Identifier: MIT
 #include "curves/segment_stream.h"
 
+#include <algorithm>
+
 namespace flg {
 
 namespace {
 
 constexpr double corner_cosine = 0.6427876096865394;  // of 50 degrees
+// Points that one refill looks at, at most: what a long run of equal points costs.
+constexpr uint32_t reads_per_refill = 64;
 
 }  // namespace
 
-SegmentStream::SegmentStream(const CurveView& curve) : curve_(curve), cursor_(1) {
-    end_ = curve.point(0);
+// Edge 0 of the first block ends at the first point: it is missing on open curves, the last edge on closed ones.
+SegmentStream::SegmentStream(const CurveView& curve) : curve_(curve) {
+    const Vec3 first = curve.point(0);
+    block_.points.set(1, first);
+    block_.points.set(0, first);
+    block_.directions.set(0, Vec3::UnitX());
+    block_.chords[0] = 1;
+    indices_[0] = 0;
+    kinds_[0] = corner;
     before_ = curve.closed ? curve.count : 0;
-    done_ = curve.count < 2;
+    ended_ = curve.count < 2;
 }
 
-bool SegmentStream::advance() {
-    if (before_ > 0) return find_closing_edge();
-    if (cursor_ < curve_.count) return read(cursor_++);
-    if (curve_.closed) {
-        // Around to the first point, and on to the next different one, for the tangent at the first.
-        const uint32_t wrapped = cursor_++ - curve_.count;
-        const bool made = read(wrapped);
-        if (made && wrapped > 0) done_ = true;
-        return made;
+bool SegmentStream::refill() {
+    if (before_ > 0) {
+        find_closing_edge();
+        return false;
     }
-    done_ = true;
-    if (!has_edge_) return false;
-    make_segment(Vertex{});
+    if (ready_ > 0) {
+        // The edge and its vertex that go on.
+        block_.points.copy(0, carried_);
+        block_.points.copy(1, carried_ + 1);
+        block_.directions.copy(0, carried_);
+        block_.chords[0] = block_.chords[carried_];
+        vertices_.copy(0, carried_);
+        kinds_[0] = kinds_[carried_];
+        indices_[0] = indices_[carried_];
+        next_ = ready_ = 0;
+    }
+    const uint32_t points = read_points();
+    const bool open_end = !curve_.closed && cursor_ == curve_.count;
+    if (points == 0 && !open_end) return false;
+    make_edges(points);
+    make_vertices(points);
+    uint32_t count = points;
+    ended_ = open_end || around_;
+    if (open_end) {
+        kinds_[points + 1] = corner;
+        all_smooth_ = false;
+        // The last edge, unless there never was one.
+        count = points + (has_edge_ || points > 0 ? 1 : 0);
+    }
+    make_tangents(count);
+    block_.measure(count);
+    next_ = has_edge_ && !hidden_edge_ ? 0 : 1;
+    ready_ = std::max(count, next_);
+    carried_ = points;
+    has_edge_ = true;
+    hidden_edge_ = false;
+    if (next_ == ready_) return false;
+    current_ = next_++;
     return true;
 }
 
-// Looks back from the closed curve's end for the first point that isn't equal to point 0; one point a call.
-bool SegmentStream::find_closing_edge() {
-    if (--before_ == 0) {
-        done_ = true;  // all points are one
-        return false;
-    }
-    if (curve_.same_point(before_, 0)) return false;
-    start_ = curve_.point(before_);
-    const Vec3 d = end_ - start_;
-    edge_.length = d.norm();
-    edge_.direction = d / edge_.length;
-    edge_.index = before_;
-    has_edge_ = true;
-    closing_edge_ = true;
-    before_ = 0;
-    return false;
-}
-
-bool SegmentStream::read(uint32_t index) {
-    if (curve_.same_point(index, current_)) {
-        current_ = index;
-        return false;
-    }
-    const Vec3 point = curve_.point(index);
-    const Vec3 d = point - end_;
-    Edge next;
-    next.length = d.norm();
-    next.direction = d / next.length;
-    next.index = current_;
-    Vertex vertex;
-    bool made = false;
-    if (has_edge_) {
-        vertex.smooth = edge_.direction.dot(next.direction) >= corner_cosine;
-        if (vertex.smooth) {
-            vertex.tangent = next.length * edge_.direction + edge_.length * next.direction;
-            vertex.tangent *= 1.0 / vertex.tangent.norm();
+// Looks back from the closed curve's end for the last point that isn't equal to point 0.
+void SegmentStream::find_closing_edge() {
+    for (uint32_t reads = 0; reads < reads_per_refill; ++reads) {
+        if (--before_ == 0) {
+            ended_ = true;  // all points are one
+            return;
         }
-        made = !closing_edge_;
-        if (made) make_segment(vertex);
-        closing_edge_ = false;
+        if (curve_.same_point(before_, 0)) continue;
+        block_.points.set(0, curve_.point(before_));
+        const Vec3 d = block_.points[1] - block_.points[0];
+        block_.chords[0] = d.norm();
+        block_.directions.set(0, d / block_.chords[0]);
+        has_edge_ = true;
+        hidden_edge_ = true;
+        before_ = 0;
+        return;
     }
-    has_edge_ = true;
-    start_ = end_;
-    end_ = point;
-    edge_ = next;
-    edge_start_ = vertex;
-    current_ = index;
-    return made;
 }
 
-void SegmentStream::make_segment(const Vertex& end) {
-    const Vec3& u = edge_.direction;
-    const auto mirrored = [&u](const Vec3& tangent) -> Vec3 { return (2.0 * tangent.dot(u)) * u - tangent; };
-    Vec3 t0 = u;
-    Vec3 t1 = u;
-    if (edge_start_.smooth) {
-        t0 = edge_start_.tangent;
-        t1 = end.smooth ? end.tangent : mirrored(t0);
-    } else if (end.smooth) {
-        t1 = end.tangent;
-        t0 = mirrored(t1);
+// Puts the next points that differ from the one before them behind the two of edge 0. A closed curve goes around to its
+// first point, and on to the next different one, which is needed for the tangent at the first.
+uint32_t SegmentStream::read_points() {
+    uint32_t points = 0;
+    for (uint32_t reads = 0; reads < reads_per_refill && points < SegmentBlock::capacity && !around_; ++reads) {
+        uint32_t index = cursor_;
+        if (index >= curve_.count) {
+            if (!curve_.closed) break;
+            index -= curve_.count;
+        }
+        ++cursor_;
+        if (!curve_.same_point(index, last_read_)) {
+            block_.points.set(points + 2, curve_.point(index));
+            indices_[points + 1] = last_read_;
+            ++points;
+            around_ = cursor_ > curve_.count + 1;
+        }
+        last_read_ = index;
     }
-    segment_ = HermiteSegment(start_, end_, u, edge_.length, t0, t1);
-    index_ = edge_.index;
+    return points;
+}
+
+void SegmentStream::make_edges(uint32_t points) {
+    const SegmentBlock::Vectors& p = block_.points;
+    SegmentBlock::Vectors& u = block_.directions;
+    for (uint32_t j = 1; j <= points; ++j) {
+        const double x = p.x[j + 1] - p.x[j], y = p.y[j + 1] - p.y[j], z = p.z[j + 1] - p.z[j];
+        const double chord = std::sqrt(x * x + y * y + z * z);
+        const double inverse = 1.0 / chord;
+        block_.chords[j] = chord;
+        u.x[j] = x * inverse;
+        u.y[j] = y * inverse;
+        u.z[j] = z * inverse;
+    }
+}
+
+void SegmentStream::make_vertices(uint32_t points) {
+    const SegmentBlock::Vectors& u = block_.directions;
+    double least_cosine = 1;
+    std::array<double, SegmentBlock::size> cosines;
+    for (uint32_t j = 1; j <= points; ++j) {
+        const double before = block_.chords[j - 1], after = block_.chords[j];
+        const double cosine = u.x[j - 1] * u.x[j] + u.y[j - 1] * u.y[j] + u.z[j - 1] * u.z[j];
+        // The vector after * u[j - 1] + before * u[j] would be this long.
+        const double x = after * u.x[j - 1] + before * u.x[j];
+        const double y = after * u.y[j - 1] + before * u.y[j];
+        const double z = after * u.z[j - 1] + before * u.z[j];
+        const double inverse = 1.0 / std::sqrt(x * x + y * y + z * z);
+        vertices_.x[j] = x * inverse;
+        vertices_.y[j] = y * inverse;
+        vertices_.z[j] = z * inverse;
+        cosines[j] = cosine;
+    }
+    if (!has_edge_) cosines[1] = -1;  // an open curve's first point
+    for (uint32_t j = 1; j <= points; ++j) {
+        kinds_[j] = cosines[j] >= corner_cosine ? smooth : corner;
+        least_cosine = std::min(least_cosine, cosines[j]);
+    }
+    all_smooth_ = least_cosine >= corner_cosine && kinds_[0] == smooth;
+}
+
+void SegmentStream::make_tangents(uint32_t count) {
+    SegmentBlock::Vectors& a = block_.tangents_start;
+    SegmentBlock::Vectors& b = block_.tangents_end;
+    std::copy_n(vertices_.x, count, a.x);
+    std::copy_n(vertices_.y, count, a.y);
+    std::copy_n(vertices_.z, count, a.z);
+    std::copy_n(vertices_.x + 1, count, b.x);
+    std::copy_n(vertices_.y + 1, count, b.y);
+    std::copy_n(vertices_.z + 1, count, b.z);
+    if (all_smooth_) return;
+    for (uint32_t j = 0; j < count; ++j) {
+        if (kinds_[j] == smooth && kinds_[j + 1] == smooth) continue;
+        const Vec3 u = block_.directions[j];
+        const auto mirrored = [&u](const Vec3& tangent) -> Vec3 { return (2.0 * tangent.dot(u)) * u - tangent; };
+        a.set(j, kinds_[j] == smooth ? vertices_[j] : (kinds_[j + 1] == smooth ? mirrored(vertices_[j + 1]) : u));
+        b.set(j, kinds_[j + 1] == smooth ? vertices_[j + 1] : (kinds_[j] == smooth ? mirrored(vertices_[j]) : u));
+    }
 }
 
 }  // namespace flg

@@ -7,8 +7,10 @@
 // once. Hence straight runs stay straight, circles round to fourth order, corners sharp.
 #pragma once
 
+#include <array>
+
 #include "curves/curve_view.h"
-#include "curves/hermite_segment.h"
+#include "curves/segment_block.h"
 
 namespace flg {
 
@@ -16,44 +18,48 @@ class SegmentStream {
 public:
     explicit SegmentStream(const CurveView& curve);
 
-    // Reads one point; true when segment() has become the next one. Not to be called when done().
-    bool advance();
+    // Goes on by a point, on the whole; true when segment() has become the next one. Not to be called when done().
+    bool advance() {
+        if (next_ == ready_) return refill();
+        current_ = next_++;
+        return true;
+    }
     // No segment follows the current one. A curve without length is done before its first.
-    bool done() const { return done_; }
+    bool done() const { return next_ == ready_ && ended_; }
 
-    const HermiteSegment& segment() const { return segment_; }
-    // The segment runs from point index() to the one after it.
-    uint32_t index() const { return index_; }
+    Segment segment() const { return {block_, current_}; }
+    // The segment runs from point index() of the polyline to the one after it.
+    uint32_t index() const { return indices_[current_]; }
 
 private:
-    // An end of a segment: with the tangent shared with its neighbour, or sharp.
-    struct Vertex {
-        Vec3 tangent = Vec3::Zero();
-        bool smooth = false;
-    };
-    // From the one distinct point to the next.
-    struct Edge {
-        Vec3 direction;
-        double length = 0;
-        uint32_t index = 0;
-    };
+    // Vertices, and so the ends of two segments.
+    enum Kind : uint8_t { corner, smooth };
 
-    bool find_closing_edge();
-    bool read(uint32_t index);
-    void make_segment(const Vertex& end);
+    bool refill();
+    void find_closing_edge();
+    uint32_t read_points();
+    void make_edges(uint32_t points);
+    void make_vertices(uint32_t points);
+    void make_tangents(uint32_t count);
 
     CurveView curve_;
-    HermiteSegment segment_;
-    uint32_t index_ = 0;
-    uint32_t cursor_ = 0;   // points read so far; on a closed curve goes on around
-    uint32_t before_ = 0;   // closed: the next candidate for the point before the first
-    uint32_t current_ = 0;  // the last distinct point read
-    Vec3 start_, end_;      // of edge_
-    Edge edge_;             // waits for the point after its end
-    Vertex edge_start_;
-    bool has_edge_ = false;
-    bool closing_edge_ = false;  // edge_ is the closed curve's last, seen before its first: gives a tangent only
-    bool done_ = false;
+    // Edge 0 is the one that was waiting for the point after its end.
+    SegmentBlock block_;
+    SegmentBlock::Vectors vertices_;  // the tangents at smooth ones; vertex j is where edge j begins
+    std::array<Kind, SegmentBlock::size> kinds_;
+    std::array<uint32_t, SegmentBlock::size> indices_;
+    bool all_smooth_ = true;
+    uint32_t current_ = 0;
+    uint32_t next_ = 0;  // of the block's segments
+    uint32_t ready_ = 0;
+    uint32_t cursor_ = 1;  // points read so far; on a closed curve goes on around
+    uint32_t before_ = 0;  // closed: the next candidate for the point before the first
+    uint32_t last_read_ = 0;
+    uint32_t carried_ = 0;      // the edge and vertex with this number go on into the next block
+    bool has_edge_ = false;     // edge 0 is one
+    bool hidden_edge_ = false;  // but only there for the tangent at its end: a closed curve's last
+    bool around_ = false;       // a closed curve has been read around to its second point
+    bool ended_ = false;
 };
 
 }  // namespace flg
