@@ -1,31 +1,61 @@
 // SPDX-License-Identifier: MIT
-// A prepared style: what Algorithm 1 computes before it sees a target. Shared by all threads once prepared.
+// A prepared style: what Algorithm 1 (Minarcik, Fiser, Sykora) computes before it sees a target.
+//
+// What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order guide_flow,
+// guide_matching, displacement, patch_rows and patch_graph, path_tree, synthesis; and the two jobs that drive them,
+// prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
 #pragma once
 
-#include <cstdio>
 #include <memory>
+#include <mutex>
+#include <vector>
 
-#include "core/memory.h"
-#include "core/vec.h"
-#include "runtime/job.h"
+#include "curves/curve_set.h"
+#include "stylization/displacement.h"
+#include "stylization/patch_graph.h"
+#include "stylization/path_trees.h"
 
 namespace flg {
 
+// Filled in by prepare_style, then never changed (but for the cache of path trees) and shared by all threads.
+struct PreparedStyle {
+    std::shared_ptr<CurveSet> guide;  // one open curve with POSITION, TANGENT, NORMAL
+    Displacement displacement;
+    PatchGraph graph;
+    Buffer<float> matching;                     // arc lengths on the style, metres
+    double style_length = 0, guide_length = 0;  // metres
+    double displacement_rms = 0;                // metres
+    double matching_energy = 0;                 // square metres, mean over the points
+    uint32_t flow_steps = 0;
+
+    uint32_t point_count() const { return displacement.size(); }
+    double spacing() const { return guide_length / (point_count() - 1); }
+};
+
 class Style final : public Output {
 public:
-    explicit Style(Memory* memory) : memory_(memory) {}
+    explicit Style(Memory* memory) : memory_(memory), trees_(memory) {}
 
+    PreparedStyle prepared;
+
+    // [any thread] The path trees at a temperature (metres), shared by all jobs that ask for the same; those of the last
+    // few temperatures are kept. Only once the style is prepared.
+    std::shared_ptr<PathTrees> trees(float temperature);
+
+    // What the host sees.
     void publish_partial() noexcept override {}
-    void publish(const Job& job) noexcept override {
-        result_ = job.result;
-        std::snprintf(error_, sizeof error_, "%s", job.error);
-    }
+    void publish(const Job& job) noexcept override;
     FlgResult visible_result() const { return result_; }
     const char* error() const { return error_; }
+    FlgStyleInfo info() const;
     std::weak_ptr<Job> producer;
 
 private:
+    static constexpr size_t temperatures_kept = 4;
+
     Memory* memory_;
+    std::mutex mutex_;
+    std::pmr::vector<std::shared_ptr<PathTrees>> trees_;  // the one used last at the end
     FlgResult result_ = FLG_NOT_READY;
     char error_[256] = "";
 };

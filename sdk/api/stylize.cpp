@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "stylization/apply_style.h"
+
+namespace flg {
+
+namespace {
+
+FlgStylizeDesc default_stylize_desc() {
+    const StylizeRequest defaults;
+    FlgStylizeDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.start = defaults.start;
+    desc.job = default_job_options();
+    desc.magnitude = static_cast<float>(defaults.magnitude);
+    desc.temperature = static_cast<float>(defaults.temperature);
+    desc.scale = static_cast<float>(defaults.scale);
+    desc.frame = defaults.frame;
+    desc.seed = defaults.seed;
+    return desc;
+}
+
+void check(const FlgStylizeDesc& desc) {
+    check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
+    check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
+                "finite and at least 0");
+    check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
+    check_frame(desc.frame, "desc.frame");
+    check_range(desc.start >= FLG_START_AUTO && desc.start <= FLG_START_RANDOM, "desc.start", desc.start,
+                "one of FLG_START_...");
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_stylize_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_set, "out_set") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgStylizeDesc read = read_struct(desc, default_stylize_desc(), "desc");
+        check(read);
+        Submission submission(self, read.job);
+        StylizeRequest request;
+        request.style = self.styles.get(read.style.id, "desc.style");
+        request.target = self.curve_sets.get(read.target.id, "desc.target");
+        submission.read(*request.style, "desc.style");
+        submission.read(*request.target, "desc.target");
+        request.out = make_object<CurveSet>(self, &self.memory);
+        request.magnitude = read.magnitude;
+        request.temperature = read.temperature;
+        request.scale = read.scale;
+        request.frame = read.frame;
+        request.start = read.start;
+        request.seed = read.seed;
+        const std::shared_ptr<CurveSet> out = request.out;
+        submission.job().strand.start(apply_style(submission.pace(), std::move(request)));
+        *out_set = {submission.commit(self.curve_sets, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

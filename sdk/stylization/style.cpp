@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/style.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace flg {
+
+std::shared_ptr<PathTrees> Style::trees(float temperature) {
+    std::lock_guard lock(mutex_);
+    const auto found = std::find_if(trees_.begin(), trees_.end(),
+                                    [&](const auto& trees) { return trees->temperature() == temperature; });
+    if (found != trees_.end()) {
+        std::rotate(found, found + 1, trees_.end());
+    } else {
+        if (trees_.size() == temperatures_kept) trees_.erase(trees_.begin());
+        trees_.push_back(std::allocate_shared<PathTrees>(std::pmr::polymorphic_allocator<PathTrees>(memory_),
+                                                         prepared.graph, temperature, memory_));
+    }
+    return trees_.back();
+}
+
+void Style::publish(const Job& job) noexcept {
+    result_ = job.result;
+    std::snprintf(error_, sizeof error_, "%s", job.error);
+    if (result_ == FLG_OK) prepared.guide->publish_complete();
+}
+
+FlgStyleInfo Style::info() const {
+    return {.struct_size = sizeof(FlgStyleInfo),
+            .point_count = prepared.point_count(),
+            .patch = prepared.graph.patch,
+            .edge_count = prepared.graph.edge_count(),
+            .style_length = static_cast<float>(prepared.style_length),
+            .guide_length = static_cast<float>(prepared.guide_length),
+            .spacing = static_cast<float>(prepared.spacing()),
+            .displacement_rms = static_cast<float>(prepared.displacement_rms),
+            .matching_energy = static_cast<float>(prepared.matching_energy),
+            .temperature_unit = prepared.graph.temperature_unit,
+            .flow_steps = prepared.flow_steps,
+            .reserved = 0,
+            .matching = prepared.matching.data()};
+}
+
+}  // namespace flg

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# The library exports exactly the functions that the header declares with FLG_API.
+execute_process(COMMAND ${NM} -D --defined-only --format=posix ${LIBRARY} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" lines "${table}")
+set(exported)
+foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^([^ ]+) .*" "\\1" symbol "${line}")
+    list(APPEND exported ${symbol})
+endforeach()
+
+file(READ ${HEADER} header)
+string(REGEX MATCHALL "FLG_API [^(;]*[ *](flg[A-Za-z]+)\\(" declarations "${header}")
+set(declared)
+foreach(declaration IN LISTS declarations)
+    string(REGEX REPLACE ".*[ *](flg[A-Za-z]+)\\(" "\\1" symbol "${declaration}")
+    list(APPEND declared ${symbol})
+endforeach()
+
+list(SORT exported)
+list(SORT declared)
+list(LENGTH declared count)
+if(count LESS 20 OR NOT exported STREQUAL declared)
+    message(FATAL_ERROR "declared: ${declared}\nexported: ${exported}")
+endif()
+message("${count} symbols, all flg*")

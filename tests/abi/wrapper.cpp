@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// filigree.hpp in C++17, against the shared library.
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "filigree/filigree.hpp"
+
+int main() {
+    try {
+        filigree::Context context;
+        std::vector<float> positions;
+        for (int i = 0; i < 300; ++i) {
+            const float u = 0.01f * static_cast<float>(i);
+            for (float v : {u, 0.2f * std::cos(20 * u), 0.2f * std::sin(20 * u)}) positions.push_back(v);
+        }
+        const uint32_t offsets[] = {0, 300};
+        const FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0};
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        view.curve_count = 1;
+        view.curve_offsets = offsets;
+        view.columns = &column;
+        view.column_count = 1;
+        const filigree::CurveSet example = context.curves(view);
+        const filigree::Style style = context.style(example);
+        FlgStylizeDesc desc = flgStylizeDefaults();
+        desc.style = style.get();
+        desc.target = example.get();
+        filigree::Job job;
+        const filigree::CurveSet result = context.stylize(desc, &job);
+        if (result.ready() || style.ready()) return 1;
+        context.finish();
+        if (!job.finished() || job.stages().size() != 2 || !style.guide().ready()) return 1;
+        std::printf("%u points\n", result.view().curve_offsets[1]);
+        desc.scale = -1;
+        try {
+            context.stylize(desc);
+            return 1;
+        } catch (const filigree::Error& error) {
+            std::printf("%s: %s\n", flgResultName(error.result()), error.what());
+        }
+        return 0;
+    } catch (const filigree::Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
