@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "curves/moving_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "curves/curve_inputs.h"
+#include "reference/literal_frames.h"
+
+namespace flg {
+namespace {
+
+using test::Points;
+using test::points_of;
+using test::Resampled;
+
+void expect_orthonormal(const Resampled& r) {
+    for (size_t i = 0; i < r.size(); ++i) {
+        EXPECT_NEAR(r.tangent(i).norm(), 1, 1e-6);
+        EXPECT_NEAR(r.normal(i).norm(), 1, 1e-6);
+        EXPECT_NEAR(r.normal(i).dot(r.tangent(i)), 0, 1e-6);
+    }
+}
+
+// Exact samples of a helix of radius 2 and pitch 4/3 a turn.
+struct Helix {
+    static constexpr double radius = 2, turns = 3, height = 4;
+    static constexpr double angle = turns * test::two_pi;
+    static double length() { return std::hypot(radius * angle, height); }
+    static double torsion() {
+        const double rise = height / angle;
+        return rise / (radius * radius + rise * rise);
+    }
+    static Vec3 tangent(double u) {
+        return Vec3(-radius * angle * std::sin(angle * u), radius * angle * std::cos(angle * u), height) / length();
+    }
+    static Vec3 frenet_normal(double u) { return Vec3(-std::cos(angle * u), -std::sin(angle * u), 0); }
+};
+
+TEST(RotationMinimizingFrame, OnAHelixTurnsAtMinusTorsionAgainstFrenet) {
+    double before = 0;
+    for (int steps : {100, 200}) {
+        RotationMinimizingFrame frame(test::helix(0), Helix::tangent(0), Helix::frenet_normal(0));
+        for (int i = 1; i <= steps; ++i) {
+            const double u = static_cast<double>(i) / steps;
+            frame.step(test::helix(u), Helix::tangent(u));
+        }
+        const double angle = angle_about(Helix::tangent(1), Helix::frenet_normal(1), frame.normal());
+        const double expected = std::remainder(-Helix::torsion() * Helix::length(), test::two_pi);
+        const double error = std::abs(std::remainder(angle - expected, test::two_pi));
+        EXPECT_LT(error, 1e-4);
+        if (before > 0) {
+            EXPECT_GT(before / error, 14.0);
+        }  // fourth order
+        before = error;
+    }
+}
+
+TEST(RotationMinimizingFrame, AgreesWithTinyRotations) {
+    const auto tangent = [](double u) -> Vec3 {
+        const double h = 1e-6;
+        return (test::wild(u + h) - test::wild(u - h)).normalized();
+    };
+    const Vec3 normal = tangent(0).unitOrthogonal();
+    RotationMinimizingFrame frame(test::wild(0), tangent(0), normal);
+    for (int i = 1; i <= 2000; ++i) frame.step(test::wild(i / 2000.0), tangent(i / 2000.0));
+    EXPECT_LT((frame.normal() - literal::transport(tangent, 0, 1, 100000, normal)).norm(), 1e-5);
+}
+
+TEST(RotationMinimizingFrame, PlanarCurvesKeepTheirPlanesNormal) {
+    RotationMinimizingFrame frame(Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1));
+    for (int i = 1; i <= 1000; ++i) {
+        const double a = 0.1 * i;
+        frame.step(Vec3(std::cos(a), std::sin(a), 0), Vec3(-std::sin(a), std::cos(a), 0));
+        ASSERT_LT((frame.normal() - Vec3(0, 0, 1)).norm(), 1e-12);
+    }
+}
+
+TEST(RotationMinimizingFrame, StepsWithoutLength) {
+    RotationMinimizingFrame frame(Vec3(1, 2, 3), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    frame.step(Vec3(1, 2, 3), Vec3(1, 0, 0));
+    EXPECT_LT((frame.normal() - Vec3(0, 1, 0)).norm(), 1e-12);
+    // Turned in place: the smallest rotation, about z.
+    frame.step(Vec3(1, 2, 3), Vec3(0, 1, 0));
+    EXPECT_LT((frame.normal() - Vec3(-1, 0, 0)).norm(), 1e-12);
+}
+
+TEST(RotationMinimizingFrame, ReversalsAndSidewaysSteps) {
+    RotationMinimizingFrame frame(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    frame.step(Vec3(0, 0, 0), Vec3(-1, 0, 0));
+    EXPECT_LT((frame.normal() - Vec3(0, 1, 0)).norm(), 1e-12);
+    frame.step(Vec3(0, 0, 5), Vec3(-1, 0, 0));  // across the tangent, which stays
+    EXPECT_LT((frame.normal() - Vec3(0, 1, 0)).norm(), 1e-12);
+    frame.step(Vec3(1, 0, 5), Vec3(1, 0, 0));  // backwards
+    EXPECT_NEAR(frame.normal().dot(frame.tangent()), 0, 1e-12);
+    EXPECT_NEAR(frame.normal().norm(), 1, 1e-12);
+}
+
+TEST(RotationMinimizingFrame, StaysOrthonormalOverAMillionSteps) {
+    RotationMinimizingFrame frame(test::helix(0), Helix::tangent(0), Helix::frenet_normal(0));
+    for (int i = 1; i <= 1000000; ++i) frame.step(test::helix(i * 1e-3), Helix::tangent(i * 1e-3));
+    EXPECT_NEAR(frame.normal().norm(), 1, 1e-12);
+    EXPECT_NEAR(frame.normal().dot(frame.tangent()), 0, 1e-12);
+}
+
+TEST(MovingFrame, ClosedCurvesSpreadTheirTwist) {
+    // A torus knot: the frame doesn't close by itself.
+    const auto knot = [](double u) {
+        const double a = test::two_pi * u;
+        const double r = 2 + std::cos(3 * a);
+        return Vec3(r * std::cos(2 * a), r * std::sin(2 * a), std::sin(3 * a));
+    };
+    const Points points = test::sampled(knot, 400, true);
+    SamplingPlan plan = test::plan_of(points, 1000);
+    plan.repeat_first = true;
+    const Resampled r = test::resample(plan);
+    ASSERT_EQ(r.size(), 1001u);
+    expect_orthonormal(r);
+    EXPECT_EQ(r.position(1000), r.position(0));
+    EXPECT_LT((r.normal(1000) - r.normal(0)).norm(), 1e-5);
+    // Against the frame carried once around without correction: a rotation that grows evenly.
+    std::vector<Vec3> vectors = points.vectors();
+    const auto literal = literal::resample(vectors, true, 1000, r.normal(0));
+    const double total = angle_about(literal[1000].tangent, literal[1000].normal, r.normal(1000));
+    EXPECT_GT(std::abs(total), 0.05);
+    for (size_t i : {100u, 250u, 500u, 900u}) {
+        const double angle = angle_about(literal[i].tangent, literal[i].normal, r.normal(i));
+        EXPECT_NEAR(std::remainder(angle - total * i / 1000, test::two_pi), 0, 2e-3);
+    }
+}
+
+TEST(MovingFrame, FrenetNormalsOfAHelix) {
+    const Resampled r = test::resample(test::sampled(test::helix, 600), 900, FLG_FRAME_FRENET);
+    expect_orthonormal(r);
+    for (size_t i = 5; i + 5 < r.size(); ++i) {
+        const Vec3 p = r.position(i);
+        EXPECT_LT((r.normal(i) - Vec3(-p.x(), -p.y(), 0).normalized()).norm(), 2e-2) << i;
+    }
+}
+
+TEST(MovingFrame, FrenetNormalsAreCarriedAlongStraightParts) {
+    // A quarter circle in the xy plane, then a straight line.
+    std::vector<Vec3> points;
+    for (int i = 0; i <= 40; ++i)
+        points.emplace_back(std::sin(i * 0.025 * 1.5708), 1 - std::cos(i * 0.025 * 1.5708), 0);
+    for (int i = 1; i <= 40; ++i) points.emplace_back(1, 1 + 0.1 * i, 0);
+    const Resampled r = test::resample(points_of(points), 400, FLG_FRAME_FRENET);
+    expect_orthonormal(r);
+    // The transition is an inflection, where Frenet normals may flip; from there on nothing turns.
+    EXPECT_NEAR(std::abs(r.normal(300).x()), 1, 1e-5);
+    EXPECT_LT((r.normal(390) - r.normal(300)).norm(), 1e-5);
+}
+
+TEST(MovingFrame, RigidMotionOfTheCurveMovesTheFrames) {
+    const Eigen::Quaterniond rotation = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
+    const Vec3 shift(0.3, -1.2, 2.1);
+    const auto s_shape = [](double u) { return Vec3(u, std::sin(test::two_pi * u), 0); };  // its mean cancels out
+    for (const auto& curve : {std::function<Vec3(double)>(test::wild), std::function<Vec3(double)>(test::helix),
+                              std::function<Vec3(double)>(s_shape)}) {
+        const Resampled r = test::resample(test::sampled(curve, 300), 500);
+        const Resampled moved =
+            test::resample(test::sampled([&](double u) -> Vec3 { return rotation * curve(u) + shift; }, 300), 500);
+        for (size_t i = 0; i < r.size(); ++i) {
+            EXPECT_LT((moved.position(i) - (rotation * r.position(i) + shift)).norm(), 3e-6);
+            EXPECT_LT((moved.normal(i) - rotation * r.normal(i)).norm(), 1e-3);
+        }
+    }
+}
+
+TEST(MovingFrame, StraightCurvesTakeTheLeastAlignedAxis) {
+    const Resampled r = test::resample(points_of({{0, 0, 0}, {3, 0.5, 1}, {6, 1, 2}}), 10);
+    expect_orthonormal(r);
+    const Vec3 t = Vec3(6, 1, 2).normalized();
+    EXPECT_LT((r.normal(10) - (Vec3::UnitY() - t.y() * t).normalized()).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace flg
