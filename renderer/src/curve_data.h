@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Curves as the device wants them: compact points, and chunks of up to chunk_segments segments that are culled and given
+// their level of detail one by one. Host only; no Vulkan here.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "filigree_renderer/renderer.h"
+
+namespace flg::render {
+
+constexpr uint32_t chunk_segments = 64;
+
+// Mirrors shaders/curve.vert.
+struct Chunk {
+    uint32_t first_point;
+    uint32_t segments_and_flags;  // closed curves repeat their first point as their last
+    uint32_t curve_first;
+    uint32_t curve_last;
+
+    static constexpr uint32_t closed = 1u << 16;
+    static constexpr uint32_t begins = 1u << 17;  // holds the first point of an open curve
+    static constexpr uint32_t ends = 1u << 18;
+    uint32_t segments() const { return segments_and_flags & 0xffffu; }
+};
+
+struct ChunkBounds {
+    glm::vec3 center;
+    float extent;     // radius of a ball around all of it, metres
+    float thickness;  // largest radius of the curve, metres
+    float segment;    // mean length of a segment, metres
+};
+
+struct PackedLook {
+    uint32_t normal;  // octahedral, 2 x snorm16
+    uint32_t color;   // sRGB, 4 x unorm8
+};
+
+struct CurveData {
+    std::vector<glm::vec4> centers;  // position, radius
+    std::vector<PackedLook> looks;
+    std::vector<Chunk> chunks;
+    std::vector<ChunkBounds> bounds;
+    Box box;
+};
+
+// Throws Error for a view or a look that can't be used.
+CurveData prepare_curves(const FlgCurveSetView& view, const CurveLook& look);
+
+// Rotation-minimizing frames by double reflection (Wang, Juettler, Zheng, Liu 2008). No two points in a row may be equal.
+// Of a closed curve, whose last point is its first, the twist is spread evenly.
+void carry_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* out_normals);
+
+}  // namespace flg::render

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "curve_store.h"
+
+#include <algorithm>
+
+namespace flg::render {
+namespace {
+
+constexpr uint32_t most_columns = 32;
+constexpr VkDeviceSize least_bytes = 16;  // of a buffer of an upload in which nothing is to draw
+
+template <class T>
+Buffer make_filled(DeviceMemory& memory, UploadRing& ring, const std::vector<T>& values, VkBufferUsageFlags usage) {
+    const VkDeviceSize bytes = values.size() * sizeof(T);
+    Buffer buffer(memory, std::max(bytes, least_bytes), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                  DeviceMemory::Place::device);
+    ring.upload(buffer, values.data(), bytes);
+    return buffer;
+}
+
+}  // namespace
+
+IndexPatterns::IndexPatterns(DeviceMemory& memory, UploadRing& ring) {
+    std::vector<uint16_t> indices;
+    for (uint32_t columns = 2; columns <= most_columns; ++columns) {
+        first_[columns] = static_cast<uint32_t>(indices.size());
+        const uint32_t strips = columns == 2 ? 1 : columns;
+        for (uint32_t ring_index = 0; ring_index < chunk_segments; ++ring_index) {
+            for (uint32_t side = 0; side < strips; ++side) {
+                const uint32_t here = ring_index * columns, next = here + columns;
+                const uint32_t other = (side + 1) % columns;
+                for (const uint32_t i :
+                     {here + side, here + other, next + side, next + side, here + other, next + other})
+                    indices.push_back(static_cast<uint16_t>(i));
+            }
+        }
+    }
+    buffer_ = make_filled(memory, ring, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+}
+
+DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines,
+                           const FlgCurveSetView& view, const CurveLook& wanted_look)
+    : look(wanted_look), data(prepare_curves(view, wanted_look)), device(memory.device().handle()) {
+    const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const uint32_t most_bytes = memory.device().properties().limits.maxStorageBufferRange;
+    if (data.centers.size() * sizeof data.centers[0] > most_bytes)
+        fail("The curves have %zu points; this device takes %zu in an upload.", data.centers.size(),
+             most_bytes / sizeof data.centers[0]);
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 3};
+    VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    pool_info.maxSets = 1;
+    pool_info.poolSizeCount = 1;
+    pool_info.pPoolSizes = &size;
+    check(vkCreateDescriptorPool(device, &pool_info, nullptr, &pool), "make a descriptor pool");
+    try {
+        const VkDescriptorSetLayout layout = pipelines.curves_layout();
+        VkDescriptorSetAllocateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+        set_info.descriptorPool = pool;
+        set_info.descriptorSetCount = 1;
+        set_info.pSetLayouts = &layout;
+        check(vkAllocateDescriptorSets(device, &set_info, &set), "make a descriptor set");
+        centers = Buffer(make_filled(memory, ring, data.centers, usage));
+        looks = Buffer(make_filled(memory, ring, data.looks, usage));
+        chunks = Buffer(make_filled(memory, ring, data.chunks, usage));
+    } catch (...) {
+        vkDestroyDescriptorPool(device, pool, nullptr);
+        throw;
+    }
+    data.centers = {};
+    data.looks = {};
+    const VkDescriptorBufferInfo buffers[] = {
+        {centers.handle(), 0, VK_WHOLE_SIZE}, {looks.handle(), 0, VK_WHOLE_SIZE}, {chunks.handle(), 0, VK_WHOLE_SIZE}};
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.descriptorCount = 3;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    write.pBufferInfo = buffers;
+    vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
+}
+
+DeviceCurves::~DeviceCurves() {
+    vkDestroyDescriptorPool(device, pool, nullptr);
+}
+
+CurvesId CurveStore::add(std::unique_ptr<DeviceCurves> curves) {
+    curves_[++last_id_] = std::move(curves);
+    return {last_id_};
+}
+
+void CurveStore::check_id(CurvesId id) const {
+    if (!curves_.contains(id.value))
+        fail("There are no curves with the id %llu.", static_cast<unsigned long long>(id.value));
+}
+
+void CurveStore::replace(CurvesId id, std::unique_ptr<DeviceCurves> curves, uint64_t frame) {
+    check_id(id);
+    std::swap(curves_[id.value], curves);
+    retired_.push_back({frame, std::move(curves)});
+}
+
+void CurveStore::remove(CurvesId id, uint64_t frame) {
+    check_id(id);
+    retired_.push_back({frame, std::move(curves_[id.value])});
+    curves_.erase(id.value);
+}
+
+void CurveStore::remove_all(uint64_t frame) {
+    for (auto& [id, curves] : curves_) retired_.push_back({frame, std::move(curves)});
+    curves_.clear();
+}
+
+void CurveStore::recycle(uint64_t finished_frame) {
+    std::erase_if(retired_, [=](const Retired& retired) { return retired.frame <= finished_frame; });
+}
+
+Box CurveStore::bounds() const {
+    Box box;
+    for (const auto& [id, curves] : curves_) box.add(curves->data.box);
+    return box;
+}
+
+void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const {
+    ChunkSelector selector(view);
+    for (const auto& [id, curves] : curves_) {
+        if (shadow && (!curves->look.casts_shadow || curves->look.shape == Shape::line)) continue;
+        const auto first_bin = static_cast<uint32_t>(list.bins.size());
+        selector.select(curves->data, curves->look, instances, list.bins);
+        const auto bin_count = static_cast<uint32_t>(list.bins.size()) - first_bin;
+        if (bin_count) list.items.push_back({curves.get(), first_bin, bin_count});
+    }
+}
+
+uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, const IndexPatterns& patterns,
+                       const DrawList& list, VkBuffer instances, bool shadow) {
+    if (list.items.empty()) return 0;
+    uint64_t triangles = 0;
+    const VkDeviceSize no_offset = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &instances, &no_offset);
+    vkCmdBindIndexBuffer(commands, patterns.buffer(), 0, VK_INDEX_TYPE_UINT16);
+    for (const DrawList::Item& item : list.items) {
+        const CurveLook& look = item.curves->look;
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                          shadow ? pipelines.curve_shadow(look.shape) : pipelines.curve(look));
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 1, 1, &item.curves->set,
+                                0, nullptr);
+        for (uint32_t i = item.first_bin; i < item.first_bin + item.bin_count; ++i) {
+            const DrawBin& bin = list.bins[i];
+            const CurvePush push{bin.columns,
+                                 static_cast<uint32_t>(bin.part),
+                                 cap_rings,
+                                 look.caps == Caps::round,
+                                 0.5f * look.line_width_px,
+                                 look.gloss};
+            vkCmdPushConstants(commands, pipelines.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+                               0, sizeof push, &push);
+            const uint32_t indices = IndexPatterns::index_count(bin.columns, bin.segments);
+            vkCmdDrawIndexed(commands, indices, bin.instance_count, patterns.first_index(bin.columns), 0,
+                             bin.first_instance);
+            triangles += uint64_t{indices / 3} * bin.instance_count;
+        }
+    }
+    return triangles;
+}
+
+}  // namespace flg::render

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Everything uploaded, on the device; and drawing it.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "chunk_select.h"
+#include "frame.h"
+#include "upload_ring.h"
+
+namespace flg::render {
+
+// The index lists of all numbers of columns, for the longest chunk; a shorter one uses the beginning of its list.
+class IndexPatterns {
+public:
+    IndexPatterns(DeviceMemory& memory, UploadRing& ring);
+    VkBuffer buffer() const { return buffer_.handle(); }
+    uint32_t first_index(uint32_t columns) const { return first_[columns]; }
+    static uint32_t index_count(uint32_t columns, uint32_t segments) {
+        return 6 * segments * (columns == 2 ? 1 : columns);
+    }
+
+private:
+    Buffer buffer_;
+    uint32_t first_[33] = {};
+};
+
+// One upload: its buffers, and what the host keeps to choose from it.
+struct DeviceCurves {
+    DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines, const FlgCurveSetView& view,
+                 const CurveLook& look);
+    ~DeviceCurves();
+    DeviceCurves(const DeviceCurves&) = delete;
+    DeviceCurves& operator=(const DeviceCurves&) = delete;
+
+    CurveLook look;
+    CurveData data;  // without its points
+    VkDevice device;
+    Buffer centers, looks, chunks;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+};
+
+// Of all curves, what one view draws.
+struct DrawList {
+    struct Item {
+        const DeviceCurves* curves;
+        uint32_t first_bin;
+        uint32_t bin_count;
+    };
+    std::vector<Item> items;
+    std::vector<DrawBin> bins;
+    void clear() {
+        items.clear();
+        bins.clear();
+    }
+};
+
+class CurveStore {
+public:
+    explicit CurveStore(DeviceMemory& memory) : memory_(memory) {}
+
+    CurvesId add(std::unique_ptr<DeviceCurves> curves);
+    // `frame`: the next to be submitted; what is replaced stays until that one is done.
+    void replace(CurvesId id, std::unique_ptr<DeviceCurves> curves, uint64_t frame);
+    void remove(CurvesId id, uint64_t frame);
+    void remove_all(uint64_t frame);
+    void check_id(CurvesId id) const;
+    void recycle(uint64_t finished_frame);
+    Box bounds() const;
+
+    void select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const;
+
+private:
+    struct Retired {
+        uint64_t frame;
+        std::unique_ptr<DeviceCurves> curves;
+    };
+    DeviceMemory& memory_;
+    std::map<uint64_t, std::unique_ptr<DeviceCurves>> curves_;
+    std::vector<Retired> retired_;
+    uint64_t last_id_ = 0;
+};
+
+// Records a list into a render pass; returns the triangles drawn.
+uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, const IndexPatterns& patterns,
+                       const DrawList& list, VkBuffer instances, bool shadow);
+
+}  // namespace flg::render

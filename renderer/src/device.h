@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Instance, physical and logical device, the one queue, and the validation layer's messages.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "filigree_renderer/renderer.h"
+#include "vk.h"
+
+namespace flg::render {
+
+class Device {
+public:
+    explicit Device(const Options& options);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkInstance instance() const { return instance_; }
+    VkPhysicalDevice physical() const { return physical_; }
+    VkDevice handle() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    uint32_t queue_family() const { return queue_family_; }
+    const VkPhysicalDeviceProperties& properties() const { return properties_; }
+    const std::string& name() const { return name_; }
+    // Whether the device can show images in windows at all.
+    bool has_swapchain() const { return has_swapchain_; }
+    // 0 where the queue writes no time stamps.
+    uint32_t timestamp_bits() const { return timestamp_bits_; }
+    // The most samples, up to `wanted`, that colour and depth images can have.
+    VkSampleCountFlagBits supported_samples(uint32_t wanted) const;
+    const std::vector<std::string>& messages() const { return messages_; }
+
+private:
+    void create_instance();
+    void create_messenger();
+    void choose_physical(const std::string& wanted_name);
+    void create_device();
+    void destroy();
+    static VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                                     VkDebugUtilsMessageTypeFlagsEXT type,
+                                                     const VkDebugUtilsMessengerCallbackDataEXT* data, void* self);
+    VkDebugUtilsMessengerCreateInfoEXT messenger_info();
+
+    bool validation_ = false;
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkPhysicalDeviceProperties properties_{};
+    std::string name_;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    uint32_t queue_family_ = 0;
+    uint32_t timestamp_bits_ = 0;
+    bool has_swapchain_ = false;
+    std::mutex messages_mutex_;  // the layer may call from the driver's threads
+    std::vector<std::string> messages_;
+};
+
+}  // namespace flg::render

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "frame.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace flg::render {
+namespace {
+
+constexpr VkDeviceSize least_instance_bytes = 64 << 10;
+
+}  // namespace
+
+FrameSlot::FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, const ShadowMap& shadow_map)
+    : memory_(memory), device_(memory.device().handle()) {
+    try {
+        create(pipelines, shadow_map);
+    } catch (...) {
+        destroy();
+        throw;
+    }
+}
+
+FrameSlot::~FrameSlot() {
+    destroy();
+}
+
+void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) {
+    VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool_info.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+    pool_info.queueFamilyIndex = memory_.device().queue_family();
+    check(vkCreateCommandPool(device_, &pool_info, nullptr, &pool_), "make a command pool");
+    VkCommandBufferAllocateInfo commands_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    commands_info.commandPool = pool_;
+    commands_info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    commands_info.commandBufferCount = 1;
+    check(vkAllocateCommandBuffers(device_, &commands_info, &commands_), "make a command buffer");
+    VkFenceCreateInfo fence_info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    fence_info.flags = VK_FENCE_CREATE_SIGNALED_BIT;
+    check(vkCreateFence(device_, &fence_info, nullptr, &done_), "make a fence");
+    if (memory_.device().timestamp_bits() > 0) {
+        VkQueryPoolCreateInfo query_info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+        query_info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+        query_info.queryCount = moment_count;
+        check(vkCreateQueryPool(device_, &query_info, nullptr, &queries_), "make a query pool");
+    }
+
+    const VkDeviceSize alignment = memory_.device().properties().limits.minUniformBufferOffsetAlignment;
+    view_stride_ = (sizeof(ViewUniforms) + alignment - 1) / alignment * alignment;
+    uniforms_ = Buffer(memory_, 2 * view_stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, DeviceMemory::Place::host);
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}};
+    VkDescriptorPoolCreateInfo descriptor_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    descriptor_info.maxSets = 2;
+    descriptor_info.poolSizeCount = 2;
+    descriptor_info.pPoolSizes = sizes;
+    check(vkCreateDescriptorPool(device_, &descriptor_info, nullptr, &descriptors_), "make a descriptor pool");
+    const VkDescriptorSetLayout layouts[] = {pipelines.view_layout(), pipelines.view_layout()};
+    VkDescriptorSetAllocateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    set_info.descriptorPool = descriptors_;
+    set_info.descriptorSetCount = 2;
+    set_info.pSetLayouts = layouts;
+    check(vkAllocateDescriptorSets(device_, &set_info, views_), "make descriptor sets");
+    const VkDescriptorImageInfo shadow = shadow_map.descriptor();
+    for (uint32_t i = 0; i < 2; ++i) {
+        const VkDescriptorBufferInfo uniforms{uniforms_.handle(), i * view_stride_, sizeof(ViewUniforms)};
+        VkWriteDescriptorSet writes[2]{};
+        for (auto& write : writes) {
+            write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+            write.dstSet = views_[i];
+            write.descriptorCount = 1;
+        }
+        writes[0].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+        writes[0].pBufferInfo = &uniforms;
+        writes[1].dstBinding = 1;
+        writes[1].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        writes[1].pImageInfo = &shadow;
+        vkUpdateDescriptorSets(device_, 2, writes, 0, nullptr);
+    }
+}
+
+void FrameSlot::destroy() {
+    vkDestroyDescriptorPool(device_, descriptors_, nullptr);
+    vkDestroyQueryPool(device_, queries_, nullptr);
+    vkDestroyFence(device_, done_, nullptr);
+    vkDestroyCommandPool(device_, pool_, nullptr);
+}
+
+void FrameSlot::wait() const {
+    check(vkWaitForFences(device_, 1, &done_, VK_TRUE, UINT64_MAX), "finish a frame");
+}
+
+VkCommandBuffer FrameSlot::begin() {
+    check(vkResetCommandPool(device_, pool_, 0), "reset a command pool");
+    VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commands_, &info), "begin a command buffer");
+    if (queries_) vkCmdResetQueryPool(commands_, queries_, 0, moment_count);
+    return commands_;
+}
+
+void FrameSlot::submit(const FrameSubmission& submission) {
+    check(vkEndCommandBuffer(commands_), "end a command buffer");
+    check(vkResetFences(device_, 1, &done_), "reset a fence");
+    const VkPipelineStageFlags wait_stage = VK_PIPELINE_STAGE_TRANSFER_BIT;
+    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    info.waitSemaphoreCount = submission.wait ? 1 : 0;
+    info.pWaitSemaphores = &submission.wait;
+    info.pWaitDstStageMask = &wait_stage;
+    info.commandBufferCount = 1;
+    info.pCommandBuffers = &commands_;
+    info.signalSemaphoreCount = submission.signal ? 1 : 0;
+    info.pSignalSemaphores = &submission.signal;
+    check(vkQueueSubmit(memory_.device().queue(), 1, &info, done_), "take a frame");
+}
+
+void FrameSlot::mark(Moment moment) {
+    if (queries_)
+        vkCmdWriteTimestamp(
+            commands_,
+            moment == Moment::begin ? VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT : VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
+            queries_, static_cast<uint32_t>(moment));
+}
+
+double FrameSlot::elapsed_ms(Moment from, Moment to) const {
+    if (!queries_ || frame == 0) return -1.0;
+    uint64_t ticks[moment_count];
+    const VkResult result = vkGetQueryPoolResults(device_, queries_, 0, moment_count, sizeof ticks, ticks,
+                                                  sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
+    if (result != VK_SUCCESS) return -1.0;
+    const uint32_t bits = memory_.device().timestamp_bits();
+    const uint64_t mask = bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
+    const uint64_t passed = (ticks[static_cast<uint32_t>(to)] - ticks[static_cast<uint32_t>(from)]) & mask;
+    return 1e-6 * static_cast<double>(passed) * memory_.device().properties().limits.timestampPeriod;
+}
+
+void FrameSlot::set_views(const ViewUniforms& main, const ViewUniforms& sun) {
+    auto* bytes = static_cast<char*>(uniforms_.mapped());
+    std::memcpy(bytes, &main, sizeof main);
+    std::memcpy(bytes + view_stride_, &sun, sizeof sun);
+}
+
+VkBuffer FrameSlot::set_instances(const std::vector<uint32_t>& instances) {
+    const VkDeviceSize bytes = instances.size() * sizeof(uint32_t);
+    if (instances_.size() < std::max<VkDeviceSize>(bytes, 1))
+        instances_ = Buffer(memory_, std::max(least_instance_bytes, 2 * bytes), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                            DeviceMemory::Place::host);
+    if (bytes) std::memcpy(instances_.mapped(), instances.data(), bytes);
+    return instances_.handle();
+}
+
+}  // namespace flg::render

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What a frame in flight needs for itself, and what has to stay until the device is done with it.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "memory.h"
+#include "pipelines.h"
+#include "shadow_map.h"
+#include "view_uniforms.h"
+
+namespace flg::render {
+
+constexpr uint32_t frames_in_flight = 2;
+
+struct FrameSubmission {
+    uint32_t slot = 0;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkImage picture = VK_NULL_HANDLE;     // ready to be copied from
+    VkSemaphore wait = VK_NULL_HANDLE;    // before transfers
+    VkSemaphore signal = VK_NULL_HANDLE;  // when all is done
+};
+
+enum class Moment : uint32_t { begin = 0, shadow_done = 1, end = 2 };
+constexpr uint32_t moment_count = 3;
+
+class FrameSlot {
+public:
+    FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, const ShadowMap& shadow_map);
+    ~FrameSlot();
+    FrameSlot(const FrameSlot&) = delete;
+    FrameSlot& operator=(const FrameSlot&) = delete;
+
+    // Waits until the device has finished the slot's last frame.
+    void wait() const;
+    VkCommandBuffer begin();
+    void submit(const FrameSubmission& submission);
+
+    void mark(Moment moment);
+    // Milliseconds between two moments of the slot's last frame; -1 if not known.
+    double elapsed_ms(Moment from, Moment to) const;
+
+    void set_views(const ViewUniforms& main, const ViewUniforms& sun);
+    VkDescriptorSet main_view() const { return views_[0]; }
+    VkDescriptorSet sun_view() const { return views_[1]; }
+    // A buffer that holds these until the slot's next frame.
+    VkBuffer set_instances(const std::vector<uint32_t>& instances);
+
+    uint64_t frame = 0;        // number of the last frame submitted; 0 = none
+    bool drew_shadow = false;  // in that frame
+
+private:
+    void create(const Pipelines& pipelines, const ShadowMap& shadow_map);
+    void destroy();
+
+    DeviceMemory& memory_;
+    VkDevice device_;
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    VkFence done_ = VK_NULL_HANDLE;
+    VkQueryPool queries_ = VK_NULL_HANDLE;
+    VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
+    VkDescriptorSet views_[2] = {};
+    VkDeviceSize view_stride_ = 0;
+    Buffer uniforms_;
+    Buffer instances_;
+};
+
+}  // namespace flg::render

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "filigree_renderer/renderer.h"
+
+#include <cstring>
+
+#include "renderer_state.h"
+
+namespace flg::render {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+double milliseconds_since(SteadyClock::time_point start) {
+    return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+}
+
+Options checked(Options options) {
+    const uint32_t samples = options.samples;
+    if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
+        fail("options.samples is %u; it must be 1, 2, 4 or 8.", samples);
+    if (options.shadow_size != 0 && (options.shadow_size < 256 || options.shadow_size > 8192))
+        fail("options.shadow_size is %u; it must be 0 or 256 to 8192.", options.shadow_size);
+    return options;
+}
+
+}  // namespace
+
+Renderer::State::State(const Options& wanted)
+    : options(checked(wanted)),
+      device(options),
+      memory(device),
+      ring(memory),
+      shadow_map(memory, options.shadow_size),
+      samples(device.supported_samples(options.samples)),
+      main_pass{device.handle(), make_main_pass(device.handle(), samples)},
+      pipelines(device, main_pass.handle, samples, shadow_map.pass()),
+      patterns(memory, ring),
+      curves(memory) {
+    for (auto& slot : slots) slot = std::make_unique<FrameSlot>(memory, pipelines, shadow_map);
+}
+
+Renderer::State::~State() {
+    vkDeviceWaitIdle(device.handle());
+}
+
+void Renderer::State::recycle(uint64_t finished_frame) {
+    ring.recycle(finished_frame);
+    curves.recycle(finished_frame);
+}
+
+Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options)) {}
+
+Renderer::~Renderer() = default;
+
+CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
+    State& s = *state_;
+    auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
+    s.shadow_is_current = false;
+    return s.curves.add(std::move(curves));
+}
+
+void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look) {
+    State& s = *state_;
+    s.curves.check_id(id);
+    auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
+    s.curves.replace(id, std::move(curves), s.frame + 1);
+    s.shadow_is_current = false;
+}
+
+void Renderer::remove(CurvesId id) {
+    if (id.value == 0) return;
+    state_->curves.remove(id, state_->frame + 1);
+    state_->shadow_is_current = false;
+}
+
+void Renderer::clear() {
+    state_->curves.remove_all(state_->frame + 1);
+    state_->shadow_is_current = false;
+}
+
+void Renderer::set_scene(const Scene& scene) {
+    state_->scene = scene;
+    state_->shadow_is_current = false;
+}
+
+const Scene& Renderer::scene() const {
+    return state_->scene;
+}
+Box Renderer::bounds() const {
+    return state_->curves.bounds();
+}
+const FrameStats& Renderer::stats() const {
+    return state_->stats;
+}
+const std::string& Renderer::device_name() const {
+    return state_->device.name();
+}
+uint32_t Renderer::samples() const {
+    return static_cast<uint32_t>(state_->samples);
+}
+const std::vector<std::string>& Renderer::messages() const {
+    return state_->device.messages();
+}
+
+void Renderer::draw(Target& target, const Camera& camera) {
+    State& s = *state_;
+    if (&target.renderer_ != this) fail("The target belongs to another renderer.");
+    const auto start = SteadyClock::now();
+    const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
+    FrameSlot& slot = *s.slots[slot_index];
+    slot.wait();
+    if (!target.begin_frame(slot_index)) return;
+    const double wait_ms = milliseconds_since(start);
+    s.recycle(slot.frame);
+    s.stats.gpu_ms = slot.elapsed_ms(Moment::begin, Moment::end);
+    s.stats.gpu_shadow_ms =
+        slot.drew_shadow ? slot.elapsed_ms(Moment::begin, Moment::shadow_done) : (s.stats.gpu_ms < 0 ? -1.0 : 0.0);
+
+    FrameSubmission submission;
+    submission.slot = slot_index;
+    submission.picture = target.image_->color();
+    s.record_frame(slot, submission, *target.image_, camera);
+    target.end_frame(submission);
+    slot.mark(Moment::end);
+
+    const auto submit_start = SteadyClock::now();
+    slot.submit(submission);
+    slot.frame = ++s.frame;
+    s.shadow_is_current = true;
+    target.image_->drawn = true;
+    target.present(submission);
+    s.stats.submit_ms = milliseconds_since(submit_start);
+    s.stats.wait_ms = wait_ms;
+    s.stats.device_bytes = s.memory.held_bytes();
+    s.stats.cpu_ms = milliseconds_since(start) - wait_ms - s.stats.submit_ms;
+}
+
+void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image,
+                                   const Camera& camera) {
+    const Box box = curves.bounds();
+    const uint32_t shadow_size = options.shadow_size;
+    const ViewUniforms view = camera_view(camera, scene, box, image.width(), image.height(), shadow_size);
+    const ViewUniforms sun = sun_view(scene, box, shadow_size);
+    const bool draw_shadow = !shadow_is_current;  // without shadows too: the map must be readable
+    instances.clear();
+    shadow_list.clear();
+    main_list.clear();
+    if (draw_shadow && shadow_size) curves.select(sun, true, shadow_list, instances);
+    curves.select(view, false, main_list, instances);
+    slot.set_views(view, sun);
+    const VkBuffer instance_buffer = slot.set_instances(instances);
+    slot.drew_shadow = draw_shadow && shadow_size;
+
+    const VkCommandBuffer commands = submission.commands = slot.begin();
+    slot.mark(Moment::begin);
+    ring.record(commands, frame + 1);
+    const auto bind_view = [&](VkDescriptorSet set) {
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
+    };
+    if (draw_shadow) {
+        shadow_map.begin(commands);
+        bind_view(slot.sun_view());
+        record_curves(commands, pipelines, patterns, shadow_list, instance_buffer, true);
+        shadow_map.end(commands);
+    }
+    slot.mark(Moment::shadow_done);
+
+    const VkExtent2D extent{image.width(), image.height()};
+    VkClearValue clear[2]{};  // colour is not cleared; depth 0 is infinitely far
+    VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
+    info.renderPass = main_pass.handle;
+    info.framebuffer = image.framebuffer();
+    info.renderArea.extent = extent;
+    info.clearValueCount = 2;
+    info.pClearValues = clear;
+    vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+    const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
+    const VkRect2D scissor{{0, 0}, extent};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+    bind_view(slot.main_view());
+    stats.triangles = record_curves(commands, pipelines, patterns, main_list, instance_buffer, false);
+    stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop());
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdEndRenderPass(commands);
+}
+
+void Renderer::wait_idle() {
+    for (auto& slot : state_->slots) slot->wait();
+    state_->recycle(state_->frame);
+}
+
+}  // namespace flg::render

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The renderer's inside. Members are destroyed from the last to the first, the device at the end.
+#pragma once
+
+#include <memory>
+
+#include "curve_store.h"
+#include "device.h"
+#include "frame.h"
+#include "pipelines.h"
+#include "shadow_map.h"
+#include "target_image.h"
+#include "upload_ring.h"
+
+namespace flg::render {
+
+struct OwnedPass {
+    VkDevice device;
+    VkRenderPass handle;
+    OwnedPass(VkDevice of, VkRenderPass pass) : device(of), handle(pass) {}
+    ~OwnedPass() { vkDestroyRenderPass(device, handle, nullptr); }
+    OwnedPass(const OwnedPass&) = delete;
+    OwnedPass& operator=(const OwnedPass&) = delete;
+};
+
+struct Renderer::State {
+    explicit State(const Options& wanted);
+    ~State();
+    void recycle(uint64_t finished_frame);
+    void record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image, const Camera& camera);
+
+    Options options;
+    Device device;
+    DeviceMemory memory;
+    UploadRing ring;
+    ShadowMap shadow_map;
+    VkSampleCountFlagBits samples;
+    OwnedPass main_pass;
+    Pipelines pipelines;
+    IndexPatterns patterns;
+    CurveStore curves;
+    std::unique_ptr<FrameSlot> slots[frames_in_flight];
+
+    Scene scene;
+    FrameStats stats;
+    uint64_t frame = 0;  // the last submitted
+    bool shadow_is_current = false;
+    DrawList main_list, shadow_list;  // scratch of record_frame
+    std::vector<uint32_t> instances;
+};
+
+}  // namespace flg::render

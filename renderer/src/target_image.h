@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The images a frame is drawn into, and the render pass that says how. After each frame the colour image is ready to be
+// copied from.
+#pragma once
+
+#include "memory.h"
+
+namespace flg::render {
+
+constexpr VkFormat color_format = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
+
+// The render pass of the main view; the caller destroys it.
+VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples);
+
+class TargetImage {
+public:
+    TargetImage(DeviceMemory& memory, VkRenderPass pass, VkSampleCountFlagBits samples, uint32_t width,
+                uint32_t height);
+    ~TargetImage();
+    TargetImage(const TargetImage&) = delete;
+    TargetImage& operator=(const TargetImage&) = delete;
+
+    uint32_t width() const { return width_; }
+    uint32_t height() const { return height_; }
+    VkFramebuffer framebuffer() const { return framebuffer_; }
+    VkImage color() const { return color_.handle(); }
+    bool drawn = false;
+
+private:
+    VkDevice device_;
+    uint32_t width_, height_;
+    DeviceImage color_, multisampled_, depth_;
+    VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
+};
+
+}  // namespace flg::render

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Moves data to device buffers without a stall: it is copied into mapped staging blocks at once, and from there by the
+// next frame's command buffer. Blocks come back when the device has finished that frame.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "memory.h"
+
+namespace flg::render {
+
+class UploadRing {
+public:
+    explicit UploadRing(DeviceMemory& memory) : memory_(memory) {}
+
+    // `target` must live until the next recorded frame is done.
+    void upload(const Buffer& target, const void* data, VkDeviceSize size);
+    // Records all pending copies, and that shaders wait for them.
+    void record(VkCommandBuffer commands, uint64_t frame);
+    void recycle(uint64_t finished_frame);
+
+private:
+    struct Block {
+        Buffer buffer;
+        VkDeviceSize used = 0;
+        uint64_t frame = 0;
+    };
+    struct Copy {
+        VkBuffer source;
+        VkBuffer target;
+        VkBufferCopy region;
+    };
+    DeviceMemory& memory_;
+    std::deque<Block> filling_;  // what the next frame copies from
+    std::deque<Block> in_flight_;
+    std::vector<Block> free_;
+    std::vector<Copy> copies_;
+};
+
+}  // namespace flg::render

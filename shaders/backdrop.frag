@@ -1,0 +1,39 @@
+#version 450
+// SPDX-License-Identifier: MIT
+#extension GL_GOOGLE_include_directive : require
+#include "view.glsl"
+#include "lighting.glsl"
+
+// A gradient like a studio's paper roll, and on the floor of it the scene's shadow.
+
+layout(location = 0) in vec2 at;  // -1..1, y down
+layout(location = 0) out vec4 out_color;
+
+const float ground_spread = 2.5;      // texels between the taps of the shadow's filter
+const float shadow_darkness = 0.62;
+const float fade_begin = 1.5;         // where the floor begins to melt into the gradient, radii of the scene
+const float fade_end = 6.0;
+
+float floor_light(vec3 position) {
+    float lit = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 shift = vec2(float(i & 1) - 0.5, float(i >> 1) - 0.5) * 2.0 * ground_spread * view.sun_direction.w;
+        lit += 0.25 * sunlight(position + vec3(shift.x, 0.0, shift.y), vec3(0.0), ground_spread);
+    }
+    return lit;
+}
+
+void main() {
+    vec3 ray = normalize(view.ray_forward.xyz + at.x * view.ray_right.xyz - at.y * view.ray_up.xyz);
+    float height = 0.5 - 0.5 * at.y;
+    vec3 color = mix(view.background_bottom.rgb, view.background_top.rgb, smoothstep(0.0, 1.0, height));
+
+    float above = view.eye.y - view.ray_right.w;
+    if (view.ray_up.w > 0.0 && ray.y < -1e-4 && above > 0.0) {
+        vec3 hit = view.eye.xyz + ray * (above / -ray.y);
+        float away = length(hit - view.scene_center.xyz) / view.ray_forward.w;
+        float presence = 1.0 - smoothstep(fade_begin, fade_end, away);
+        if (presence > 0.0) color *= 1.0 - shadow_darkness * presence * (1.0 - floor_light(hit));
+    }
+    out_color = vec4(tone_map(color), 1.0);
+}

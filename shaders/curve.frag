@@ -1,0 +1,42 @@
+#version 450
+// SPDX-License-Identifier: MIT
+#extension GL_GOOGLE_include_directive : require
+#include "view.glsl"
+#include "lighting.glsl"
+
+layout(constant_id = 0) const uint shape = 0;
+const uint shape_ribbon = 0;
+
+layout(push_constant) uniform Draw {
+    layout(offset = 20) float gloss;
+} draw;
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 smooth_normal;
+layout(location = 2) in vec3 albedo;
+layout(location = 0) out vec4 out_color;
+
+void main() {
+    vec3 normal = normalize(smooth_normal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 to_eye = normalize(view.eye.xyz - position);
+    vec3 to_sun = view.sun_direction.xyz;
+
+    float facing_sun = dot(normal, to_sun);
+    float facing_eye = clamp(dot(normal, to_eye), 0.0, 1.0);
+    vec3 half_way = normalize(to_eye + to_sun);
+    float facing_half = clamp(dot(normal, half_way), 0.0, 1.0);
+
+    float lit = sunlight(position, facing_sun < 0.0 ? -normal : normal, 1.0);
+    float diffuse = max(facing_sun, 0.0);
+    if (shape == shape_ribbon) diffuse += translucency * max(-facing_sun, 0.0);
+
+    float shininess = exp2(3.0 + 5.0 * draw.gloss);
+    float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(to_eye, half_way), 0.0, 1.0), 5.0);
+    float highlight = facing_sun > 0.0 ? fresnel * (shininess + 2.0) * 0.125 * pow(facing_half, shininess) : 0.0;
+
+    float rim = pow(1.0 - facing_eye, 4.0);
+    vec3 reflected = ambient_light(reflect(-to_eye, normal));
+    vec3 color = albedo * (0.318 * diffuse * lit * view.sun_color.rgb + 0.55 * ambient_light(normal));
+    color += draw.gloss * (lit * highlight * view.sun_color.rgb + (0.04 + rim_strength * rim) * reflected);
+    out_color = vec4(tone_map(color), 1.0);
+}

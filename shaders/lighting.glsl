@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Sun with soft shadows, sky and bounce light, a polished or matte coat, tone mapping.
+
+layout(set = 0, binding = 1) uniform sampler2DShadow shadow_map;
+
+const float rim_strength = 0.30;
+const float translucency = 0.22;  // of thin bands lit from behind
+
+// Share of the sun that reaches a point; `spread` in texels between the taps.
+float sunlight(vec3 position, vec3 normal, float spread) {
+    if (view.sun_color.w == 0.0) return 1.0;
+    // Points are moved off their own surface by the texels the filter reaches over.
+    vec3 moved = position + normal * (view.sun_direction.w * (1.0 + spread));
+    vec4 clip = view.shadow_from_world * vec4(moved, 1.0);
+    vec3 at = vec3(clip.xy * 0.5 + 0.5, clamp(clip.z, 0.0, 1.0) - 0.0005);
+    float reach = spread * view.sun_color.w;
+    float lit = texture(shadow_map, at + vec3(-0.94 * reach, -0.40 * reach, 0.0));
+    lit += texture(shadow_map, at + vec3(0.95 * reach, -0.77 * reach, 0.0));
+    lit += texture(shadow_map, at + vec3(-0.09 * reach, 0.93 * reach, 0.0));
+    lit += texture(shadow_map, at + vec3(0.34 * reach, 0.29 * reach, 0.0));
+    return 0.25 * lit;
+}
+
+// Light from all of the sky and the floor on a surface that faces `normal`.
+vec3 ambient_light(vec3 normal) {
+    return mix(view.bounce_color.rgb, view.sky_color.rgb, 0.5 + 0.5 * normal.y);
+}
+
+// Narkowicz, ACES Filmic Tone Mapping Curve (2016).
+vec3 tone_map(vec3 color) {
+    vec3 x = color * view.sky_color.w * 0.6;
+    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+}

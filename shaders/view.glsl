@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What every shader of a pass knows: where it is seen from and what lights it. Mirrors ViewUniforms in
+// renderer/src/view_uniforms.h.
+
+layout(set = 0, binding = 0, std140) uniform View {
+    mat4 clip_from_world;    // depth 1 near, 0 infinitely far
+    mat4 shadow_from_world;  // the sun's view: x, y in -1..1, depth 0 near
+    vec4 eye;                // xyz: metres; w: metres a pixel covers at distance 1 (perspective), or anywhere (sun's view)
+    vec4 ray_right;          // from the eye through the picture: forward + x right + y up, x, y in -1..1; w: ground height
+    vec4 ray_up;             // w: 1 = ground, 0 = none
+    vec4 ray_forward;        // w: radius of the scene, metres
+    vec4 sun_direction;      // unit, towards the sun; w: metres a texel of the shadow map covers
+    vec4 sun_color;          // w: 1 / edge of the shadow map, texels; 0 = no shadows
+    vec4 sky_color;          // w: exposure
+    vec4 bounce_color;       // w: 1 = perspective, 0 = the sun's parallel view
+    vec4 background_top;     // w: 2 / width of the picture, pixels
+    vec4 background_bottom;  // w: 2 / height of the picture, pixels
+    vec4 scene_center;
+} view;
