@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Sourced by tools/run and tools/test. build PRESET [TARGET...]: configures and builds build/PRESET; quiet unless it fails,
-# but for ninja's own progress line on a terminal.
+# shellcheck shell=bash
+# Sourced by tools/run and tools/test. build PRESET [TARGET...]: configures and builds build/PRESET. On a terminal ninja's
+# line shows how far it is; in a log only failures show. `root` is the checkout; `steady`, where set, runs the tools.
 build() {
-    local preset=$1
+    local preset=$1 log quiet=()
     shift
-    local folder="$root/build/$preset" log
+    [[ -t 1 ]] || quiet=(--quiet)
+    echo "build: $preset (some minutes the first time)"
     log=$(mktemp)
-    echo "build: $preset"
     if ! (cd "$root" && cmake --preset "$preset") >"$log" 2>&1; then
         cat "$log" >&2
         rm -f "$log"
@@ -14,8 +15,8 @@ build() {
         return 1
     fi
     rm -f "$log"
-    NINJA_STATUS="build: $preset [%f/%t] " ninja -C "$folder" --quiet "$@" || {
+    if ! NINJA_STATUS="build: $preset [%f/%t] " "${steady[@]}" ninja -C "$root/build/$preset" "${quiet[@]}" "$@"; then
         echo "build: $preset failed, see above" >&2
         return 1
-    }
+    fi
 }

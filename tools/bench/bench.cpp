@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench/bench.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -39,6 +40,12 @@ Row within(std::string name, double figure, std::string unit, double middle, dou
     return {std::move(name), figure, std::move(unit), middle - tolerance, middle + tolerance, std::move(note)};
 }
 
+double thread_ms() {
+    timespec now = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 double median(std::vector<double> values) {
     if (values.empty()) return 0.0;
     std::sort(values.begin(), values.end());
@@ -47,9 +54,9 @@ double median(std::vector<double> values) {
 }
 
 double time_ms(const std::function<void()>& call) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start_ms = thread_ms();
     call();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return thread_ms() - start_ms;
 }
 
 double median_ms(int runs, const std::function<double()>& work) {

@@ -5,7 +5,15 @@ namespace flg::bench {
 
 const std::vector<Group>& groups() {
     static const std::vector<Group> list = {
-        {"thomas", run_thomas}, {"prepare", run_prepare}, {"ticks", run_ticks}, {"growth", run_growth}};
+        {"thomas", run_thomas},
+        {"prepare", run_prepare},
+        {"patch_graph", run_patch_graph},
+#if defined(FLG_WITH_REFERENCE)
+        {"matching", run_matching},
+#endif
+        {"ticks", run_ticks},
+        {"growth", run_growth}
+    };
     return list;
 }
 

@@ -8,7 +8,12 @@ namespace flg::bench {
 
 std::vector<Row> run_thomas();
 std::vector<Row> run_prepare();
+std::vector<Row> run_patch_graph();
 std::vector<Row> run_ticks();
 std::vector<Row> run_growth();
+#if defined(FLG_WITH_REFERENCE)
+// Against the literal versions, which are built with the tests.
+std::vector<Row> run_matching();
+#endif
 
 }  // namespace flg::bench

@@ -24,9 +24,11 @@ double stylize_us(Host& host, FlgStyle style, FlgCurveSet target, float scale) {
     desc.scale = scale;
     FlgCurveSet result = {};
     FlgJob job = {};
-    check(flgStylize(host.context(), &desc, &result, &job));
-    host.run();
-    const double us = host.busy_us(job);
+    const double us = 1000.0 * time_ms([&] {
+                          check(flgStylize(host.context(), &desc, &result, &job));
+                          host.run();
+                      });
+    host.check_done(job);
     check(flgJobRelease(host.context(), job));
     check(flgCurveSetRelease(host.context(), result));
     return us;

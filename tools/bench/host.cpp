@@ -56,20 +56,11 @@ FlgStyleInfo Host::info(FlgStyle style) {
     return info;
 }
 
-double Host::busy_us(FlgJob job, const std::string& stage) {
+void Host::check_done(FlgJob job) {
     FlgJobStatus status = {};
     status.struct_size = sizeof status;
     check(flgJobGetStatus(context_, job, &status));
     if (status.result != FLG_OK) throw std::runtime_error(std::string("bench: ") + status.error);
-    if (stage.empty()) return status.busy_us;
-    FlgStageTime stages[16];
-    uint32_t count = 0;
-    check(flgJobGetStages(context_, job, stages, 16, &count));
-    double sum = 0.0;
-    for (uint32_t i = 0; i < count && i < 16; ++i) {
-        if (std::string(stages[i].name).find(stage) != std::string::npos) sum += stages[i].busy_us;
-    }
-    return sum;
 }
 
 double length_of(const scenes::Curve& curve) {

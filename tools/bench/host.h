@@ -26,8 +26,8 @@ public:
     // Ticks without a budget until nothing is pending.
     void run();
     FlgStyleInfo info(FlgStyle style);
-    // Microseconds of work that a finished job took, in all or in the stages whose name contains `stage`.
-    double busy_us(FlgJob job, const std::string& stage = "");
+    // Throws if the job failed.
+    void check_done(FlgJob job);
 
 private:
     FlgContext context_ = nullptr;

@@ -33,29 +33,34 @@ void submit(Host& host) {
     host.prepare(host.add(scenes::make_style("loops")), kLargeStylePoints);
 }
 
+// What 99 % of the values don't pass.
+double share(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<size_t>(kWholeShare * static_cast<double>(values.size() - 1))];
+}
+
 }  // namespace
 
 std::vector<Row> run_ticks() {
     Host host;
     submit(host);
-    std::vector<double> ticks_us;
+    std::vector<double> ticks_us, own_us;
     double longest_us = 0.0;
     std::string longest_stage;
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
     do {
-        check(flgTick(host.context(), kBudgetUs, &report));
+        own_us.push_back(1000.0 * time_ms([&] { check(flgTick(host.context(), kBudgetUs, &report)); }));
         ticks_us.push_back(report.tick_us);
         if (report.longest_chunk_us > longest_us) {
             longest_us = report.longest_chunk_us;
             longest_stage = report.longest_chunk_stage;
         }
     } while (report.jobs_pending > 0);
-    std::sort(ticks_us.begin(), ticks_us.end());
-    const double p99 = ticks_us[static_cast<size_t>(kWholeShare * static_cast<double>(ticks_us.size() - 1))];
     char note[96];
-    std::snprintf(note, sizeof note, "%zu ticks, longest %.0f us", ticks_us.size(), ticks_us.back());
-    return {below("flgTick at 2 ms under load, p99", p99, "us", kTickBarUs, note),
+    std::snprintf(note, sizeof note, "%zu ticks, longest %.0f us; p99 of processor time %.0f us", ticks_us.size(),
+                  *std::max_element(ticks_us.begin(), ticks_us.end()), share(own_us));
+    return {below("flgTick at 2 ms under load, p99", share(ticks_us), "us", kTickBarUs, note),
             below("longest kernel chunk under load", longest_us, "us", kChunkBarUs, longest_stage)};
 }
 
