@@ -9,13 +9,17 @@ namespace flg {
 
 namespace {
 
-// The stride of the columns is chosen for about this many cells of the table a point of the guide.
-constexpr double cells_per_point = 10.0;
+// The most cells a point of the guide that a table over the whole band may have: without coarser ones before it, and as
+// the coarsest of several. What a coarser one could spare in time it loses in the choice of the right minimum.
+constexpr double cells_without_coarser = 16.0;
+constexpr double cells_of_coarsest = 60.0;
+constexpr uint32_t refinement = 3;
 // Newton's model is trusted above this second derivative of a point's energy; below, the paper's constant 2 replaces it.
 constexpr double least_curvature = 0.25;
 constexpr double plain_curvature = 2.0;
-// A point rests when its next move is below this part of the style's spacing; that move is still made.
-constexpr double small_move = 0.03;
+// A point rests when its next move is below this part of the style's spacing; that move is still made, and
+// leaves an error of about its square.
+constexpr double small_move = 0.1;
 constexpr uint32_t max_descent_steps = 12;
 constexpr uint32_t max_sweeps = 12;
 
@@ -30,7 +34,12 @@ GuideMatching::GuideMatching(const SmoothStyleCurve& style, const Vec3* guide, u
       memory_(memory),
       low_(count, memory),
       high_(count, memory),
+      first_column_(count, memory),
+      last_column_(count, memory),
       row_start_(count, memory),
+      cost_(style.count(), memory),
+      next_cost_(style.count(), memory),
+      chosen_(count, memory),
       delta_(count, memory),
       models_(count, memory),
       blocks_(count, memory) {}
@@ -42,6 +51,7 @@ bool GuideMatching::run(uint32_t n) {
         case Phase::reach_back: reach_back(end); break;
         case Phase::table: table(n); break;
         case Phase::trace: trace(n); break;
+        case Phase::narrow: narrow(end); break;
         case Phase::descend: descend(n); break;
         case Phase::settle: settle(end); break;
         case Phase::pool: pool(n); break;
@@ -78,47 +88,61 @@ void GuideMatching::reach_back(uint32_t end) {
         if (index_ > 0) low_[i] = std::min(low_[i], low_[i + 1]);
         band_width_sum_ += high_[i] - low_[i];
     }
-    if (index_ == count_) begin_table();
+    if (index_ == count_) choose_stride();
 }
 
-void GuideMatching::begin_table() {
+// Rows are half as far apart as columns: what they skip, the next table sees.
+uint32_t GuideMatching::row_stride(uint32_t stride) const {
+    const double guide_points = 0.5 * (stride + 1) * (count_ - 1) / (style_.count() - 1);
+    return std::max(static_cast<uint32_t>(guide_points), 1U);
+}
+
+void GuideMatching::choose_stride() {
     const double width = static_cast<double>(band_width_sum_) / count_;
-    column_stride_ = static_cast<uint32_t>(std::max(1.0, std::ceil(width / cells_per_point)));
-    const uint32_t columns = (style_.count() - 1) / column_stride_ + 1;
-    cost_ = Buffer<double>(columns, memory_);
-    next_cost_ = Buffer<double>(columns, memory_);
+    uint32_t stride = 1;
+    if (width > cells_without_coarser) stride = refinement;
+    while (width > cells_of_coarsest * stride * row_stride(stride)) stride *= refinement;
+    begin_table(stride);
+}
+
+void GuideMatching::begin_table(uint32_t stride) {
+    stride_ = stride;
+    row_stride_ = row_stride(stride);
+    last_row_ = (count_ - 2) / row_stride_;
     // Rounding outwards adds at most two columns a row, and both ends of the range are in it.
-    best_ = Buffer<uint32_t>(band_width_sum_ / column_stride_ + 3 * static_cast<uint64_t>(count_), memory_);
+    best_ = Buffer<uint32_t>(band_width_sum_ / stride_ + 3 * static_cast<uint64_t>(count_), memory_);
     enter(Phase::table);
-    low_[0] = high_[0] = 0;
+    first_column_[0] = last_column_[0] = 0;
     row_start_[0] = 0;
     best_[0] = 0;
     cost_[0] = 0.0;
+    chosen_[0] = 0;
     index_ = 1;
     begin_row();
 }
 
 void GuideMatching::begin_row() {
-    row_start_[index_] = row_start_[index_ - 1] + (high_[index_ - 1] - low_[index_ - 1] + 1);
-    low_[index_] /= column_stride_;
-    high_[index_] =
-        std::min((high_[index_] + column_stride_ - 1) / column_stride_, (style_.count() - 1) / column_stride_);
-    column_ = low_[index_];
+    if (index_ > last_row_) return;
+    const uint32_t i = index_ * row_stride_;
+    row_start_[index_] = row_start_[index_ - 1] + (last_column_[index_ - 1] - first_column_[index_ - 1] + 1);
+    first_column_[index_] = low_[i] / stride_;
+    last_column_[index_] = std::min((high_[i] + stride_ - 1) / stride_, (style_.count() - 1) / stride_);
+    column_ = first_column_[index_];
     running_ = std::numeric_limits<double>::infinity();
 }
 
 // cost(row, column) = least energy of the points up to this row's, with this one's place at or before the column.
 void GuideMatching::table(uint32_t n) {
-    const double column_length = style_.spacing() * column_stride_;
+    const double column_length = style_.spacing() * stride_;
     const Vec3* const points = style_.points();
     const double far = 1.0 - beta_;
-    while (n > 0 && index_ < count_ - 1) {
-        const Vec3 point = guide_[index_];
-        const double even = even_place(index_);
-        const uint32_t last = high_[index_];
-        const uint32_t last_before = high_[index_ - 1];
+    while (n > 0 && index_ <= last_row_) {
+        const Vec3 point = guide_[index_ * row_stride_];
+        const double even = even_place(index_ * row_stride_);
+        const uint32_t last = last_column_[index_];
+        const uint32_t last_before = last_column_[index_ - 1];
+        const uint32_t first = first_column_[index_];
         uint32_t* const best = best_.data() + row_start_[index_];
-        const uint32_t first = low_[index_];
         uint32_t column = column_;
         const uint32_t stop = n < last + 1 - column ? column + n : last + 1;
         n -= stop - column;
@@ -126,7 +150,7 @@ void GuideMatching::table(uint32_t n) {
         uint32_t running_column = running_column_;
         for (; column < stop; ++column) {
             const double late = column * column_length - even;
-            const double total = beta_ * (point - points[column * column_stride_]).squaredNorm() + far * late * late +
+            const double total = beta_ * (point - points[column * stride_]).squaredNorm() + far * late * late +
                                  cost_[std::min(column, last_before)];
             running_column = total < running ? column : running_column;
             running = total < running ? total : running;
@@ -141,27 +165,45 @@ void GuideMatching::table(uint32_t n) {
         ++index_;
         begin_row();
     }
-    if (index_ < count_ - 1) return;
+    if (index_ <= last_row_) return;
     column_ = std::numeric_limits<uint32_t>::max();
     enter(Phase::trace);
-    index_ = count_ - 2;
+    index_ = last_row_;
 }
 
-// The best places, from the last row on.
+// The best path, from the last row on.
 void GuideMatching::trace(uint32_t n) {
     for (; n > 0 && index_ > 0; --n, --index_) {
-        column_ = best_[row_start_[index_] + std::min(column_, high_[index_]) - low_[index_]];
-        delta_[index_] = style_.spacing() * column_stride_ * column_;
+        column_ = best_[row_start_[index_] + std::min(column_, last_column_[index_]) - first_column_[index_]];
+        chosen_[index_] = column_ * stride_;
     }
     if (index_ > 0) return;
+    if (stride_ > 1) {
+        band_width_sum_ = 0;
+        return enter(Phase::narrow);
+    }
     delta_[0] = 0.0;
     delta_[count_ - 1] = style_.length();
     enter(Phase::descend);
     index_ = 1;
 }
 
-GuideMatching::Model GuideMatching::model(uint32_t i, double place, double longest_move) const {
-    const SmoothStyleCurve::Jet style = style_.evaluate(place);
+// The band of the next table: one step around the path of this one.
+void GuideMatching::narrow(uint32_t end) {
+    const uint32_t last = style_.count() - 1;
+    for (; index_ < end; ++index_) {
+        const uint32_t row = std::min(index_ / row_stride_, last_row_);
+        const uint32_t from = chosen_[row];
+        const uint32_t to = row < last_row_ ? chosen_[row + 1] : last;
+        low_[index_] = from > stride_ ? from - stride_ : 0;
+        high_[index_] = std::min((index_ == row * row_stride_ ? from : to) + stride_, last);
+        band_width_sum_ += high_[index_] - low_[index_];
+    }
+    if (index_ == count_) begin_table(stride_ / refinement);
+}
+
+GuideMatching::Model GuideMatching::model(uint32_t i, double place, const SmoothStyleCurve::Jet& style,
+                                          double longest_move) const {
     const Vec3 apart = guide_[i] - style.position;
     const double late = place - even_place(i);
     const double far = 1.0 - beta_;
@@ -190,26 +232,26 @@ bool GuideMatching::merge_last_blocks() {
     return true;
 }
 
-// Every point by itself to the minimum next to its place in the table. A unit is an evaluation or a merger.
+// Every point by itself to the minimum next to its place on the path. A unit is an evaluation or a merger.
 void GuideMatching::descend(uint32_t n) {
-    const double reach_length = style_.spacing() * column_stride_;
     while (n > 0) {
         if (merge_last_blocks()) {
             --n;
             continue;
         }
         if (index_ == count_ - 1) return enter(Phase::settle);
-        double place = delta_[index_];
-        double low = std::max(place - reach_length, 0.0);
-        double high = std::min(place + reach_length, style_.length());
+        double place = chosen_[index_] * style_.spacing();
+        double low = std::max(place - style_.spacing(), 0.0);
+        double high = std::min(place + style_.spacing(), style_.length());
         Model& found = models_[index_];
+        found = model(index_, place, style_.at_point(chosen_[index_]), style_.spacing());
         for (uint32_t step = 1;; ++step) {
-            found = model(index_, place, reach_length);
+            n -= n > 0 ? 1 : 0;
             (found.slope > 0.0 ? high : low) = place;
             if (found.minimum <= low || found.minimum >= high) found.minimum = 0.5 * (low + high);
-            n -= n > 0 ? 1 : 0;
             if (std::abs(found.minimum - place) <= small_move * style_.spacing() || step == max_descent_steps) break;
             place = found.minimum;
+            found = model(index_, place, style_.evaluate(place), style_.spacing());
         }
         ++index_;
         blocks_[block_count_++] = {found.curvature, found.minimum, index_};
@@ -231,7 +273,7 @@ void GuideMatching::settle(uint32_t end) {
         Model& own = models_[index_];
         if (blocks_[block_count_].end - first > 1) {
             largest_move_ = std::max(largest_move_, std::abs(place - delta_[index_]));
-            own = model(index_, place, style_.spacing());
+            own = model(index_, place, style_.evaluate(place), style_.spacing());
         }
         delta_[index_] = place;
         const double move = place - own.place;

@@ -5,9 +5,10 @@
 //
 // Departures from the paper
 // - Its distortion term compares delta_i with (L_S / L_G) i; what is meant is the arc length s_i = L_G i / (N - 1).
-// - Its start is not said, and E' has many local minima. Here: a coarse dynamic programme in a band. Alone, point i would
+// - Its start is not said, and E' has many local minima. Here: dynamic programming from coarse to fine. Alone, point i would
 //   not go further from its even place e_i than |delta_i - e_i| <= sqrt(beta / (1 - beta)) |G_i - gamma_S(e_i)|, where
-//   distortion outweighs all that closeness could win; the band is the monotone hull of that.
+//   distortion outweighs all that closeness could win; the coarsest table is the monotone hull of that. Each finer one has
+//   a third of the stride and stays within one coarse step of the path before.
 // - Its Hessian 2I leaves out the style's curvature. E' couples points through their order only: each point is taken to its
 //   own minimum by Newton's method inside a bracket, then the models found there are minimized in order, exactly, by
 //   pooling adjacent violators; pooled points get new models where they meet, until they rest.
@@ -38,7 +39,7 @@ public:
     uint32_t sweeps() const { return sweeps_; }
 
 private:
-    enum class Phase : uint8_t { reach, reach_back, table, trace, descend, settle, pool, done };
+    enum class Phase : uint8_t { reach, reach_back, table, trace, narrow, descend, settle, pool, done };
 
     struct Model {  // of a point's energy around a place on the style
         double place;
@@ -57,15 +58,18 @@ private:
     void reach_back(uint32_t end);
     void table(uint32_t n);
     void trace(uint32_t n);
+    void narrow(uint32_t end);
     void descend(uint32_t n);
     void settle(uint32_t end);
     void pool(uint32_t n);
     void enter(Phase phase);
-    void begin_table();
+    void choose_stride();
+    void begin_table(uint32_t stride);
     void begin_row();
     bool merge_last_blocks();
-    Model model(uint32_t i, double place, double longest_move) const;
+    Model model(uint32_t i, double place, const SmoothStyleCurve::Jet& style, double longest_move) const;
 
+    uint32_t row_stride(uint32_t stride) const;
     double even_place(uint32_t i) const { return style_.length() * i / (count_ - 1); }
 
     SmoothStyleCurve style_;
@@ -76,15 +80,20 @@ private:
     Phase phase_ = Phase::reach;
     uint32_t index_ = 0;
 
-    // The dynamic programme: a row for each point of the guide, a column for every column_stride-th one of the style.
-    Buffer<uint32_t> low_;  // by row: the band, as points of the style, then as columns
+    // The table: a row for each row_stride-th point of the guide, a column for each stride-th one of the style.
+    Buffer<uint32_t> low_;  // by guide point: the band, as points of the style
     Buffer<uint32_t> high_;
     uint64_t band_width_sum_ = 0;
-    uint32_t column_stride_ = 1;
+    uint32_t stride_ = 1;
+    uint32_t row_stride_ = 1;
+    uint32_t last_row_ = 0;
+    Buffer<uint32_t> first_column_;  // by row; row 0 is the first point, which stays
+    Buffer<uint32_t> last_column_;
     Buffer<uint32_t> row_start_;  // into best_
     Buffer<uint32_t> best_;       // by cell: the best column of the row up to here
     Buffer<double> cost_;         // of the last row, by column: the least cost up to here
     Buffer<double> next_cost_;
+    Buffer<uint32_t> chosen_;  // by row: the point of the style on the best path
     uint32_t column_ = 0;
     double running_ = 0.0;
     uint32_t running_column_ = 0;

@@ -15,7 +15,11 @@ class SmoothStyleCurve {
 public:
     // `points`: `count` >= 2 points at the arc lengths length * i / (count - 1), not copied. `length` > 0.
     SmoothStyleCurve(const Vec3* points, uint32_t count, double length)
-        : points_(points), count_(count), length_(length), spacing_(length / (count - 1)) {}
+        : points_(points),
+          count_(count),
+          length_(length),
+          spacing_(length / (count - 1)),
+          per_length_((count - 1) / length) {}
 
     const Vec3* points() const { return points_; }
     uint32_t count() const { return count_; }
@@ -30,7 +34,7 @@ public:
 
     // `s` in [0, length].
     Jet evaluate(double s) const {
-        const double along = s / spacing_;
+        const double along = s * per_length_;
         const uint32_t i = std::min(static_cast<uint32_t>(std::max(along, 0.0)), count_ - 2);
         const double t = along - i;
         const Vec3& p0 = points_[i];
@@ -39,9 +43,16 @@ public:
         const Vec3 m1 = tangent(i + 1);
         const Vec3 c2 = 3.0 * chord - 2.0 * m0 - m1;
         const Vec3 c3 = m0 + m1 - 2.0 * chord;
-        const double per_length = 1.0 / spacing_;
-        return {p0 + t * (m0 + t * (c2 + t * c3)), per_length * (m0 + t * (2.0 * c2 + (3.0 * t) * c3)),
-                per_length * per_length * (2.0 * c2 + (6.0 * t) * c3)};
+        return {p0 + t * (m0 + t * (c2 + t * c3)), per_length_ * (m0 + t * (2.0 * c2 + (3.0 * t) * c3)),
+                per_length_ * per_length_ * (2.0 * c2 + (6.0 * t) * c3)};
+    }
+
+    // The same at point i, with the second difference of the points for the second derivative.
+    Jet at_point(uint32_t i) const {
+        const uint32_t inner = std::clamp(i, 1U, std::max(count_, 3U) - 2);
+        const Vec3 second = inner + 1 < count_ ? Vec3(points_[inner + 1] - 2.0 * points_[inner] + points_[inner - 1])
+                                               : Vec3(Vec3::Zero());
+        return {points_[i], per_length_ * tangent(i), per_length_ * per_length_ * second};
     }
 
 private:
@@ -57,6 +68,7 @@ private:
     uint32_t count_;
     double length_;
     double spacing_;
+    double per_length_;
 };
 
 }  // namespace flg
