@@ -87,6 +87,8 @@ bool SynthesisKernel::run(uint32_t n) {
                     break;
                 }
                 node_known_ = true;
+                // Another thread was faster with the tree.
+                if (tree_ != nullptr) input_.trees->discard(std::exchange(tree_, nullptr));
             }
             if (!sampler_->next(sample, n)) break;
             write(sample);
