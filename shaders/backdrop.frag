@@ -15,6 +15,10 @@ const float fade_begin = 1.5;         // where the floor begins to melt into the
 const float fade_end = 6.0;
 
 float floor_light(vec3 position) {
+    // Most of the floor lies outside the map: no need to look.
+    vec2 clip = abs((view.shadow_from_world * vec4(position, 1.0)).xy);
+    float reach = 4.0 * ground_spread * view.sun_color.w;
+    if (max(clip.x, clip.y) > 1.0 + reach) return 1.0;
     float lit = 0.0;
     for (int i = 0; i < 4; ++i) {
         vec2 shift = vec2(float(i & 1) - 0.5, float(i >> 1) - 0.5) * 2.0 * ground_spread * view.sun_direction.w;

@@ -43,6 +43,8 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
         query_info.queryType = VK_QUERY_TYPE_TIMESTAMP;
         query_info.queryCount = moment_count;
         check(vkCreateQueryPool(device_, &query_info, nullptr, &queries_), "make a query pool");
+        times_ = Buffer(memory_, moment_count * sizeof(uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                        DeviceMemory::Place::readback);
     }
 
     const VkDeviceSize alignment = memory_.device().properties().limits.minUniformBufferOffsetAlignment;
@@ -115,19 +117,25 @@ void FrameSlot::submit(const FrameSubmission& submission) {
 }
 
 void FrameSlot::mark(Moment moment) {
-    if (queries_)
-        vkCmdWriteTimestamp(
-            commands_,
-            moment == Moment::begin ? VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT : VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
-            queries_, static_cast<uint32_t>(moment));
+    if (!queries_) return;
+    const auto stage =
+        moment == Moment::begin ? VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT : VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT;
+    vkCmdWriteTimestamp(commands_, stage, queries_, static_cast<uint32_t>(moment));
+    if (moment != Moment::end) return;
+    // Copied by the device: vkGetQueryPoolResults waits for all frames in flight on some drivers (lavapipe).
+    vkCmdCopyQueryPoolResults(commands_, queries_, 0, moment_count, times_.handle(), 0, sizeof(uint64_t),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+    vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0,
+                         nullptr, 0, nullptr);
 }
 
 double FrameSlot::elapsed_ms(Moment from, Moment to) const {
     if (!queries_ || frame == 0) return -1.0;
     uint64_t ticks[moment_count];
-    const VkResult result = vkGetQueryPoolResults(device_, queries_, 0, moment_count, sizeof ticks, ticks,
-                                                  sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
-    if (result != VK_SUCCESS) return -1.0;
+    std::memcpy(ticks, times_.mapped(), sizeof ticks);
     const uint32_t bits = memory_.device().timestamp_bits();
     const uint64_t mask = bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
     const uint64_t passed = (ticks[static_cast<uint32_t>(to)] - ticks[static_cast<uint32_t>(from)]) & mask;

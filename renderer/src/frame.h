@@ -63,6 +63,7 @@ private:
     VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
     VkDescriptorSet views_[2] = {};
     VkDeviceSize view_stride_ = 0;
+    Buffer times_;
     Buffer uniforms_;
     Buffer instances_;
 };

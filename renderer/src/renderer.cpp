@@ -48,6 +48,13 @@ void Renderer::State::recycle(uint64_t finished_frame) {
     curves.recycle(finished_frame);
 }
 
+void Renderer::State::read_times(const FrameSlot& slot) {
+    if (slot.frame == 0) return;
+    stats.gpu_ms = slot.elapsed_ms(Moment::begin, Moment::end);
+    const double nothing_drawn = stats.gpu_ms < 0 ? -1.0 : 0.0;
+    stats.gpu_shadow_ms = slot.drew_shadow ? slot.elapsed_ms(Moment::begin, Moment::shadow_done) : nothing_drawn;
+}
+
 Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options)) {}
 
 Renderer::~Renderer() = default;
@@ -106,15 +113,15 @@ void Renderer::draw(Target& target, const Camera& camera) {
     State& s = *state_;
     if (&target.renderer_ != this) fail("The target belongs to another renderer.");
     const auto start = SteadyClock::now();
+    // Before a window's image is taken, which would have to be given back.
+    camera_view(camera, s.scene, s.curves.bounds(), target.width(), target.height(), s.options.shadow_size);
     const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
     FrameSlot& slot = *s.slots[slot_index];
     slot.wait();
     if (!target.begin_frame(slot_index)) return;
     const double wait_ms = milliseconds_since(start);
     s.recycle(slot.frame);
-    s.stats.gpu_ms = slot.elapsed_ms(Moment::begin, Moment::end);
-    s.stats.gpu_shadow_ms =
-        slot.drew_shadow ? slot.elapsed_ms(Moment::begin, Moment::shadow_done) : (s.stats.gpu_ms < 0 ? -1.0 : 0.0);
+    s.read_times(slot);
 
     FrameSubmission submission;
     submission.slot = slot_index;
@@ -187,7 +194,9 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
 }
 
 void Renderer::wait_idle() {
-    for (auto& slot : state_->slots) slot->wait();
+    State& s = *state_;
+    for (auto& slot : s.slots) slot->wait();
+    s.read_times(*s.slots[s.frame % frames_in_flight]);
     state_->recycle(state_->frame);
 }
 

@@ -27,6 +27,8 @@ struct Renderer::State {
     explicit State(const Options& wanted);
     ~State();
     void recycle(uint64_t finished_frame);
+    // Takes the times of a slot's frame, which must be finished, into `stats`.
+    void read_times(const FrameSlot& slot);
     void record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image, const Camera& camera);
 
     Options options;

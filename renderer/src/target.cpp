@@ -49,12 +49,11 @@ Image Renderer::capture(Target& target) {
     const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
     FrameSlot& slot = *s.slots[slot_index];
     slot.wait();
+    s.read_times(slot);
     s.recycle(slot.frame);
     FrameSubmission submission;
     submission.slot = slot_index;
     submission.commands = slot.begin();
-    slot.mark(Moment::begin);
-    slot.mark(Moment::shadow_done);
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {image.width, image.height, 1};
@@ -65,7 +64,6 @@ Image Renderer::capture(Target& target) {
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
     vkCmdPipelineBarrier(submission.commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
                          &barrier, 0, nullptr, 0, nullptr);
-    slot.mark(Moment::end);
     slot.submit(submission);
     slot.frame = 0;  // no frame of its own: what it took is not reported
     slot.wait();

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "filigree_renderer/window.h"
+
+#define GLFW_INCLUDE_VULKAN
+#include <GLFW/glfw3.h>
+
+#include <cmath>
+
+#include "renderer_state.h"
+#include "swapchain.h"
+
+namespace flg::render {
+namespace {
+
+constexpr float turn_rad_per_height = 4.0f;  // of dragging over the window's height
+constexpr float zoom_per_notch = 0.9f;
+
+// GLFW is one to a process: the first user starts it, the last one ends it. Main thread only, as all of GLFW.
+class Glfw {
+public:
+    Glfw() : started_(users_ > 0 || glfwInit() == GLFW_TRUE) {
+        if (started_) ++users_;
+    }
+    ~Glfw() {
+        if (started_ && --users_ == 0) glfwTerminate();
+    }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+    bool started() const { return started_; }
+
+private:
+    static inline int users_ = 0;
+    bool started_;
+};
+
+}  // namespace
+
+struct Window::State {
+    Glfw glfw;
+    GLFWwindow* window = nullptr;
+    std::unique_ptr<Swapchain> swapchain;
+    bool outdated = true;
+    double mouse_x = 0, mouse_y = 0;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        swapchain.reset();
+        if (window) glfwDestroyWindow(window);
+    }
+};
+
+bool Window::available() {
+    return Glfw().started();
+}
+
+Window::Window(Renderer& renderer, uint32_t width, uint32_t height, const std::string& title)
+    : Target(renderer, width, height), window_(std::make_unique<State>()) {
+    State& w = *window_;
+    if (!w.glfw.started()) fail("A window can't be opened: there is no display.");
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    w.window = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
+    if (!w.window) fail("A window of %u x %u could not be opened.", width, height);
+    const Device& device = renderer.state_->device;
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    const VkResult result = glfwCreateWindowSurface(device.instance(), w.window, nullptr, &surface);
+    if (result != VK_SUCCESS) fail("Vulkan can't draw to the window: %s.", result_name(result));
+    w.swapchain = std::make_unique<Swapchain>(device, surface);
+    glfwSetWindowUserPointer(w.window, this);
+    glfwSetFramebufferSizeCallback(w.window, [](GLFWwindow* window, int, int) {
+        static_cast<Window*>(glfwGetWindowUserPointer(window))->window_->outdated = true;
+    });
+    glfwSetScrollCallback(w.window, [](GLFWwindow* window, double, double notches) {
+        static_cast<Window*>(glfwGetWindowUserPointer(window))
+            ->orbit.zoom(std::pow(zoom_per_notch, static_cast<float>(notches)));
+    });
+    glfwGetCursorPos(w.window, &w.mouse_x, &w.mouse_y);
+}
+
+Window::~Window() {
+    vkDeviceWaitIdle(renderer_.state_->device.handle());
+}
+
+bool Window::poll() {
+    State& w = *window_;
+    glfwPollEvents();
+    if (glfwGetKey(w.window, GLFW_KEY_ESCAPE) == GLFW_PRESS) glfwSetWindowShouldClose(w.window, GLFW_TRUE);
+    double x, y;
+    glfwGetCursorPos(w.window, &x, &y);
+    int window_width, window_height;
+    glfwGetWindowSize(w.window, &window_width, &window_height);
+    const double unit = window_height > 0 ? 1.0 / window_height : 0.0;
+    const auto right = static_cast<float>((x - w.mouse_x) * unit), down = static_cast<float>((y - w.mouse_y) * unit);
+    w.mouse_x = x;
+    w.mouse_y = y;
+    const bool dragged = glfwGetMouseButton(w.window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    const bool dragged_aside = glfwGetMouseButton(w.window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+    const bool shift = glfwGetKey(w.window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
+    if (dragged_aside || (dragged && shift))
+        orbit.pan(-right, down);
+    else if (dragged)
+        orbit.turn(-right * turn_rad_per_height, down * turn_rad_per_height);
+    return !glfwWindowShouldClose(w.window);
+}
+
+void Window::set_size(uint32_t width, uint32_t height) {
+    glfwSetWindowSize(window_->window, static_cast<int>(width), static_cast<int>(height));
+}
+
+bool Window::begin_frame(uint32_t slot) {
+    State& w = *window_;
+    // Twice: the images may go out of date between being made and being asked for.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        if (w.outdated) {
+            int pixels_wide, pixels_high;
+            glfwGetFramebufferSize(w.window, &pixels_wide, &pixels_high);
+            if (pixels_wide <= 0 || pixels_high <= 0) return false;
+            renderer_.wait_idle();
+            check(vkQueueWaitIdle(renderer_.state_->device.queue()), "finish its work");
+            w.swapchain->rebuild(static_cast<uint32_t>(pixels_wide), static_cast<uint32_t>(pixels_high));
+            const VkExtent2D extent = w.swapchain->extent();
+            if (extent.width == 0 || extent.height == 0) return false;
+            if (extent.width != this->width() || extent.height != this->height()) resize(extent.width, extent.height);
+            w.outdated = false;
+        }
+        if (w.swapchain->acquire(slot)) return true;
+        w.outdated = true;
+    }
+    return false;
+}
+
+void Window::end_frame(FrameSubmission& submission) {
+    window_->swapchain->record_copy(submission);
+}
+
+void Window::present(FrameSubmission&) {
+    if (!window_->swapchain->present()) window_->outdated = true;
+}
+
+}  // namespace flg::render
