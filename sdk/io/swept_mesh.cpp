@@ -75,8 +75,8 @@ private:
         for (uint32_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
             const uint32_t a = first + 2 * i;
             const uint32_t b = first + 2 * ((i + 1) % count);
-            add_triangle(a, b, b + 1);
-            add_triangle(a, b + 1, a + 1);
+            add_triangle(a, b + 1, b);
+            add_triangle(a, a + 1, b + 1);
         }
     }
 

@@ -8,10 +8,12 @@
  *
  * Formats, by extension:
  *   .xyz .txt     text: `x y z [radius]` a line, blank line between curves, `# closed` on the line before a closed
- *                 one, other lines with # ignored
- *   .obj          lines (`l`); read and written
- *   .gltf .glb    LINES, LINE_STRIP, LINE_LOOP; written as lines, ribbons or tubes
- *   .tilt         VR sketches, read only; converted to metres and to a right-handed system
+ *                 one; anything else behind a # is ignored. All points of a curve have a radius or none; where only
+ *                 some curves do, the others get 0.005 m
+ *   .obj          lines (`l`); read and written. Edges (`l a b`) that chain are joined; colours and radii are lost
+ *   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS; .glb is written,
+ *                 as lines, ribbons or tubes. No sparse accessors; buffers only embedded or below the file's folder
+ *   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system
  */
 #ifndef FILIGREE_FILIGREE_IO_H
 #define FILIGREE_FILIGREE_IO_H
@@ -26,7 +28,8 @@ extern "C" {
 typedef struct FlgCurveFileT* FlgCurveFile;
 
 /* [any thread] As flgLastError, for the functions of this header. Sentences start with FILE:PLACE, where PLACE is a line
- * number, a byte offset (`@1234`) or a part of the file's structure. */
+ * number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE alone when the file as a
+ * whole is meant, as when it can't be opened. */
 FLG_API const char* flgIoLastError(void);
 
 /* Reads all curves of a file. The file is read whole, checked, and refused at the first thing that can't be right; what
@@ -42,7 +45,7 @@ typedef struct FlgCurveFileInfo {
     uint32_t curve_count;
     uint64_t point_count;
     const char* format;           /* "tilt", "xyz", "obj", "gltf" */
-    const char* units;            /* of the file, before conversion: "decimetres, left-handed", "as given" */
+    const char* units;            /* of the file, before conversion: "decimetres, left-handed", "metres", "as given" */
     float box_min[3], box_max[3]; /* of the positions, metres */
     float total_length;           /* of all curves as polylines, metres */
     uint32_t warning_count;
@@ -84,7 +87,10 @@ typedef struct FlgCurveWriteDesc {
 FLG_API FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct_size);
 
 /* Writes curves to .xyz, .obj or .glb, whole or not at all: a temporary file beside it is renamed when complete.
- * `desc` may be null. Curves without NORMAL column get frames by double reflection. Colours go into .glb. */
+ * `desc` may be null. Curves without NORMAL column get frames by double reflection. Colours go into .glb, clamped to
+ * 0 to 1. Lines of one point are written with their point twice; ribbons and tubes leave out curves without length.
+ * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
+ * FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveWriteDesc* desc);
 
 #ifdef __cplusplus

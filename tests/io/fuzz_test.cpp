@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Random damage, always the same: readers may refuse or read, but what they hand out is sound. The sanitizer presets
+// make of this a search for reads out of bounds.
+#include <cmath>
+#include <random>
+
+#include "io/files.h"
+#include "io/tilt_files.h"
+
+namespace flg::test {
+namespace {
+
+void expect_sound(const Read& curves) {
+    if (curves.result != FLG_OK) {
+        EXPECT_TRUE(curves.result == FLG_ERROR_FORMAT || curves.result == FLG_ERROR_LIMIT ||
+                    curves.result == FLG_ERROR_FILE)
+            << curves.error;
+        return;
+    }
+    for (const std::vector<float>& column : curves.columns) {
+        for (float value : column) ASSERT_TRUE(std::isfinite(value));
+    }
+    for (float value : curves.positions()) ASSERT_LE(std::abs(value), 1e30f);
+    for (size_t c = 0; c < curves.flags.size(); ++c) ASSERT_LT(curves.offsets[c], curves.offsets[c + 1]);
+}
+
+void damage(const std::string& path, const std::string& whole, int rounds) {
+    std::mt19937 random(1);
+    const std::string root = std::filesystem::path(path).extension() == ".sketch"
+                                 ? std::filesystem::path(path).parent_path().string()
+                                 : path;
+    for (int i = 0; i < rounds; ++i) {
+        std::string bytes = whole;
+        for (uint32_t flips = 1 + random() % 4; flips > 0; --flips) {
+            bytes[random() % bytes.size()] = static_cast<char>(random() % 2 ? random() : 1u << random() % 8);
+        }
+        std::filesystem::remove(path);
+        std::ofstream(path, std::ios::binary) << bytes;
+        expect_sound(read(root));
+    }
+}
+
+TEST(Fuzz, Tilt) {
+    const Folder folder;
+    const std::string sketch = tilt_sketch({sample_stroke(), sample_stroke()});
+    damage(folder.at("a.tilt"), tilt_file(sketch), 800);
+    damage(folder.at("b.tilt"), tilt_file(sketch, true), 800);
+    folder.put("c.tilt/metadata.json", tilt_metadata);
+    damage(folder.at("c.tilt/data.sketch"), sketch, 1200);
+}
+
+Curves sample_curves() {
+    Curves curves;
+    curves.add({0, 0, 0, 1, 2, 3, 4, 5, 6.5f});
+    curves.add({0, 1, 0, 1, 0, 0, 0, 0, -1}, true);
+    curves.add({7, 8, 9});
+    curves.radii.assign(7, 0.25f);
+    curves.colors.assign(28, 0.5f);
+    return curves;
+}
+
+TEST(Fuzz, TextAndGltf) {
+    const Folder folder;
+    Curves curves = sample_curves();
+    for (const char* name : {"a.xyz", "a.obj", "a.glb"}) {
+        ASSERT_EQ(write(folder.at(name), curves), FLG_OK);
+        damage(folder.at(name), slurp(folder.at(name)), 600);
+    }
+}
+
+TEST(Fuzz, TruncatedGlbIsRefused) {
+    const Folder folder;
+    Curves curves = sample_curves();
+    ASSERT_EQ(write(folder.at("a.glb"), curves), FLG_OK);
+    const std::string whole = slurp(folder.at("a.glb"));
+    for (size_t size = 0; size < whole.size(); ++size) {
+        ASSERT_EQ(read(folder.put("cut.glb", std::string_view(whole).substr(0, size))).result, FLG_ERROR_FORMAT)
+            << size;
+    }
+}
+
+}  // namespace
+}  // namespace flg::test

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Ribbons and tubes, read back by another reader of glTF (tinygltf): closed forms, and what the format asks for.
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+
+#include "io/files.h"
+
+namespace flg::test {
+namespace {
+
+struct Point {
+    double x, y, z;
+};
+Point operator-(const Point& a, const Point& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+double dot(const Point& a, const Point& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+Point cross(const Point& a, const Point& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+struct Surface {
+    std::vector<Point> positions, normals;
+    std::vector<uint32_t> indices;
+    bool double_sided = false;
+    bool colored = false;
+
+    double area() const {
+        double sum = 0;
+        for_triangles([&](const Point& a, const Point& b, const Point& c) {
+            const Point n = cross(b - a, c - a);
+            sum += std::sqrt(dot(n, n)) / 2;
+        });
+        return sum;
+    }
+    // By the divergence theorem: positive when triangles are counter-clockwise from outside.
+    double volume() const {
+        double sum = 0;
+        for_triangles([&](const Point& a, const Point& b, const Point& c) { sum += dot(a, cross(b, c)) / 6; });
+        return sum;
+    }
+    template <class Visit>
+    void for_triangles(const Visit& visit) const {
+        for (size_t i = 0; i < indices.size(); i += 3) {
+            visit(positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]]);
+        }
+    }
+    // Every edge, by position, once in each direction.
+    bool watertight() const {
+        std::map<std::vector<double>, int> edges;
+        for (size_t i = 0; i < indices.size(); ++i) {
+            const Point& a = positions[indices[i]];
+            const Point& b = positions[indices[i % 3 == 2 ? i - 2 : i + 1]];
+            ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
+            --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
+        }
+        for (const auto& [edge, count] : edges) {
+            if (count != 0) return false;
+        }
+        return true;
+    }
+};
+
+std::vector<Point> load_points(const tinygltf::Model& model, int index) {
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(accessor.bufferView)];
+    EXPECT_EQ(view.target, TINYGLTF_TARGET_ARRAY_BUFFER);
+    std::vector<Point> points;
+    for (size_t i = 0; i < accessor.count; ++i) {
+        float p[3];
+        std::memcpy(p, &model.buffers[0].data[view.byteOffset + accessor.byteOffset + i * view.byteStride], sizeof p);
+        points.push_back({p[0], p[1], p[2]});
+    }
+    return points;
+}
+
+// `smooth`: no corner turns the surface inside out.
+Surface load(const std::string& path, bool smooth) {
+    tinygltf::Model model;
+    std::string error, warning;
+    Surface surface;
+    const bool loaded = tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, path);
+    EXPECT_TRUE(loaded) << error;
+    EXPECT_EQ(warning, "");
+    if (!loaded) return surface;
+    const tinygltf::Primitive& primitive = model.meshes.at(0).primitives.at(0);
+    EXPECT_EQ(primitive.mode, TINYGLTF_MODE_TRIANGLES);
+    surface.positions = load_points(model, primitive.attributes.at("POSITION"));
+    surface.normals = load_points(model, primitive.attributes.at("NORMAL"));
+    surface.colored = primitive.attributes.count("COLOR_0") != 0;
+    surface.double_sided = model.materials.at(static_cast<size_t>(primitive.material)).doubleSided;
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(primitive.indices)];
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(accessor.bufferView)];
+    EXPECT_EQ(accessor.componentType, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+    surface.indices.resize(accessor.count);
+    std::memcpy(surface.indices.data(), &model.buffers[0].data[view.byteOffset], accessor.count * sizeof(uint32_t));
+    const tinygltf::Accessor& positions = model.accessors[static_cast<size_t>(primitive.attributes.at("POSITION"))];
+    for (const Point& p : surface.positions) {
+        EXPECT_TRUE(p.x >= positions.minValues[0] && p.y >= positions.minValues[1] && p.z >= positions.minValues[2]);
+        EXPECT_TRUE(p.x <= positions.maxValues[0] && p.y <= positions.maxValues[1] && p.z <= positions.maxValues[2]);
+    }
+    for (const Point& n : surface.normals) EXPECT_NEAR(dot(n, n), 1, 1e-5);
+    // Triangles face where their normals point.
+    for (size_t i = 0; smooth && i < surface.indices.size(); i += 3) {
+        const uint32_t* t = &surface.indices[i];
+        const Point face =
+            cross(surface.positions[t[1]] - surface.positions[t[0]], surface.positions[t[2]] - surface.positions[t[0]]);
+        for (int k = 0; k < 3; ++k) EXPECT_GE(dot(face, surface.normals[t[k]]), -1e-9);
+    }
+    return surface;
+}
+
+FlgCurveWriteDesc desc_of(FlgGeometry geometry, uint32_t sides = 8) {
+    FlgCurveWriteDesc desc;
+    EXPECT_EQ(flgCurveWriteDescInit(&desc, sizeof desc), FLG_OK);
+    desc.geometry = geometry;
+    desc.tube_sides = sides;
+    return desc;
+}
+
+Surface swept(Curves& curves, const FlgCurveWriteDesc& desc, bool smooth = true) {
+    const Folder folder;
+    const FlgResult result = write(folder.at("a.glb"), curves, &desc);
+    EXPECT_EQ(result, FLG_OK) << flgIoLastError();
+    return result == FLG_OK ? load(folder.at("a.glb"), smooth) : Surface{};
+}
+
+TEST(Surface, StraightTubeIsAPrism) {
+    Curves curves;
+    curves.add({1, 2, 3, 1, 2, 4, 1, 2, 4, 1, 2, 6});  // with a repeated point
+    for (const uint32_t sides : {3u, 8u, 64u}) {
+        FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE, sides);
+        desc.default_radius = 0.5f;
+        const Surface tube = swept(curves, desc);
+        const double base = sides / 2.0 * 0.25 * std::sin(2 * std::numbers::pi / sides);
+        EXPECT_NEAR(tube.volume(), 3 * base, 1e-5);
+        EXPECT_NEAR(tube.area(), 2 * base + 3 * sides * std::sin(std::numbers::pi / sides), 1e-4);
+        EXPECT_TRUE(tube.watertight());
+        EXPECT_FALSE(tube.double_sided);
+        EXPECT_FALSE(tube.colored);
+    }
+}
+
+TEST(Surface, ConeHasSlantedNormalsAndNoCapAtItsTip) {
+    Curves curves;
+    curves.add({0, 0, 0, 0, 0, 1});
+    curves.radii = {1, 0};
+    curves.colors.assign(8, 1.0f);
+    const Surface cone = swept(curves, desc_of(FLG_GEOMETRY_TUBE, 64));
+    EXPECT_NEAR(cone.volume(), std::numbers::pi / 3, 0.01);
+    EXPECT_EQ(cone.positions.size(), 2u * 64 + 65);
+    EXPECT_NEAR(cone.normals[0].z, std::sqrt(0.5), 1e-6);
+    EXPECT_TRUE(cone.colored);
+}
+
+TEST(Surface, ClosedTubeIsATorus) {
+    Curves curves;
+    constexpr int steps = 256;
+    for (int i = 0; i < steps; ++i) {
+        const double angle = 2 * std::numbers::pi * i / steps;
+        // Not planar, so that frames come back twisted.
+        for (double value : {std::cos(angle), std::sin(angle), 0.3 * std::sin(2 * angle + 1)}) {
+            curves.positions.push_back(static_cast<float>(value));
+        }
+    }
+    curves.end(true);
+    FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE, 32);
+    desc.default_radius = 0.1f;
+    const Surface torus = swept(curves, desc);
+    EXPECT_TRUE(torus.watertight());
+    EXPECT_EQ(torus.indices.size(), 3u * 2 * steps * 32);
+    // Pappus: the area of the cross section times the length. An open ring of twist would shear it.
+    double length = 0;
+    for (size_t i = 0; i < steps; ++i) {
+        const float* a = &curves.positions[3 * i];
+        const float* b = &curves.positions[3 * ((i + 1) % steps)];
+        length += std::hypot(double{a[0]} - b[0], double{a[1]} - b[1], double{a[2]} - b[2]);
+    }
+    EXPECT_NEAR(torus.volume(), length * 16 * 0.01 * std::sin(2 * std::numbers::pi / 32), 2e-3 * torus.volume());
+    // The seam: opposite vertices of neighbouring rings stay as near as everywhere else.
+    double longest = 0, seam = 0;
+    for (size_t i = 0; i < steps; ++i) {
+        const Point d = torus.positions[32 * i] - torus.positions[32 * ((i + 1) % steps)];
+        (i + 1 == steps ? seam : longest) = std::max(i + 1 == steps ? seam : longest, std::sqrt(dot(d, d)));
+    }
+    EXPECT_LT(seam, longest * 1.2);
+}
+
+TEST(Surface, RibbonLiesAcrossTheNormal) {
+    Curves curves;
+    curves.add({0, 0, 0, 1, 0, 0, 3, 0, 0});
+    curves.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    curves.radii = {0.5f, 0.5f, 0.5f};
+    const Surface ribbon = swept(curves, desc_of(FLG_GEOMETRY_RIBBON));
+    EXPECT_TRUE(ribbon.double_sided);
+    EXPECT_EQ(ribbon.positions.size(), 6u);
+    EXPECT_NEAR(ribbon.area(), 3, 1e-6);
+    for (const Point& p : ribbon.positions) EXPECT_NEAR(std::abs(p.y), 0.5, 1e-7);
+    for (const Point& n : ribbon.normals) EXPECT_NEAR(n.z, 1, 1e-7);
+}
+
+TEST(Surface, FramesSurviveCornersAndTurnsBack) {
+    Curves curves;
+    curves.add({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1});
+    const Surface tube = swept(curves, desc_of(FLG_GEOMETRY_TUBE), false);
+    EXPECT_TRUE(tube.watertight());
+    for (const Point& p : tube.positions) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+}
+
+TEST(Surface, CurvesWithoutLengthAreLeftOut) {
+    Curves curves;
+    curves.add({1, 1, 1});
+    curves.add({2, 2, 2, 2, 2, 2}, true);
+    const Folder folder;
+    const FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE);
+    EXPECT_EQ(write(folder.at("a.glb"), curves, &desc), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgIoLastError()).find("no curve with a length"), std::string::npos);
+    EXPECT_EQ(folder.entries(), 0u);
+    curves.add({0, 0, 0, 1, 0, 0});
+    EXPECT_EQ(swept(curves, desc).positions.size(), 2u * 8 + 2 * 9);
+}
+
+TEST(Surface, LinesAreReadByOthers) {
+    const Folder folder;
+    Curves curves;
+    curves.add({0, 0, 0, 0.1f, 0.2f, 0.3f});
+    curves.add({0, 0, 0, 1, 0, 0, 0, 1, 0}, true);
+    curves.add({4, 5, 6});
+    ASSERT_EQ(write(folder.at("a.glb"), curves), FLG_OK);
+    tinygltf::Model model;
+    std::string error, warning;
+    ASSERT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, folder.at("a.glb"))) << error;
+    const auto& primitives = model.meshes.at(0).primitives;
+    ASSERT_EQ(primitives.size(), 3u);
+    EXPECT_EQ(primitives[0].mode, TINYGLTF_MODE_LINE_STRIP);
+    EXPECT_EQ(primitives[1].mode, TINYGLTF_MODE_LINE_LOOP);
+    const int accessor = primitives[0].attributes.at("POSITION");
+    EXPECT_EQ(model.accessors[static_cast<size_t>(accessor)].maxValues,
+              (std::vector<double>{double{0.1f}, double{0.2f}, double{0.3f}}));
+    EXPECT_GE(primitives[2].indices, 0);
+}
+
+}  // namespace
+}  // namespace flg::test
