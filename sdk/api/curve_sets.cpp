@@ -6,6 +6,7 @@
 #include "api/context.h"
 #include "api/descriptors.h"
 #include "api/error.h"
+#include "api/inputs.h"
 
 namespace flg {
 
@@ -22,7 +23,7 @@ FlgCurveSetView default_view() {
 }
 
 // Floats a point that an attribute has; 0 for user attributes, which choose, and -1 for numbers that mean nothing.
-int components_of(FlgAttribute attribute) {
+int components_of(int32_t attribute) {
     switch (attribute) {
         case FLG_ATTRIBUTE_POSITION:
         case FLG_ATTRIBUTE_TANGENT:
@@ -33,7 +34,7 @@ int components_of(FlgAttribute attribute) {
         case FLG_ATTRIBUTE_STYLE_INDEX: return 1;
         case FLG_ATTRIBUTE_COLOR:
         case FLG_ATTRIBUTE_ORIENTATION: return 4;
-        default: return static_cast<int>(attribute) >= FLG_ATTRIBUTE_USER ? 0 : -1;
+        default: return attribute >= FLG_ATTRIBUTE_USER ? 0 : -1;
     }
 }
 
@@ -64,8 +65,8 @@ void check_columns(const FlgCurveSetView& view) {
     bool has_positions = false;
     for (uint32_t i = 0; i < view.column_count; ++i) {
         const FlgColumn& column = view.columns[i];
-        const int attribute = static_cast<int>(column.attribute);
-        const int components = components_of(column.attribute);
+        const int32_t attribute = number_of(column.attribute);
+        const int components = components_of(attribute);
         if (components < 0) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "view.columns[%u].attribute is %d, not one of FLG_ATTRIBUTE_...",
                           i, attribute);

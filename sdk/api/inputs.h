@@ -2,6 +2,9 @@
 // Checks that descriptors share; the sentences name argument, value and rule.
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 #include "core/failure.h"
 
 namespace flg {
@@ -10,11 +13,25 @@ inline void check_range(bool holds, const char* argument, double value, const ch
     if (!holds) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %g, must be %s", argument, value, rule);
 }
 
-inline void check_frame(FlgFrameMethod method, const char* argument) {
-    if (method != FLG_FRAME_ROTATION_MINIMIZING && method != FLG_FRAME_FRENET) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %d, must be one of FLG_FRAME_...", argument,
-                      static_cast<int>(method));
+// The number a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
+template <class Enum>
+int32_t number_of(const Enum& value) {
+    static_assert(sizeof(Enum) == sizeof(int32_t));
+    int32_t number;
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
+
+template <class Enum>
+void check_enum(const Enum& value, Enum first, Enum last, const char* argument, const char* prefix) {
+    const int32_t number = number_of(value);
+    if (number < static_cast<int32_t>(first) || number > static_cast<int32_t>(last)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %d, must be one of %s...", argument, number, prefix);
     }
+}
+
+inline void check_frame(const FlgFrameMethod& method, const char* argument) {
+    check_enum(method, FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_FRENET, argument, "FLG_FRAME_");
 }
 
 }  // namespace flg

@@ -31,8 +31,7 @@ void check(const FlgStylizeDesc& desc) {
                 "finite and at least 0");
     check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
     check_frame(desc.frame, "desc.frame");
-    check_range(desc.start >= FLG_START_AUTO && desc.start <= FLG_START_RANDOM, "desc.start", desc.start,
-                "one of FLG_START_...");
+    check_enum(desc.start, FLG_START_AUTO, FLG_START_RANDOM, "desc.start", "FLG_START_");
 }
 
 }  // namespace

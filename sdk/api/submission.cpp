@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "api/context.h"
-#include "api/descriptors.h"
+#include "api/inputs.h"
 
 namespace flg {
 
@@ -12,10 +12,7 @@ FlgJobOptions default_job_options() {
 
 Submission::Submission(Context& context, const FlgJobOptions& options)
     : context_(context), dependencies_(&context.memory) {
-    if (options.priority < FLG_PRIORITY_LOW || options.priority > FLG_PRIORITY_HIGH) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job.priority is %d, must be one of FLG_PRIORITY_...",
-                      static_cast<int>(options.priority));
-    }
+    check_enum(options.priority, FLG_PRIORITY_LOW, FLG_PRIORITY_HIGH, "job.priority", "FLG_PRIORITY_");
     if (options.dependency_count > 0 && !options.dependencies) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job.dependencies is null, but dependency_count is %u",
                       options.dependency_count);

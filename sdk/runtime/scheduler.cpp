@@ -180,10 +180,7 @@ void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& fail
     job.done = true;
     job.result = result;
     if (error != job.error) std::snprintf(job.error, sizeof job.error, "%s", error);
-    std::shared_ptr<Job>* place = &finished_;
-    while (*place && (*place)->serial < job.serial) place = &(*place)->next_finished;
-    job.next_finished = std::move(*place);
-    *place = job.shared_from_this();
+    add_finished(job);
     for (const std::shared_ptr<Job>& dependent : job.dependents) {
         if (dependent->done) continue;
         if (result == FLG_OK) {
@@ -195,6 +192,16 @@ void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& fail
         }
     }
     job.dependents.clear();
+}
+
+// Into the list of finished jobs, which is in order of submission. Most belong at its end.
+void Scheduler::add_finished(Job& job) {
+    std::shared_ptr<Job>* place = &finished_;
+    if (finished_ && last_finished_->serial < job.serial) place = &last_finished_->next_finished;
+    while (*place && (*place)->serial < job.serial) place = &(*place)->next_finished;
+    job.next_finished = std::move(*place);
+    *place = job.shared_from_this();
+    if (!job.next_finished) last_finished_ = &job;
 }
 
 // ---- host's thread -------------------------------------------------------------------------------------------------

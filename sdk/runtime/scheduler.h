@@ -87,6 +87,7 @@ private:
     void end_slice(Strand& strand);
     void finish_branch(Strand& strand);
     void complete(Job& job, FlgResult result, const char* error);
+    void add_finished(Job& job);
     void settle(Job& job, FlgResult result, const char* error, Job*& failing);
     void publish_job(Job& job);
     void wake() {
@@ -106,6 +107,7 @@ private:
     uint32_t ready_count_ = 0;
     std::shared_ptr<Job> started_;   // list of jobs that ran for the first time since the last tick
     std::shared_ptr<Job> finished_;  // list of done jobs, by serial
+    Job* last_finished_ = nullptr;   // its end, if there is one
     Statistics statistics_;
 
     // Host's thread only.

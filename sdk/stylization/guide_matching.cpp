@@ -248,8 +248,9 @@ void GuideMatching::descend(uint32_t n) {
         for (uint32_t step = 1;; ++step) {
             n -= n > 0 ? 1 : 0;
             (found.slope > 0.0 ? high : low) = place;
+            const bool at_rest = std::abs(found.minimum - place) <= small_move * style_.spacing();
+            if (at_rest || step == max_descent_steps) break;
             if (found.minimum <= low || found.minimum >= high) found.minimum = 0.5 * (low + high);
-            if (std::abs(found.minimum - place) <= small_move * style_.spacing() || step == max_descent_steps) break;
             place = found.minimum;
             found = model(index_, place, style_.evaluate(place), style_.spacing());
         }
