@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// A real window where there is a display (tools/test starts Xvfb), and a clear no where there is none.
+#include "filigree_renderer/window.h"
+
+#include <cstdlib>
+
+#include "curves.h"
+
+namespace flg::render::test {
+namespace {
+
+bool has_display() {
+    return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
+}
+
+TEST_F(RendererTest, WindowOpensDrawsResizesAndIsCaptured) {
+    ASSERT_EQ(Window::available(), has_display());
+    if (!has_display()) {
+        try {
+            Window window(renderer, 320, 200, "Filigree");
+            ADD_FAILURE() << "a window without a display";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("no display"), std::string::npos) << error.what();
+        }
+        return;
+    }
+    Curves knot = trefoil(300);
+    renderer.upload(knot.view(), {.shape = Shape::tube, .radius = 0.3f});
+    Window window(renderer, 320, 200, "Filigree");
+    window.orbit.camera = frame_box(renderer.bounds(), {-1, -0.5f, -1}, window.aspect());
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(window.poll());
+        renderer.draw(window, window.orbit.camera);
+    }
+    const Image shown = renderer.capture(window);
+    EXPECT_EQ(shown.width, window.width());
+    Target target(renderer, window.width(), window.height());
+    EXPECT_EQ(picture(target, window.orbit.camera).pixels, shown.pixels) << "a window shows what a target gets";
+
+    window.set_size(400, 300);
+    for (int i = 0; i < 20 && window.width() != 400; ++i) {
+        ASSERT_TRUE(window.poll());
+        renderer.draw(window, window.orbit.camera);
+    }
+    EXPECT_EQ(window.width(), 400u);
+    EXPECT_EQ(window.height(), 300u);
+    EXPECT_EQ(renderer.capture(window).pixels.size(), 4u * 400 * 300);
+}
+
+TEST(Orbit, TurnsAroundItsTargetAtTheSameDistance) {
+    Orbit orbit;
+    orbit.camera = test::front_camera();
+    orbit.turn(0.5f * pi, 0);
+    EXPECT_NEAR(orbit.camera.eye.x, camera_distance, 1e-5f);
+    EXPECT_NEAR(orbit.camera.eye.z, 0, 1e-5f);
+    orbit.turn(0, 10);  // past the pole: stops short of it
+    EXPECT_NEAR(glm::length(orbit.camera.eye), camera_distance, 1e-5f);
+    EXPECT_LT(orbit.camera.eye.y, camera_distance);
+    orbit.zoom(0.5f);
+    EXPECT_NEAR(glm::distance(orbit.camera.eye, orbit.camera.target), 0.5f * camera_distance, 1e-5f);
+    const float before = glm::distance(orbit.camera.eye, orbit.camera.target);
+    orbit.pan(0.3f, 0.2f);
+    EXPECT_NEAR(glm::distance(orbit.camera.eye, orbit.camera.target), before, 1e-5f);
+    EXPECT_GT(glm::length(orbit.camera.target), 0.1f);
+}
+
+TEST(Camera, FramesTheWholeBoxTightly) {
+    const Box box{{-1, -2, -3}, {4, 1, 2}};
+    for (const glm::vec3 direction : {glm::vec3(0, 0, -1), glm::vec3(-1, -0.4f, -1), glm::vec3(0, -1, 0)}) {
+        for (const float aspect : {0.5f, 1.0f, 2.0f}) {
+            const Camera camera = frame_box(box, direction, aspect);
+            const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+            const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+            const glm::vec3 up = glm::cross(right, forward);
+            const float tan_y = std::tan(0.5f * camera.fov_y_rad);
+            float most = 0;
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::vec3 p{corner & 1 ? 4 : -1, corner & 2 ? 1 : -2, corner & 4 ? 2 : -3};
+                const float depth = glm::dot(p - camera.eye, forward);
+                ASSERT_GT(depth, 0);
+                most = std::max({most, std::abs(glm::dot(p - camera.eye, right)) / (depth * tan_y * aspect),
+                                 std::abs(glm::dot(p - camera.eye, up)) / (depth * tan_y)});
+            }
+            EXPECT_LE(most, 1.0f);
+            EXPECT_GE(most, 0.9f);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace flg::render::test
