@@ -69,6 +69,11 @@ public:
     std::shared_ptr<Job> next_started, next_finished;  // the scheduler's lists
     Job* next_failing = nullptr;                       // while a failure spreads
 
+    // The scheduler's list of all jobs that are not published yet; it owns them. Host's thread only.
+    std::shared_ptr<Job> self;
+    Job* previous_pending = nullptr;
+    Job* next_pending = nullptr;
+
     // Published.
     FlgJobStatus status{.struct_size = sizeof(FlgJobStatus),
                         .state = FLG_JOB_WAITING,

@@ -34,7 +34,11 @@ Scheduler::~Scheduler() {
     // One by one: lists of shared pointers would free themselves recursively.
     while (started_) started_ = std::exchange(started_->next_started, nullptr);
     while (finished_) finished_ = std::exchange(finished_->next_finished, nullptr);
-    for (const std::shared_ptr<Job>& job : all_) job->dependents.clear();
+    while (first_pending_) {
+        const std::shared_ptr<Job> job = first_pending_->self;
+        job->dependents.clear();
+        remove_pending(*job);
+    }
 }
 
 // ---- queues (mutex held) ---------------------------------------------------------------------------------------
@@ -213,8 +217,7 @@ std::shared_ptr<Job> Scheduler::make_job() {
 
 void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<std::shared_ptr<Job>>& dependencies) {
     // All memory is taken before anything changes, so that a failing allocator leaves no trace.
-    reserve_one_more(all_);
-    running_.reserve(all_.capacity());
+    if (running_.capacity() <= pending_) running_.reserve(std::max(size_t{8}, size_t{pending_} * 2));
     job->serial = next_serial_++;
     bool ready = false;
     {
@@ -237,9 +240,23 @@ void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<std::sha
             ready = true;
         }
     }
-    ++pending_;
-    all_.push_back(std::move(job));
+    append_pending(std::move(job));
     if (ready) wake();
+}
+
+void Scheduler::append_pending(std::shared_ptr<Job> job) {
+    ++pending_;
+    job->previous_pending = last_pending_;
+    (last_pending_ ? last_pending_->next_pending : first_pending_) = job.get();
+    last_pending_ = job.get();
+    last_pending_->self = std::move(job);
+}
+
+void Scheduler::remove_pending(Job& job) {
+    --pending_;
+    (job.previous_pending ? job.previous_pending->next_pending : first_pending_) = job.next_pending;
+    (job.next_pending ? job.next_pending->previous_pending : last_pending_) = job.previous_pending;
+    job.self.reset();
 }
 
 void Scheduler::cancel(Job& job) {
@@ -257,7 +274,7 @@ void Scheduler::cancel(Job& job) {
 }
 
 void Scheduler::cancel_all() {
-    for (const std::shared_ptr<Job>& job : all_) cancel(*job);
+    for (Job* job = first_pending_; job; job = job->next_pending) cancel(*job);
 }
 
 void Scheduler::publish_progress() {
@@ -325,10 +342,7 @@ void Scheduler::publish_job(Job& job) {
     job.output.reset();
     job.strand.root.reset();  // of a job that never ran; others freed it when they were done
     std::erase(running_, &job);
-    const auto place = std::lower_bound(all_.begin(), all_.end(), job.serial,
-                                        [](const auto& other, uint64_t serial) { return other->serial < serial; });
-    all_.erase(place);
-    --pending_;
+    remove_pending(job);
     if (job.result != FLG_OK && job.result != FLG_ERROR_CANCELLED) {
         host_.log(FLG_LOG_ERROR, "job %llu failed: %s", static_cast<unsigned long long>(job.serial), job.error);
     }

@@ -90,6 +90,8 @@ private:
     void add_finished(Job& job);
     void settle(Job& job, FlgResult result, const char* error, Job*& failing);
     void publish_job(Job& job);
+    void append_pending(std::shared_ptr<Job> job);
+    void remove_pending(Job& job);
     void wake() {
         if (wake_) wake_(wake_context_);
     }
@@ -113,7 +115,8 @@ private:
     // Host's thread only.
     uint64_t next_serial_ = 1;
     uint32_t pending_ = 0;
-    std::pmr::vector<std::shared_ptr<Job>> all_{memory_};  // not yet published, in order of submission
+    Job* first_pending_ = nullptr;  // not yet published, in order of submission
+    Job* last_pending_ = nullptr;
     std::pmr::vector<Job*> running_{memory_};
 };
 
