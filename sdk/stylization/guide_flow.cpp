@@ -254,10 +254,7 @@ void GuideFlow::respace(uint32_t n) {
     if (index_ < count_ - 1) return;
     other_[count_ - 1] = points_[count_ - 1];
     std::swap(points_, other_);
-    time_ += step_time_;
-    if (end_time_ > 0.0 && step_time_ < params_.growth * time_ && time_ > end_time_ * (1.0 - params_.growth * 1e-9)) {
-        time_ = end_time_;
-    }
+    time_ = step_time_ == end_time_ - time_ ? end_time_ : time_ + step_time_;  // arrives there exactly
     ++steps_;
     enter(Phase::measure);
 }

@@ -19,7 +19,7 @@ constexpr double least_curvature = 0.25;
 constexpr double plain_curvature = 2.0;
 // A point rests when its next move is below this part of the style's spacing; that move is still made, and
 // leaves an error of about its square.
-constexpr double small_move = 0.1;
+constexpr double small_move = 0.02;
 constexpr uint32_t max_descent_steps = 12;
 constexpr uint32_t max_sweeps = 12;
 
@@ -93,6 +93,7 @@ void GuideMatching::reach_back(uint32_t end) {
 
 // Rows are half as far apart as columns: what they skip, the next table sees.
 uint32_t GuideMatching::row_stride(uint32_t stride) const {
+    if (stride == 1) return 1;
     const double guide_points = 0.5 * (stride + 1) * (count_ - 1) / (style_.count() - 1);
     return std::max(static_cast<uint32_t>(guide_points), 1U);
 }
@@ -250,7 +251,7 @@ void GuideMatching::descend(uint32_t n) {
             (found.slope > 0.0 ? high : low) = place;
             const bool at_rest = std::abs(found.minimum - place) <= small_move * style_.spacing();
             if (at_rest || step == max_descent_steps) break;
-            if (found.minimum <= low || found.minimum >= high) found.minimum = 0.5 * (low + high);
+            if (found.minimum < low || found.minimum > high) found.minimum = 0.5 * (low + high);
             place = found.minimum;
             found = model(index_, place, style_.evaluate(place), style_.spacing());
         }
