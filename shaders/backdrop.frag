@@ -9,8 +9,9 @@
 layout(location = 0) in vec2 at;  // -1..1, y down
 layout(location = 0) out vec4 out_color;
 
-const float ground_spread = 2.5;      // texels between the taps of the shadow's filter
-const float shadow_darkness = 0.62;
+const float ground_spread = 3.0;      // texels between the taps of the shadow's filter
+const float shadow_darkness = 0.55;
+const float vignette = 0.16;          // how much darker the corners are
 const float fade_begin = 1.5;         // where the floor begins to melt into the gradient, radii of the scene
 const float fade_end = 6.0;
 
@@ -30,7 +31,7 @@ float floor_light(vec3 position) {
 void main() {
     vec3 ray = normalize(view.ray_forward.xyz + at.x * view.ray_right.xyz - at.y * view.ray_up.xyz);
     float height = 0.5 - 0.5 * at.y;
-    vec3 color = mix(view.background_bottom.rgb, view.background_top.rgb, smoothstep(0.0, 1.0, height));
+    vec3 color = mix(view.background_bottom.rgb, view.background_top.rgb, smoothstep(0.15, 1.0, height));
 
     float above = view.eye.y - view.ray_right.w;
     if (view.ray_up.w > 0.0 && ray.y < -1e-4 && above > 0.0) {
@@ -39,5 +40,9 @@ void main() {
         float presence = 1.0 - smoothstep(fade_begin, fade_end, away);
         if (presence > 0.0) color *= 1.0 - shadow_darkness * presence * (1.0 - floor_light(hit));
     }
-    out_color = vec4(tone_map(color), 1.0);
+    color *= 1.0 - vignette * 0.5 * dot(at, at);
+    vec3 shown = tone_map(color);
+    // Half a step of 8-bit sRGB up or down, so that the gradient shows no bands: interleaved gradient noise (Jimenez 2014).
+    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+    out_color = vec4(shown + noise * (2.0 / 255.0) * sqrt(shown), 1.0);
 }

@@ -11,6 +11,11 @@ layout(push_constant) uniform Draw {
     layout(offset = 20) float gloss;
 } draw;
 
+const float inverse_pi = 0.3183;
+const float sky_share = 0.58;
+const float shadowed_sky = 0.75;
+const float shadow_spread = 1.6;  // texels
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 albedo;
@@ -26,7 +31,7 @@ void main() {
     vec3 half_way = normalize(to_eye + to_sun);
     float facing_half = clamp(dot(normal, half_way), 0.0, 1.0);
 
-    float lit = sunlight(position, facing_sun < 0.0 ? -normal : normal, 1.0);
+    float lit = sunlight(position, facing_sun < 0.0 ? -normal : normal, shadow_spread);
     float diffuse = max(facing_sun, 0.0);
     if (shape == shape_ribbon) diffuse += translucency * max(-facing_sun, 0.0);
 
@@ -36,7 +41,9 @@ void main() {
 
     float rim = pow(1.0 - facing_eye, 4.0);
     vec3 reflected = ambient_light(reflect(-to_eye, normal));
-    vec3 color = albedo * (0.318 * diffuse * lit * view.sun_color.rgb + 0.55 * ambient_light(normal));
+    // What the sun doesn't reach is mostly hidden from some of the sky as well.
+    float open_sky = mix(shadowed_sky, 1.0, lit);
+    vec3 color = albedo * (inverse_pi * diffuse * lit * view.sun_color.rgb + sky_share * open_sky * ambient_light(normal));
     color += draw.gloss * (lit * highlight * view.sun_color.rgb + (0.04 + rim_strength * rim) * reflected);
     out_color = vec4(tone_map(color), 1.0);
 }

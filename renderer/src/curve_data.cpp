@@ -141,7 +141,7 @@ private:
             carry_normals(positions_.data(), count, joined, normals_.data());
         }
         const auto first = static_cast<uint32_t>(data_.centers.size());
-        for (uint32_t i = 0; i < count; ++i) add_point(i, count);
+        for (uint32_t i = 0; i < count; ++i) add_point(i, count, joined);
         add_chunks(first, count, joined);
     }
 
@@ -158,7 +158,7 @@ private:
         }
     }
 
-    void add_point(uint32_t i, uint32_t count) {
+    void add_point(uint32_t i, uint32_t count, bool joined) {
         const uint32_t source = kept_[i];
         float radius = radius_ ? radius_.at<float>(source) : look_.radius;
         if (!(radius >= 0.0f && radius <= largest_coordinate))
@@ -176,7 +176,9 @@ private:
             color = color_.at<glm::vec4>(source);
             if (!is_usable(color)) fail("Point %u has a colour that is not finite.", source);
         } else {
-            color = glm::mix(look_.color, look_.color_end, static_cast<float>(i) / static_cast<float>(count - 1));
+            const float along = static_cast<float>(i) / static_cast<float>(count - 1);
+            // Closed curves go there and back: no seam.
+            color = glm::mix(look_.color, look_.color_end, joined ? 1.0f - std::abs(2.0f * along - 1.0f) : along);
         }
         data_.centers.emplace_back(positions_[i], radius);
         data_.looks.push_back({pack_normal(normal), pack_color(color)});

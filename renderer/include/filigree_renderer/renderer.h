@@ -47,9 +47,10 @@ enum class Caps { round, flat, none };
 // How a set of curves looks.
 struct CurveLook {
     Shape shape = Shape::ribbon;
-    // Linear RGB, where the set has no COLOR column: from the first to the last point of each curve.
-    glm::vec3 color{0.98f, 0.30f, 0.10f};
-    glm::vec3 color_end{0.90f, 0.06f, 0.32f};
+    // Linear RGB, where the set has no COLOR column: from the first to the last point of each curve, on
+    // closed ones there and back.
+    glm::vec3 color{0.90f, 0.13f, 0.03f};
+    glm::vec3 color_end{0.50f, 0.02f, 0.22f};
     float radius = 0.005f;       // metres, where the set has no RADIUS column; >= 0
     float radius_scale = 1.0f;   // on either; >= 0
     uint32_t sides = 12;         // of a tube, 3 to 32: the most; tubes small on the screen get fewer
@@ -62,11 +63,11 @@ struct CurveLook {
 // Light and surroundings. Colours are linear RGB.
 struct Scene {
     glm::vec3 sun_direction{0.45f, 0.80f, 0.40f};  // towards the sun, any length but zero
-    glm::vec3 sun_color{3.1f, 2.85f, 2.5f};
+    glm::vec3 sun_color{3.9f, 3.6f, 3.15f};
     glm::vec3 sky_color{0.62f, 0.72f, 0.90f};     // light from above ...
     glm::vec3 bounce_color{0.42f, 0.36f, 0.32f};  // ... and from below
-    glm::vec3 background_top{0.42f, 0.52f, 0.66f};
-    glm::vec3 background_bottom{0.86f, 0.84f, 0.80f};
+    glm::vec3 background_top{0.50f, 0.66f, 0.86f};
+    glm::vec3 background_bottom{1.30f, 1.26f, 1.20f};
     bool ground = true;     // a floor at the lowest point of the scene that takes shadows
     float exposure = 1.0f;  // > 0
 };
