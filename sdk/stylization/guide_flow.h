@@ -91,7 +91,6 @@ private:
     double force_ = 0.0;          // F / spacing
     uint32_t limit_passes_ = 0;
     uint32_t segment_ = 0;  // where respacing stands on the moved curve
-    double respaced_length_ = 0.0;
 
     // The valley of t * mean(kappa^2).
     double low_ = 0.0;

@@ -29,7 +29,7 @@ public:
     // against evenness.
     GuideMatching(const SmoothStyleCurve& style, const Vec3* guide, uint32_t count, double beta, Memory* memory);
 
-    // Does n points' worth of work; true when done. About 15 ns a point: 1500 stay below 25 us.
+    // Does n units of work, cells of a table or points; true when done. At most 27 ns a unit: 800 stay below 25 us.
     bool run(uint32_t n);
 
     // After run() returned true: the arc lengths delta_i on the style, their energy E' (by the models, exact to third order in
