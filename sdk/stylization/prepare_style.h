@@ -16,7 +16,7 @@ struct StyleRequest {
     uint32_t point_count = 0;               // 0: chosen from the example
     double alpha = 0.5;
     double smoothing = 1;
-    double beta = 0.5;
+    double beta = 0.2;
     uint32_t patch = 10;
 };
 

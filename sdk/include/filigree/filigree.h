@@ -373,8 +373,9 @@ typedef struct FlgStyleDesc {
     float alpha;
     /* How far the flow smooths, as a multiple of what is chosen from the style; > 0. Default 1. */
     float smoothing;
-    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2.
-     * Default 0.5. */
+    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Where the style is
+     * further from its guide than 1 / beta times its own radius of curvature (the far side of a loop), closeness wins:
+     * that stretch is skipped and comes out cut off. Default 0.2: loops stay round. */
     float beta;
     /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, and 2p + 1 < points. Larger patches copy longer
      * runs. Default 10. */
