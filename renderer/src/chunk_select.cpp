@@ -8,7 +8,7 @@
 namespace flg::render {
 namespace {
 
-constexpr float least_step_px = 1.2f;   // points nearer to each other than this are skipped
+constexpr float least_step_px = 2.0f;   // points nearer to each other than this are skipped
 constexpr float roundness_px = 0.15f;   // how far a tube's polygon may fall short of its circle
 constexpr float least_cap_px = 0.8f;    // caps of thinner tubes are left away
 constexpr uint32_t least_segments = 4;  // of a bin
