@@ -8,6 +8,7 @@ namespace flg {
 FramedSampler::FramedSampler(const SamplingPlan& plan)
     : plan_(plan),
       sampler_(plan.curve, plan.measure.length, plan.steps),
+      left_(plan.sample_count()),
       special_(plan.steps > 0 && (plan.frame == FLG_FRAME_FRENET || plan.curve.closed)) {
     constexpr double least_turn_rad = 1e-6;
     const double step = plan.steps > 0 ? plan.measure.length / plan.steps : 1.0;
@@ -16,6 +17,33 @@ FramedSampler::FramedSampler(const SamplingPlan& plan)
 
 void FramedSampler::begin_frame(const CurveSample& first) {
     frame_ = RotationMinimizingFrame(first.position, first.tangent, plan_.measure.initial_normal());
+}
+
+// All places first, then all frames: so the long latencies of different samples overlap.
+uint32_t FramedSampler::next(FramedSample* out, uint32_t capacity, uint32_t& units) {
+    capacity = std::min(capacity, left_);
+    uint32_t count = 0;
+    if (special_) {
+        while (count < capacity && next_special(out[count], units)) ++count;
+        left_ -= count;
+        return count;
+    }
+    while (count < capacity && sampler_.next(out[count], units)) ++count;
+    if (count == 0) return 0;
+    uint32_t k = 0;
+    if (next_ == 0) {
+        begin_frame(out[0]);
+        out[k++].normal = frame_.normal();
+    }
+    RotationMinimizingFrame frame = frame_;
+    for (; k < count; ++k) {
+        frame.step(out[k].position, out[k].tangent);
+        out[k].normal = frame.normal();
+    }
+    frame_ = frame;
+    next_ += count;
+    left_ -= count;
+    return count;
 }
 
 bool FramedSampler::next_special(FramedSample& out, uint32_t& units) {

@@ -13,6 +13,9 @@
 
 namespace flg {
 
+// (Samples come in blocks of about this size: small enough for the cache.)
+constexpr uint32_t sample_block = 64;
+
 struct FramedSample : CurveSample {
     Vec3 normal;  // unit, across the tangent
 };
@@ -32,18 +35,9 @@ class FramedSampler {
 public:
     explicit FramedSampler(const SamplingPlan& plan);
 
-    // The next of plan.sample_count() samples; `units` as for EvenSampler::next().
-    bool next(FramedSample& out, uint32_t& units) {
-        if (special_) return next_special(out, units);
-        if (!sampler_.next(out, units)) return false;
-        if (next_++ == 0) {
-            begin_frame(out);
-        } else {
-            frame_.step(out.position, out.tangent);
-        }
-        out.normal = frame_.normal();
-        return true;
-    }
+    // The next of plan.sample_count() samples, `capacity` at most, and as many as `units` last for (see
+    // EvenSampler::next()). Returns how many; to be called again until all have come.
+    uint32_t next(FramedSample* out, uint32_t capacity, uint32_t& units);
 
 private:
     bool next_special(FramedSample& out, uint32_t& units);
@@ -55,7 +49,8 @@ private:
     SamplingPlan plan_;
     EvenSampler sampler_;
     RotationMinimizingFrame frame_;
-    bool special_;  // anything but a rotation-minimizing frame on an open curve
+    uint32_t left_;  // samples to come
+    bool special_;   // anything but a rotation-minimizing frame on an open curve
     bool twist_known_ = false;
     bool has_ahead_ = false;
     uint32_t next_ = 0;          // index of the sample to come

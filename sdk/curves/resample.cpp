@@ -7,9 +7,6 @@ namespace flg {
 
 namespace {
 
-// Samples between two passes over the other columns.
-constexpr uint32_t block_size = 128;
-
 void interpolate_orientation(const float* a, const float* b, float t, float* out) {
     const Eigen::Vector4d from = Eigen::Map<const Eigen::Vector4f>(a).cast<double>();
     const Eigen::Vector4d to = Eigen::Map<const Eigen::Vector4f>(b).cast<double>();
@@ -46,19 +43,22 @@ ResampleKernel::ResampleKernel(const SamplingPlan& plan, const FrameColumns& out
     : sampler_(plan), curve_(plan.curve), out_(out), columns_(columns), count_(plan.sample_count()) {}
 
 bool ResampleKernel::run(uint32_t n) {
-    std::array<SamplePlace, block_size> places;
-    FramedSample sample;
+    std::array<FramedSample, sample_block> samples;
+    std::array<SamplePlace, sample_block> places;
     while (n > 0 && written_ < count_) {
-        const uint32_t first = written_;
-        uint32_t filled = 0;
-        while (filled < block_size && written_ < count_ && sampler_.next(sample, n)) {
-            const size_t at = 3 * static_cast<size_t>(written_++);
+        const uint32_t filled = sampler_.next(samples.data(), sample_block, n);
+        for (uint32_t k = 0; k < filled; ++k) {
+            const FramedSample& sample = samples[k];
+            const size_t at = 3 * static_cast<size_t>(written_ + k);
             store_vec3(sample.position, out_.positions + at);
             store_vec3(sample.tangent, out_.tangents + at);
             store_vec3(sample.normal, out_.normals + at);
-            places[filled++] = {sample.segment, sample.t};
+            places[k] = {sample.segment, sample.t};
         }
-        for (const ColumnPair& column : columns_) interpolate_column(column, curve_, {places.data(), filled}, first);
+        for (const ColumnPair& column : columns_) {
+            interpolate_column(column, curve_, {places.data(), filled}, written_);
+        }
+        written_ += filled;
     }
     return written_ == count_;
 }

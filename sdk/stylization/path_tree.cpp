@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <utility>
 
 namespace flg {
 
@@ -22,7 +23,7 @@ void PathTreeKernel::begin(const PatchGraph& graph, float temperature, uint32_t 
     graph_ = &graph;
     next_hop_ = next_hop;
     temperature_ = temperature + 0.0f;  // -0 would be the largest key
-    const size_t keys = graph.edge_count() + 1;
+    const size_t keys = graph.edge_count() + arity;
     if (distance_.size() < graph.node_count) distance_ = Buffer<float>(graph.node_count, memory_);
     if (settled_.size() < graph.node_count) settled_ = Buffer<uint8_t>(graph.node_count, memory_);
     if (heap_.size() < keys) heap_ = Buffer<uint64_t>(keys, memory_);
@@ -32,11 +33,13 @@ void PathTreeKernel::begin(const PatchGraph& graph, float temperature, uint32_t 
     distance_[destination] = 0;
     next_hop[destination] = static_cast<uint16_t>(destination);
     heap_size_ = 0;
+    std::fill_n(heap_.data(), arity - 1, no_key);
+    held_ = no_key;
     push(make_key(0, destination));
 }
 
 bool PathTreeKernel::run(uint32_t& units) {
-    while (heap_size_ > 0) {
+    while (heap_size_ > 0 || held_ != no_key) {
         if (units == 0) return false;
         --units;
         const uint64_t key = pop();
@@ -73,8 +76,11 @@ void PathTreeKernel::settle(uint32_t node, float distance) {
 }
 
 void PathTreeKernel::push(uint64_t key) {
+    if (key < held_) std::swap(key, held_);
+    if (key == no_key) return;
     uint64_t* heap = heap_.data();
     uint32_t at = heap_size_++;
+    heap[at + arity - 1] = no_key;
     while (at > 0) {
         const uint32_t parent = (at - 1) / arity;
         if (heap[parent] <= key) break;
@@ -87,20 +93,22 @@ void PathTreeKernel::push(uint64_t key) {
 uint64_t PathTreeKernel::pop() {
     uint64_t* heap = heap_.data();
     const uint64_t top = heap[0];
+    if (held_ <= top) return std::exchange(held_, no_key);
     const uint64_t key = heap[--heap_size_];
     const uint32_t size = heap_size_;
+    heap[size] = no_key;
+    if (size == 0) return top;
     uint32_t at = 0;
     for (;;) {
         const uint32_t first = at * arity + 1;
         if (first >= size) break;
-        uint32_t least = first;
-        const uint32_t end = std::min(first + arity, size);
-        for (uint32_t child = first + 1; child < end; ++child) {
-            if (heap[child] < heap[least]) least = child;
-        }
-        if (heap[least] >= key) break;
-        heap[at] = heap[least];
-        at = least;
+        const uint64_t* child = heap + first;
+        const uint32_t low = child[1] < child[0] ? 1 : 0;
+        const uint32_t high = child[3] < child[2] ? 3 : 2;
+        const uint32_t least = child[high] < child[low] ? high : low;
+        if (child[least] >= key) break;
+        heap[at] = child[least];
+        at = first + least;
     }
     heap[at] = key;
     return top;

@@ -42,8 +42,11 @@ private:
     Buffer<uint8_t> settled_;
     // A heap of four children a node, of keys (distance's bits, node): floats that aren't negative are ordered as their
     // bits. Nodes whose distance falls are pushed again; the old keys are skipped when they come up.
+    // The smallest of the keys just found stays outside: mostly it is the next one. Behind the heap's end there are as many
+    // keys larger than all as a node has children but one.
     Buffer<uint64_t> heap_;
     uint32_t heap_size_ = 0;
+    uint64_t held_ = 0;
 };
 
 }  // namespace flg

@@ -67,6 +67,7 @@ void SynthesisKernel::begin(const SamplingPlan& plan, uint64_t curve_index, cons
     columns_ = columns;
     count_ = plan.sample_count();
     written_ = 0;
+    block_at_ = block_count_ = 0;
     node_known_ = true;
     walk_ = StyleWalk(input_.trees, input_.from_start, input_.seed, curve_index, count_);
     // A target without length has no frame to be displaced in.
@@ -74,31 +75,50 @@ void SynthesisKernel::begin(const SamplingPlan& plan, uint64_t curve_index, cons
 }
 
 bool SynthesisKernel::run(uint32_t n) {
-    constexpr uint32_t block_size = 128;
-    std::array<SamplePlace, block_size> places;
-    FramedSample sample;
-    while (n > 0 && written_ < count_) {
-        const uint32_t first = written_;
-        uint32_t filled = 0;
-        while (filled < block_size && written_ < count_) {
-            if (!node_known_) {
-                if (!walk_.advance()) {
-                    if (make_tree(n)) continue;
-                    break;
-                }
-                node_known_ = true;
-                // Another thread was faster with the tree.
-                if (tree_ != nullptr) input_.trees->discard(std::exchange(tree_, nullptr));
-            }
-            if (!sampler_->next(sample, n)) break;
-            write(sample);
-            places[filled++] = {sample.segment, sample.t};
-            ++written_;
-            node_known_ = false;
+    while (written_ < count_) {
+        if (block_at_ == block_count_) {
+            if (n == 0) return false;
+            block_at_ = 0;
+            block_count_ = sampler_->next(block_.data(), sample_block, n);
         }
-        for (const ColumnPair& column : columns_) interpolate_column(column, curve_, {places.data(), filled}, first);
+        const uint32_t first = block_at_;
+        bool out_of_units = false;
+        while (block_at_ < block_count_ && !out_of_units) {
+            if (find_node(n)) {
+                write(block_[block_at_++]);
+            } else {
+                out_of_units = true;
+            }
+        }
+        carry_columns(first);
+        if (out_of_units) return false;
     }
-    return written_ == count_;
+    return true;
+}
+
+// Stands on the node of the sample to come, unless the units do not suffice for the path tree that is missing.
+bool SynthesisKernel::find_node(uint32_t& units) {
+    while (!node_known_) {
+        if (walk_.advance()) {
+            node_known_ = true;
+            // Another thread was faster with the tree.
+            if (tree_ != nullptr) input_.trees->discard(std::exchange(tree_, nullptr));
+        } else if (!make_tree(units)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The other columns of the block's samples that were just written, from `first` on.
+void SynthesisKernel::carry_columns(uint32_t first) {
+    if (columns_.empty()) return;
+    std::array<SamplePlace, sample_block> places;
+    const uint32_t count = block_at_ - first;
+    for (uint32_t k = 0; k < count; ++k) places[k] = {block_[first + k].segment, block_[first + k].t};
+    for (const ColumnPair& column : columns_) {
+        interpolate_column(column, curve_, {places.data(), count}, written_ - count);
+    }
 }
 
 bool SynthesisKernel::make_tree(uint32_t& units) {
@@ -127,6 +147,8 @@ void SynthesisKernel::write(const FramedSample& sample) {
     store_vec3(sample.tangent, out_.frames.tangents + at);
     store_vec3(sample.normal, out_.frames.normals + at);
     out_.style_index[written_] = static_cast<float>(node);
+    ++written_;
+    node_known_ = false;
 }
 
 }  // namespace flg

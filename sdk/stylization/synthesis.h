@@ -9,6 +9,7 @@
 // the target ends as well); so a target as long as the guide gets the whole style.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "curves/resample.h"
@@ -80,13 +81,18 @@ public:
     uint32_t written() const { return written_; }
 
 private:
+    bool find_node(uint32_t& units);
     bool make_tree(uint32_t& units);
+    void carry_columns(uint32_t first);
     void write(const FramedSample& sample);
 
     SynthesisInput input_;
     PathTreeKernel tree_kernel_;
     uint16_t* tree_ = nullptr;  // being made
     std::optional<FramedSampler> sampler_;
+    std::array<FramedSample, sample_block> block_;
+    uint32_t block_at_ = 0;  // the sample to come
+    uint32_t block_count_ = 0;
     StyleWalk walk_;
     CurveView curve_;
     StylizedColumns out_;
