@@ -70,8 +70,8 @@ Curve stem(uint32_t index) {
     constexpr double kGoldenAngle = 2.399963229728653;
     const Noise hand(1000 + index);
     const double heading = kGoldenAngle * index + 0.25 * hand(0.5);
-    const double height = 0.75 + 0.35 * hand(7.5), lean = 0.22 + 0.20 * std::sqrt(index / 36.0) + 0.05 * hand(3.5);
-    const double roll = 0.055 + 0.02 * hand(5.5), turns = 1.6 + 0.4 * hand(9.5);
+    const double height = 0.75 + 0.35 * hand(7.5), lean = 0.22 + 0.20 * std::sqrt(index / 15.0) + 0.05 * hand(3.5);
+    const double roll = 0.095 + 0.03 * hand(5.5), turns = 1.3 + 0.3 * hand(9.5);
     Curve curve;
     // The stem bends in its own upright plane: a turtle whose curvature grows towards the end.
     double along = 0.02 + 0.03 * hand(11.5), up = 0.0, pitch = 0.5 * std::numbers::pi - 0.6 * lean;
@@ -81,7 +81,7 @@ Curve stem(uint32_t index) {
         const double sway = 0.03 * u * hand(2.5 * u + 20.0);
         curve.points.push_back(point(along * std::cos(heading) - sway * std::sin(heading), up - 0.55,
                                      along * std::sin(heading) + sway * std::cos(heading)));
-        curve.radii.push_back(static_cast<float>(0.0075 * (1.0 - 0.75 * u) + 0.0008));
+        curve.radii.push_back(static_cast<float>(0.016 * (1.0 - 0.7 * u) + 0.002));
         const double volute = smooth_step((u - 0.55) / 0.25);
         const double radius = roll * (1.3 - u);
         const double step = stem_step * (1.0 - volute) + volute * kTau * turns * roll * 0.6 / (0.38 * kPoints);
@@ -126,7 +126,7 @@ Curve make_target(std::string_view name, uint32_t count) {
 }
 
 std::vector<Curve> make_bouquet() {
-    constexpr uint32_t kStems = 36;
+    constexpr uint32_t kStems = 15;
     std::vector<Curve> curves;
     for (uint32_t i = 0; i < kStems; ++i) curves.push_back(stem(i));
     return curves;

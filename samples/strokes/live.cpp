@@ -10,7 +10,7 @@ namespace flg::samples {
 namespace {
 
 // Styled points that a scene may have before the style is drawn larger than its strokes ask for.
-constexpr double kMostPoints = 1.5e6;
+constexpr double kMostPoints = 4e5;
 
 void check(FlgResult result) {
     if (result != FLG_OK) throw std::runtime_error(flgLastError());
@@ -75,7 +75,6 @@ void Live::start_groups() {
         desc.style = style_;
         check(flgCurveSetCreate(context_, &view, &desc.target));
         desc.start = FLG_START_RANDOM;
-        desc.temperature = 0.3f;
         desc.scale = static_cast<float>(enlargement * group.displacement / info.displacement_rms);
         check(flgStylize(context_, &desc, &item.result, &item.job));
         check(flgCurveSetRelease(context_, desc.target));

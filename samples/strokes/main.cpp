@@ -19,6 +19,9 @@ namespace render = flg::render;
 constexpr uint32_t kWidth = 1280, kHeight = 720;
 constexpr glm::vec3 kSight{-0.45f, -0.22f, -1.0f};  // from the eye into the scene
 
+// Sketches seldom fill the corners of their box.
+constexpr float kNearer = 0.85f;
+
 struct Options {
     std::vector<std::string> files = {"builtin:bouquet"};
     std::string style = "loops";
@@ -86,7 +89,9 @@ void run(const Options& options) {
     StrokeSet originals;
     for (const CurveSource& source : sources) originals.add_all(source.view());
     renderer.upload(originals.view());
-    const render::Camera camera = frame_box(renderer.bounds(), kSight, offscreen.aspect());
+    render::Orbit view_point{frame_box(renderer.bounds(), kSight, offscreen.aspect())};
+    view_point.zoom(kNearer);
+    const render::Camera camera = view_point.camera;
     save_picture(renderer, offscreen, camera, originals.view(), render::Shape::ribbon, path("before.png"));
     renderer.clear();
 

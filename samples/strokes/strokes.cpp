@@ -10,11 +10,11 @@ namespace flg::samples {
 namespace {
 
 // The style swings this many radii away from the stroke, but no further than this share of its length.
-constexpr float kDisplacementPerRadius = 2.2f, kMaxDisplacementPerLength = 0.05f;
+constexpr float kDisplacementPerRadius = 1.8f, kMaxDisplacementPerLength = 0.05f;
 // Strokes without a radius: the style swings this share of their length.
 constexpr float kDisplacementPerLength = 0.03f;
 // The styled line is thinner than the stroke it replaces, so that its turns stay apart.
-constexpr float kThinning = 0.30f, kRadiusPerDisplacement = 0.14f;
+constexpr float kThinning = 0.22f, kRadiusPerDisplacement = 0.12f;
 constexpr float kSmallestDisplacement = 1e-5f;
 constexpr float kInk[4] = {0.10f, 0.11f, 0.14f, 1.0f};
 

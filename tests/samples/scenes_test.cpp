@@ -152,7 +152,7 @@ TEST(Scenes, AttractorsStayInTheirTrappingRegions) {
 
 TEST(Scenes, BouquetIsUsable) {
     const std::vector<Curve> bouquet = make_bouquet();
-    EXPECT_GE(bouquet.size(), 20u);
+    EXPECT_GE(bouquet.size(), 10u);
     for (const Curve& curve : bouquet) {
         expect_usable(curve, "bouquet");
         EXPECT_FALSE(curve.radii.empty());

@@ -103,7 +103,8 @@ TEST_F(Usage, StylesThatCannotBePreparedAreNamed) {
     folder.write("still.xyz", "1 2 3\n1 2 3\n1 2 3\n1 2 3\n");
     folder.write("ring.xyz", "# closed\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n");
     for (const char* style : {"point.xyz", "still.xyz", "ring.xyz"}) {
-        expect_refused({"stylize", "--style", style, "--target", "builtin:s_curve", "-o", "out.xyz"}, kFailed, {style});
+        expect_refused({"--quiet", "stylize", "--style", style, "--target", "builtin:s_curve", "-o", "out.xyz"},
+                       kFailed, {style});
     }
     EXPECT_FALSE(folder.has("out.xyz"));
 }

@@ -24,9 +24,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value, cons
                         const std::string& description) {
     std::string words;
     for (const auto& [name, meaning] : names) words += (words.empty() ? "" : "|") + name;
-    const auto set = [&value, &names, words](const std::string& word) {
+    const auto set = [&value, &names, option, words](const std::string& word) {
         const auto found = names.find(word);
-        if (found == names.end()) throw CLI::ValidationError("'" + word + "' is none of " + words);
+        if (found == names.end()) throw CLI::ValidationError(option, "'" + word + "' is none of " + words);
         value = found->second;
     };
     return app.add_option_function<std::string>(option, set, description)

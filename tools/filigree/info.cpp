@@ -125,7 +125,7 @@ void run_info(const std::string& name, const CommonOptions& common) {
 
     for (const std::string& warning : source.warnings()) {
         std::cout << "odd: " << warning << "\n";
-        report.warn(warning);
+        report.warn(source.name() + ": " + warning);
     }
     const auto odd = [&](uint64_t count, const char* what) {
         if (count == 0) return;

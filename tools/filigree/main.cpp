@@ -70,6 +70,10 @@ int main(int argc, char** argv) {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help, --version
         return program.exit(help);
+    } catch (const CLI::RequiredError& error) {
+        const std::vector<std::string> unknown = program.remaining();
+        const std::string what = unknown.empty() ? error.what() : "there is no command '" + unknown[0] + "'";
+        return complain(what + " (filigree --help)", kBadUsage);
     } catch (const CLI::ParseError& error) {
         return complain(std::string(error.what()) + " (filigree --help)", kBadUsage);
     }

@@ -76,7 +76,7 @@ void upload(render::Renderer& renderer, const Options& options, Report& report) 
     std::vector<render::CurvesId> ids;
     for (const std::string& file : options.files) {
         const samples::CurveSource& source = sources.emplace_back(file);
-        for (const std::string& warning : source.warnings()) report.warn(warning);
+        for (const std::string& warning : source.warnings()) report.warn(source.name() + ": " + warning);
         curves += source.view().curve_count;
         points += source.point_count();
         ids.push_back(renderer.upload(source.view(), line));

@@ -19,7 +19,7 @@ using samples::CurveSource;
 
 struct Options {
     std::string style, target, guide, output;
-    double sigma = 1.0, tau = 0.0, alpha = 0.5, beta = 0.5, scale = 1.0;
+    double sigma = 1.0, tau = 0.0, alpha = flgStyleDefaults().alpha, beta = flgStyleDefaults().beta, scale = 1.0;
     uint32_t patch = 10;
     FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;
     FlgStart start = FLG_START_AUTO;
@@ -50,7 +50,7 @@ FlgCurveSet create_style_curve(FlgContext context, const CurveSource& source, co
 
 CurveSource load(const std::string& name, Report& report) {
     CurveSource source(name);
-    for (const std::string& warning : source.warnings()) report.warn(warning);
+    for (const std::string& warning : source.warnings()) report.warn(source.name() + ": " + warning);
     return source;
 }
 
