@@ -10,6 +10,7 @@
 
 #include "filigree_renderer/window.h"
 #include "strokes/live.h"
+#include "support/vulkan_loader.h"
 
 namespace {
 
@@ -81,6 +82,7 @@ void run(const Options& options) {
     const CurveSource style(style_source(options.style));
     std::vector<StrokeGroup> groups = group_by_size(sources);
 
+    calm_vulkan_loader();
     render::Renderer renderer;
     std::printf("drawing with %s\n", renderer.device_name().c_str());
     render::Target offscreen(renderer, kWidth, kHeight);

@@ -54,7 +54,7 @@ TEST_F(Stylize, ReportHasTheSchema) {
     EXPECT_EQ(json.at("version"), "0.1.0");
     EXPECT_EQ(json.at("seed"), 7);
     EXPECT_EQ(json.at("workers"), 1);
-    EXPECT_EQ(json.at("parameters").at("sigma"), 0.5);
+    EXPECT_EQ(json.at("parameters").at("sigma"), 0.1);
     EXPECT_EQ(json.at("parameters").at("tau"), 0.25);
     EXPECT_EQ(json.at("parameters").at("frame"), "rmf");
     EXPECT_EQ(json.at("counts").at("target_points"), 500);

@@ -46,12 +46,12 @@ TEST_F(Usage, BadUsageExitsWithTwo) {
 }
 
 TEST_F(Usage, NumbersOutOfRangeExitWithTwo) {
-    const std::pair<const char*, std::vector<const char*>> bad[] = {{"--sigma", {"nan", "inf", "much"}},
+    const std::pair<const char*, std::vector<const char*>> bad[] = {{"--sigma", {"nan", "inf", "1e39", "much"}},
                                                                     {"--tau", {"-0.1", "nan", "inf"}},
                                                                     {"--patch", {"0", "1025", "-3", "1.5"}},
                                                                     {"--alpha", {"-0.1", "1.1", "nan"}},
                                                                     {"--beta", {"0", "1", "nan"}},
-                                                                    {"--scale", {"0", "-1", "nan", "inf"}},
+                                                                    {"--scale", {"0", "-1", "1e-50", "nan", "inf"}},
                                                                     {"--frame", {"bishop"}},
                                                                     {"--start", {"end"}},
                                                                     {"--as", {"cloud"}}};

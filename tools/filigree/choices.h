@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <string>
@@ -40,13 +41,24 @@ inline const std::map<std::string, FlgGeometry>& geometry_names() {
     return names;
 }
 
+// A float as its shortest decimal, for reports: 0.2, not 0.20000000298.
+inline double as_written(float value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    double decimal = 0.0;
+    std::from_chars(text, end, decimal);
+    return decimal;
+}
+
 // CLI::Range lets NaN pass; these do not.
 template <class Holds>
 CLI::Validator number_that(Holds holds, const std::string& demand) {
     return CLI::Validator(
         [holds, demand](std::string& text) {
             double value = 0.0;
-            const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && holds(value);
+            const bool number = CLI::detail::lexical_cast(text, value);
+            const auto kept = static_cast<float>(value);  // as the SDK gets it
+            const bool good = number && std::isfinite(kept) && holds(kept);
             return good ? std::string() : "'" + text + "' is not " + demand;
         },
         "");

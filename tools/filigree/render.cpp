@@ -12,6 +12,7 @@
 #include "filigree_renderer/renderer.h"
 #include "report.h"
 #include "support/curve_source.h"
+#include "support/vulkan_loader.h"
 #include "text_file.h"
 
 namespace flg::cli {
@@ -68,20 +69,24 @@ std::string frame_path(const Options& options, uint32_t index) {
     return options.output.substr(0, dot) + number + options.output.substr(dot);
 }
 
-void upload(render::Renderer& renderer, const Options& options, Report& report) {
+std::vector<samples::CurveSource> load(const Options& options, Report& report) {
     std::vector<samples::CurveSource> sources;
     uint64_t curves = 0, points = 0;
-    render::CurveLook line;
-    line.shape = Shape::line;
-    std::vector<render::CurvesId> ids;
     for (const std::string& file : options.files) {
         const samples::CurveSource& source = sources.emplace_back(file);
         for (const std::string& warning : source.warnings()) report.warn(source.name() + ": " + warning);
         curves += source.view().curve_count;
         points += source.point_count();
-        ids.push_back(renderer.upload(source.view(), line));
     }
     report.counts = {{"files", options.files.size()}, {"curves", curves}, {"points", points}};
+    return sources;
+}
+
+void upload(render::Renderer& renderer, const Options& options, const std::vector<samples::CurveSource>& sources) {
+    render::CurveLook line;
+    line.shape = Shape::line;
+    std::vector<render::CurvesId> ids;
+    for (const samples::CurveSource& source : sources) ids.push_back(renderer.upload(source.view(), line));
     if (options.as == Shape::line) return;
     // Now that the size of the whole is known, so is a sensible radius.
     render::CurveLook look;
@@ -113,8 +118,10 @@ void run_render(const Options& options, const CommonOptions& common) {
                          {"as", name_of(kShapes, options.as)},
                          {"camera", options.camera},
                          {"frames", options.frames}};
+    const std::vector<samples::CurveSource> sources = load(options, report);
+    samples::calm_vulkan_loader();
     render::Renderer renderer;
-    upload(renderer, options, report);
+    upload(renderer, options, sources);
     render::Target target(renderer, width, height);
     std::vector<float> cpu_ms;
     for (uint32_t i = 0; i < options.frames; ++i) {

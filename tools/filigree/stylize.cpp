@@ -25,6 +25,20 @@ struct Options {
     FlgStart start = FLG_START_AUTO;
     FlgGeometry as = FLG_GEOMETRY_LINES;
     std::string save_guide, save_matching, save_path;
+
+    // The SDK's defaults are the command's.
+    Options() {
+        const FlgStyleDesc prepare = flgStyleDefaults();
+        const FlgStylizeDesc apply = flgStylizeDefaults();
+        sigma = apply.magnitude;
+        tau = apply.temperature;
+        alpha = prepare.alpha;
+        beta = prepare.beta;
+        scale = apply.scale;
+        patch = prepare.patch;
+        frame = apply.frame;
+        start = apply.start;
+    }
 };
 
 const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_ROTATION_MINIMIZING},
@@ -62,8 +76,8 @@ FlgStyle start_style(FlgContext context, const Options& options, Report& report,
     if (!options.guide.empty()) {
         desc.guide = create_style_curve(context, load(options.guide, report), "guide", report);
     }
-    desc.alpha = static_cast<float>(options.alpha);
-    desc.beta = static_cast<float>(options.beta);
+    desc.alpha = options.alpha;
+    desc.beta = options.beta;
     desc.patch = options.patch;
     FlgStyle prepared = {};
     check(flgStyleCreate(context, &desc, &prepared, &job), options.style);
@@ -73,12 +87,12 @@ FlgStyle start_style(FlgContext context, const Options& options, Report& report,
 void describe(const Options& options, Report& report) {
     report.parameters = {{"style", options.style}, {"target", options.target}};
     if (!options.guide.empty()) report.parameters["guide"] = options.guide;
-    report.parameters["sigma"] = options.sigma;
-    report.parameters["tau"] = options.tau;
+    report.parameters["sigma"] = as_written(options.sigma);
+    report.parameters["tau"] = as_written(options.tau);
     report.parameters["patch"] = options.patch;
-    report.parameters["alpha"] = options.alpha;
-    report.parameters["beta"] = options.beta;
-    report.parameters["scale"] = options.scale;
+    report.parameters["alpha"] = as_written(options.alpha);
+    report.parameters["beta"] = as_written(options.beta);
+    report.parameters["scale"] = as_written(options.scale);
     report.parameters["frame"] = name_of(kFrames, options.frame);
     report.parameters["start"] = name_of(kStarts, options.start);
     report.parameters["as"] = name_of(geometry_names(), options.as);
@@ -100,9 +114,9 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     const CurveSource target = load(options.target, report);
     desc.target = create_set(context, target.view(), options.target);
     desc.start = options.start;
-    desc.magnitude = static_cast<float>(options.sigma);
-    desc.temperature = static_cast<float>(options.tau);
-    desc.scale = static_cast<float>(options.scale);
+    desc.magnitude = options.sigma;
+    desc.temperature = options.tau;
+    desc.scale = options.scale;
     desc.frame = options.frame;
     desc.seed = common.seed;
     FlgCurveSet result = {};
