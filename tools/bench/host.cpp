@@ -10,9 +10,11 @@ void check(FlgResult result) {
     if (result != FLG_OK) throw std::runtime_error(std::string("bench: ") + flgLastError());
 }
 
-Host::Host() {
+Host::Host(const FlgAllocator& allocator, const FlgClock& clock) {
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 0;
+    desc.allocator = allocator;
+    desc.clock = clock;
     check(flgContextCreate(&desc, &context_));
 }
 

@@ -15,7 +15,8 @@ void check(FlgResult result);
 
 class Host {
 public:
-    Host();
+    // The hooks must outlive it; without them, the C++ runtime's memory and the system's clock.
+    explicit Host(const FlgAllocator& allocator = {}, const FlgClock& clock = {});
     ~Host();
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;

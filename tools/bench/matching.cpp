@@ -9,12 +9,14 @@
 #include "scenes/scenes.h"
 #include "stylization/guide_flow.h"
 #include "stylization/guide_matching.h"
+#include "stylization/prepare_style.h"
 
 namespace flg::bench {
 namespace {
 
 constexpr uint32_t kPoints = 600, kChunk = 1000;
-constexpr double kBeta = 0.5, kSpeedupBar = 20.0, kEnergyBar = 1.0;
+const double kBeta = StyleRequest{}.beta;
+constexpr double kSpeedupBar = 20.0, kEnergyBar = 1.0;
 constexpr int kRuns = 9;
 
 }  // namespace
