@@ -8,7 +8,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t synthesis_chunk = 350;  // units, about 20 us
+constexpr uint32_t synthesis_chunk = 250;  // units, about 20 us
 
 struct Application {
     Sampling sampling;

@@ -43,7 +43,7 @@ bool PatchGraphKernel::run(uint32_t n) {
         }
         if (stage_ == Stage::unit) {
             if (!median_.run(n)) return false;
-            graph_.temperature_unit = median_.value();
+            graph_.temperature_unit = PatchGraph::temperature_share * median_.value();
             stage_ = Stage::done;
             continue;
         }

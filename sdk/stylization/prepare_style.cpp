@@ -19,12 +19,12 @@ namespace {
 constexpr uint32_t measure_chunk = 800;
 constexpr uint32_t sample_chunk = 400;
 constexpr uint32_t turning_chunk = 500;
-constexpr uint32_t flow_chunk = 3000;
-constexpr uint32_t matching_chunk = 1000;
+constexpr uint32_t flow_chunk = 2000;
+constexpr uint32_t matching_chunk = 800;
 constexpr uint32_t copy_chunk = 4000;
 constexpr uint32_t evaluate_chunk = 800;
-constexpr uint32_t displacement_chunk = 4000;
-constexpr uint32_t graph_chunk = 50;
+constexpr uint32_t displacement_chunk = 2000;
+constexpr uint32_t graph_chunk = 40;
 
 // The single open curve with length that styles and guides must be.
 Task<CurveMeasure> measure_example(Pace& pace, const CurveSet& set, const char* name) {

@@ -433,8 +433,9 @@ typedef struct FlgStylizeDesc {
     /* sigma, sec. 4.5.3: factor on the displacement; any finite number, 0 gives the resampled target. Default 1. */
     float magnitude;
     /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 long runs of the style
-     * are copied, the higher the more often it jumps. In units of FlgStyleInfo::temperature_unit (the median distance
-     * of a patch to the one most like it), so that it does not depend on the style's size. Default 0. */
+     * are copied, at 1 a dozen points at a time, at 10 and above it jumps nearly always. In units of
+     * FlgStyleInfo::temperature_unit (a tenth of the median distance of a patch to the one most like it), so that it
+     * does not depend on the style's size. Default 0. */
     float temperature;
     /* Size of the style on the target, > 0: 1 = as drawn. Default 1. */
     float scale;
