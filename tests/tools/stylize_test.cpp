@@ -45,7 +45,7 @@ TEST_F(Stylize, ReportHasTheSchema) {
           "--budget",
           "500",
           "--sigma",
-          "0.5",
+          "0.1",
           "--tau",
           "0.25",
           "--quiet"});
