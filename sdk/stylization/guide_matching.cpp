@@ -19,7 +19,7 @@ constexpr double least_curvature = 0.25;
 constexpr double plain_curvature = 2.0;
 // A point rests when its next move is below this part of the style's spacing; that move is still made, and
 // leaves an error of about its square.
-constexpr double small_move = 0.1;
+constexpr double small_move = 0.02;
 constexpr uint32_t max_descent_steps = 12;
 constexpr uint32_t max_sweeps = 12;
 
