@@ -22,6 +22,8 @@ FlgStylizeDesc default_stylize_desc() {
     desc.scale = static_cast<float>(defaults.scale);
     desc.frame = defaults.frame;
     desc.seed = defaults.seed;
+    for (int i = 0; i < 3; ++i) desc.basis[4 * i] = 1;
+    desc.strokes = 1;
     return desc;
 }
 

@@ -280,6 +280,12 @@ typedef enum FlgAttribute {
     FLG_ATTRIBUTE_PRESSURE = 6,    /* 1, 0 to 1 */
     FLG_ATTRIBUTE_ORIENTATION = 7, /* 4, unit quaternion x y z w of the controller that drew it */
     FLG_ATTRIBUTE_STYLE_INDEX = 8, /* 1, which point of the style a stylized point copies; whole numbers */
+    FLG_ATTRIBUTE_RADII = 9,       /* 3: half axes along the first and the second normal, metres, >= 0, and the angle that
+                                      turns them about the tangent, radians: an elliptic cross-section */
+    FLG_ATTRIBUTE_ANGLE = 10,      /* 1, radians: turns a ribbon about the tangent, from the first normal to the second */
+    FLG_ATTRIBUTE_WIDTH = 11,      /* 1, metres, >= 0: of a ribbon */
+    FLG_ATTRIBUTE_SPEED = 12,      /* 1, metres a second, > 0: of a motion along the curve */
+    FLG_ATTRIBUTE_DISPLACEMENT = 13, /* 3, metres: what the style adds at magnitude 1 */
     FLG_ATTRIBUTE_USER = 64,       /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
     FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgAttribute;
@@ -331,6 +337,8 @@ typedef enum FlgFrameMethod {
                                           evenly. Defined everywhere */
     FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last
                                           point where it did not. Flips at inflections, as Frenet frames do */
+    FLG_FRAME_SUPPLIED = 2,            /* the NORMAL column of the curves, made perpendicular to the tangent; curves without
+                                          one are refused */
     FLG_FRAME_FORCE_32BIT = 0x7fffffff
 } FlgFrameMethod;
 
@@ -356,6 +364,38 @@ FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, F
 
 /* ---- Styles -------------------------------------------------------------------------------------------------- */
 
+/* How far apart two values of an attribute are, sec. 5. */
+typedef enum FlgMetric {
+    FLG_METRIC_AUTO = 0,       /* CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else */
+    FLG_METRIC_EUCLIDEAN = 1,
+    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1) */
+    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), which a half turn doesn't change */
+    FLG_METRIC_FORCE_32BIT = 0x7fffffff
+} FlgMetric;
+
+/* An attribute that a style transfers along with its shape. The style curves need a column for it. */
+typedef struct FlgStyleAttribute {
+    FlgAttribute attribute; /* RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER and above */
+    FlgMetric metric;
+    /* How much a difference of 1 counts among the displacements when patches are compared, metres; >= 0. 0: the attribute
+     * follows the shape and does not steer it. */
+    float weight;
+    uint32_t reserved;
+} FlgStyleAttribute;
+
+/* One of several patch sizes, sec. 4.5.4: distances are added up with these weights. */
+typedef struct FlgPatchSize {
+    uint32_t patch; /* p, 1 to 1024 */
+    float weight;   /* > 0 */
+} FlgPatchSize;
+
+/* How guide and style are matched, sec. 4.2. */
+typedef enum FlgMatching {
+    FLG_MATCHING_SEMI_DISCRETE = 0, /* places on the style are continuous: more exact, and many times faster */
+    FLG_MATCHING_DISCRETE = 1,      /* places are points of the style, by dynamic programming over all of them */
+    FLG_MATCHING_FORCE_32BIT = 0x7fffffff
+} FlgMatching;
+
 /* How a style is prepared (Minarcik, Fiser, Sykora: Example-Based Authoring of Expressive Space Curves, sec. 4.1 to
  * 4.4). */
 typedef struct FlgStyleDesc {
@@ -380,6 +420,14 @@ typedef struct FlgStyleDesc {
     /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, and 2p + 1 < points. Larger patches copy longer
      * runs. Default 10. */
     uint32_t patch;
+    /* Several patch sizes instead of `patch`, at most 8; null: none. */
+    const FlgPatchSize* patch_sizes;
+    uint32_t patch_size_count;
+    FlgMatching matching;
+    /* Attributes to transfer, at most 8; null: the shape alone. */
+    const FlgStyleAttribute* attributes;
+    uint32_t attribute_count;
+    uint32_t reserved;
 } FlgStyleDesc;
 
 FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
@@ -442,6 +490,19 @@ typedef struct FlgStylizeDesc {
     FlgFrameMethod frame;
     /* Key of all random choices. Default 1. */
     uint64_t seed;
+    /* Row-major 3 x 3: turns the style's displacement (along tangent, first normal, second normal) within the target's
+     * frame, such as to apply a style drawn in a plane in another one, sec. 7 (Fig. 16). Default: identity. */
+    float basis[9];
+    /* Nonzero: results begin and end exactly where their targets do, sec. 4.5.2, so that curves of a network that meet
+     * still meet. Default 0. */
+    uint32_t pin_ends;
+    /* How often each curve is stylized, with other random choices each time, 1 to 1024, sec. 4.5.5. Stroke k of target curve c
+     * is curve c * strokes + k of the result. Default 1. */
+    uint32_t strokes;
+    /* Nonzero: the result has a DISPLACEMENT column, so that magnitude can be changed afterwards, also on the GPU:
+     * position at magnitude m = POSITION + (m - magnitude) * DISPLACEMENT. Default 0. */
+    uint32_t keep_displacement;
+    uint32_t reserved;
 } FlgStylizeDesc;
 
 FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size);
