@@ -17,24 +17,41 @@
 
 namespace flg {
 
+// An attribute that the style transfers (sec. 5).
+struct StyleAttribute {
+    FlgAttribute attribute = FLG_ATTRIBUTE_USER;
+    uint32_t components = 0;
+    FlgMetric metric = FLG_METRIC_EUCLIDEAN;  // never AUTO; of RADII's third component CIRCLE, of its others EUCLIDEAN
+    double weight = 0;                        // metres for a difference of 1
+    // One value a point of the guide, `components` floats each: what the style has at the place matched to that point.
+    // Angles are not reduced: they may be any finite number of turns.
+    Buffer<float> values;
+};
+
 // Filled in by prepare_style, then never changed (but for the cache of path trees) and shared by all threads.
 struct PreparedStyle {
-    std::shared_ptr<CurveSet> guide;  // one open curve with POSITION, TANGENT, NORMAL
+    explicit PreparedStyle(Memory* memory) : attributes(memory) {}
+
+    // Open curves with POSITION, TANGENT, NORMAL. Their points, one curve behind the other, are the style's points, and so
+    // the nodes of the graph; where each curve begins is guide->offsets().
+    std::shared_ptr<CurveSet> guide;
     Displacement displacement;
+    std::pmr::vector<StyleAttribute> attributes;
     PatchGraph graph;
-    Buffer<float> matching;                     // arc lengths on the style, metres
-    double style_length = 0, guide_length = 0;  // metres
+    Buffer<float> matching;                     // arc lengths on the style curve, metres
+    double style_length = 0, guide_length = 0;  // metres, of all curves together
     double displacement_rms = 0;                // metres
     double matching_energy = 0;                 // square metres, mean over the points
     uint32_t flow_steps = 0;
 
     uint32_t point_count() const { return displacement.size(); }
-    double spacing() const { return guide_length / (point_count() - 1); }
+    // Of neighbouring points of the guide, metres: each curve is sampled as nearly so as whole steps allow.
+    double spacing() const { return guide_length / (point_count() - guide->curve_count()); }
 };
 
 class Style final : public Output {
 public:
-    explicit Style(Memory* memory) : memory_(memory), trees_(memory) {}
+    explicit Style(Memory* memory) : prepared(memory), memory_(memory), trees_(memory) {}
 
     PreparedStyle prepared;
 
