@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Curve sets: checked and copied at the door, shown, released.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "api/context.h"
 #include "api/descriptors.h"
@@ -27,14 +30,30 @@ int components_of(int32_t attribute) {
     switch (attribute) {
         case FLG_ATTRIBUTE_POSITION:
         case FLG_ATTRIBUTE_TANGENT:
-        case FLG_ATTRIBUTE_NORMAL: return 3;
+        case FLG_ATTRIBUTE_NORMAL:
+        case FLG_ATTRIBUTE_RADII:
+        case FLG_ATTRIBUTE_DISPLACEMENT: return 3;
         case FLG_ATTRIBUTE_RADIUS:
         case FLG_ATTRIBUTE_TIME:
         case FLG_ATTRIBUTE_PRESSURE:
-        case FLG_ATTRIBUTE_STYLE_INDEX: return 1;
+        case FLG_ATTRIBUTE_STYLE_INDEX:
+        case FLG_ATTRIBUTE_ANGLE:
+        case FLG_ATTRIBUTE_WIDTH:
+        case FLG_ATTRIBUTE_SPEED: return 1;
         case FLG_ATTRIBUTE_COLOR:
         case FLG_ATTRIBUTE_ORIENTATION: return 4;
         default: return attribute >= FLG_ATTRIBUTE_USER ? 0 : -1;
+    }
+}
+
+// The least value that a component may have.
+float least_value(FlgAttribute attribute, uint32_t component) {
+    switch (attribute) {
+        case FLG_ATTRIBUTE_RADIUS:
+        case FLG_ATTRIBUTE_WIDTH: return 0;
+        case FLG_ATTRIBUTE_RADII: return component < 2 ? 0 : -HUGE_VALF;
+        case FLG_ATTRIBUTE_SPEED: return std::numeric_limits<float>::min();
+        default: return -HUGE_VALF;
     }
 }
 
@@ -99,7 +118,12 @@ void check_columns(const FlgCurveSetView& view) {
     uint32_t curve = 0;
     while (view.curve_offsets[curve + 1] <= point) ++curve;
     const char* rule = "must be finite";
-    if (std::isfinite(value)) rule = value < 0 ? "must not be negative" : "must be at most 1e30 in size";
+    if (std::isfinite(value)) {
+        const FlgAttribute attribute = view.columns[column].attribute;
+        rule = attribute == FLG_ATTRIBUTE_POSITION ? "must be at most 1e30 in size"
+               : attribute == FLG_ATTRIBUTE_SPEED  ? "must be above 0"
+                                                   : "must not be negative";
+    }
     throw Failure(FLG_ERROR_INVALID_ARGUMENT, "view.columns[%u] holds %g at point %u of curve %u, %s", column,
                   static_cast<double>(value), point - view.curve_offsets[curve], curve, rule);
 }
@@ -108,11 +132,14 @@ void copy_column(const FlgCurveSetView& view, uint32_t index, uint32_t point_cou
     const FlgColumn& column = view.columns[index];
     const size_t stride = column.stride ? column.stride / sizeof(float) : column.components;
     const float largest = column.attribute == FLG_ATTRIBUTE_POSITION ? max_coordinate : HUGE_VALF;
-    const float smallest = column.attribute == FLG_ATTRIBUTE_RADIUS ? 0.0f : -largest;
+    std::array<float, max_user_components> least;
+    for (uint32_t k = 0; k < column.components; ++k) {
+        least[k] = std::max(-largest, least_value(column.attribute, k));
+    }
     for (uint32_t p = 0; p < point_count; ++p) {
         for (uint32_t k = 0; k < column.components; ++k) {
             const float value = column.data[p * stride + k];
-            if (!(std::isfinite(value) && value >= smallest && value <= largest)) refuse_value(view, index, p, value);
+            if (!(std::isfinite(value) && value >= least[k] && value <= largest)) refuse_value(view, index, p, value);
             out[size_t{p} * column.components + k] = value;
         }
     }

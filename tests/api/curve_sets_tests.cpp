@@ -80,6 +80,17 @@ TEST(CurveSetApi, RefusesEachBadInputByName) {
     refused([](C& c, V&) { c.positions[3] = INFINITY; }, "inf at point 1 of curve 0");
     refused([](C& c, V&) { c.positions[3] = 2e30f; }, "at most 1e30");
     refused([](C& c, V&) { c.radii[9] = -1; }, "-1 at point 4 of curve 1, must not be negative");
+    const auto with_column = [&](FlgAttribute attribute, uint32_t components, std::vector<float> value,
+                                 const char* words) {
+        std::vector<float> values;
+        for (int i = 0; i < 10; ++i) values.insert(values.end(), value.begin(), value.end());
+        refused([&](C& c, V&) { c.columns[1] = {attribute, components, values.data(), 0, 0}; }, words);
+    };
+    with_column(FLG_ATTRIBUTE_WIDTH, 1, {-1}, "must not be negative");
+    with_column(FLG_ATTRIBUTE_SPEED, 1, {0}, "must be above 0");
+    with_column(FLG_ATTRIBUTE_RADII, 3, {1, -2, 0}, "holds -2 at point 0 of curve 0, must not be negative");
+    with_column(FLG_ATTRIBUTE_RADII, 2, {1, 1}, "components is 2");
+    with_column(FLG_ATTRIBUTE_ANGLE, 1, {NAN}, "must be finite");
     expect_failure(flgCurveSetCreate(host.context, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT, "out_set is null");
     FlgCurveSet set{};
     expect_failure(flgCurveSetCreate(host.context, nullptr, &set), FLG_ERROR_INVALID_ARGUMENT, "view is null");
