@@ -2,7 +2,7 @@
 // The patch graph (Minarcik, Fiser, Sykora, sec. 4.4): which point of the style may follow which, at what cost.
 //
 // Nodes are the points of the style curves. From i to j = c + 1 leads an edge of cost rho(i, c); consecutive edges
-// (i, i + 1) cost the temperature instead, which is not part of the graph.
+// (i, i + 1) cost the temperature instead, which is not part of the graph. With several patch sizes M takes rho's place.
 // Departures from the paper, which keeps all edges:
 // - From each node only the `successors_kept` cheapest jumps are kept, of those that are local minima of their row in c.
 //   (The others are neighbours of a kept one, worse than it by their row; without this rule the points next to i would
@@ -14,7 +14,7 @@
 #include <array>
 
 #include "stylization/median.h"
-#include "stylization/patch_rows.h"
+#include "stylization/patch_costs.h"
 
 namespace flg {
 
@@ -24,7 +24,7 @@ constexpr uint32_t style_points_max = 16384;
 struct PatchGraph {
     uint32_t node_count = 0;
     uint32_t curve_count = 0;
-    uint32_t patch = 0;
+    uint32_t patch = 0;  // the largest, if there are several
     // The jumps into node j, by rising source: in_source[k] and in_cost[k] (metres), in_begin[j] <= k < in_begin[j + 1].
     Buffer<uint32_t> in_begin;
     Buffer<uint16_t> in_source;
@@ -76,7 +76,7 @@ private:
 
     StyleScene scene_;
     Memory* memory_;
-    PatchRows rows_;
+    PatchCosts rows_;
     PatchGraph graph_;
     Stage stage_ = Stage::nodes;
     uint32_t at_ = 0;     // where the stage's next block begins

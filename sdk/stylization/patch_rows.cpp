@@ -2,6 +2,7 @@
 #include "stylization/patch_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace flg {
@@ -44,10 +45,48 @@ void roll_distances(double* __restrict row, const double* __restrict before, con
     }
 }
 
+struct Line {
+    double operator()(double a, double b) const { return (a - b) * (a - b); }
+};
+
+struct Circle {
+    double period;
+    double operator()(double a, double b) const {
+        const double way = std::abs(a - b);
+        const double other = period - way;
+        const double shorter = way < other ? way : other;
+        return shorter * shorter;
+    }
+};
+
+// sums[c] += distance_sq(value, others[c])
+template <class DistanceSq>
+void add_channel(double* __restrict sums, double value, const double* __restrict others, uint32_t count,
+                 DistanceSq distance_sq) {
+    for (uint32_t c = 0; c < count; ++c) sums[c] += distance_sq(others[c], value);
+}
+
+// row[c] += distance_sq(entering, in[c]) - distance_sq(leaving, out[c])
+template <class DistanceSq>
+void roll_channel(double* __restrict row, double entering, const double* __restrict in, double leaving,
+                  const double* __restrict out, uint32_t count, DistanceSq distance_sq) {
+    for (uint32_t c = 0; c < count; ++c) row[c] += distance_sq(in[c], entering) - distance_sq(out[c], leaving);
+}
+
+template <class Body>
+void with_distance(const PatchChannel& channel, const Body& body) {
+    if (channel.period > 0) {
+        body(Circle{channel.period});
+    } else {
+        body(Line{});
+    }
+}
+
 }  // namespace
 
-PatchRows::PatchRows(const StyleScene& scene, Memory* memory)
+PatchRows::PatchRows(const StyleScene& scene, uint32_t patch, Memory* memory)
     : scene_(scene),
+      patch_(patch),
       current_(scene.node_count() + 2, memory),
       previous_(scene.node_count() + 2, memory),
       first_rows_(static_cast<size_t>(scene.node_count()) * scene.curve_count(), memory) {
@@ -65,6 +104,7 @@ bool PatchRows::advance(uint32_t& units) {
         --units;
         const uint32_t end = block_end();
         compute_block(end);
+        if (next_channel()) continue;
         column_ = end;
         if (column_ == scene_.end_patch(column_curve_)) begin_columns(column_curve_ + 1);
     }
@@ -111,7 +151,8 @@ bool PatchRows::sum_first_rows(uint32_t& units) {
             --units;
             const uint32_t end = block_end();
             sum_block(end);
-            if (++term_ <= 2 * scene_.patch) continue;
+            if (next_channel()) continue;
+            if (++term_ <= 2 * patch_) continue;
             term_ = 0;
             column_ = end;
             if (column_ == scene_.end_patch(column_curve_)) begin_columns(column_curve_ + 1);
@@ -125,13 +166,28 @@ bool PatchRows::sum_first_rows(uint32_t& units) {
     return true;
 }
 
+// Moves on to the block's next channel, or back to the displacement if there is none.
+bool PatchRows::next_channel() {
+    channel_ = channel_ < scene_.channels.size() ? channel_ + 1 : 0;
+    return channel_ > 0;
+}
+
 void PatchRows::sum_block(uint32_t end) {
     double* sums = first_row(curve_) + column_;
-    if (term_ == 0) std::fill(sums, sums + (end - column_), 0.0);
+    const uint32_t count = end - column_;
+    const uint32_t point = scene_.first_patch(curve_) - patch_ + term_;
+    const uint32_t others = column_ - patch_ + term_;
+    if (channel_ > 0) {
+        const PatchChannel& channel = scene_.channels[channel_ - 1];
+        const double* values = channel.values.data();
+        with_distance(channel, [&](auto distance_sq) {
+            add_channel(sums, values[point], values + others, count, distance_sq);
+        });
+        return;
+    }
+    if (term_ == 0) std::fill(sums, sums + count, 0.0);
     const Displacement& d = *scene_.displacement;
-    const uint32_t shift = scene_.patch;
-    add_distances(sums, Points(d, scene_.first_patch(curve_) - shift + term_), Points(d, column_ - shift + term_),
-                  end - column_);
+    add_distances(sums, Points(d, point), Points(d, others), count);
 }
 
 void PatchRows::begin_row() {
@@ -151,17 +207,27 @@ void PatchRows::compute_block(uint32_t end) {
     uint32_t begin = column_;
     if (row_ == scene_.first_patch(curve_)) {
         const double* sums = first_row(curve_);
-        std::copy(sums + begin, sums + end, row + begin);
+        if (channel_ == 0) std::copy(sums + begin, sums + end, row + begin);
         return;
     }
     if (begin == scene_.first_patch(column_curve_)) {
         row[begin] = first_row(column_curve_)[row_];
         ++begin;
     }
+    const uint32_t entering = row_ + patch_, entering_others = begin + patch_;
+    const uint32_t leaving = row_ - 1 - patch_, leaving_others = begin - 1 - patch_;
+    if (channel_ > 0) {
+        const PatchChannel& channel = scene_.channels[channel_ - 1];
+        const double* values = channel.values.data();
+        with_distance(channel, [&](auto distance_sq) {
+            roll_channel(row + begin, values[entering], values + entering_others, values[leaving],
+                         values + leaving_others, end - begin, distance_sq);
+        });
+        return;
+    }
     const Displacement& d = *scene_.displacement;
-    const uint32_t p = scene_.patch;
-    roll_distances(row + begin, previous_.data() + begin, Points(d, row_ + p), Points(d, begin + p),
-                   Points(d, row_ - 1 - p), Points(d, begin - 1 - p), end - begin);
+    roll_distances(row + begin, previous_.data() + begin, Points(d, entering), Points(d, entering_others),
+                   Points(d, leaving), Points(d, leaving_others), end - begin);
 }
 
 }  // namespace flg
