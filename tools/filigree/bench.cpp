@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "command.h"
 #include "failure.h"
 #include "report.h"
 #include "text_file.h"

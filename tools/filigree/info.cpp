@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "command.h"
 #include "failure.h"
 #include "report.h"
 #include "support/curve_source.h"

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <thread>
 
-#include "common.h"
+#include "command.h"
 #include "failure.h"
 #include "support/curve_source.h"
 

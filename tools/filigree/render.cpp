@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "choices.h"
+#include "command.h"
 #include "failure.h"
 #include "filigree_renderer/renderer.h"
 #include "report.h"

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "choices.h"
+#include "command.h"
 #include "failure.h"
 #include "report.h"
 #include "session.h"

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// How a command is added to the program. (Apart from common.h because CLI11 takes seconds to compile.)
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "common.h"
+
+namespace flg::cli {
+
+struct Command {
+    CLI::App* app;
+    std::function<void()> run;  // throws InputError, UsageError
+};
+
+Command add_info(CLI::App& program, const CommonOptions& common);
+Command add_stylize(CLI::App& program, const CommonOptions& common);
+Command add_bench(CLI::App& program, const CommonOptions& common);
+#if defined(FLG_WITH_RENDERER)
+Command add_render(CLI::App& program, const CommonOptions& common);
+#endif
+
+}  // namespace flg::cli
