@@ -5,6 +5,7 @@
 #include "curves/curve_set.h"
 #include "runtime/handle_table.h"
 #include "runtime/runtime.h"
+#include "stylization/live_stroke.h"
 #include "stylization/style.h"
 
 // In the global namespace because the C header declares it.
@@ -14,6 +15,7 @@ struct FlgContextT {
           jobs(flg::HandleKind::job, salt, &memory),
           curve_sets(flg::HandleKind::curve_set, salt, &memory),
           styles(flg::HandleKind::style, salt, &memory),
+          live_strokes(flg::HandleKind::live_stroke, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -22,6 +24,7 @@ struct FlgContextT {
     flg::HandleTable<flg::Job> jobs;
     flg::HandleTable<flg::CurveSet> curve_sets;
     flg::HandleTable<flg::Style> styles;
+    flg::HandleTable<flg::LiveStroke> live_strokes;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };
@@ -71,6 +74,12 @@ public:
             throw;
         }
         return id;
+    }
+
+    // Queues a job whose output, which may be null, has no handle of its own.
+    void commit(std::shared_ptr<Output> output, FlgJob* out_job) {
+        job_->output = std::move(output);
+        queue(out_job);
     }
 
 private:

@@ -8,6 +8,7 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::job: return "job";
         case HandleKind::curve_set: return "curve set";
         case HandleKind::style: return "style";
+        case HandleKind::live_stroke: return "live stroke";
     }
     return "handle";
 }

@@ -13,7 +13,7 @@
 
 namespace flg {
 
-enum class HandleKind : uint8_t { job = 1, curve_set = 2, style = 3 };
+enum class HandleKind : uint8_t { job = 1, curve_set = 2, style = 3, live_stroke = 4 };
 
 const char* handle_kind_name(HandleKind kind);
 

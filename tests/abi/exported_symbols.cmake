@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The library exports exactly the functions that the header declares with FLG_API.
+# The library exports exactly the functions that its headers (HEADERS, separated by commas) declare with FLG_API.
 execute_process(COMMAND ${NM} -D --defined-only --format=posix ${LIBRARY} OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${table}")
 set(exported)
@@ -8,12 +8,15 @@ foreach(line IN LISTS lines)
     list(APPEND exported ${symbol})
 endforeach()
 
-file(READ ${HEADER} header)
-string(REGEX MATCHALL "FLG_API [^(;]*[ *](flg[A-Za-z]+)\\(" declarations "${header}")
+string(REPLACE "," ";" headers "${HEADERS}")
 set(declared)
-foreach(declaration IN LISTS declarations)
-    string(REGEX REPLACE ".*[ *](flg[A-Za-z]+)\\(" "\\1" symbol "${declaration}")
-    list(APPEND declared ${symbol})
+foreach(path IN LISTS headers)
+    file(READ ${path} header)
+    string(REGEX MATCHALL "FLG_API [^(;]*[ *](flg[A-Za-z]+)\\(" declarations "${header}")
+    foreach(declaration IN LISTS declarations)
+        string(REGEX REPLACE ".*[ *](flg[A-Za-z]+)\\(" "\\1" symbol "${declaration}")
+        list(APPEND declared ${symbol})
+    endforeach()
 endforeach()
 
 list(SORT exported)

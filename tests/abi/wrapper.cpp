@@ -32,6 +32,19 @@ int main() {
         context.finish();
         if (!job.finished() || job.stages().size() != 2 || !style.guide().ready()) return 1;
         std::printf("%u points\n", result.view().curve_offsets[1]);
+        FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
+        live.style = style.get();
+        if (context.begin(live)) return 1;  // not warm
+        const filigree::Job warming = context.warm(style);
+        context.finish();
+        filigree::LiveStroke stroke = context.begin(live);
+        std::vector<FlgLiveSample> samples;
+        for (int i = 0; i < 100; ++i)
+            samples.push_back({{0.01f * static_cast<float>(i), 0, 0}, {0, 0, 0, 1}, 0.5f, i / 90.0});
+        if (stroke.push(samples.data(), 100).curve_count != 1 || stroke.undo(50) == 0) return 1;
+        const filigree::LiveStroke::Ended ended = stroke.end();
+        context.finish();
+        if (!ended.stylized.ready() || ended.samples.view().curve_offsets[1] != 50 || !stroke.resume()) return 1;
         desc.scale = -1;
         try {
             context.stylize(desc);

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "filigree.h"
+#include "filigree_live.h"
 
 namespace filigree {
 
@@ -131,6 +132,47 @@ public:
     }
 };
 
+// See filigree_live.h.
+class LiveStroke : public detail::Owner<FlgLiveStroke, flgLiveStrokeRelease> {
+public:
+    using Owner::Owner;
+    // The points that are new; valid until the next call for this stroke.
+    FlgCurveSetView push(const FlgLiveSample* samples, uint32_t count) {
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        check(flgLiveStrokePush(context_, handle_, samples, count, &view));
+        return view;
+    }
+    FlgCurveSetView points() const {
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        check(flgLiveStrokeGetPoints(context_, handle_, &view));
+        return view;
+    }
+    FlgLiveStrokeInfo info() const {
+        FlgLiveStrokeInfo info{};
+        info.struct_size = sizeof info;
+        check(flgLiveStrokeGetInfo(context_, handle_, &info));
+        return info;
+    }
+    // Points left.
+    uint32_t undo(uint32_t samples) {
+        uint32_t points = 0;
+        check(flgLiveStrokeUndo(context_, handle_, samples, &points));
+        return points;
+    }
+    struct Ended {
+        CurveSet stylized, samples;
+    };
+    Ended end(Job* out_job = nullptr) {
+        FlgCurveSet stylized{}, samples{};
+        FlgJob job{};
+        check(flgLiveStrokeEnd(context_, handle_, nullptr, &stylized, &samples, out_job ? &job : nullptr));
+        if (out_job) *out_job = Job(context_, job);
+        return {CurveSet(context_, stylized), CurveSet(context_, samples)};
+    }
+    // False while a job still reads the stroke.
+    bool resume() { return check(flgLiveStrokeResume(context_, handle_)); }
+};
+
 class Context {
 public:
     explicit Context(const FlgContextDesc& desc = flgContextDefaults()) { check(flgContextCreate(&desc, &context_)); }
@@ -177,6 +219,18 @@ public:
     }
     CurveSet stylize(const FlgStylizeDesc& desc, Job* out_job = nullptr) {
         return start<CurveSet, FlgCurveSet>(flgStylize, desc, out_job);
+    }
+    // So that live strokes can begin with it.
+    Job warm(const Style& style, float temperature = 0.0f) {
+        FlgJob job{};
+        check(flgStyleWarm(context_, style.get(), temperature, nullptr, &job));
+        return {context_, job};
+    }
+    // Empty while the style is not ready or not warm.
+    LiveStroke begin(const FlgLiveStrokeDesc& desc) {
+        FlgLiveStroke stroke{};
+        check(flgLiveStrokeBegin(context_, &desc, &stroke));
+        return {context_, stroke};
     }
 
 private:

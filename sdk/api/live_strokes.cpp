@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "stylization/live_jobs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t samples_limit = 1u << 20;
+constexpr uint32_t points_limit = 1u << 24;
+
+FlgLiveStrokeDesc default_live_stroke_desc() {
+    const LiveSettings settings;
+    FlgLiveStrokeDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.start = FLG_START_AUTO;
+    desc.magnitude = static_cast<float>(settings.magnitude);
+    desc.scale = static_cast<float>(settings.scale);
+    desc.radius_min = 0.001f;
+    desc.radius_max = 0.005f;
+    desc.max_jump = 1.0f;
+    desc.max_samples = 16'384;
+    desc.max_points = 65'536;
+    desc.seed = settings.seed;
+    return desc;
+}
+
+void check(const FlgLiveStrokeDesc& desc) {
+    check_enum(desc.start, FLG_START_AUTO, FLG_START_RANDOM, "desc.start", "FLG_START_");
+    check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
+    check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
+                "finite and at least 0");
+    check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
+    check_range(desc.radius_min >= 0 && std::isfinite(desc.radius_min), "desc.radius_min", desc.radius_min,
+                "finite and at least 0");
+    check_range(desc.radius_max >= 0 && std::isfinite(desc.radius_max), "desc.radius_max", desc.radius_max,
+                "finite and at least 0");
+    check_range(desc.smoothing >= 0 && std::isfinite(desc.smoothing), "desc.smoothing", desc.smoothing,
+                "finite and at least 0");
+    check_range(desc.max_jump > 0 && std::isfinite(desc.max_jump), "desc.max_jump", desc.max_jump,
+                "finite and above 0");
+    check_range(desc.max_samples >= 1 && desc.max_samples <= samples_limit, "desc.max_samples", desc.max_samples,
+                "1 to 2^20");
+    check_range(desc.max_points >= 1 && desc.max_points <= points_limit, "desc.max_points", desc.max_points,
+                "1 to 2^24");
+}
+
+LiveSettings settings_of(const FlgLiveStrokeDesc& desc) {
+    LiveSettings settings;
+    settings.magnitude = desc.magnitude;
+    settings.scale = desc.scale;
+    settings.radius_min = desc.radius_min;
+    settings.radius_max = desc.radius_max;
+    settings.smoothing = desc.smoothing;
+    settings.from_start = desc.start != FLG_START_RANDOM;
+    settings.seed = desc.seed;
+    settings.max_points = desc.max_points;
+    return settings;
+}
+
+FlgJobOptions options_of(const FlgJobOptions* options) {
+    return options ? *options : default_job_options();
+}
+
+FlgCurveSetView empty_view() {
+    FlgCurveSetView view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+// Handles of the sets that a job is about to make: all of them are given out, or none.
+class NewSets {
+public:
+    explicit NewSets(Context& context) : context_(context) {}
+    ~NewSets() {
+        for (uint32_t i = 0; i < count_; ++i) context_.curve_sets.remove(out_[i]->id, "set");
+        for (uint32_t i = 0; i < count_; ++i) *out_[i] = {};
+    }
+    NewSets(const NewSets&) = delete;
+    NewSets& operator=(const NewSets&) = delete;
+
+    // Null if it isn't wanted.
+    std::shared_ptr<CurveSet> add(FlgCurveSet* out, Job& producer) {
+        if (!out) return nullptr;
+        auto set = make_object<CurveSet>(context_, &context_.memory);
+        set->producer = producer.shared_from_this();
+        *out = {context_.curve_sets.add(set)};
+        out_[count_++] = out;
+        return set;
+    }
+    void keep() { count_ = 0; }
+
+private:
+    Context& context_;
+    FlgCurveSet* out_[2] = {};
+    uint32_t count_ = 0;
+};
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, const FlgJobOptions* options,
+                       FlgJob* out_job) {
+    return guarded([&] {
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const std::shared_ptr<Style> warmed = self.styles.get(style.id, "style");
+        check_range(temperature >= 0 && std::isfinite(temperature), "temperature", temperature,
+                    "finite and at least 0");
+        Submission submission(self, options_of(options));
+        submission.read(*warmed, "style");
+        submission.job().strand.start(warm_style(submission.pace(), warmed, temperature));
+        submission.commit(nullptr, out_job);
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_live_stroke_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke) {
+    return guarded([&] {
+        require(out_stroke, "out_stroke") = {};
+        Context& self = get_context(context);
+        const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
+        check(read);
+        LiveStrokeRequest request;
+        request.style = self.styles.get(read.style.id, "desc.style");
+        const FlgResult result = request.style->visible_result();
+        if (result < 0) return set_last_error(result, request.style->error());
+        if (result == FLG_NOT_READY) return result;
+        request.trees = request.style->trees(
+            static_cast<float>(double{read.temperature} * request.style->prepared.graph.temperature_unit));
+        if (!all_trees_made(*request.trees)) return FLG_NOT_READY;
+        request.settings = settings_of(read);
+        request.max_jump = read.max_jump;
+        request.max_samples = read.max_samples;
+        *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(self, request, &self.memory))};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSample* samples, uint32_t count,
+                            FlgCurveSetView* out_new) {
+    return guarded([&] {
+        if (out_new) write_struct(out_new, empty_view(), "out_new");
+        LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
+        if (count > 0) require(samples, "samples");
+        const uint32_t before = self.point_count();
+        self.push(samples, count);
+        if (out_new) write_struct(out_new, self.view_from(before), "out_new");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeGetPoints(FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, empty_view(), "out_view");
+        LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
+        write_struct(out_view, self.view_from(0), "out_view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info) {
+    return guarded([&] {
+        FlgLiveStrokeInfo info{};
+        info.struct_size = sizeof info;
+        write_struct(out_info, info, "out_info");
+        const LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
+        info.sample_count = self.sample_count();
+        info.point_count = self.point_count();
+        info.waiting_samples = self.waiting_samples();
+        info.ended = self.phase() != LiveStroke::Phase::drawing;
+        info.spacing = static_cast<float>(self.spacing());
+        write_struct(out_info, info, "out_info");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, uint32_t count, uint32_t* out_point_count) {
+    return guarded([&] {
+        if (out_point_count) *out_point_count = 0;
+        LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
+        self.undo(count);
+        if (out_point_count) *out_point_count = self.point_count();
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* options,
+                           FlgCurveSet* out_stylized, FlgCurveSet* out_samples, FlgJob* out_job) {
+    return guarded([&] {
+        if (out_stylized) *out_stylized = {};
+        if (out_samples) *out_samples = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const std::shared_ptr<LiveStroke> ended = self.live_strokes.get(stroke.id, "stroke");
+        if (ended->phase() != LiveStroke::Phase::drawing) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended already");
+        }
+        if (ended->sample_count() == 0) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has no samples; release it");
+        }
+        Submission submission(self, options_of(options));
+        NewSets sets(self);
+        const auto ending = make_object<LiveEnding>(self);
+        ending->stroke = ended;
+        ending->stylized = sets.add(out_stylized, submission.job());
+        ending->samples = sets.add(out_samples, submission.job());
+        submission.job().strand.start(end_stroke(submission.pace(), *ending));
+        ended->begin_end();
+        try {
+            submission.commit(ending, out_job);
+        } catch (...) {
+            ended->settle(false);
+            throw;
+        }
+        sets.keep();
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke) {
+    return guarded([&] {
+        LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
+        if (self.phase() == LiveStroke::Phase::drawing) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has not ended");
+        }
+        if (self.readers > 0) return FLG_NOT_READY;
+        self.resume();
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point, const FlgJobOptions* options,
+                             FlgCurveSet* out_first, FlgCurveSet* out_second, FlgJob* out_job) {
+    return guarded([&] {
+        if (out_first) *out_first = {};
+        if (out_second) *out_second = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const std::shared_ptr<LiveStroke> cut = self.live_strokes.get(stroke.id, "stroke");
+        if (cut->phase() == LiveStroke::Phase::drawing) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has not ended; end it first");
+        }
+        if (cut->phase() == LiveStroke::Phase::ending) return FLG_NOT_READY;
+        if (point >= cut->point_count()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point is %u, stroke has %u points", point, cut->point_count());
+        }
+        Submission submission(self, options_of(options));
+        NewSets sets(self);
+        const auto split = make_object<LiveSplit>(self);
+        split->stroke = cut;
+        split->point = point;
+        split->first = sets.add(out_first, submission.job());
+        split->second = sets.add(out_second, submission.job());
+        submission.job().strand.start(split_stroke(submission.pace(), *split));
+        ++cut->readers;
+        try {
+            submission.commit(split, out_job);
+        } catch (...) {
+            --cut->readers;
+            throw;
+        }
+        sets.keep();
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke) {
+    return guarded([&] {
+        get_context(context).live_strokes.remove(stroke.id, "stroke");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
+                              const FlgJobOptions* options, FlgCurveSet* out_set, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_set, "out_set") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
+        check(read);
+        Submission submission(self, options_of(options));
+        LiveReplayRequest request;
+        request.style = self.styles.get(read.style.id, "desc.style");
+        request.samples = self.curve_sets.get(samples.id, "samples");
+        submission.read(*request.style, "desc.style");
+        submission.read(*request.samples, "samples");
+        request.out = make_object<CurveSet>(self, &self.memory);
+        request.settings = settings_of(read);
+        request.temperature = read.temperature;
+        request.max_jump = read.max_jump;
+        const std::shared_ptr<CurveSet> out = request.out;
+        submission.job().strand.start(replay_strokes(submission.pace(), std::move(request)));
+        *out_set = {submission.commit(self.curve_sets, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/live_kernel.h"
+
+#include <cmath>
+
+#include "core/failure.h"
+
+namespace flg {
+
+namespace {
+
+constexpr double place_share = 1e-3;   // of a step: places nearer than this are one
+constexpr double along_cosine = 0.95;  // a controller's axis nearer to the direction gives no normal
+
+// More than a stroke can have.
+constexpr uint32_t endless = UINT32_MAX;
+
+double mean_radius(const Buffer<float>& values) {
+    double sum = 0;
+    for (float value : values) sum += value;
+    return sum > 0 ? sum / static_cast<double>(values.size()) : 1.0;
+}
+
+Vec3 across(const Vec3& axis, const Vec3& tangent) {
+    return (axis - axis.dot(tangent) * tangent).normalized();
+}
+
+}  // namespace
+
+bool all_trees_made(const PathTrees& trees) {
+    for (uint32_t k = 0; k < trees.destination_count(); ++k) {
+        if (trees.find(k) == nullptr) return false;
+    }
+    return true;
+}
+
+LiveColumns live_columns(const PreparedStyle& style) {
+    LiveColumns columns;
+    const auto add = [&](FlgAttribute attribute, uint32_t components) {
+        columns.layout[columns.count++] = {attribute, components};
+    };
+    add(FLG_ATTRIBUTE_POSITION, 3);
+    add(FLG_ATTRIBUTE_TANGENT, 3);
+    add(FLG_ATTRIBUTE_NORMAL, 3);
+    add(FLG_ATTRIBUTE_RADIUS, 1);
+    add(FLG_ATTRIBUTE_STYLE_INDEX, 1);
+    for (const StyleAttribute& attribute : style.attributes) {
+        if (attribute.attribute != FLG_ATTRIBUTE_RADIUS) add(attribute.attribute, attribute.components);
+    }
+    return columns;
+}
+
+LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out)
+    : settings_(settings), samples_(samples), out_(out), step_(settings.spacing()) {
+    for (const StyleAttribute& attribute : settings.style->attributes) {
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_ = &attribute;
+    }
+    if (radius_) radius_unit_ = mean_radius(radius_->values);
+    state_.curve = LiveCurve(settings.smoothing, place_share * step_);
+}
+
+void LiveKernel::restore(const LiveState& state) {
+    state_ = state;
+    if (state_.in_segment) state_.segment.load(block_);
+}
+
+bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
+    while (!full()) {
+        if (state_.in_segment) {
+            if (!follow_segment(units)) return full();
+        } else if (state_.samples < sample_count) {
+            if (units < sample_units) {
+                units = 0;
+                return false;
+            }
+            units -= sample_units;
+            if (state_.curve.read(samples_, state_.samples++, state_.segment)) take_segment();
+        } else if (!state_.closing) {
+            return true;
+        } else if (state_.curve.finish(state_.segment)) {
+            take_segment();
+        } else {
+            if (state_.points == 0 && state_.curve.has_place()) make_lone_point();
+            return true;
+        }
+    }
+    return true;
+}
+
+void LiveKernel::take_segment() {
+    state_.segment.load(block_);
+    state_.in_segment = true;
+}
+
+// False if it wasn't followed to its end.
+bool LiveKernel::follow_segment(uint32_t& units) {
+    const Segment segment(block_, 0);
+    while (state_.ahead <= segment.length()) {
+        if (units == 0 || full()) return false;
+        --units;
+        make_point(segment.parameter_at(state_.ahead));
+        state_.ahead += step_;
+    }
+    state_.ahead -= segment.length();
+    state_.in_segment = false;
+    return true;
+}
+
+Vec3 LiveKernel::first_normal(const Vec3& tangent) const {
+    if (samples_.orientations) {
+        const float* q = samples_.orientations;
+        const Vec3 axis(q[0], q[1], q[2]);
+        const double w = q[3];
+        const double size_sq = axis.squaredNorm() + w * w;
+        if (size_sq > 0) {
+            const auto turned = [&](const Vec3& v) -> Vec3 {
+                return v + (2.0 / size_sq) * axis.cross(axis.cross(v) + w * v);
+            };
+            const Vec3 up = turned(Vec3::UnitY());
+            return across(std::abs(up.dot(tangent)) < along_cosine ? up : turned(Vec3::UnitX()), tangent);
+        }
+    }
+    int furthest = 0;
+    tangent.cwiseAbs().minCoeff(&furthest);
+    return across(Vec3::Unit(furthest), tangent);
+}
+
+void LiveKernel::make_point(double t) {
+    if (out_.data[0] == nullptr) {
+        ++state_.points;
+        return;
+    }
+    const Segment segment(block_, 0);
+    const Vec3 position = segment.position(t), tangent = segment.tangent(t);
+    if (state_.points == 0) {
+        state_.frame = RotationMinimizingFrame(position, tangent, first_normal(tangent));
+        state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
+    } else {
+        state_.frame.step(position, tangent);
+        if (!state_.walk.advance()) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
+    }
+    const double pressure =
+        state_.segment.pressure_start + t * (state_.segment.pressure_end - state_.segment.pressure_start);
+    write(position, tangent, state_.frame.normal(), pressure, settings_.magnitude * settings_.scale);
+}
+
+// Of a stroke without length. It has no frame to be displaced in.
+void LiveKernel::make_lone_point() {
+    if (out_.data[0] == nullptr) {
+        ++state_.points;
+        return;
+    }
+    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
+    const Vec3 tangent = Vec3::UnitX();
+    write(state_.curve.last_place(), tangent, first_normal(tangent), state_.curve.last_pressure(), 0.0);
+}
+
+void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, double pressure,
+                       double factor) {
+    const uint32_t node = state_.walk.node();
+    const Displacement& d = settings_.style->displacement;
+    const Vec3 binormal = tangent.cross(frame_normal);
+    const Vec3 displaced = position + factor * (d.along_tangent[node] * tangent + d.along_normal[node] * frame_normal +
+                                                d.along_binormal[node] * binormal);
+    Vec3 normal = frame_normal;
+    write_attributes(node, tangent, normal);
+    double radius = settings_.radius_min + (settings_.radius_max - settings_.radius_min) * pressure;
+    if (radius_) radius *= radius_->values[node] / radius_unit_;
+    const size_t at = state_.points;
+    store_vec3(displaced, out_.data[0] + 3 * at);
+    store_vec3(tangent, out_.data[1] + 3 * at);
+    store_vec3(normal, out_.data[2] + 3 * at);
+    out_.data[3][at] = static_cast<float>(radius);
+    out_.data[4][at] = static_cast<float>(node);
+    ++state_.points;
+}
+
+// As flgStylize gives them: sizes times scale, and an angle turns the normal.
+void LiveKernel::write_attributes(uint32_t node, const Vec3& tangent, Vec3& normal) {
+    const size_t at = state_.points;
+    uint32_t column = live_own_columns;
+    for (const StyleAttribute& attribute : settings_.style->attributes) {
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) continue;
+        const float* from = attribute.values.data() + size_t{node} * attribute.components;
+        float* to = out_.data[column++] + at * attribute.components;
+        uint32_t lengths = 0;  // components that are
+        if (attribute.attribute == FLG_ATTRIBUTE_WIDTH) lengths = 1;
+        if (attribute.attribute == FLG_ATTRIBUTE_RADII) lengths = 2;
+        for (uint32_t k = 0; k < attribute.components; ++k) {
+            to[k] = k < lengths ? static_cast<float>(from[k] * settings_.scale) : from[k];
+        }
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) normal = turned_about(tangent, normal, from[0]);
+    }
+}
+
+}  // namespace flg

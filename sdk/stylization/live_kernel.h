@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Points of a live stroke: even steps along the curve, the style's displacement at each (Minarcik, Fiser, Sykora, sec. 4.5,
+// drawn instead of applied).
+//
+// Invariants
+// - Only the past counts: points once made stay.
+// - LiveState is a value. With the samples it says all that is to come, whatever slices run() was called in.
+// Departure from synthesis: there is no last sample to aim at, so a run never goes on to the style's end instead of jumping
+// (StyleWalk is told of more samples than there can be).
+#pragma once
+
+#include <array>
+
+#include "curves/moving_frame.h"
+#include "stylization/live_curve.h"
+#include "stylization/style.h"
+#include "stylization/synthesis.h"
+
+namespace flg {
+
+struct LiveSettings {
+    const PreparedStyle* style = nullptr;
+    PathTrees* trees = nullptr;  // all there
+    double magnitude = 1;
+    double scale = 1;
+    double radius_min = 0, radius_max = 0;  // metres
+    double smoothing = 0;                   // seconds
+    bool from_start = true;
+    uint64_t seed = 1;
+    uint32_t max_points = 0;
+
+    double spacing() const { return style->spacing() * scale; }
+};
+
+bool all_trees_made(const PathTrees& trees);
+
+// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, then the style's attributes but for RADIUS.
+constexpr uint32_t live_own_columns = 5;
+constexpr uint32_t live_columns_max = live_own_columns + 8;
+struct LiveColumns {
+    uint32_t count = 0;
+    std::array<CurveSet::ColumnLayout, live_columns_max> layout;
+    std::array<float*, live_columns_max> data{};
+};
+LiveColumns live_columns(const PreparedStyle& style);
+
+struct LiveState {
+    LiveCurve curve;
+    LiveSegment segment;  // being followed if in_segment
+    bool in_segment = false;
+    bool closing = false;  // no samples will follow
+    double ahead = 0;      // metres from the segment's start to the next point
+    uint32_t samples = 0;  // read
+    uint32_t points = 0;   // made
+    RotationMinimizingFrame frame;
+    StyleWalk walk;
+};
+
+class LiveKernel {
+public:
+    LiveKernel() = default;
+    // `out` may have no data: then points are counted and not made. What the arguments refer to outlives the kernel.
+    LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out);
+
+    // Spends units, 1 a point and sample_units a sample, on the first `sample_count` samples; true if all was done that
+    // can be.
+    static constexpr uint32_t sample_units = 4;
+    bool run(uint32_t sample_count, uint32_t& units);
+    // From now on run() goes to the last sample.
+    void close() { state_.closing = true; }
+
+    const LiveState& state() const { return state_; }
+    void restore(const LiveState& state);
+    bool full() const { return state_.points >= settings_.max_points; }
+
+private:
+    bool follow_segment(uint32_t& units);
+    void take_segment();
+    void make_point(double t);
+    void make_lone_point();
+    Vec3 first_normal(const Vec3& tangent) const;
+    void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, double pressure, double factor);
+    void write_attributes(uint32_t node, const Vec3& tangent, Vec3& normal);
+
+    LiveSettings settings_;
+    LiveSamples samples_;
+    LiveColumns out_;
+    const StyleAttribute* radius_ = nullptr;
+    double radius_unit_ = 1;  // the radius attribute's mean
+    double step_ = 0;
+    LiveState state_;
+    SegmentBlock block_;
+};
+
+}  // namespace flg

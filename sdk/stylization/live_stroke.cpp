@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/live_stroke.h"
+
+#include <cmath>
+
+#include "core/failure.h"
+
+namespace flg {
+
+namespace {
+
+constexpr float max_coordinate = 1e30f;  // as curve sets have it
+
+}  // namespace
+
+void check_sample(const FlgLiveSample& sample, uint32_t index) {
+    for (float v : sample.position) {
+        if (!(std::abs(v) <= max_coordinate)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].position holds %g, must be at most 1e30 in size",
+                          index, static_cast<double>(v));
+        }
+    }
+    for (float v : sample.orientation) {
+        if (!std::isfinite(v)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].orientation holds %g, must be finite", index,
+                          static_cast<double>(v));
+        }
+    }
+    if (!(sample.pressure >= 0 && sample.pressure <= 1)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].pressure is %g, must be 0 to 1", index,
+                      static_cast<double>(sample.pressure));
+    }
+    if (!std::isfinite(sample.time)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %g, must be finite", index, sample.time);
+    }
+}
+
+void check_next_sample(const float* position_before, double time_before, const FlgLiveSample& sample, double max_jump,
+                       uint32_t index) {
+    if (sample.time < time_before) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %.9g, before that of the sample before it, %.9g",
+                      index, sample.time, time_before);
+    }
+    const double jump = (load_vec3(sample.position) - load_vec3(position_before)).norm();
+    if (jump > max_jump) {
+        throw Failure(FLG_ERROR_LIMIT, "samples[%u] is %g m from the sample before it, max_jump is %g m", index, jump,
+                      max_jump);
+    }
+}
+
+LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
+    : style_(request.style),
+      trees_(request.trees),
+      settings_(request.settings),
+      max_jump_(request.max_jump),
+      max_samples_(request.max_samples),
+      positions_(size_t{3} * request.max_samples, memory),
+      orientations_(size_t{4} * request.max_samples, memory),
+      pressures_(request.max_samples, memory),
+      times_(request.max_samples, memory),
+      host_times_(request.max_samples, memory),
+      checkpoints_(request.max_samples / checkpoint_interval + 1, memory),
+      samples_{positions_.data(), orientations_.data(), pressures_.data(), times_.data()},
+      columns_(live_columns(request.style->prepared)) {
+    settings_.style = &style_->prepared;
+    settings_.trees = trees_.get();
+    for (uint32_t k = 0; k < columns_.count; ++k) {
+        const CurveSet::ColumnLayout& layout = columns_.layout[k];
+        values_[k] = Buffer<float>(size_t{settings_.max_points} * layout.components, memory);
+        columns_.data[k] = values_[k].data();
+        view_columns_[k] = {layout.attribute, layout.components, nullptr, 0, 0};
+    }
+    kernel_ = LiveKernel(settings_, samples_, columns_);
+    std::construct_at(&checkpoints_[0], kernel_.state());
+    view_ = {.struct_size = sizeof view_,
+             .curve_count = 0,
+             .curve_offsets = view_offsets_.data(),
+             .curve_flags = &view_flags_,
+             .columns = view_columns_.data(),
+             .column_count = columns_.count,
+             .reserved = 0};
+}
+
+void LiveStroke::check_all(const FlgLiveSample* samples, uint32_t count) const {
+    if (phase_ != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
+    if (count > max_samples_ - sample_count_) {
+        throw Failure(FLG_ERROR_LIMIT, "stroke holds %u samples, %u more would pass max_samples, %u", sample_count_,
+                      count, max_samples_);
+    }
+    if (count > 0 && kernel_.full()) {
+        throw Failure(FLG_ERROR_LIMIT, "stroke has come to max_points, %u", settings_.max_points);
+    }
+    const float* position = sample_count_ > 0 ? positions_.data() + 3 * size_t{sample_count_ - 1} : nullptr;
+    double time = sample_count_ > 0 ? host_times_[sample_count_ - 1] : 0.0;
+    for (uint32_t i = 0; i < count; ++i) {
+        check_sample(samples[i], i);
+        if (position) check_next_sample(position, time, samples[i], max_jump_, i);
+        position = samples[i].position;
+        time = samples[i].time;
+    }
+}
+
+void LiveStroke::store(const FlgLiveSample& sample) {
+    const size_t at = sample_count_;
+    std::copy_n(sample.position, 3, &positions_[3 * at]);
+    std::copy_n(sample.orientation, 4, &orientations_[4 * at]);
+    pressures_[at] = sample.pressure;
+    host_times_[at] = sample.time;
+    times_[at] = static_cast<float>(sample.time - host_times_[0]);
+}
+
+// One sample more, which is stored already.
+void LiveStroke::draw_to(uint32_t sample_count) {
+    sample_count_ = sample_count;
+    uint32_t units = units_per_sample;
+    kernel_.run(sample_count_, units);
+    if (sample_count_ % checkpoint_interval == 0) {
+        std::construct_at(&checkpoints_[sample_count_ / checkpoint_interval], kernel_.state());
+    }
+}
+
+void LiveStroke::show() {
+    visible_points_ = kernel_.state().points;
+    visible_samples_ = kernel_.state().samples;
+}
+
+void LiveStroke::push(const FlgLiveSample* samples, uint32_t count) {
+    check_all(samples, count);
+    for (uint32_t i = 0; i < count; ++i) {
+        store(samples[i]);
+        draw_to(sample_count_ + 1);
+    }
+    show();
+}
+
+void LiveStroke::undo(uint32_t count) {
+    if (phase_ != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
+    if (count > sample_count_) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "count is %u, stroke has %u samples", count, sample_count_);
+    }
+    const uint32_t left = sample_count_ - count;
+    const uint32_t checkpoint = left / checkpoint_interval;
+    kernel_.restore(checkpoints_[checkpoint]);
+    sample_count_ = checkpoint * checkpoint_interval;
+    while (sample_count_ < left) draw_to(sample_count_ + 1);
+    show();
+}
+
+const FlgCurveSetView& LiveStroke::view_from(uint32_t first) {
+    const uint32_t count = visible_points_ - first;
+    for (uint32_t k = 0; k < columns_.count; ++k) {
+        view_columns_[k].data = columns_.data[k] + size_t{first} * columns_.layout[k].components;
+    }
+    view_offsets_ = {0, count};
+    view_.curve_count = count > 0 ? 1 : 0;
+    return view_;
+}
+
+void LiveStroke::begin_end() {
+    before_end_ = kernel_.state();
+    kernel_.close();
+    phase_ = Phase::ending;
+    ++readers;
+}
+
+void LiveStroke::settle(bool succeeded) {
+    --readers;
+    if (succeeded) {
+        phase_ = Phase::ended;
+        show();
+    } else {
+        kernel_.restore(before_end_);
+        phase_ = Phase::drawing;
+    }
+}
+
+void LiveStroke::resume() {
+    kernel_.restore(before_end_);
+    phase_ = Phase::drawing;
+    show();
+}
+
+}  // namespace flg
