@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdio>
 
 #include "api/context.h"
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "stylization/guide_discrete_matching.h"
 #include "stylization/prepare_style.h"
 
 namespace flg {
@@ -35,8 +37,71 @@ void check(const FlgStyleDesc& desc) {
                 "finite and above 0");
     check_range(desc.beta > 0 && desc.beta < 1, "desc.beta", desc.beta, "above 0 and below 1");
     check_range(desc.patch >= 1 && desc.patch <= max_patch, "desc.patch", desc.patch, "1 to 1024");
-    check_range(desc.point_count == 0 || 2 * desc.patch + 1 < desc.point_count, "desc.patch", desc.patch,
-                "so small that its 2p + 1 points are fewer than point_count");
+    check_enum(desc.matching, FLG_MATCHING_SEMI_DISCRETE, FLG_MATCHING_DISCRETE, "desc.matching", "FLG_MATCHING_");
+    if (desc.matching == FLG_MATCHING_DISCRETE && desc.point_count > DiscreteMatching::points_max) {
+        throw Failure(FLG_ERROR_LIMIT, "desc.point_count is %u, discrete matching takes at most %u", desc.point_count,
+                      DiscreteMatching::points_max);
+    }
+}
+
+void check_patch_size(const FlgPatchSize& size, uint32_t index) {
+    if (size.patch < 1 || size.patch > max_patch) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.patch_sizes[%u].patch is %u, must be 1 to %u", index,
+                      size.patch, max_patch);
+    }
+    if (!(size.weight > 0 && std::isfinite(size.weight))) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.patch_sizes[%u].weight is %g, must be finite and above 0",
+                      index, static_cast<double>(size.weight));
+    }
+}
+
+void check_attribute(const FlgStyleAttribute& wanted, uint32_t index) {
+    const int32_t attribute = number_of(wanted.attribute);
+    if (!can_transfer(attribute)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.attributes[%u].attribute is %d, must be RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER "
+                      "and above",
+                      index, attribute);
+    }
+    char argument[48];
+    std::snprintf(argument, sizeof argument, "desc.attributes[%u].metric", index);
+    check_enum(wanted.metric, FLG_METRIC_AUTO, FLG_METRIC_PROJECTIVE, argument, "FLG_METRIC_");
+    const bool circular = wanted.metric == FLG_METRIC_CIRCLE || wanted.metric == FLG_METRIC_PROJECTIVE;
+    if (circular && !metric_fits(wanted.attribute, 1, wanted.metric)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %d, which is for single angles: ANGLE and USER columns",
+                      argument, number_of(wanted.metric));
+    }
+    if (!(wanted.weight >= 0 && std::isfinite(wanted.weight))) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.attributes[%u].weight is %g, must be finite and >= 0", index,
+                      static_cast<double>(wanted.weight));
+    }
+}
+
+// The descriptor's arrays, checked and copied.
+void read_arrays(const FlgStyleDesc& desc, StyleRequest& request) {
+    check_range(desc.patch_size_count <= patch_sizes_max, "desc.patch_size_count", desc.patch_size_count, "at most 8");
+    if (desc.patch_size_count > 0) require(desc.patch_sizes, "desc.patch_sizes");
+    for (uint32_t k = 0; k < desc.patch_size_count; ++k) {
+        check_patch_size(desc.patch_sizes[k], k);
+        request.patch_sizes[k] = desc.patch_sizes[k];
+    }
+    request.patch_size_count = desc.patch_size_count;
+    check_range(desc.attribute_count <= style_attributes_max, "desc.attribute_count", desc.attribute_count,
+                "at most 8");
+    if (desc.attribute_count > 0) require(desc.attributes, "desc.attributes");
+    for (uint32_t k = 0; k < desc.attribute_count; ++k) {
+        check_attribute(desc.attributes[k], k);
+        request.attributes[k] = desc.attributes[k];
+        for (uint32_t before = 0; before < k; ++before) {
+            if (desc.attributes[before].attribute != desc.attributes[k].attribute) continue;
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.attributes[%u].attribute is %d, as is that of %u", k,
+                          number_of(desc.attributes[k].attribute), before);
+        }
+    }
+    request.attribute_count = desc.attribute_count;
+    check_range(desc.point_count == 0 || 2 * request.largest_patch() + 1 < desc.point_count,
+                desc.patch_size_count > 0 ? "the largest patch in desc.patch_sizes" : "desc.patch",
+                request.largest_patch(), "so small that its 2p + 1 points are fewer than point_count");
 }
 
 // The style, if its job is done; FLG_NOT_READY or the job's error otherwise.
@@ -68,8 +133,15 @@ FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle*
         Context& self = get_context(context);
         const FlgStyleDesc read = read_struct(desc, default_style_desc(), "desc");
         check(read);
-        Submission submission(self, read.job);
         StyleRequest request;
+        request.point_count = read.point_count;
+        request.alpha = read.alpha;
+        request.smoothing = read.smoothing;
+        request.beta = read.beta;
+        request.patch = read.patch;
+        request.matching = read.matching;
+        read_arrays(read, request);
+        Submission submission(self, read.job);
         request.example = self.curve_sets.get(read.style.id, "desc.style");
         submission.read(*request.example, "desc.style");
         if (read.guide.id != 0) {
@@ -77,11 +149,6 @@ FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle*
             submission.read(*request.guide, "desc.guide");
         }
         request.style = make_object<Style>(self, &self.memory);
-        request.point_count = read.point_count;
-        request.alpha = read.alpha;
-        request.smoothing = read.smoothing;
-        request.beta = read.beta;
-        request.patch = read.patch;
         const std::shared_ptr<Style> style = request.style;
         submission.job().strand.start(prepare_style(submission.pace(), std::move(request)));
         *out_style = {submission.commit(self.styles, style, out_job)};

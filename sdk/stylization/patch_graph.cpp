@@ -127,7 +127,7 @@ void PatchGraphKernel::consider(uint32_t c, double cost_sq) {
 
 void PatchGraphKernel::add_jump(uint32_t target, double cost_sq) {
     out_target_[jump_count_] = static_cast<uint16_t>(target);
-    out_cost_[jump_count_] = static_cast<float>(std::sqrt(std::max(cost_sq, 0.0)));
+    out_cost_[jump_count_] = static_cast<float>(std::min(std::sqrt(std::max(cost_sq, 0.0)), PatchGraph::cost_max));
     ++jump_count_;
     ++graph_.in_begin[target];
     least_sq_ = std::min(least_sq_, cost_sq);
@@ -136,7 +136,8 @@ void PatchGraphKernel::add_jump(uint32_t target, double cost_sq) {
 void PatchGraphKernel::end_row() {
     for (uint32_t k = 0; k < best_count_; ++k) add_jump(best_[k].target, best_[k].cost_sq);
     if (least_sq_ < INFINITY) {
-        cheapest_[cheapest_count_++] = static_cast<float>(std::sqrt(std::max(least_sq_, 0.0)));
+        cheapest_[cheapest_count_++] =
+            static_cast<float>(std::min(std::sqrt(std::max(least_sq_, 0.0)), PatchGraph::cost_max));
     }
     stage_ = Stage::rows;
     if (!rows_.done()) return;

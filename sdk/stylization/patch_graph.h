@@ -33,6 +33,8 @@ struct PatchGraph {
     Buffer<uint16_t> destinations;
     // Of node i's style curve: one behind its last node. A consecutive edge leads from i to i + 1 if that isn't the end.
     Buffer<uint32_t> curve_end;
+    // Metres. Weighted attributes can be of any size; paths of so many such jumps still have a finite length.
+    static constexpr double cost_max = 1e33;
     // What temperature 1 means, metres: this share of the median, over the nodes, of their cheapest jump. At 1 runs are
     // about a dozen points long, at 0 hundreds, at 10 a jump nearly always beats copying.
     static constexpr float temperature_share = 0.1f;

@@ -180,9 +180,8 @@ void PatchRows::sum_block(uint32_t end) {
     if (channel_ > 0) {
         const PatchChannel& channel = scene_.channels[channel_ - 1];
         const double* values = channel.values.data();
-        with_distance(channel, [&](auto distance_sq) {
-            add_channel(sums, values[point], values + others, count, distance_sq);
-        });
+        with_distance(channel,
+                      [&](auto distance_sq) { add_channel(sums, values[point], values + others, count, distance_sq); });
         return;
     }
     if (term_ == 0) std::fill(sums, sums + count, 0.0);

@@ -2,8 +2,8 @@
 // A prepared style: what Algorithm 1 (Minarcik, Fiser, Sykora) computes before it sees a target.
 //
 // What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order guide_flow,
-// guide_matching, displacement, patch_rows and patch_graph, path_tree, synthesis; and the two jobs that drive them,
-// prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
+// guide_matching (or guide_discrete_matching), displacement, style_attributes, patch_rows, patch_costs and patch_graph,
+// path_tree, synthesis; and the two jobs that drive them, prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
 #pragma once
 
 #include <memory>
@@ -14,19 +14,9 @@
 #include "stylization/displacement.h"
 #include "stylization/patch_graph.h"
 #include "stylization/path_trees.h"
+#include "stylization/style_attributes.h"
 
 namespace flg {
-
-// An attribute that the style transfers (sec. 5).
-struct StyleAttribute {
-    FlgAttribute attribute = FLG_ATTRIBUTE_USER;
-    uint32_t components = 0;
-    FlgMetric metric = FLG_METRIC_EUCLIDEAN;  // never AUTO; of RADII's third component CIRCLE, of its others EUCLIDEAN
-    double weight = 0;                        // metres for a difference of 1
-    // One value a point of the guide, `components` floats each: what the style has at the place matched to that point.
-    // Angles are not reduced: they may be any finite number of turns.
-    Buffer<float> values;
-};
 
 // Filled in by prepare_style, then never changed (but for the cache of path trees) and shared by all threads.
 struct PreparedStyle {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/style_attributes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "core/failure.h"
+#include "curves/sampling_job.h"
+
+namespace flg {
+
+namespace {
+
+// Of RADII.
+constexpr uint32_t turn_component = 2;
+
+double nearest(double value, double to, double period) {
+    return value + period * std::round((to - value) / period);
+}
+
+struct AttributeName {
+    char text[32];
+
+    explicit AttributeName(FlgAttribute attribute) {
+        const auto number = static_cast<int32_t>(attribute);
+        switch (attribute) {
+            case FLG_ATTRIBUTE_RADIUS: std::snprintf(text, sizeof text, "RADIUS"); break;
+            case FLG_ATTRIBUTE_COLOR: std::snprintf(text, sizeof text, "COLOR"); break;
+            case FLG_ATTRIBUTE_RADII: std::snprintf(text, sizeof text, "RADII"); break;
+            case FLG_ATTRIBUTE_ANGLE: std::snprintf(text, sizeof text, "ANGLE"); break;
+            case FLG_ATTRIBUTE_WIDTH: std::snprintf(text, sizeof text, "WIDTH"); break;
+            case FLG_ATTRIBUTE_SPEED: std::snprintf(text, sizeof text, "SPEED"); break;
+            default: std::snprintf(text, sizeof text, "USER + %d", number - FLG_ATTRIBUTE_USER);
+        }
+    }
+};
+
+FlgMetric resolved_metric(const FlgStyleAttribute& wanted) {
+    if (wanted.metric != FLG_METRIC_AUTO) return wanted.metric;
+    return wanted.attribute == FLG_ATTRIBUTE_ANGLE ? FLG_METRIC_CIRCLE : FLG_METRIC_EUCLIDEAN;
+}
+
+}  // namespace
+
+double StyleAttribute::period(uint32_t component) const {
+    if (attribute == FLG_ATTRIBUTE_RADII && component == turn_component) return 2 * std::numbers::pi;
+    if (metric == FLG_METRIC_CIRCLE) return 2 * std::numbers::pi;
+    return metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 0.0;
+}
+
+bool can_transfer(int32_t attribute) {
+    switch (attribute) {
+        case FLG_ATTRIBUTE_RADIUS:
+        case FLG_ATTRIBUTE_COLOR:
+        case FLG_ATTRIBUTE_RADII:
+        case FLG_ATTRIBUTE_ANGLE:
+        case FLG_ATTRIBUTE_WIDTH:
+        case FLG_ATTRIBUTE_SPEED: return true;
+        default: return attribute >= FLG_ATTRIBUTE_USER;
+    }
+}
+
+bool metric_fits(FlgAttribute attribute, uint32_t components, FlgMetric metric) {
+    if (metric == FLG_METRIC_EUCLIDEAN) return true;
+    return components == 1 && (attribute == FLG_ATTRIBUTE_ANGLE || attribute >= FLG_ATTRIBUTE_USER);
+}
+
+StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index, uint32_t points,
+                              Memory* memory) {
+    const Column* column = example.find(wanted.attribute);
+    if (!column) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.style has no column for desc.attributes[%u]: %s", index,
+                      AttributeName(wanted.attribute).text);
+    }
+    const FlgMetric metric = resolved_metric(wanted);
+    if (!metric_fits(wanted.attribute, column->components, metric)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.attributes[%u]: metric %d does not fit %s of %u component%s, which is no single angle",
+                      index, static_cast<int>(metric), AttributeName(wanted.attribute).text, column->components,
+                      column->components == 1 ? "" : "s");
+    }
+    return {wanted.attribute, column->components, metric, wanted.weight,
+            Buffer<float>(size_t{points} * column->components, memory)};
+}
+
+AttributeKernel::AttributeKernel(const CurveSet& example, uint32_t curve, std::span<const double> places,
+                                 uint32_t first_point, std::span<StyleAttribute> attributes)
+    : example_(example),
+      first_example_point_(example.offsets()[curve]),
+      places_(places),
+      first_point_(first_point),
+      attributes_(attributes),
+      stream_(curve_view(example, curve)) {}
+
+bool AttributeKernel::run(uint32_t n) {
+    while (done_ < places_.size()) {
+        const double place = places_[done_];
+        while (place >= segment_end_ && !stream_.done()) {
+            if (n == 0) return false;
+            --n;
+            if (stream_.advance()) {
+                segment_start_ = segment_end_;
+                segment_end_ += stream_.segment().length();
+            }
+        }
+        if (n == 0) return false;
+        --n;
+        take(std::clamp((place - segment_start_) / (segment_end_ - segment_start_), 0.0, 1.0));
+        ++done_;
+    }
+    return true;
+}
+
+// The values at a fraction of the segment's length.
+void AttributeKernel::take(double fraction) {
+    for (StyleAttribute& attribute : attributes_) {
+        const uint32_t width = attribute.components;
+        const float* from =
+            example_.find(attribute.attribute)->values.data() + size_t{first_example_point_ + stream_.index()} * width;
+        float* out = attribute.values.data() + size_t{first_point_ + done_} * width;
+        for (uint32_t k = 0; k < width; ++k) {
+            const double period = attribute.period(k);
+            const double a = from[k];
+            double b = from[width + k];
+            if (period > 0) b = nearest(b, a, period);
+            double value = (1.0 - fraction) * a + fraction * b;
+            if (period > 0 && done_ > 0) value = nearest(value, (out - width)[k], period);
+            out[k] = static_cast<float>(value);
+        }
+        if (attribute.attribute == FLG_ATTRIBUTE_SPEED && !(*out > 0)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.style has a SPEED of %g, must be above 0",
+                          static_cast<double>(*out));
+        }
+    }
+}
+
+bool ChannelKernel::run(uint32_t n, std::pmr::vector<PatchChannel>& channels) {
+    const uint32_t width = attribute_.components;
+    const auto points = static_cast<uint32_t>(attribute_.values.size() / width);
+    while (component_ < width) {
+        const double weight = attribute_.weight;
+        const double period = weight * attribute_.period(component_);
+        if (point_ == 0) channels.push_back({Buffer<double>(points, memory_), period});
+        Buffer<double>& values = channels.back().values;
+        for (; point_ < points; ++point_) {
+            if (n == 0) return false;
+            --n;
+            const double value = weight * attribute_.values[size_t{point_} * width + component_];
+            // Rounding can give the period itself, which is as good as 0.
+            values[point_] = period > 0 ? value - period * std::floor(value / period) : value;
+        }
+        point_ = 0;
+        ++component_;
+    }
+    return true;
+}
+
+}  // namespace flg

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Attributes of a style (Minarcik, Fiser, Sykora, sec. 5): phi at the matched places delta_i, and how it enters the
+// distance of patches, whose right-hand side becomes
+//   sum over k of  |d[i+k] - d[c+k]|^2 + sum over attributes of (weight * rho_phi(phi[i+k], phi[c+k]))^2.
+// Between the example's points values are interpolated by arc length, angles by the shorter way around their circle or
+// projective line. Angles come out unwrapped: each is the representative nearest to the one before it, so that what
+// follows them along the style never makes a turn of its own.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "curves/curve_set.h"
+#include "curves/segment_stream.h"
+#include "stylization/patch_rows.h"
+
+namespace flg {
+
+// An attribute that the style transfers.
+struct StyleAttribute {
+    FlgAttribute attribute = FLG_ATTRIBUTE_USER;
+    uint32_t components = 0;
+    FlgMetric metric = FLG_METRIC_EUCLIDEAN;  // never AUTO; of RADII's third component CIRCLE, of its others EUCLIDEAN
+    double weight = 0;                        // metres for a difference of 1
+    // One value a point of the guide, `components` floats each: what the style has at the place matched to that point.
+    // Angles are not reduced: they may be any finite number of turns.
+    Buffer<float> values;
+
+    // Length of the circle that a component lies on, radians; 0: on a line.
+    double period(uint32_t component) const;
+};
+
+// What a style may transfer.
+bool can_transfer(int32_t attribute);
+// Whether values of so many components can be measured so; `metric` is not AUTO.
+bool metric_fits(FlgAttribute attribute, uint32_t components, FlgMetric metric);
+
+// Attribute number `index` of the request, with memory for the values of `points` points; throws
+// FLG_ERROR_INVALID_ARGUMENT if the example has no such column, or one that the metric does not fit.
+StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index, uint32_t points,
+                              Memory* memory);
+
+// Takes the values of all attributes along one style curve. A unit is a point of the example or of the guide, about
+// 30 ns and 2 ns for each component. Throws FLG_ERROR_INVALID_ARGUMENT for a SPEED that isn't above 0.
+class AttributeKernel {
+public:
+    // `curve` of the example, with length; `places`: the matched arc lengths, non-decreasing, of the guide's points from
+    // `first_point` on.
+    AttributeKernel(const CurveSet& example, uint32_t curve, std::span<const double> places, uint32_t first_point,
+                    std::span<StyleAttribute> attributes);
+    bool run(uint32_t n);
+
+private:
+    void take(double fraction);
+
+    const CurveSet& example_;
+    uint32_t first_example_point_;
+    std::span<const double> places_;
+    uint32_t first_point_;
+    std::span<StyleAttribute> attributes_;
+    SegmentStream stream_;
+    double segment_start_ = 0;  // arc length
+    double segment_end_ = 0;
+    uint32_t done_ = 0;
+};
+
+// The attribute's components as patch distances take them in, one after the other. A unit is a value, about 5 ns.
+class ChannelKernel {
+public:
+    // `attribute` has a weight above 0.
+    ChannelKernel(const StyleAttribute& attribute, Memory* memory) : attribute_(attribute), memory_(memory) {}
+    bool run(uint32_t n, std::pmr::vector<PatchChannel>& channels);
+
+private:
+    const StyleAttribute& attribute_;
+    Memory* memory_;
+    uint32_t component_ = 0;
+    uint32_t point_ = 0;
+};
+
+}  // namespace flg

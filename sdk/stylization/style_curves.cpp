@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/style_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/failure.h"
+#include "stylization/guide_flow.h"
+
+namespace flg {
+
+namespace {
+
+// Units of work that take about 20 us each.
+constexpr uint32_t measure_chunk = 800;
+constexpr uint32_t sample_chunk = 400;
+constexpr uint32_t turning_chunk = 500;
+constexpr uint32_t flow_chunk = 2000;
+constexpr uint32_t copy_chunk = 4000;
+// Even the shortest of several curves is sampled with so many points, for flow and matching.
+constexpr uint32_t samples_min = 16;
+
+Task<CurveMeasure> measure_curve(Pace& pace, const CurveSet& set, uint32_t curve, const char* name) {
+    if (set.closed(curve)) {
+        if (set.curve_count() == 1) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.%s is a closed curve, must be open", name);
+        }
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curve %u of desc.%s is closed, must be open", curve, name);
+    }
+    const CurveView view = curve_view(set, curve);
+    ArcLengthKernel kernel(view);
+    while (!kernel.run(measure_chunk)) co_await pace;
+    if (!(kernel.measure().length > 0)) {
+        const char* places = view.count == 1 ? " is" : "s are";
+        if (set.curve_count() == 1) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.%s has no length: its %u point%s the same place", name,
+                          view.count, places);
+        }
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curve %u of desc.%s has no length: its %u point%s the same place",
+                      curve, name, view.count, places);
+    }
+    co_return kernel.measure();
+}
+
+// The sum of the angles between consecutive edges, radians.
+Task<double> total_turning(Pace& pace, const CurveView& curve) {
+    double turning = 0;
+    Vec3 last = Vec3::Zero();
+    for (uint32_t i = 1; i < curve.count; ++i) {
+        if (i % turning_chunk == 0) co_await pace;
+        const Vec3 edge = curve.point(i) - curve.point(i - 1);
+        if (edge.squaredNorm() == 0) continue;
+        if (last.squaredNorm() > 0) turning += std::atan2(last.cross(edge).norm(), last.dot(edge));
+        last = edge;
+    }
+    co_return turning;
+}
+
+Task<void> sample_points(Pace& pace, StyleCurve& curve, uint32_t count) {
+    curve.points.resize(count);
+    EvenSampler sampler(curve.example, curve.measure.length, count - 1);
+    CurveSample sample;
+    for (uint32_t i = 0; i < count;) {
+        uint32_t units = sample_chunk;
+        while (i < count && sampler.next(sample, units)) curve.points[i++] = sample.position;
+        co_await pace;
+    }
+}
+
+// The guide flow's result, in the floats that a curve set holds.
+Task<uint32_t> flow_guide(Pace& pace, const StyleRequest& request, StyleCurve& curve) {
+    const auto count = static_cast<uint32_t>(curve.points.size());
+    GuideFlow::Params params;
+    params.alpha = request.alpha;
+    params.smoothing = request.smoothing;
+    GuideFlow flow(curve.points.data(), count, params, pace.memory());
+    while (!flow.run(flow_chunk)) co_await pace;
+    curve.flowed = Buffer<float>(size_t{count} * 3, pace.memory());
+    for (uint32_t i = 0; i < count; ++i) {
+        store_vec3(flow.guide()[i], curve.flowed.data() + size_t{i} * 3);
+        if (i % copy_chunk == 0) co_await pace;
+    }
+    curve.guide = {curve.flowed.data(), count, false};
+    co_return flow.steps();
+}
+
+double total_length(const StyleCurves& curves, CurveMeasure StyleCurve::*measure) {
+    double length = 0;
+    for (const StyleCurve& curve : curves) length += (curve.*measure).length;
+    return length;
+}
+
+}  // namespace
+
+Task<void> measure_curves(Pace& pace, const StyleRequest& request, StyleCurves& curves) {
+    const CurveSet& example = *request.example;
+    const uint32_t count = example.curve_count();
+    if (count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.style has 0 curves, must have one");
+    if (count > style_curves_max) {
+        throw Failure(FLG_ERROR_LIMIT, "desc.style has %u curves, may have %u", count, style_curves_max);
+    }
+    if (request.guide && request.guide->curve_count() != count) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.guide has %u curves, must have one for each of desc.style's %u",
+                      request.guide->curve_count(), count);
+    }
+    curves.reserve(count);
+    for (uint32_t c = 0; c < count; ++c) {
+        StyleCurve& curve = curves.emplace_back(pace.memory());
+        curve.example = curve_view(example, c);
+        curve.measure = co_await measure_curve(pace, example, c, "style");
+        if (!request.guide) continue;
+        curve.guide = curve_view(*request.guide, c);
+        curve.guide_measure = co_await measure_curve(pace, *request.guide, c, "guide");
+    }
+}
+
+Task<uint32_t> choose_point_count(Pace& pace, const StyleCurves& curves) {
+    double wanted = 0;
+    for (const StyleCurve& curve : curves) {
+        const double turning = co_await total_turning(pace, curve.example);
+        wanted += std::max(static_cast<double>(curve.example.count), turning / auto_turn_per_point);
+    }
+    const double clamped =
+        std::clamp(std::ceil(wanted), static_cast<double>(auto_points_min), static_cast<double>(auto_points_max));
+    co_return static_cast<uint32_t>(clamped);
+}
+
+Task<void> sample_curves(Pace& pace, StyleCurves& curves, uint32_t count) {
+    const double length = total_length(curves, &StyleCurve::measure);
+    for (StyleCurve& curve : curves) {
+        const double share = std::round(count * (curve.measure.length / length));
+        co_await sample_points(pace, curve, std::max(static_cast<uint32_t>(share), samples_min));
+    }
+}
+
+Task<uint32_t> make_guides(Pace& pace, const StyleRequest& request, StyleCurves& curves) {
+    uint32_t steps = 0;
+    for (StyleCurve& curve : curves) {
+        if (request.guide) continue;
+        steps += co_await flow_guide(pace, request, curve);
+        ArcLengthKernel kernel(curve.guide);
+        while (!kernel.run(measure_chunk)) co_await pace;
+        curve.guide_measure = kernel.measure();
+        if (!(curve.guide_measure.length > 0)) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the guide has no length");
+    }
+    co_return steps;
+}
+
+void share_points(StyleCurves& curves, uint32_t count, uint32_t patch, Memory* memory) {
+    const auto curve_count = static_cast<uint32_t>(curves.size());
+    if (count < 2 * curve_count) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.point_count is %u, too few for the %u curves of desc.style",
+                      count, curve_count);
+    }
+    const uint32_t steps = count - curve_count;
+    const double length = total_length(curves, &StyleCurve::guide_measure);
+    std::pmr::vector<double> remainders(curve_count, memory);
+    std::pmr::vector<uint32_t> by_remainder(curve_count, memory);
+    uint32_t given = 0;
+    for (uint32_t c = 0; c < curve_count; ++c) {
+        const double share = steps * (curves[c].guide_measure.length / length);
+        const double whole = std::floor(share);
+        curves[c].steps = static_cast<uint32_t>(whole);
+        remainders[c] = share - whole;
+        by_remainder[c] = c;
+        given += curves[c].steps;
+    }
+    std::sort(by_remainder.begin(), by_remainder.end(), [&](uint32_t a, uint32_t b) {
+        return remainders[a] != remainders[b] ? remainders[a] > remainders[b] : a < b;
+    });
+    for (uint32_t k = 0; given < steps; ++k, ++given) ++curves[by_remainder[k % curve_count]].steps;
+    uint32_t longest = 0, total = 0;
+    for (StyleCurve& curve : curves) {
+        curve.steps = std::max(curve.steps, 1U);
+        longest = std::max(longest, curve.steps + 1);
+        total += curve.steps + 1;
+    }
+    if (total > style_points_max) {
+        throw Failure(FLG_ERROR_LIMIT, "desc.style's curves need %u points, two at least each; a style may have %u",
+                      total, style_points_max);
+    }
+    if (longest <= 2 * patch + 1) {
+        const char* whose = curve_count == 1 ? "style's" : "style's longest curve's";
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.patch is %u: its %u points must be fewer than the %s %u", patch,
+                      2 * patch + 1, whose, longest);
+    }
+}
+
+Task<void> frame_guides(Pace& pace, const StyleCurves& curves, CurveSet& guide) {
+    const auto curve_count = static_cast<uint32_t>(curves.size());
+    guide.allocate_curves(curve_count);
+    guide.offsets()[0] = 0;
+    for (uint32_t c = 0; c < curve_count; ++c) {
+        guide.offsets()[c + 1] = guide.offsets()[c] + curves[c].steps + 1;
+        guide.flags()[c] = 0;
+    }
+    guide.allocate_columns(std::pmr::vector<CurveSet::ColumnLayout>(
+        {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory()));
+    for (uint32_t c = 0; c < curve_count; ++c) {
+        const size_t first = size_t{guide.offsets()[c]} * 3;
+        const FrameColumns columns{guide.columns()[0].values.data() + first, guide.columns()[1].values.data() + first,
+                                   guide.columns()[2].values.data() + first};
+        ResampleKernel kernel({.curve = curves[c].guide, .measure = curves[c].guide_measure, .steps = curves[c].steps},
+                              columns, {});
+        while (!kernel.run(sample_chunk)) co_await pace;
+    }
+}
+
+}  // namespace flg
