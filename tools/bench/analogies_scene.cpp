@@ -1,30 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "bench/analogies_scene.h"
 
+#include <algorithm>
+
 #include "bench/bench.h"
-#include "bench/curve_analogies.h"
-#include "bench/stage_inputs.h"
+#include "bench/host.h"
 
 namespace flg::bench {
 namespace {
 
 constexpr uint32_t kStylePoints = 600;
-// The style is looked up among so many points for each of its own.
-constexpr uint32_t kFinePerPoint = 16;
 // As many points around one as a patch of ours has at its default, p = 10.
 constexpr uint32_t kNeighbourhood = 10;
 
-std::vector<Vec3> points_of(Host& host, FlgCurveSet set) {
+const float* column_of(const FlgCurveSetView& view, FlgAttribute attribute) {
+    const FlgColumn* const end = view.columns + view.column_count;
+    const FlgColumn* const found =
+        std::find_if(view.columns, end, [=](const FlgColumn& column) { return column.attribute == attribute; });
+    return found == end ? nullptr : found->data;
+}
+
+std::vector<Vec3> vectors_of(Host& host, FlgCurveSet set, FlgAttribute attribute) {
     FlgCurveSetView view = flgCurveSetViewDefaults();
     check(flgCurveSetGetView(host.context(), set, &view));
-    std::vector<Vec3> points;
-    for (uint32_t c = 0; c < view.column_count; ++c) {
-        if (view.columns[c].attribute != FLG_ATTRIBUTE_POSITION) continue;
-        for (uint32_t i = 0; i < view.curve_offsets[view.curve_count]; ++i) {
-            points.push_back(load_vec3(view.columns[c].data + 3 * i));
-        }
-    }
-    return points;
+    const float* const data = column_of(view, attribute);
+    std::vector<Vec3> vectors;
+    for (uint32_t i = 0; i < view.curve_offsets[view.curve_count]; ++i) vectors.push_back(load_vec3(data + 3 * i));
+    return vectors;
+}
+
+Analogy result_of(Host& host, FlgCurveSet set) {
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    check(flgCurveSetGetView(host.context(), set, &view));
+    const float* const matches = column_of(view, FLG_ATTRIBUTE_STYLE_INDEX);
+    Analogy result = {vectors_of(host, set, FLG_ATTRIBUTE_POSITION), {}};
+    for (size_t i = 0; i < result.points.size(); ++i) result.matches.push_back(static_cast<uint32_t>(matches[i]));
+    return result;
 }
 
 FlgCurveSet guide_of(Host& host, FlgStyle style) {
@@ -75,7 +86,7 @@ AnalogiesScene make_analogies_scene(const std::string& style_name, const std::st
             result = stylize(host, style, target, scale, 1.0f);
             host.run();
         }));
-        scene.ours = points_of(host, result);
+        scene.ours = result_of(host, result);
         check(flgCurveSetRelease(host.context(), result));
         warm.push_back(time_ms([&] {
             result = stylize(host, style, target, scale, 1.0f);
@@ -88,16 +99,17 @@ AnalogiesScene make_analogies_scene(const std::string& style_name, const std::st
 
     const FlgCurveSet plain = stylize(host, style, target, scale, 0.0f);
     host.run();
-    scene.target = points_of(host, plain);
-    scene.guide = points_of(host, guide_of(host, style));
-    const FlgStyleInfo info = host.info(style);
-    const EvenStyle example = even_style(style_name, kFinePerPoint * kStylePoints);
-    for (uint32_t i = 0; i < info.point_count; ++i) {
-        const double share = std::min(1.0, static_cast<double>(info.matching[i] / info.style_length));
-        const double place = share * static_cast<double>(example.points.size() - 1);
-        scene.style.push_back(scale * example.points[static_cast<size_t>(place + 0.5)]);
-        scene.guide[i] *= scale;
-    }
+    scene.target = vectors_of(host, plain, FLG_ATTRIBUTE_POSITION);
+    scene.target_tangents = vectors_of(host, plain, FLG_ATTRIBUTE_TANGENT);
+    const FlgCurveSet used_guide = guide_of(host, style);
+    scene.guide = vectors_of(host, used_guide, FLG_ATTRIBUTE_POSITION);
+    scene.guide_tangents = vectors_of(host, used_guide, FLG_ATTRIBUTE_TANGENT);
+    // The guide gets the style once, whole: what its points are matched with.
+    const FlgCurveSet whole = stylize(host, style, used_guide, 1.0f, 1.0f);
+    host.run();
+    scene.style = vectors_of(host, whole, FLG_ATTRIBUTE_POSITION);
+    for (Vec3& p : scene.guide) p *= scale;
+    for (Vec3& p : scene.style) p *= scale;
     scene.theirs_ms = median_ms(runs, [&] {
         return time_ms([&] { scene.theirs = curve_analogies(scene.guide, scene.style, scene.target, kNeighbourhood); });
     });

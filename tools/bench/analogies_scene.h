@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "bench/host.h"
-#include "core/vec.h"
+#include "bench/curve_analogies.h"
 
 namespace flg::bench {
 
 struct AnalogiesScene {
     std::vector<Vec3> guide, style;  // point by point, at the size they have on the target
     std::vector<Vec3> target;        // evenly resampled: what both methods get
-    std::vector<Vec3> ours, theirs;  // a point for each of the target
-    double cold_ms, warm_ms;  // ours from guide and style on: matching, patch graph, synthesis; with a prepared style
-    double theirs_ms;         // from the matched guide and style on
+    std::vector<Vec3> guide_tangents, target_tangents;
+    Analogy ours, theirs;
+    double cold_ms,
+        warm_ms;       // ours, from guide and style on: matching, patch graph, synthesis; and with a prepared style
+    double theirs_ms;  // from the matched guide and style on
 };
 
 // `scale` as in FlgStylizeDesc. Times are medians of `runs`.

@@ -94,19 +94,21 @@ public:
           style_(style, guide.front()),
           errors_(guide.size() + kLanes) {}
 
-    std::vector<Vec3> run(const std::vector<Vec3>& target) {
-        std::vector<Vec3> result;
-        result.reserve(target.size());
+    Analogy run(const std::vector<Vec3>& target) {
+        Analogy result;
+        result.points.reserve(target.size());
+        result.matches.reserve(target.size());
         uint32_t last_match = count_;
-        while (result.size() < target.size()) {
-            seen_.take(target, result, reach_);
+        for (const Vec3& point : target) {
+            seen_.take(target, result.points, reach_);
             const uint32_t first = seen_.before, end = count_ - seen_.after;
             for (uint32_t s = first; s < end; s += kLanes) compare(s);
             const auto least = std::min_element(errors_.begin() + first, errors_.begin() + end);
             uint32_t match = static_cast<uint32_t>(least - errors_.begin());
             const uint32_t next = last_match + 1;
             if (next >= first && next < end && errors_[next] <= (1.0 + kCoherence) * *least) match = next;
-            result.push_back(target[result.size()] + rotation(match) * offset(match));
+            result.points.push_back(point + rotation(match) * offset(match));
+            result.matches.push_back(match);
             last_match = match;
         }
         return result;
@@ -182,8 +184,8 @@ private:
 
 }  // namespace
 
-std::vector<Vec3> curve_analogies(const std::vector<Vec3>& guide, const std::vector<Vec3>& style,
-                                  const std::vector<Vec3>& target, uint32_t neighbourhood) {
+Analogy curve_analogies(const std::vector<Vec3>& guide, const std::vector<Vec3>& style, const std::vector<Vec3>& target,
+                        uint32_t neighbourhood) {
     return Synthesis(guide, style, neighbourhood).run(target);
 }
 

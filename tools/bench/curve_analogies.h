@@ -23,10 +23,14 @@
 
 namespace flg::bench {
 
+struct Analogy {
+    std::vector<Vec3> points;       // one for each point of the target
+    std::vector<uint32_t> matches;  // the exemplar's point that each copies
+};
+
 // The target with the style that leads from `guide` to `style`, points that belong together. `guide` and `target` have
-// the same spacing, and more than 2 * neighbourhood + 1 points, neighbourhood >= 1. One point of the result for each of
-// the target.
-std::vector<Vec3> curve_analogies(const std::vector<Vec3>& guide, const std::vector<Vec3>& style,
-                                  const std::vector<Vec3>& target, uint32_t neighbourhood);
+// the same spacing, and more than 2 * neighbourhood + 1 points, neighbourhood >= 1.
+Analogy curve_analogies(const std::vector<Vec3>& guide, const std::vector<Vec3>& style, const std::vector<Vec3>& target,
+                        uint32_t neighbourhood);
 
 }  // namespace flg::bench

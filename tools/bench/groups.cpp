@@ -12,7 +12,8 @@ const std::vector<Group>& groups() {
         {"matching", run_matching},
 #endif
         {"ticks", run_ticks},
-        {"growth", run_growth}
+        {"growth", run_growth},
+        {"analogies", run_analogies}
     };
     return list;
 }

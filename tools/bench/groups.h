@@ -11,6 +11,7 @@ std::vector<Row> run_prepare();
 std::vector<Row> run_patch_graph();
 std::vector<Row> run_ticks();
 std::vector<Row> run_growth();
+std::vector<Row> run_analogies();
 #if defined(FLG_WITH_REFERENCE)
 // Against the literal versions, which are built with the tests.
 std::vector<Row> run_matching();
