@@ -17,28 +17,62 @@ struct Point {
     float x, y, z;
 };
 
+using Color = std::array<float, 4>;  // linear RGBA
+
+// What there is one of a point may be empty.
 struct Curve {
     std::vector<Point> points;
-    std::vector<float> radii;                               // one a point, metres; may be empty
-    std::array<float, 4> color = {1.0f, 1.0f, 1.0f, 1.0f};  // linear RGBA
+    std::vector<float> radii;    // metres
+    std::vector<float> angles;   // of a ribbon about the tangent, radians
+    std::vector<Color> colors;   // in place of `color`
+    std::vector<Point> normals;  // of a ribbon, unit length, perpendicular to the curve
+    Color color = {1.0f, 1.0f, 1.0f, 1.0f};
     bool closed = false;
 };
 
-// loops, zigzag, curls, knots, tremor, braid.
+// loops, zigzag, curls, knots, tremor, braid; wave and knit, drawn in the plane z = 0; and with attributes: beads (radius,
+// colour), twist (angle of a ribbon, radius, colour).
 const std::vector<std::string>& style_names();
 
 // An open stroke of about a metre that looks drawn by hand: 150 to 600 points, with radii. Empty for an unknown name.
 Curve make_style(std::string_view name);
 
-// s_curve, spiral, flourish, ring (closed), lorenz, thomas.
+// s_curve, spiral, flourish, ring (closed), vine (closed), coaster (closed, with normals that bank), lorenz, thomas.
 const std::vector<std::string>& target_names();
 
 // A target with `count` points, 2 to 100 million; 0 = the usual number for it. The short ones are sampled more densely
 // by a higher count, the attractors are followed for longer. Empty for an unknown name.
 Curve make_target(std::string_view name, uint32_t count = 0);
 
+// Curves that belong together.
+struct Scene {
+    std::vector<Curve> curves;
+    // Curves meet at their ends: points that are the same are so bit by bit.
+    bool network = false;
+};
+
+// bouquet, hair, tree (network), icosahedron (network), tower (network), flow.
+const std::vector<std::string>& scene_names();
+
+// `count` is the number of hairs or flow lines, at most 100,000; 0 = the usual number; the other scenes have but one size.
+// No curves for an unknown name.
+Scene make_scene(std::string_view name, uint32_t count = 0);
+
 // A picture's worth of strokes: a bouquet of stems that end in volutes, with radii and colours.
 std::vector<Curve> make_bouquet();
+
+// A triangle mesh.
+struct Mesh {
+    std::vector<Point> vertices, normals;
+    std::vector<std::array<uint32_t, 3>> triangles;
+};
+
+// The part of the head that hair grows on; and the head as a tube whose radius changes along its axis, for pictures.
+Mesh make_scalp();
+Curve make_head();
+
+// The ball that the flow parts around, as such a tube.
+Curve make_ball();
 
 // The attractors' differential equations and how their targets are scaled: for tests.
 struct Attractor {

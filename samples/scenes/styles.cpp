@@ -97,25 +97,106 @@ Offset braid(double u) {
     return {-0.35 * s * std::sin(2.0 * a), s * std::sin(a), 0.62 * s * std::sin(2.0 * a)};
 }
 
+// Drawn in a plane: a wave whose crests lean forwards.
+Offset wave(double u) {
+    const Hand hand(707);
+    const double turns = 12.0;
+    const double a = hand.angle(u, turns, 0.10), s = 0.040 * hand.strength(u, turns, 0.35);
+    return {0.55 * s * std::sin(a + 0.5) * std::sin(a), s * std::sin(a), 0.0};
+}
+
+// Drawn in a plane: stitches, each an omega that overlaps its neighbours.
+Offset knit(double u) {
+    const Hand hand(808);
+    const double turns = 10.0;
+    const double a = hand.angle(u, turns, 0.05), s = 0.058 * hand.strength(u, turns, 0.12);
+    return {-0.75 * s * std::sin(2.0 * a), s * std::sin(a) * (1.0 + 0.08 * hand.shake(6.0 * u)), 0.0};
+}
+
+// A thread with drops on it, of all sizes: what matters is the radius.
+Offset beads(double u) {
+    const Hand hand(909);
+    const double s = hand.strength(u, 9.0, 0.5);
+    return {0.0, 0.020 * s * hand.shake.rough(9.0 * u), 0.020 * s * hand.shake.rough(8.0 * u + 50.0)};
+}
+
+// A ribbon that rolls over again and again while it swings to and fro.
+Offset twist(double u) {
+    const Hand hand(111);
+    const double a = hand.angle(u, 4.0, 0.14), s = 0.052 * hand.strength(u, 4.0, 0.25);
+    return {0.0, s * std::sin(a), 0.6 * s * std::cos(a + 0.7)};
+}
+
+// From a moment's width of a drop to the next: 0 between them, 1 on them.
+double drop(double u) {
+    const Noise timing(919);
+    return std::pow(std::sin(0.5 * kTau * (16.0 * u + 0.30 * timing(14.0 * u))), 4.0);
+}
+
+double bead_radius(double u) {
+    const Noise size(929);
+    return 0.0035 + 0.0125 * drop(u) * (1.0 + 0.45 * size(13.0 * u));
+}
+
+Color bead_color(double u) {
+    const auto ripe = static_cast<float>(drop(u));
+    return {0.05f + 0.75f * ripe, 0.22f - 0.20f * ripe, 0.10f - 0.04f * ripe, 1.0f};
+}
+
+double twist_angle(double u) {
+    const Noise timing(121);
+    return kTau * (5.0 * u + 0.25 * timing(6.0 * u));
+}
+
+double twist_radius(double u) {
+    const Noise size(131);
+    return 0.020 * (1.0 + 0.30 * size.rough(7.0 * u));
+}
+
+// Red on one side of a half turn, gold on the other.
+Color twist_color(double u) {
+    const auto gold = static_cast<float>(0.5 + 0.5 * std::sin(twist_angle(u)));
+    return {0.62f + 0.28f * gold, 0.03f + 0.42f * gold, 0.05f + 0.01f * gold, 1.0f};
+}
+
+// A pen's pressure.
+double pen_radius(double u, uint64_t seed) {
+    const Noise pressure(seed * 31 + 7);
+    return 0.0045 * (1.0 + 0.35 * pressure.rough(9.0 * u));
+}
+
 struct Recipe {
     const char* name;
     Offset (*offset)(double u);
     uint32_t count;
     uint64_t seed;
-    std::array<float, 4> color;
+    Color color;
+    bool planar = false;
+    // Null: a pen's pressure, no angle, one colour.
+    double (*radius)(double u) = nullptr;
+    double (*angle)(double u) = nullptr;
+    Color (*varied_color)(double u) = nullptr;
 };
 
 constexpr Recipe kRecipes[] = {
-    {"loops", loops, 600, 1, {0.86f, 0.16f, 0.10f, 1.0f}},   {"zigzag", zigzag, 420, 2, {0.95f, 0.55f, 0.05f, 1.0f}},
-    {"curls", curls, 560, 3, {0.12f, 0.45f, 0.75f, 1.0f}},   {"knots", knots, 540, 4, {0.18f, 0.55f, 0.25f, 1.0f}},
-    {"tremor", tremor, 320, 5, {0.35f, 0.30f, 0.28f, 1.0f}}, {"braid", braid, 480, 6, {0.55f, 0.20f, 0.60f, 1.0f}},
+    {"loops", loops, 600, 1, {0.86f, 0.16f, 0.10f, 1.0f}},
+    {"zigzag", zigzag, 420, 2, {0.95f, 0.55f, 0.05f, 1.0f}},
+    {"curls", curls, 560, 3, {0.12f, 0.45f, 0.75f, 1.0f}},
+    {"knots", knots, 540, 4, {0.18f, 0.55f, 0.25f, 1.0f}},
+    {"tremor", tremor, 320, 5, {0.35f, 0.30f, 0.28f, 1.0f}},
+    {"braid", braid, 480, 6, {0.55f, 0.20f, 0.60f, 1.0f}},
+    {"wave", wave, 420, 7, {0.10f, 0.35f, 0.60f, 1.0f}, true},
+    {"knit", knit, 560, 8, {0.60f, 0.12f, 0.16f, 1.0f}, true},
+    {"beads", beads, 400, 9, {0.40f, 0.10f, 0.08f, 1.0f}, false, bead_radius, nullptr, bead_color},
+    {"twist", twist, 360, 10, {0.75f, 0.20f, 0.06f, 1.0f}, false, twist_radius, twist_angle, twist_color},
 };
 
 // The gently bent axis and its frame.
-Point place(double u, uint64_t seed, const Offset& o) {
-    const Noise bend(seed * 977);
+Point place(double u, const Recipe& recipe, const Offset& o) {
+    const Noise bend(recipe.seed * 977);
+    const double depth = recipe.planar ? 0.0 : 0.045;
     const auto axis = [&](double v) {
-        return std::array{v, 0.055 * std::sin(2.6 * v + 0.4) + 0.020 * bend(2.0 * v), 0.045 * bend(1.7 * v + 40.0)};
+        return std::array{v, 0.055 * std::sin(2.6 * v + 0.4) + 0.020 * bend(2.0 * v), depth * bend(1.7 * v + 40.0)};
     };
     const double h = 1e-4;
     const auto at = axis(u), before = axis(u - h), after = axis(u + h);
@@ -148,14 +229,16 @@ Curve make_style(std::string_view name) {
     Curve curve;
     for (const Recipe& recipe : kRecipes) {
         if (name != recipe.name) continue;
-        const Noise pressure(recipe.seed * 31 + 7);
         curve.color = recipe.color;
         curve.points.reserve(recipe.count);
         for (uint32_t i = 0; i < recipe.count; ++i) {
             const double u = static_cast<double>(i) / (recipe.count - 1);
-            curve.points.push_back(place(u, recipe.seed, recipe.offset(u)));
+            curve.points.push_back(place(u, recipe, recipe.offset(u)));
             const double ends = 0.35 + 0.65 * smooth_step(u / 0.08) * smooth_step((1.0 - u) / 0.08);
-            curve.radii.push_back(static_cast<float>(0.0045 * ends * (1.0 + 0.35 * pressure.rough(9.0 * u))));
+            const double radius = recipe.radius != nullptr ? recipe.radius(u) : pen_radius(u, recipe.seed);
+            curve.radii.push_back(static_cast<float>(ends * radius));
+            if (recipe.angle != nullptr) curve.angles.push_back(static_cast<float>(recipe.angle(u)));
+            if (recipe.varied_color != nullptr) curve.colors.push_back(recipe.varied_color(u));
         }
     }
     return curve;

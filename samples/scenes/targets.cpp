@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The targets: short strokes by formula, attractors by integration, and the bouquet.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "attractors.h"
 #include "noise.h"
+#include "vector.h"
 
 namespace flg::scenes {
 namespace {
@@ -44,6 +46,39 @@ Point ring(double u) {
     return point(0.6 * std::cos(a), 0.12 * std::sin(3.0 * a), 0.6 * std::sin(a));
 }
 
+// A trefoil knot, as a wreath hung on a wall.
+Point vine(double u) {
+    const double a = kTau * u, r = 0.46 + 0.19 * std::cos(3.0 * a);
+    return point(r * std::cos(2.0 * a), r * std::sin(2.0 * a), 0.19 * std::sin(3.0 * a));
+}
+
+// A track in the shape of an eight, over three hills; where it crosses itself one way is 0.7 m above the other.
+Point coaster(double u) {
+    const double a = kTau * u;
+    return point(1.25 * std::sin(a), 0.42 + 0.25 * std::cos(a) + 0.13 * std::cos(3.0 * a) - 0.05 * std::sin(5.0 * a),
+                 0.62 * std::sin(2.0 * a));
+}
+
+// Normals of a closed track that lean into its turns: up, and a share of the curvature.
+void bank(Curve& track) {
+    constexpr double kLean = 0.75;     // metres: the radius of a turn that is banked by 45 degrees
+    constexpr double kMostLean = 1.2;  // tangent of the bank
+    constexpr size_t kReach = 6;       // points; evens the bank out
+    const size_t count = track.points.size(), reach = std::clamp<size_t>(count / 4, 1, kReach);
+    const auto at = [&](size_t i) { return to_vector(track.points[i % count]); };
+    for (size_t i = 0; i < count; ++i) {
+        const Vector before = at(i + count - reach), here = at(i), after = at(i + reach);
+        const double half = std::max(0.5 * length(after - before), 1e-6);
+        const Vector curvature = (1.0 / (half * half)) * (after + before - 2.0 * here);
+        const double sideways = kLean * std::hypot(curvature.x, curvature.z);
+        const double held = kLean * std::min(1.0, kMostLean / std::max(sideways, 1e-12));
+        const Vector lean = {held * curvature.x, 1.0, held * curvature.z};
+        const Vector tangent = at(i + 1) - at(i + count - 1);
+        const Vector normal = lean - dot(lean, tangent) / std::max(dot(tangent, tangent), 1e-12) * tangent;
+        track.normals.push_back(to_point(unit(normal)));
+    }
+}
+
 struct Shape {
     const char* name;
     Point (*at)(double u);  // null: an attractor
@@ -58,6 +93,8 @@ constexpr Shape kShapes[] = {
     {"spiral", spiral, nullptr, 600, false, {0.12f, 0.40f, 0.70f, 1.0f}},
     {"flourish", flourish, nullptr, 500, false, {0.10f, 0.12f, 0.30f, 1.0f}},
     {"ring", ring, nullptr, 300, true, {0.75f, 0.55f, 0.10f, 1.0f}},
+    {"vine", vine, nullptr, 600, true, {0.16f, 0.30f, 0.07f, 1.0f}},
+    {"coaster", coaster, nullptr, 800, true, {0.70f, 0.10f, 0.08f, 1.0f}},
     {"lorenz", nullptr, lorenz, 10000, false, {0.85f, 0.35f, 0.10f, 1.0f}},
     {"thomas", nullptr, thomas, 369400, false, {0.15f, 0.55f, 0.60f, 1.0f}},
 };
@@ -121,6 +158,7 @@ Curve make_target(std::string_view name, uint32_t count) {
         // A closed curve does not repeat its first point.
         const double steps = shape.closed ? points : points - 1.0;
         for (uint32_t i = 0; i < points; ++i) curve.points.push_back(shape.at(i / steps));
+        if (shape.at == coaster) bank(curve);
     }
     return curve;
 }

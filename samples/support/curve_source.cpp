@@ -11,9 +11,10 @@ namespace {
 constexpr std::string_view kPrefix = "builtin:";
 
 std::string known_names() {
-    std::string names = "bouquet";
-    for (const std::string& name : scenes::style_names()) names += ", " + name;
-    for (const std::string& name : scenes::target_names()) names += ", " + name;
+    std::string names;
+    for (const auto* list : {&scenes::style_names(), &scenes::target_names(), &scenes::scene_names()}) {
+        for (const std::string& name : *list) names += (names.empty() ? "" : ", ") + name;
+    }
     return names;
 }
 
@@ -43,12 +44,8 @@ CurveSource::CurveSource(CurveSource&& other) noexcept
     : name_(std::move(other.name_)),
       view_(other.view_),
       file_(std::exchange(other.file_, nullptr)),
-      positions_(std::move(other.positions_)),
-      radii_(std::move(other.radii_)),
-      colors_(std::move(other.colors_)),
-      offsets_(std::move(other.offsets_)),
-      flags_(std::move(other.flags_)),
-      columns_(std::move(other.columns_)) {}
+      arrays_(std::move(other.arrays_)),
+      network_(other.network_) {}
 
 void CurveSource::make(std::string_view builtin) {
     const std::string_view name = builtin.substr(0, builtin.find(':'));
@@ -57,38 +54,21 @@ void CurveSource::make(std::string_view builtin) {
         const std::string_view text = builtin.substr(name.size() + 1);
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
         if (error != std::errc() || end != text.data() + text.size() || count < 2) {
-            throw SourceError(name_ + ": '" + std::string(text) + "' is not a number of points (2 to 100000000)");
+            throw SourceError(name_ + ": '" + std::string(text) +
+                              "' is not a number of points or curves (2 to 100000000)");
         }
     }
-    std::vector<scenes::Curve> curves;
-    if (name == "bouquet") {
-        curves = scenes::make_bouquet();
-    } else {
-        curves.push_back(scenes::make_style(name));
-        if (curves[0].points.empty()) curves[0] = scenes::make_target(name, count);
-        if (curves[0].points.empty()) {
+    scenes::Scene scene = scenes::make_scene(name, count);
+    if (scene.curves.empty()) {
+        scene.curves.push_back(scenes::make_style(name));
+        if (scene.curves[0].points.empty()) scene.curves[0] = scenes::make_target(name, count);
+        if (scene.curves[0].points.empty()) {
             throw SourceError(name_ + ": no such built-in curve; there are " + known_names());
         }
     }
-
-    offsets_.push_back(0);
-    for (const scenes::Curve& curve : curves) {
-        for (const scenes::Point& p : curve.points) {
-            positions_.insert(positions_.end(), {p.x, p.y, p.z});
-            colors_.insert(colors_.end(), curve.color.begin(), curve.color.end());
-        }
-        radii_.insert(radii_.end(), curve.radii.begin(), curve.radii.end());
-        offsets_.push_back(static_cast<uint32_t>(positions_.size() / 3));
-        flags_.push_back(curve.closed ? FLG_CURVE_CLOSED : 0);
-    }
-    columns_.push_back({FLG_ATTRIBUTE_POSITION, 3, positions_.data(), 0, 0});
-    columns_.push_back({FLG_ATTRIBUTE_COLOR, 4, colors_.data(), 0, 0});
-    if (!radii_.empty()) columns_.push_back({FLG_ATTRIBUTE_RADIUS, 1, radii_.data(), 0, 0});
-    view_.curve_count = static_cast<uint32_t>(curves.size());
-    view_.curve_offsets = offsets_.data();
-    view_.curve_flags = flags_.data();
-    view_.columns = columns_.data();
-    view_.column_count = static_cast<uint32_t>(columns_.size());
+    network_ = scene.network;
+    arrays_ = CurveArrays(scene.curves);
+    view_ = arrays_.view();
 }
 
 std::vector<std::string> CurveSource::warnings() const {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "filigree/filigree_io.h"
-#include "scenes/scenes.h"
+#include "support/curve_arrays.h"
 
 namespace flg::samples {
 
@@ -33,6 +33,8 @@ public:
     // Lives as long as the source.
     const FlgCurveSetView& view() const { return view_; }
     size_t point_count() const { return view_.curve_offsets[view_.curve_count]; }
+    // Whether its curves are known to meet at their ends, as those of some built-in scenes are.
+    bool is_network() const { return network_; }
     // What is odd about the file.
     std::vector<std::string> warnings() const;
     // Format, units and box; zero for what is built in.
@@ -44,10 +46,8 @@ private:
     std::string name_;
     FlgCurveSetView view_;
     FlgCurveFile file_ = nullptr;
-    std::vector<float> positions_, radii_, colors_;
-    std::vector<uint32_t> offsets_;
-    std::vector<uint8_t> flags_;
-    std::vector<FlgColumn> columns_;
+    CurveArrays arrays_;  // of what is built in
+    bool network_ = false;
 };
 
 // Some neighbouring curves of a view, without a copy of their points.

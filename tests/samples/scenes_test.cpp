@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <set>
 
 namespace flg::scenes {
 namespace {
@@ -150,13 +152,150 @@ TEST(Scenes, AttractorsStayInTheirTrappingRegions) {
     }
 }
 
-TEST(Scenes, BouquetIsUsable) {
-    const std::vector<Curve> bouquet = make_bouquet();
-    EXPECT_GE(bouquet.size(), 10u);
-    for (const Curve& curve : bouquet) {
-        expect_usable(curve, "bouquet");
-        EXPECT_FALSE(curve.radii.empty());
+TEST(Scenes, AllScenesAreUsableAndTheSameEachTime) {
+    for (const std::string& name : scene_names()) {
+        const Scene scene = make_scene(name), again = make_scene(name);
+        EXPECT_GE(scene.curves.size(), 10u) << name;
+        ASSERT_EQ(scene.curves.size(), again.curves.size());
+        for (size_t c = 0; c < scene.curves.size(); ++c) {
+            expect_usable(scene.curves[c], name);
+            EXPECT_FALSE(scene.curves[c].radii.empty()) << name;
+            EXPECT_TRUE(same_bits(scene.curves[c], again.curves[c])) << name;
+        }
     }
+    EXPECT_TRUE(make_scene("nosuch").curves.empty());
+}
+
+// How many curves end at each place, bit by bit.
+std::map<std::array<float, 3>, int> ends_of(const Scene& scene) {
+    std::map<std::array<float, 3>, int> ends;
+    for (const Curve& curve : scene.curves) {
+        for (const Point& p : {curve.points.front(), curve.points.back()}) ++ends[{p.x, p.y, p.z}];
+    }
+    return ends;
+}
+
+// Places that are nearly the same but not quite would be joints that come apart.
+void expect_exact_joints(const Scene& scene, const std::string& name) {
+    const auto ends = ends_of(scene);
+    for (const auto& [a, count] : ends) {
+        for (const auto& [b, other] : ends) {
+            if (a == b) continue;
+            ASSERT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-4) << name;
+        }
+    }
+}
+
+TEST(Scenes, NetworksMeetExactly) {
+    for (const std::string& name : scene_names()) {
+        const Scene scene = make_scene(name);
+        EXPECT_EQ(scene.network, name == "tree" || name == "icosahedron" || name == "tower");
+        if (scene.network) expect_exact_joints(scene, name);
+    }
+}
+
+TEST(Scenes, TheIcosahedronHas60JointsOfThreeArcsOnASphere) {
+    const Scene scene = make_scene("icosahedron");
+    EXPECT_EQ(scene.curves.size(), 90u);
+    const auto ends = ends_of(scene);
+    EXPECT_EQ(ends.size(), 60u);
+    for (const auto& [place, count] : ends) EXPECT_EQ(count, 3);
+    for (const Curve& arc : scene.curves) {
+        for (const Point& p : arc.points) ASSERT_NEAR(std::hypot(p.x, p.y, p.z), 0.5, 1e-6);
+    }
+}
+
+TEST(Scenes, TheTreeIsATree) {
+    const Scene scene = make_scene("tree");
+    const auto ends = ends_of(scene);
+    // Connected and without cycles: Euler's number is one, and each curve but the trunk begins where another ends.
+    EXPECT_EQ(ends.size(), scene.curves.size() + 1);
+    std::set<std::array<float, 3>> reached = {{0.0f, 0.0f, 0.0f}};
+    for (const Curve& branch : scene.curves) {
+        const Point &from = branch.points.front(), &to = branch.points.back();
+        EXPECT_TRUE(reached.count({from.x, from.y, from.z}));
+        EXPECT_TRUE(reached.insert({to.x, to.y, to.z}).second);
+    }
+    // Its branches are straight: there the Frenet frame is undefined, sec. 7.
+    for (const Curve& branch : scene.curves) {
+        const Point &a = branch.points.front(), &b = branch.points.back(), &m = branch.points[1];
+        ASSERT_NEAR(distance(a, m) + distance(m, b), distance(a, b), 1e-6);
+    }
+}
+
+TEST(Scenes, HairGrowsFromTheScalpAndStaysOutsideTheHead) {
+    const Scene scene = make_scene("hair");
+    const Curve head = make_head();
+    const Mesh scalp = make_scalp();
+    ASSERT_EQ(scene.curves.size(), 2000u);
+    EXPECT_EQ(make_scene("hair", 37).curves.size(), 37u);
+    const auto head_radius = [&](float y) {
+        for (size_t i = 0; i + 1 < head.points.size(); ++i) {
+            const float y0 = head.points[i].y, y1 = head.points[i + 1].y;
+            if (y0 <= y && y <= y1) {
+                const float t = (y - y0) / (y1 - y0);
+                return head.radii[i] + t * (head.radii[i + 1] - head.radii[i]);
+            }
+        }
+        return 0.0f;
+    };
+    float lowest = 1.0f;
+    for (const Point& p : scalp.vertices) lowest = std::min(lowest, p.y);
+    for (const Curve& strand : scene.curves) {
+        ASSERT_EQ(strand.points.size(), 100u);
+        const Point& root = strand.points[0];
+        EXPECT_NEAR(std::hypot(root.x, root.z), head_radius(root.y), 3e-3);
+        EXPECT_GE(root.y, lowest - 1e-6f);
+        for (const Point& p : strand.points) ASSERT_GT(std::hypot(p.x, p.z), head_radius(p.y) - 3e-3f);
+    }
+}
+
+TEST(Scenes, FlowLinesKeepTheirStreamFunctionAndLeaveTheBallOut) {
+    // Psi = r_away^2 (1 - a^3 / r^3) / 2 is constant along streamlines.
+    const double a = 0.13;
+    const auto psi = [a](const Point& p) {
+        const double r = std::hypot(p.x, p.y, p.z);
+        return 0.5 * (double{p.y} * p.y + double{p.z} * p.z) * (1.0 - a * a * a / (r * r * r));
+    };
+    for (const Curve& line : make_scene("flow").curves) {
+        for (const Point& p : line.points) {
+            ASSERT_NEAR(psi(p), psi(line.points[0]), 1e-6);
+            ASSERT_GT(std::hypot(p.x, p.y, p.z), a);
+        }
+    }
+}
+
+TEST(Scenes, PlanarStylesLieInTheirPlane) {
+    for (const char* name : {"wave", "knit"}) {
+        for (const Point& p : make_style(name).points) ASSERT_EQ(p.z, 0.0f) << name;
+    }
+}
+
+TEST(Scenes, StylesWithAttributesHaveOneOfEachForEachPoint) {
+    const Curve beads = make_style("beads"), twist = make_style("twist");
+    EXPECT_EQ(beads.colors.size(), beads.points.size());
+    EXPECT_EQ(twist.colors.size(), twist.points.size());
+    ASSERT_EQ(twist.angles.size(), twist.points.size());
+    // It rolls over several times.
+    EXPECT_GT(twist.angles.back() - twist.angles.front(), 20.0f);
+    const auto [thin, thick] = std::minmax_element(beads.radii.begin(), beads.radii.end());
+    EXPECT_GT(*thick, 3.0f * *thin);
+}
+
+TEST(Scenes, TheCoasterLeansIntoItsTurns) {
+    const Curve track = make_target("coaster");
+    ASSERT_EQ(track.normals.size(), track.points.size());
+    const size_t count = track.points.size();
+    float flattest = 1.0f;
+    for (size_t i = 0; i < count; ++i) {
+        const Point &p = track.points[(i + count - 1) % count], &q = track.points[(i + 1) % count],
+                    &n = track.normals[i];
+        EXPECT_NEAR(std::hypot(n.x, n.y, n.z), 1.0, 1e-5);
+        EXPECT_NEAR((n.x * (q.x - p.x) + n.y * (q.y - p.y) + n.z * (q.z - p.z)) / distance(p, q), 0.0, 1e-4);
+        EXPECT_GT(n.y, 0.0f) << "upside down at " << i;
+        flattest = std::min(flattest, n.y);
+    }
+    EXPECT_LT(flattest, 0.85f);
 }
 
 }  // namespace
