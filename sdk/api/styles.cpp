@@ -2,10 +2,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
+#include "api/styles.h"
 #include "stylization/guide_discrete_matching.h"
 #include "stylization/prepare_style.h"
 
@@ -102,13 +101,6 @@ void read_arrays(const FlgStyleDesc& desc, StyleRequest& request) {
     check_range(desc.point_count == 0 || 2 * request.largest_patch() + 1 < desc.point_count,
                 desc.patch_size_count > 0 ? "the largest patch in desc.patch_sizes" : "desc.patch",
                 request.largest_patch(), "so small that its 2p + 1 points are fewer than point_count");
-}
-
-// The style, if its job is done; FLG_NOT_READY or the job's error otherwise.
-FlgResult find_style(const Context& context, FlgStyle handle, std::shared_ptr<Style>& out) {
-    out = context.styles.get(handle.id, "style");
-    const FlgResult result = out->visible_result();
-    return result < 0 ? set_last_error(result, out->error()) : result;
 }
 
 }  // namespace

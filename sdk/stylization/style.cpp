@@ -23,7 +23,12 @@ std::shared_ptr<PathTrees> Style::trees(float temperature) {
 void Style::publish(const Job& job) noexcept {
     result_ = job.result;
     std::snprintf(error_, sizeof error_, "%s", job.error);
-    if (result_ == FLG_OK) prepared.guide->publish_complete();
+    if (result_ == FLG_OK) publish_complete();
+}
+
+void Style::publish_complete() noexcept {
+    result_ = FLG_OK;
+    prepared.guide->publish_complete();
 }
 
 FlgStyleInfo Style::info() const {

@@ -52,6 +52,8 @@ public:
     // What the host sees.
     void publish_partial() noexcept override {}
     void publish(const Job& job) noexcept override;
+    // For styles that are loaded, on the host's thread.
+    void publish_complete() noexcept;
     FlgResult visible_result() const { return result_; }
     const char* error() const { return error_; }
     FlgStyleInfo info() const;

@@ -337,8 +337,9 @@ typedef enum FlgFrameMethod {
                                           evenly. Defined everywhere */
     FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last
                                           point where it did not. Flips at inflections, as Frenet frames do */
-    FLG_FRAME_SUPPLIED = 2,            /* the NORMAL column of the curves, made perpendicular to the tangent; curves without
-                                          one are refused */
+    FLG_FRAME_SUPPLIED = 2,            /* the NORMAL column of the curves, interpolated and made perpendicular to the
+                                          tangent; where it points along the tangent or vanishes, carried on from the last
+                                          point where it did not. Without that column the job fails */
     FLG_FRAME_FORCE_32BIT = 0x7fffffff
 } FlgFrameMethod;
 
@@ -368,12 +369,13 @@ FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, F
 typedef enum FlgMetric {
     FLG_METRIC_AUTO = 0,       /* CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else */
     FLG_METRIC_EUCLIDEAN = 1,
-    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1) */
-    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), which a half turn doesn't change */
+    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE and USER columns of one float */
+    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), which a half turn doesn't change. Likewise */
     FLG_METRIC_FORCE_32BIT = 0x7fffffff
 } FlgMetric;
 
-/* An attribute that a style transfers along with its shape. The style curves need a column for it. */
+/* An attribute that a style transfers along with its shape. The style curves need a column for it; values are taken where
+ * the matching leads, angles between points by the shorter way and unwrapped along the curve. A SPEED must be above 0. */
 typedef struct FlgStyleAttribute {
     FlgAttribute attribute; /* RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER and above */
     FlgMetric metric;
@@ -404,9 +406,12 @@ typedef struct FlgStyleDesc {
      * and so many that the curve turns by less than 7 degrees from one to the next; between 256 and 2048. */
     uint32_t point_count;
     FlgJobOptions job;
-    /* The example: one open curve of non-zero length, with at least 3 different points. */
+    /* The example: open curves of non-zero length, 1 to 256 of them. Their guides share out the points by length, so that one
+     * spacing holds for all, and one patch graph leads from any to any other (Fig. 3); curves too short for a patch are
+     * not jumped to, and at least one must be longer. */
     FlgCurveSet style;
-    /* Its unstyled form, one open curve, or null: made by the length-preserving flow of sec. 4.1. */
+    /* Its unstyled form, one open curve for each of the style's, in order, or null: made by the length-preserving flow of
+     * sec. 4.1. */
     FlgCurveSet guide;
     /* How much of its length the flow lets the guide keep, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain
      * curve shortening, 1 keeps the length and removes little. Default 0.5. */
@@ -420,11 +425,12 @@ typedef struct FlgStyleDesc {
     /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, and 2p + 1 < points. Larger patches copy longer
      * runs. Default 10. */
     uint32_t patch;
-    /* Several patch sizes instead of `patch`, at most 8; null: none. */
+    /* Several patch sizes instead of `patch`, at most 8; null: none. Only points with a patch of the largest are jumped to. */
     const FlgPatchSize* patch_sizes;
     uint32_t patch_size_count;
+    /* Default FLG_MATCHING_SEMI_DISCRETE. Discrete takes time and memory by the square of the points, at most 4096. */
     FlgMatching matching;
-    /* Attributes to transfer, at most 8; null: the shape alone. */
+    /* Attributes to transfer, at most 8, each once; null: the shape alone. */
     const FlgStyleAttribute* attributes;
     uint32_t attribute_count;
     uint32_t reserved;
@@ -438,25 +444,35 @@ FLG_API FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, F
 
 typedef struct FlgStyleInfo {
     uint32_t struct_size;
-    uint32_t point_count;      /* of style, guide and displacement */
-    uint32_t patch;            /* p */
+    uint32_t point_count;      /* of style, guide and displacement, all curves together */
+    uint32_t patch;            /* p, the largest */
     uint32_t edge_count;       /* of the patch graph, the consecutive ones included */
-    float style_length;        /* metres */
-    float guide_length;        /* metres */
-    float spacing;             /* guide_length / (point_count - 1): the distance of a result's points along its target */
+    float style_length;        /* metres, all curves together */
+    float guide_length;        /* metres, likewise */
+    float spacing;             /* guide_length / (point_count - curves): the distance of a result's points along its target */
     float displacement_rms;    /* metres */
     float matching_energy;     /* E' of sec. 4.2, square metres, as a mean over the points */
     float temperature_unit;    /* metres: what temperature 1 means, see FlgStylizeDesc */
     uint32_t flow_steps;       /* of the guide flow; 0 with a guide given */
     uint32_t reserved;
-    const float* matching;     /* point_count arc lengths on the style, metres; lives until the style is released */
+    const float* matching;     /* point_count arc lengths on the style's curves, metres; lives until the style is released */
 } FlgStyleInfo;
 
 /* FLG_NOT_READY until the style is prepared, its job's error if that failed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info);
 
-/* The guide as a curve set of its own, with TANGENT and NORMAL columns; to be released by the caller. Cost: one copy. */
+/* The guide as a curve set of its own, as many curves as the style has, with TANGENT and NORMAL columns; to be released by the caller. Cost: one copy. */
 FLG_API FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide);
+
+/* The prepared style as bytes, to be kept in a file or an asset: the same style gives the same bytes. Writes their number to
+ * `out_size`, and the bytes unless `out_data` is null; FLG_ERROR_LIMIT if `capacity` is less than their number.
+ * FLG_NOT_READY until the style is prepared. Cost: about a millisecond a megabyte; a style has 150 to 250 bytes a point. */
+FLG_API FlgResult flgStyleGetData(FlgContext context, FlgStyle style, void* out_data, size_t capacity, size_t* out_size);
+
+/* A style from such bytes, ready at once; it gives the same results, bit by bit. The bytes need no alignment and are not
+ * needed afterwards. FLG_ERROR_FORMAT for bytes that are cut off, damaged, of another format version, or made to do harm.
+ * Cost: about a millisecond a megabyte. */
+FLG_API FlgResult flgStyleCreateFromData(FlgContext context, const void* data, size_t size, FlgStyle* out_style);
 
 FLG_API FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
 
@@ -476,7 +492,7 @@ typedef struct FlgStylizeDesc {
     FlgStart start;
     FlgJobOptions job;
     FlgStyle style;
-    /* The curves to stylize. Radius, colour and further columns are carried over. */
+    /* The curves to stylize. Their further columns are carried over, but for the attributes that the style has. */
     FlgCurveSet target;
     /* sigma, sec. 4.5.3: factor on the displacement; any finite number, 0 gives the resampled target. Default 1. */
     float magnitude;
@@ -491,27 +507,36 @@ typedef struct FlgStylizeDesc {
     /* Key of all random choices. Default 1. */
     uint64_t seed;
     /* Row-major 3 x 3: turns the style's displacement (along tangent, first normal, second normal) within the target's
-     * frame, such as to apply a style drawn in a plane in another one, sec. 7 (Fig. 16). Default: identity. */
+     * frame, such as to apply a style drawn in a plane in another one, sec. 7 (Fig. 16). Any finite numbers. Default:
+     * identity. */
     float basis[9];
-    /* Nonzero: results begin and end exactly where their targets do, sec. 4.5.2, so that curves of a network that meet
-     * still meet. Default 0. */
+    /* Nonzero: results begin and end exactly where their targets do, to the bit, sec. 4.5.2, so that curves of a network
+     * that meet still meet (ends that don't meet keep their distance). Closed results then pass through their target's
+     * first point. Default 0. */
     uint32_t pin_ends;
     /* How often each curve is stylized, with other random choices each time, 1 to 1024, sec. 4.5.5. Stroke k of target curve c
-     * is curve c * strokes + k of the result. Default 1. */
+     * is curve c * strokes + k of the result; stroke 0 is what strokes = 1 gives, the others begin at random places of the
+     * style. Default 1. */
     uint32_t strokes;
     /* Nonzero: the result has a DISPLACEMENT column, so that magnitude can be changed afterwards, also on the GPU:
-     * position at magnitude m = POSITION + (m - magnitude) * DISPLACEMENT. Default 0. */
+     * position at magnitude m = POSITION + (m - magnitude) * DISPLACEMENT, also of pinned and closed curves. Default 0. */
     uint32_t keep_displacement;
     uint32_t reserved;
 } FlgStylizeDesc;
 
 FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size);
 
-/* Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has the target's curves, resampled
- * to the style's spacing times scale, with the columns POSITION, TANGENT and NORMAL (the target's frame), STYLE_INDEX
- * and the target's others. A target curve shorter than one step gets two points, one without length gets one, not
- * displaced; targets shorter than the style get a part of it. Closed targets are followed once around, from their first
- * point to their first point; the result is open.
+/* Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has the target's curves, each so many
+ * times as there are strokes, resampled to the style's spacing times scale, with the columns POSITION, TANGENT and NORMAL
+ * (the target's frame), STYLE_INDEX, DISPLACEMENT if wanted, the style's attributes and the target's other columns. A
+ * target curve shorter than one step gets two points, one without length gets one, not displaced; targets shorter than the
+ * style get a part of it.
+ * Closed targets come out closed: the displacement is corrected in proportion to the arc length so that it comes back to
+ * where it began (sec. 4.5.1), ANGLE and other angles likewise, the shorter way; so frames and ribbons turn over the seam
+ * as evenly as elsewhere.
+ * Attributes have the values of the style at STYLE_INDEX, RADIUS, WIDTH and the half axes of RADII times scale. ANGLE also
+ * turns the result's NORMAL about its tangent. With SPEED the result has TIME: from the target's first TIME value, or 0,
+ * on; each step takes its length by the mean speed of its ends.
  * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
 FLG_API FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
