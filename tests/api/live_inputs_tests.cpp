@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+// Each bad or odd input has a stated behaviour.
+#include "api/live_inputs.h"
+
+namespace flg::test {
+namespace {
+
+constexpr FlgResult invalid = FLG_ERROR_INVALID_ARGUMENT;
+
+// A burst in the middle of a stroke that is refused whole, one by one from the bad sample on, and leaves no trace.
+void expect_refused(LiveHost& host, const std::function<void(Samples&)>& spoil, FlgResult expected, const char* words) {
+    const Samples good = drawn(60);
+    Samples bad(good.begin() + 20, good.begin() + 40);
+    spoil(bad);
+    const FlgLiveStroke stroke = host.begin();
+    Heard heard;
+    heard.add(host.push(stroke, good.data(), 20));
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    view.curve_count = 77;
+    expect_failure(flgLiveStrokePush(host.context, stroke, bad.data(), 20, &view), expected, words);
+    EXPECT_EQ(view.curve_count, 0u);
+    EXPECT_EQ(host.info(stroke).sample_count, 20u);
+    heard.add(host.push(stroke, good.data() + 20, 40));
+    EXPECT_TRUE(heard == host.push_in_bursts(host.begin(), good, {60})) << words;
+}
+
+TEST(LiveStrokeInput, BadSamplesAreRefusedAndTheStrokeGoesOn) {
+    LiveHost host;
+    expect_refused(
+        host, [](Samples& s) { s[5].position[1] = NAN; }, invalid, "samples[5].position holds nan");
+    expect_refused(
+        host, [](Samples& s) { s[0].position[2] = INFINITY; }, invalid, "samples[0].position holds inf");
+    expect_refused(
+        host, [](Samples& s) { s[19].position[0] = 2e30f; }, invalid, "samples[19].position holds 2e+30");
+    expect_refused(
+        host, [](Samples& s) { s[3].orientation[3] = NAN; }, invalid, "samples[3].orientation holds nan");
+    expect_refused(
+        host, [](Samples& s) { s[4].pressure = 1.5f; }, invalid, "samples[4].pressure is 1.5");
+    expect_refused(
+        host, [](Samples& s) { s[4].pressure = -0.5f; }, invalid, "samples[4].pressure is -0.5");
+    expect_refused(
+        host, [](Samples& s) { s[4].pressure = NAN; }, invalid, "samples[4].pressure is nan");
+    expect_refused(
+        host, [](Samples& s) { s[7].time = NAN; }, invalid, "samples[7].time is nan");
+    expect_refused(
+        host, [](Samples& s) { std::swap(s[7].time, s[8].time); }, invalid, "samples[8].time is 1000");
+    expect_refused(
+        host, [](Samples& s) { s[0].time -= 1; }, invalid, "samples[0].time is 999");
+}
+
+TEST(LiveStrokeInput, TeleportsAreRefused) {
+    LiveHost host;
+    for (float kilometres : {0.0011f, 5.0f, 1e9f}) {
+        expect_refused(
+            host, [&](Samples& s) { s[6].position[0] += 1000 * kilometres; }, FLG_ERROR_LIMIT, "samples[6] is 1");
+        if (kilometres > 1) break;
+    }
+    expect_refused(
+        host, [](Samples& s) { s[0].position[0] += 5000; }, FLG_ERROR_LIMIT, "samples[0] is 50");
+    expect_refused(
+        host, [](Samples& s) { s[0].position[0] = 1e30f; }, FLG_ERROR_LIMIT, "max_jump is 1 m");
+}
+
+// Long ways that are allowed are followed in slices, by the samples after them.
+TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
+    LiveHost host;
+    host.live.max_jump = 1e6f;
+    host.live.max_points = 100'000;
+    const FlgLiveStroke stroke = host.begin();
+    Samples samples = drawn(40);
+    for (size_t i = 20; i < 40; ++i) samples[i].position[0] += 100;
+    uint32_t before = 0;
+    for (const FlgLiveSample& sample : samples) {
+        host.push(stroke, &sample, 1);
+        const uint32_t points = host.info(stroke).point_count;
+        EXPECT_LE(points - before, 260u);
+        before = points;
+    }
+    EXPECT_GT(host.info(stroke).waiting_samples, 10u);
+    EXPECT_GT(before, 4000u);
+    const LiveHost::Ended ended = host.end(stroke);
+    host.finish(100);
+    EXPECT_EQ(host.info(stroke).waiting_samples, 0u);
+    const Heard live = heard_of(host.view_of(ended.stylized));
+    EXPECT_GT(live.points(), static_cast<size_t>(100 / host.info(stroke).spacing));
+    EXPECT_TRUE(host.replay(host.live, ended.samples) == live);
+    // Undone while much is waiting, the state is the same too.
+    const FlgLiveStroke other = host.begin();
+    host.push(other, samples.data(), 40);
+    const Heard all = heard_of(host.points(other));
+    ASSERT_EQ(flgLiveStrokeUndo(host.context, other, 11, nullptr), FLG_OK);
+    host.push(other, samples.data() + 29, 11);
+    EXPECT_TRUE(heard_of(host.points(other)) == all);
+}
+
+TEST(LiveStrokeInput, RepeatedSamplesMakeNoPoints) {
+    LiveHost host;
+    const Samples samples = drawn(60);
+    Samples repeated;
+    for (const FlgLiveSample& sample : samples) repeated.insert(repeated.end(), 3, sample);
+    EXPECT_TRUE(host.push_in_bursts(host.begin(), repeated, {1}) == host.push_in_bursts(host.begin(), samples, {1}));
+    // Trembling within a thousandth of a step.
+    const FlgLiveStroke still = host.begin();
+    FlgLiveSample sample = samples[0];
+    for (int i = 0; i < 50; ++i) {
+        sample.position[0] = samples[0].position[0] + 1e-6f * static_cast<float>(i % 3);
+        EXPECT_EQ(host.push(still, &sample, 1).curve_count, 0u);
+    }
+}
+
+TEST(LiveStrokeInput, AHandThatStaysIsOnePointNotDisplaced) {
+    LiveHost host;
+    const FlgLiveStroke stroke = host.begin();
+    const FlgLiveSample sample{{1, 2, 3}, {0, 0, 0, 0}, 0.5f, 0};
+    host.push(stroke, &sample, 1);
+    const LiveHost::Ended ended = host.end(stroke);
+    host.finish();
+    const Heard point = heard_of(host.view_of(ended.stylized));
+    EXPECT_EQ(point.of(FLG_ATTRIBUTE_POSITION), (std::vector<float>{1, 2, 3}));
+    EXPECT_EQ(point.of(FLG_ATTRIBUTE_RADIUS), std::vector<float>{0.003f});
+    EXPECT_TRUE(host.replay(host.live, ended.samples) == point);
+}
+
+TEST(LiveStrokeInput, OrientationGivesTheFirstNormal) {
+    LiveHost host;
+    const auto first_normal = [&](std::vector<float> q, float direction_y) {
+        const FlgLiveStroke stroke = host.begin();
+        Samples samples(6);
+        for (size_t i = 0; i < 6; ++i) {
+            samples[i] = {};
+            samples[i].position[direction_y > 0 ? 1 : 0] = 0.1f * static_cast<float>(i);
+            std::copy(q.begin(), q.end(), samples[i].orientation);
+            samples[i].time = static_cast<double>(i);
+        }
+        host.push(stroke, samples.data(), 6);
+        const std::vector<float> normals = heard_of(host.points(stroke)).of(FLG_ATTRIBUTE_NORMAL);
+        return std::vector<float>(normals.begin(), normals.begin() + 3);
+    };
+    const auto expect_near = [](const std::vector<float>& a, const std::vector<float>& b) {
+        for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-6);
+    };
+    const float half = std::sqrt(0.5f);
+    expect_near(first_normal({0, 0, 0, 1}, 0), {0, 1, 0});
+    expect_near(first_normal({half, 0, 0, half}, 0), {0, 0, 1});          // a quarter turn about x
+    expect_near(first_normal({7 * half, 0, 0, 7 * half}, 0), {0, 0, 1});  // of any length
+    expect_near(first_normal({0, 0, 0, 1}, 1), {1, 0, 0});                // drawn along the controller's y axis
+    expect_near(first_normal({0, 0, 0, 0}, 0), {0, 1, 0});                // none
+    expect_near(first_normal({1e-30f, 0, 0, 1e-30f}, 0), {0, 0, 1});
+}
+
+TEST(LiveStrokeInput, NothingIsBegunBeforeItsTime) {
+    LiveHost host;
+    FlgStyleDesc desc = flgStyleDefaults();
+    desc.style = host.create(coil());
+    FlgLiveStrokeDesc live = host.live;
+    ASSERT_EQ(flgStyleCreate(host.context, &desc, &live.style, nullptr), FLG_OK);
+    FlgLiveStroke stroke{5};
+    EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);  // not prepared
+    EXPECT_EQ(stroke.id, 0u);
+    host.finish();
+    EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);  // not warm
+    live.style = host.style;
+    live.temperature = 0.5f;
+    EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);  // not at this temperature
+    host.warm(0.5f);
+    host.begin(live);
+    // A style whose job failed.
+    Curves point;
+    point.add_point(1, 1, 1);
+    point.end_curve();
+    desc.style = host.create(point);
+    ASSERT_EQ(flgStyleCreate(host.context, &desc, &live.style, nullptr), FLG_OK);
+    host.finish();
+    expect_failure(flgLiveStrokeBegin(host.context, &live, &stroke), invalid, "has no length");
+    expect_failure(flgStyleWarm(host.context, live.style, 0, nullptr, nullptr), FLG_ERROR_DEPENDENCY, "has no length");
+}
+
+TEST(LiveStrokeInput, AfterTheEndNothingIsTaken) {
+    LiveHost host;
+    const FlgLiveStroke stroke = host.begin();
+    const Samples samples = drawn(30);
+    expect_failure(flgLiveStrokeEnd(host.context, stroke, nullptr, nullptr, nullptr, nullptr), invalid, "no samples");
+    expect_failure(flgLiveStrokeResume(host.context, stroke), invalid, "not ended");
+    host.push(stroke, samples.data(), 20);
+    host.end(stroke);
+    for (int published = 0; published < 2; ++published) {
+        expect_failure(flgLiveStrokePush(host.context, stroke, samples.data() + 20, 10, nullptr), invalid, "has ended");
+        expect_failure(flgLiveStrokeUndo(host.context, stroke, 1, nullptr), invalid, "has ended");
+        expect_failure(flgLiveStrokeEnd(host.context, stroke, nullptr, nullptr, nullptr, nullptr), invalid,
+                       "ended already");
+        host.finish();
+    }
+    ASSERT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);
+    expect_failure(flgLiveStrokePush(host.context, stroke, samples.data(), 1, nullptr), FLG_ERROR_INVALID_HANDLE,
+                   "is not a living live stroke");
+}
+
+TEST(LiveStrokeInput, AReleasedOrCancelledEndLeavesNoTrace) {
+    LiveHost host;
+    const Samples samples = drawn(60);
+    const FlgLiveStroke stroke = host.begin();
+    host.push(stroke, samples.data(), 40);
+    const LiveHost::Ended ended = host.end(stroke);
+    ASSERT_EQ(flgJobCancel(host.context, ended.job), FLG_OK);
+    host.finish();
+    EXPECT_EQ(host.result_of(ended.job), FLG_ERROR_CANCELLED);
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    EXPECT_EQ(flgCurveSetGetView(host.context, ended.stylized, &view), FLG_ERROR_CANCELLED);
+    host.push(stroke, samples.data() + 40, 20);  // goes on
+    EXPECT_TRUE(heard_of(host.points(stroke)) == host.push_in_bursts(host.begin(), samples, {1}));
+    const LiveHost::Ended again = host.end(stroke);
+    ASSERT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);  // the job keeps what it needs
+    host.finish(50);
+    EXPECT_EQ(host.result_of(again.job), FLG_OK);
+}
+
+TEST(LiveStrokeInput, LimitsEndTheStroke) {
+    LiveHost host;
+    const Samples samples = drawn(200);
+    host.live.max_samples = 50;
+    const FlgLiveStroke few_samples = host.begin();
+    expect_failure(flgLiveStrokePush(host.context, few_samples, samples.data(), 51, nullptr), FLG_ERROR_LIMIT,
+                   "max_samples, 50");
+    host.push(few_samples, samples.data(), 50);
+    expect_failure(flgLiveStrokePush(host.context, few_samples, samples.data() + 50, 1, nullptr), FLG_ERROR_LIMIT,
+                   "max_samples, 50");
+    host.live.max_samples = 200;
+    const Heard unlimited = host.push_in_bursts(host.begin(), samples, {1});
+    host.live.max_points = 40;
+    const FlgLiveStroke few_points = host.begin();
+    uint32_t taken = 0;
+    while (flgLiveStrokePush(host.context, few_points, &samples[taken], 1, nullptr) == FLG_OK) ++taken;
+    expect_failure(flgLiveStrokePush(host.context, few_points, &samples[taken], 1, nullptr), FLG_ERROR_LIMIT,
+                   "max_points, 40");
+    ASSERT_EQ(host.info(few_points).point_count, 40u);
+    const std::vector<float>& positions = unlimited.of(FLG_ATTRIBUTE_POSITION);
+    EXPECT_EQ(heard_of(host.points(few_points)).of(FLG_ATTRIBUTE_POSITION),
+              std::vector<float>(positions.begin(), positions.begin() + 120));
+    ASSERT_EQ(flgLiveStrokeUndo(host.context, few_points, 10, nullptr), FLG_OK);
+    host.push(few_points, &samples[taken - 10], 1);
+    const LiveHost::Ended ended = host.end(few_points);
+    host.finish();
+    EXPECT_TRUE(host.replay(host.live, ended.samples) == heard_of(host.view_of(ended.stylized)));
+}
+
+TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
+    LiveHost host;
+    const auto refused = [&](auto change, FlgResult expected, const char* words) {
+        FlgLiveStrokeDesc desc = host.live;
+        change(desc);
+        FlgLiveStroke stroke{5};
+        expect_failure(flgLiveStrokeBegin(host.context, &desc, &stroke), expected, words);
+        EXPECT_EQ(stroke.id, 0u);
+    };
+    refused([](auto& d) { d.struct_size = 4; }, invalid, "struct_size is 4");
+    refused([](auto& d) { d.start = static_cast<FlgStart>(9); }, invalid, "desc.start is 9");
+    refused([](auto& d) { d.style = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.style is null");
+    refused([](auto& d) { d.magnitude = NAN; }, invalid, "desc.magnitude is nan");
+    refused([](auto& d) { d.temperature = -1; }, invalid, "desc.temperature is -1");
+    refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
+    refused([](auto& d) { d.radius_min = -1; }, invalid, "desc.radius_min is -1");
+    refused([](auto& d) { d.radius_max = INFINITY; }, invalid, "desc.radius_max is inf");
+    refused([](auto& d) { d.smoothing = -1; }, invalid, "desc.smoothing is -1");
+    refused([](auto& d) { d.max_jump = 0; }, invalid, "desc.max_jump is 0");
+    refused([](auto& d) { d.max_samples = 0; }, invalid, "desc.max_samples is 0");
+    refused([](auto& d) { d.max_samples = (1u << 20) + 1; }, invalid, "desc.max_samples is 1.04858e+06");
+    refused([](auto& d) { d.max_points = 0; }, invalid, "desc.max_points is 0");
+    expect_failure(flgStyleWarm(host.context, host.style, NAN, nullptr, nullptr), invalid, "temperature is nan");
+    expect_failure(flgLiveStrokePush(host.context, host.begin(), nullptr, 1, nullptr), invalid, "samples is null");
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    EXPECT_EQ(flgLiveStrokePush(host.context, host.begin(), nullptr, 0, &view), FLG_OK);
+}
+
+TEST(LiveStrokeInput, ReplayRefusesWhatALiveStrokeDoes) {
+    LiveHost host;
+    const auto fails = [&](Curves curves, const FlgLiveStrokeDesc& desc, FlgResult expected, const char* words) {
+        FlgCurveSet out{};
+        FlgJob job{};
+        ASSERT_EQ(flgLiveStrokeReplay(host.context, &desc, host.create(curves), nullptr, &out, &job), FLG_OK);
+        host.finish();
+        EXPECT_EQ(host.result_of(job), expected);
+        EXPECT_NE(std::strstr(host.status_of(job).error, words), nullptr) << host.status_of(job).error;
+    };
+    FlgLiveStrokeDesc desc = host.live;
+    fails(arcs(2, 10), desc, FLG_ERROR_LIMIT, "curve 0: samples[1] is");
+    desc.max_jump = 10;
+    desc.smoothing = 0.1f;
+    fails(arcs(2, 10), desc, invalid, "no TIME column");
+    desc.smoothing = 0;
+    const Heard replayed = host.replay(desc, host.create(arcs(1, 10)));  // neither orientation, pressure nor time
+    EXPECT_GT(replayed.points(), 100u);
+    for (float radius : replayed.of(FLG_ATTRIBUTE_RADIUS)) ASSERT_EQ(radius, desc.radius_max);
+}
+
+// Curve c of a replay is a live stroke of seed + c, under any number of workers.
+TEST(LiveStrokeInput, ReplaysManyCurves) {
+    LiveHost host;
+    host.live.start = FLG_START_RANDOM;
+    Curves curves;
+    std::vector<Samples> hands;
+    for (int c = 0; c < 5; ++c) {
+        hands.push_back(drawn(40 + 20 * c));
+        for (FlgLiveSample& sample : hands.back()) {
+            sample.pressure = 1;
+            std::fill_n(sample.orientation, 4, 0.0f);
+            curves.add_point(sample.position[0], sample.position[1], sample.position[2]);
+        }
+        curves.end_curve();
+    }
+    FlgCurveSet out{};
+    ASSERT_EQ(flgLiveStrokeReplay(host.context, &host.live, host.create(curves), nullptr, &out, nullptr), FLG_OK);
+    host.finish(500);
+    const FlgCurveSetView view = host.view_of(out);
+    ASSERT_EQ(view.curve_count, 5u);
+    for (uint32_t c = 0; c < 5; ++c) {
+        FlgLiveStrokeDesc desc = host.live;
+        desc.seed = host.live.seed + c;
+        const FlgLiveStroke stroke = host.begin(desc);
+        host.push(stroke, hands[c].data(), hands[c].size());
+        const LiveHost::Ended ended = host.end(stroke);
+        host.finish();
+        const Heard live = heard_of(host.view_of(ended.stylized));
+        ASSERT_EQ(live.points(), view.curve_offsets[c + 1] - view.curve_offsets[c]);
+        const std::vector<float>& positions = live.of(FLG_ATTRIBUTE_POSITION);
+        EXPECT_TRUE(
+            std::equal(positions.begin(), positions.end(), view.columns[0].data + 3 * size_t{view.curve_offsets[c]}));
+    }
+}
+
+}  // namespace
+}  // namespace flg::test
