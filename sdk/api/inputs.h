@@ -31,7 +31,7 @@ void check_enum(const Enum& value, Enum first, Enum last, const char* argument, 
 }
 
 inline void check_frame(const FlgFrameMethod& method, const char* argument) {
-    check_enum(method, FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_FRENET, argument, "FLG_FRAME_");
+    check_enum(method, FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_SUPPLIED, argument, "FLG_FRAME_");
 }
 
 }  // namespace flg

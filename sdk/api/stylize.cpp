@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <iterator>
 
 #include "api/context.h"
 #include "api/descriptors.h"
@@ -10,6 +13,8 @@
 namespace flg {
 
 namespace {
+
+constexpr uint32_t strokes_max = 1024;
 
 FlgStylizeDesc default_stylize_desc() {
     const StylizeRequest defaults;
@@ -22,8 +27,8 @@ FlgStylizeDesc default_stylize_desc() {
     desc.scale = static_cast<float>(defaults.scale);
     desc.frame = defaults.frame;
     desc.seed = defaults.seed;
-    for (int i = 0; i < 3; ++i) desc.basis[4 * i] = 1;
-    desc.strokes = 1;
+    std::copy(defaults.basis.begin(), defaults.basis.end(), desc.basis);
+    desc.strokes = defaults.strokes;
     return desc;
 }
 
@@ -33,6 +38,12 @@ void check(const FlgStylizeDesc& desc) {
                 "finite and at least 0");
     check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
     check_frame(desc.frame, "desc.frame");
+    for (size_t i = 0; i < std::size(desc.basis); ++i) {
+        char name[sizeof "desc.basis[0]"];
+        std::snprintf(name, sizeof name, "desc.basis[%zu]", i);
+        check_range(std::isfinite(desc.basis[i]), name, desc.basis[i], "finite");
+    }
+    check_range(desc.strokes >= 1 && desc.strokes <= strokes_max, "desc.strokes", desc.strokes, "1 to 1024");
     check_enum(desc.start, FLG_START_AUTO, FLG_START_RANDOM, "desc.start", "FLG_START_");
 }
 
@@ -71,6 +82,10 @@ FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet
         request.frame = read.frame;
         request.start = read.start;
         request.seed = read.seed;
+        std::copy(std::begin(read.basis), std::end(read.basis), request.basis.begin());
+        request.strokes = read.strokes;
+        request.pin_ends = read.pin_ends != 0;
+        request.keep_displacement = read.keep_displacement != 0;
         const std::shared_ptr<CurveSet> out = request.out;
         submission.job().strand.start(apply_style(submission.pace(), std::move(request)));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/memory.h"
@@ -52,6 +53,7 @@ public:
     const std::pmr::vector<Column>& columns() const { return columns_; }
     // Null if there is none.
     const Column* find(FlgAttribute attribute) const;
+    Column* find(FlgAttribute attribute) { return const_cast<Column*>(std::as_const(*this).find(attribute)); }
     const float* positions() const { return columns_.front().values.data(); }
 
     // ---- what the host sees ----

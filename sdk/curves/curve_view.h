@@ -16,6 +16,8 @@ struct CurveView {
 
     const float* raw(uint32_t i) const { return positions + 3 * static_cast<size_t>(i); }
     Vec3 point(uint32_t i) const { return load_vec3(raw(i)); }
+    // The point after i; the first one after the last.
+    uint32_t following(uint32_t i) const { return i + 1 < count ? i + 1 : 0; }
     bool same_point(uint32_t i, uint32_t j) const {
         const float* a = raw(i);
         const float* b = raw(j);

@@ -9,7 +9,7 @@ FramedSampler::FramedSampler(const SamplingPlan& plan)
     : plan_(plan),
       sampler_(plan.curve, plan.measure.length, plan.steps),
       left_(plan.sample_count()),
-      special_(plan.steps > 0 && (plan.frame == FLG_FRAME_FRENET || plan.curve.closed)) {
+      special_(plan.steps > 0 && (plan.frame != FLG_FRAME_ROTATION_MINIMIZING || plan.curve.closed)) {
     constexpr double least_turn_rad = 1e-6;
     const double step = plan.steps > 0 ? plan.measure.length / plan.steps : 1.0;
     straight_ = std::max(least_turn_rad, plan.measure.resolution() / step);
@@ -48,6 +48,7 @@ uint32_t FramedSampler::next(FramedSample* out, uint32_t capacity, uint32_t& uni
 
 bool FramedSampler::next_special(FramedSample& out, uint32_t& units) {
     if (plan_.frame == FLG_FRAME_FRENET) return next_frenet(out, units);
+    if (plan_.frame == FLG_FRAME_SUPPLIED) return next_supplied(out, units);
     if (!twist_known_ && !measure_twist(units)) return false;
     return next_twisted(out, units);
 }
@@ -103,6 +104,25 @@ bool FramedSampler::next_frenet(FramedSample& out, uint32_t& units) {
     if (size > straight_) frame_.set_normal(across / size);
     out.normal = frame_.normal();
     before_ = current.tangent;
+    ++next_;
+    return true;
+}
+
+bool FramedSampler::next_supplied(FramedSample& out, uint32_t& units) {
+    constexpr double parallel_sine = 1e-4;  // well above what float coordinates make of parallel vectors
+    if (!sampler_.next(out, units)) return false;
+    if (next_ == 0) {
+        begin_frame(out);
+    } else {
+        frame_.step(out.position, out.tangent);
+    }
+    const Vec3 a = load_vec3(plan_.normals + size_t{3} * out.segment);
+    const Vec3 b = load_vec3(plan_.normals + size_t{3} * plan_.curve.following(out.segment));
+    const Vec3 supplied = (1.0 - out.t) * a + out.t * b;
+    const Vec3 across = supplied - supplied.dot(out.tangent) * out.tangent;
+    const double size = across.norm();
+    if (size > parallel_sine * supplied.norm()) frame_.set_normal(across / size);
+    out.normal = frame_.normal();
     ++next_;
     return true;
 }

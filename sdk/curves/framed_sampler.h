@@ -3,7 +3,9 @@
 //
 // On closed curves the rotation-minimizing frame comes back turned by an angle; a pass ahead measures it, and each
 // sample's normal is turned back by its share. The Frenet normal is the direction in which the tangent turns between the
-// two neighbouring samples; where it doesn't turn, the last normal is carried on (at the start: the initial normal).
+// two neighbouring samples. A supplied normal is interpolated between the curve's points and made perpendicular to the
+// tangent. Where the tangent doesn't turn, or a supplied normal points along it, the last normal is carried on (at the
+// start: the initial normal).
 #pragma once
 
 #include "curves/arc_length.h"
@@ -20,15 +22,15 @@ struct FramedSample : CurveSample {
     Vec3 normal;  // unit, across the tangent
 };
 
-// How a curve is to be sampled. Ends: closed curves may have their first point once more at the end.
+// How a curve is to be sampled. On closed curves the first point doesn't come again at the end.
 struct SamplingPlan {
     CurveView curve;
     CurveMeasure measure;
-    uint32_t steps = 0;         // 0 exactly if the curve has no length
-    bool repeat_first = false;  // closed curves: steps + 1 samples instead of steps
+    uint32_t steps = 0;  // 0 exactly if the curve has no length
     FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;
+    const float* normals = nullptr;  // FLG_FRAME_SUPPLIED: three floats a point of the curve, of any length
 
-    uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed && !repeat_first ? steps : steps + 1); }
+    uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed ? steps : steps + 1); }
 };
 
 class FramedSampler {
@@ -44,6 +46,7 @@ private:
     bool measure_twist(uint32_t& units);
     bool next_twisted(FramedSample& out, uint32_t& units);
     bool next_frenet(FramedSample& out, uint32_t& units);
+    bool next_supplied(FramedSample& out, uint32_t& units);
     void begin_frame(const CurveSample& first);
 
     SamplingPlan plan_;

@@ -26,7 +26,7 @@ void interpolate_column(const ColumnPair& column, const CurveView& curve, std::s
     const size_t width = column.components;
     float* out = column.out + width * first;
     for (const SamplePlace& place : places) {
-        const uint32_t following = place.segment + 1 < curve.count ? place.segment + 1 : 0;
+        const uint32_t following = curve.following(place.segment);
         const float* a = column.in + width * place.segment;
         const float* b = column.in + width * following;
         if (column.orientation) {

@@ -15,6 +15,12 @@ constexpr uint32_t resample_chunk = 400;  // samples, about 20 us
 constexpr uint32_t layout_chunk = 5000;   // curves, about 20 us
 constexpr double max_points = 2147483648.0;
 
+// A curve's, or null if frames are not to be supplied.
+const float* supplied_normals(const Sampling& sampling, uint32_t curve) {
+    if (sampling.frame != FLG_FRAME_SUPPLIED) return nullptr;
+    return sampling.in.find(FLG_ATTRIBUTE_NORMAL)->values.data() + size_t{3} * sampling.in.offsets()[curve];
+}
+
 Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     const CurveRange range = curves_of_batch(sampling.in, batch);
     for (uint32_t c = range.first; c < range.last; ++c) {
@@ -31,8 +37,8 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
         std::construct_at(&sampling.plans[c], SamplingPlan{.curve = curve,
                                                            .measure = measure,
                                                            .steps = static_cast<uint32_t>(steps),
-                                                           .repeat_first = curve.closed && sampling.open_result,
-                                                           .frame = sampling.frame});
+                                                           .frame = sampling.frame,
+                                                           .normals = supplied_normals(sampling, c)});
         pace.advance(curve.count);
         co_await pace;
     }
@@ -73,29 +79,38 @@ CurveView curve_view(const CurveSet& set, uint32_t curve) {
     return {set.positions() + size_t{first} * 3, set.offsets()[curve + 1] - first, set.closed(curve)};
 }
 
-Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<FlgAttribute> added) {
+Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added) {
     pace.stage("measure");
     const CurveSet& in = sampling.in;
     CurveSet& out = sampling.out;
+    if (sampling.frame == FLG_FRAME_SUPPLIED && !in.find(FLG_ATTRIBUTE_NORMAL)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "the curves have no FLG_ATTRIBUTE_NORMAL column, from which FLG_FRAME_SUPPLIED takes its frames");
+    }
+    const uint64_t curve_count = uint64_t{in.curve_count()} * sampling.copies;
+    if (static_cast<double>(curve_count) >= max_points) {
+        throw Failure(FLG_ERROR_LIMIT, "%u strokes of %u curves would be more than 2^31 curves", sampling.copies,
+                      in.curve_count());
+    }
     sampling.plans = Buffer<SamplingPlan>(in.curve_count(), pace.memory());
     co_await fork(pace, batch_count(in), &measure_batch, sampling);
 
-    out.allocate_curves(in.curve_count());
+    out.allocate_curves(static_cast<uint32_t>(curve_count));
     uint64_t point_count = 0;
-    for (uint32_t c = 0; c < in.curve_count(); ++c) {
+    for (uint32_t c = 0; c < curve_count; ++c) {
         out.offsets()[c] = static_cast<uint32_t>(point_count);
-        out.flags()[c] = sampling.open_result ? 0 : in.flags()[c];
-        point_count += sampling.plans[c].sample_count();
+        out.flags()[c] = in.flags()[c / sampling.copies];
+        point_count += sampling.plans[c / sampling.copies].sample_count();
         if (static_cast<double>(point_count) >= max_points) {
             throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points %g m apart", sampling.spacing);
         }
         if (c % layout_chunk == 0) co_await pace;
     }
-    out.offsets()[in.curve_count()] = static_cast<uint32_t>(point_count);
+    out.offsets()[curve_count] = static_cast<uint32_t>(point_count);
 
     std::pmr::vector<CurveSet::ColumnLayout> layout(
         {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory());
-    for (FlgAttribute attribute : added) layout.push_back({attribute, 1});
+    layout.insert(layout.end(), added.begin(), added.end());
     const size_t made = layout.size();
     for (const Column& column : in.columns()) {
         const bool replaced = std::any_of(layout.begin(), layout.begin() + static_cast<ptrdiff_t>(made),
@@ -109,16 +124,16 @@ Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<FlgAtt
     pace.expect(in.point_count() + point_count);
 }
 
-FrameColumns frame_columns(const Sampling& sampling, uint32_t curve) {
-    const size_t at = size_t{sampling.out.offsets()[curve]} * 3;
+FrameColumns frame_columns(const Sampling& sampling, uint32_t out_curve) {
+    const size_t at = size_t{sampling.out.offsets()[out_curve]} * 3;
     std::pmr::vector<Column>& columns = sampling.out.columns();
     return {columns[0].values.data() + at, columns[1].values.data() + at, columns[2].values.data() + at};
 }
 
-void column_pairs(const Sampling& sampling, uint32_t curve, std::pmr::vector<ColumnPair>& pairs) {
+void column_pairs(const Sampling& sampling, uint32_t out_curve, std::pmr::vector<ColumnPair>& pairs) {
     pairs.clear();
-    const size_t from = sampling.in.offsets()[curve];
-    const size_t to = sampling.out.offsets()[curve];
+    const size_t from = sampling.in.offsets()[out_curve / sampling.copies];
+    const size_t to = sampling.out.offsets()[out_curve];
     for (const Sampling::Carried& carried : sampling.carried) {
         const uint32_t width = carried.in->components;
         pairs.push_back({carried.in->values.data() + from * width, carried.out->values.data() + to * width, width,
@@ -127,14 +142,14 @@ void column_pairs(const Sampling& sampling, uint32_t curve, std::pmr::vector<Col
 }
 
 Task<void> resample_curves(Pace& pace, ResampleRequest request) {
-    Sampling sampling{*request.in,
-                      *request.out,
-                      request.spacing,
-                      request.frame,
-                      false,
-                      {},
-                      std::pmr::vector<Sampling::Carried>(pace.memory())};
-    co_await plan_sampling(pace, sampling, std::pmr::vector<FlgAttribute>(pace.memory()));
+    Sampling sampling{.in = *request.in,
+                      .out = *request.out,
+                      .spacing = request.spacing,
+                      .frame = request.frame,
+                      .copies = 1,
+                      .plans = {},
+                      .carried = std::pmr::vector<Sampling::Carried>(pace.memory())};
+    co_await plan_sampling(pace, sampling, std::pmr::vector<CurveSet::ColumnLayout>(pace.memory()));
     pace.stage("resample");
     co_await fork(pace, batch_count(sampling.in), &resample_batch, sampling);
 }

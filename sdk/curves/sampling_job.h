@@ -31,8 +31,8 @@ struct Sampling {
     CurveSet& out;
     double spacing;  // metres
     FlgFrameMethod frame;
-    bool open_result;            // closed curves are followed once around and come out open
-    Buffer<SamplingPlan> plans;  // one a curve
+    uint32_t copies;             // how often each curve is in `out`: the copies of curve c begin at c * copies
+    Buffer<SamplingPlan> plans;  // one a curve of `in`
     // Columns that are carried over, of `in` and, at the same place, of `out`.
     struct Carried {
         const Column* in;
@@ -41,13 +41,14 @@ struct Sampling {
     std::pmr::vector<Carried> carried;
 };
 
-// Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, `added` ones of
-// one float each, and those carried over. Throws FLG_ERROR_LIMIT if the result would have more than 2^31 points.
-Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<FlgAttribute> added);
+// Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, then the `added`
+// ones, then those of `in` that are none of these. Throws FLG_ERROR_LIMIT if the result would have more than 2^31 points,
+// FLG_ERROR_INVALID_ARGUMENT if frames are to be supplied and `in` has none.
+Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added);
 
-// Where the samples of a curve go.
-FrameColumns frame_columns(const Sampling& sampling, uint32_t curve);
-void column_pairs(const Sampling& sampling, uint32_t curve, std::pmr::vector<ColumnPair>& pairs);
+// Where the samples of a curve of `out` go.
+FrameColumns frame_columns(const Sampling& sampling, uint32_t out_curve);
+void column_pairs(const Sampling& sampling, uint32_t out_curve, std::pmr::vector<ColumnPair>& pairs);
 
 struct ResampleRequest {
     std::shared_ptr<const CurveSet> in;

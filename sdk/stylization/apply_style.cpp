@@ -8,26 +8,97 @@ namespace flg {
 
 namespace {
 
+constexpr uint32_t style_chunk = 500;      // units, about 15 us
 constexpr uint32_t synthesis_chunk = 250;  // units, about 20 us
 
+// What all branches read, and the columns that they write to beside frames and carried ones; null: not wanted.
 struct Application {
+    Application(const StylizeRequest& request, Memory* memory)
+        : sampling{.in = *request.target,
+                   .out = *request.out,
+                   .spacing = request.style->prepared.spacing() * request.scale,
+                   .frame = request.frame,
+                   .copies = request.strokes,
+                   .plans = {},
+                   .carried = std::pmr::vector<Sampling::Carried>(memory)},
+          style(memory),
+          attributes(memory) {}
+
     Sampling sampling;
+    AppliedStyle style;
     SynthesisInput input;
+    bool from_start = false;  // the first stroke along each curve
+    Column* style_index = nullptr;
+    Column* displacement = nullptr;
+    Column* time = nullptr;
+    std::pmr::vector<Column*> attributes;  // in the order of the style's
 };
 
-StylizedColumns stylized_columns(const Sampling& sampling, uint32_t curve) {
-    float* indices = sampling.out.columns()[3].values.data() + sampling.out.offsets()[curve];
-    return {frame_columns(sampling, curve), indices};
+Task<AppliedStyle> fit_style(Pace& pace, const StylizeRequest& request) {
+    AppliedStyleKernel kernel(request.style->prepared, request.scale, request.basis, pace.memory());
+    while (!kernel.run(style_chunk)) co_await pace;
+    co_return kernel.take();
 }
 
-Task<void> stylize_batch(Pace& pace, Application& application, uint32_t batch) {
+// The columns that the result gets from the style.
+std::pmr::vector<CurveSet::ColumnLayout> style_columns(const StylizeRequest& request, Memory* memory) {
+    std::pmr::vector<CurveSet::ColumnLayout> columns({{FLG_ATTRIBUTE_STYLE_INDEX, 1}}, memory);
+    if (request.keep_displacement) columns.push_back({FLG_ATTRIBUTE_DISPLACEMENT, 3});
+    for (const StyleAttribute& attribute : request.style->prepared.attributes) {
+        columns.push_back({attribute.attribute, attribute.components});
+        if (attribute.attribute == FLG_ATTRIBUTE_SPEED) columns.push_back({FLG_ATTRIBUTE_TIME, 1});
+    }
+    return columns;
+}
+
+void find_columns(const StylizeRequest& request, Application& application) {
+    CurveSet& out = *request.out;
+    application.style_index = out.find(FLG_ATTRIBUTE_STYLE_INDEX);
+    if (request.keep_displacement) application.displacement = out.find(FLG_ATTRIBUTE_DISPLACEMENT);
+    for (const AppliedAttribute& attribute : application.style.attributes) {
+        application.attributes.push_back(out.find(attribute.attribute));
+        if (attribute.attribute == FLG_ATTRIBUTE_SPEED) application.time = out.find(FLG_ATTRIBUTE_TIME);
+    }
+}
+
+StylizedColumns stylized_columns(const Application& application, uint32_t out_curve,
+                                 std::pmr::vector<float*>& attributes) {
+    const size_t first = application.sampling.out.offsets()[out_curve];
+    const auto begin = [first](Column* column) {
+        return column ? column->values.data() + first * column->components : nullptr;
+    };
+    attributes.clear();
+    for (Column* column : application.attributes) attributes.push_back(begin(column));
+    return {.frames = frame_columns(application.sampling, out_curve),
+            .style_index = begin(application.style_index),
+            .displacement = begin(application.displacement),
+            .time = begin(application.time),
+            .attributes = attributes};
+}
+
+// When the curve begins.
+double start_time(const CurveSet& target, uint32_t curve) {
+    const Column* time = target.find(FLG_ATTRIBUTE_TIME);
+    return time ? time->values[target.offsets()[curve]] : 0.0;
+}
+
+// One stroke along each curve of a batch.
+Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
     const Sampling& sampling = application.sampling;
-    const CurveRange range = curves_of_batch(sampling.in, batch);
+    const CurveRange range = curves_of_batch(sampling.in, index / sampling.copies);
+    const uint32_t stroke = index % sampling.copies;
     std::pmr::vector<ColumnPair> pairs(pace.memory());
+    std::pmr::vector<float*> attributes(pace.memory());
     SynthesisKernel kernel(application.input, pace.memory());
     for (uint32_t c = range.first; c < range.last; ++c) {
-        column_pairs(sampling, c, pairs);
-        kernel.begin(sampling.plans[c], c, stylized_columns(sampling, c), pairs);
+        const uint32_t out_curve = c * sampling.copies + stroke;
+        column_pairs(sampling, out_curve, pairs);
+        kernel.begin({.plan = sampling.plans[c],
+                      .key = stroke_key(c, stroke),
+                      .from_start = application.from_start && stroke == 0,
+                      .start_time = start_time(sampling.in, c),
+                      .out = stylized_columns(application, out_curve, attributes),
+                      .carried = pairs});
         uint32_t written = 0;
         while (!kernel.run(synthesis_chunk)) {
             pace.advance(kernel.written() - written);
@@ -35,7 +106,7 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t batch) {
             co_await pace;
         }
         pace.advance(kernel.written() - written);
-        sampling.out.complete_curve(c);
+        sampling.out.complete_curve(out_curve);
         co_await pace;
     }
 }
@@ -44,30 +115,22 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t batch) {
 
 Task<void> apply_style(Pace& pace, StylizeRequest request) {
     const PreparedStyle& prepared = request.style->prepared;
-    Application application{.sampling = {*request.target,
-                                         *request.out,
-                                         prepared.spacing() * request.scale,
-                                         request.frame,
-                                         true,
-                                         {},
-                                         std::pmr::vector<Sampling::Carried>(pace.memory())},
-                            .input = {}};
-    std::pmr::vector<FlgAttribute> added(pace.memory());
-    added.push_back(FLG_ATTRIBUTE_STYLE_INDEX);
-    co_await plan_sampling(pace, application.sampling, std::move(added));
+    Application application(request, pace.memory());
+    co_await plan_sampling(pace, application.sampling, style_columns(request, pace.memory()));
 
     pace.stage("synthesis");
+    application.style = co_await fit_style(pace, request);
+    find_columns(request, application);
     const auto temperature = static_cast<float>(request.temperature * prepared.graph.temperature_unit);
     const std::shared_ptr<PathTrees> trees = request.style->trees(temperature);
     const bool lone = request.target->curve_count() == 1;
-    const bool from_start = request.start == FLG_START_STYLE || (request.start == FLG_START_AUTO && lone);
-    application.input = {.displacement = &prepared.displacement,
+    application.from_start = request.start == FLG_START_STYLE || (request.start == FLG_START_AUTO && lone);
+    application.input = {.style = &application.style,
                          .trees = trees.get(),
                          .magnitude = request.magnitude,
-                         .scale = request.scale,
-                         .from_start = from_start,
+                         .pin_ends = request.pin_ends,
                          .seed = request.seed};
-    co_await fork(pace, batch_count(*request.target), &stylize_batch, application);
+    co_await fork(pace, batch_count(*request.target) * request.strokes, &stylize_batch, application);
 }
 
 }  // namespace flg

@@ -59,19 +59,16 @@ bool StyleWalk::advance() {
     return true;
 }
 
-void SynthesisKernel::begin(const SamplingPlan& plan, uint64_t curve_index, const StylizedColumns& out,
-                            std::span<const ColumnPair> columns) {
-    sampler_.emplace(plan);
-    curve_ = plan.curve;
-    out_ = out;
-    columns_ = columns;
-    count_ = plan.sample_count();
+void SynthesisKernel::begin(const StrokeInput& stroke) {
+    stroke_ = stroke;
+    sampler_.emplace(stroke.plan);
+    count_ = stroke.plan.sample_count();
     written_ = 0;
     block_at_ = block_count_ = 0;
     node_known_ = true;
-    walk_ = StyleWalk(input_.trees, input_.from_start, input_.seed, curve_index, count_);
-    // A target without length has no frame to be displaced in.
-    factor_ = plan.steps > 0 ? input_.magnitude * input_.scale : 0.0;
+    finishing_.reset();
+    // On closed curves one more than samples: where the style is when the curve has come around.
+    walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key, stroke.plan.steps + 1);
 }
 
 bool SynthesisKernel::run(uint32_t n) {
@@ -90,10 +87,10 @@ bool SynthesisKernel::run(uint32_t n) {
                 out_of_units = true;
             }
         }
-        carry_columns(first);
+        write_columns(first);
         if (out_of_units) return false;
     }
-    return true;
+    return finish(n);
 }
 
 // Stands on the node of the sample to come, unless the units do not suffice for the path tree that is missing.
@@ -111,13 +108,24 @@ bool SynthesisKernel::find_node(uint32_t& units) {
 }
 
 // The other columns of the block's samples that were just written, from `first` on.
-void SynthesisKernel::carry_columns(uint32_t first) {
-    if (columns_.empty()) return;
-    std::array<SamplePlace, sample_block> places;
+void SynthesisKernel::write_columns(uint32_t first) {
     const uint32_t count = block_at_ - first;
+    const uint32_t written_before = written_ - count;
+    const float* nodes = stroke_.out.style_index + written_before;
+    for (size_t a = 0; a < stroke_.out.attributes.size(); ++a) {
+        const AppliedAttribute& attribute = input_.style->attributes[a];
+        const size_t width = attribute.components;
+        float* out = stroke_.out.attributes[a] + written_before * width;
+        for (uint32_t k = 0; k < count; ++k) {
+            const float* value = attribute.values.data() + static_cast<size_t>(nodes[k]) * width;
+            for (size_t i = 0; i < width; ++i) *out++ = value[i];
+        }
+    }
+    if (stroke_.carried.empty()) return;
+    std::array<SamplePlace, sample_block> places;
     for (uint32_t k = 0; k < count; ++k) places[k] = {block_[first + k].segment, block_[first + k].t};
-    for (const ColumnPair& column : columns_) {
-        interpolate_column(column, curve_, {places.data(), count}, written_ - count);
+    for (const ColumnPair& column : stroke_.carried) {
+        interpolate_column(column, stroke_.plan.curve, {places.data(), count}, written_before);
     }
 }
 
@@ -135,20 +143,70 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
     return true;
 }
 
+// A target without length has no frame to be displaced in.
+Vec3 SynthesisKernel::displacement_at(const FramedSample& sample) const {
+    if (stroke_.plan.steps == 0) return Vec3::Zero();
+    const Vec3& d = input_.style->displacement[walk_.node()];
+    return d.x() * sample.tangent + d.y() * sample.normal + d.z() * sample.tangent.cross(sample.normal);
+}
+
 void SynthesisKernel::write(const FramedSample& sample) {
-    const Displacement& d = *input_.displacement;
+    const StylizedColumns& out = stroke_.out;
     const uint32_t node = walk_.node();
-    const Vec3 binormal = sample.tangent.cross(sample.normal);
-    const Vec3 position =
-        sample.position + factor_ * (d.along_tangent[node] * sample.tangent + d.along_normal[node] * sample.normal +
-                                     d.along_binormal[node] * binormal);
+    const Vec3 displacement = displacement_at(sample);
+    Vec3 normal = sample.normal;
+    if (!input_.style->turns.empty()) {
+        const AppliedStyle::Turn turn = input_.style->turns[node];
+        normal = turn.cosine * normal + turn.sine * sample.tangent.cross(normal);
+    }
     const size_t at = 3 * static_cast<size_t>(written_);
-    store_vec3(position, out_.frames.positions + at);
-    store_vec3(sample.tangent, out_.frames.tangents + at);
-    store_vec3(sample.normal, out_.frames.normals + at);
-    out_.style_index[written_] = static_cast<float>(node);
+    store_vec3(sample.position + input_.magnitude * displacement, out.frames.positions + at);
+    store_vec3(sample.tangent, out.frames.tangents + at);
+    store_vec3(normal, out.frames.normals + at);
+    if (out.displacement) store_vec3(displacement, out.displacement + at);
+    out.style_index[written_] = static_cast<float>(node);
+    if (written_ == 0) {
+        first_ = sample;
+        first_node_ = node;
+        first_displacement_ = displacement;
+    }
+    last_displacement_ = displacement;
     ++written_;
     node_known_ = false;
+}
+
+// Once all samples are written.
+bool SynthesisKernel::finish(uint32_t& units) {
+    if (!finishing_) {
+        const bool has_ends = stroke_.plan.steps > 0;
+        const bool closed = has_ends && stroke_.plan.curve.closed;
+        const bool pinned = has_ends && input_.pin_ends;
+        if (!closed && !pinned && !stroke_.out.time) return true;
+        if (closed) {
+            if (!find_node(units)) return false;
+            last_displacement_ = displacement_at(first_);
+        }
+        FinishingInput finishing{.out = stroke_.out,
+                                 .style = input_.style,
+                                 .target = stroke_.plan.curve,
+                                 .count = count_,
+                                 .steps = stroke_.plan.steps,
+                                 .magnitude = input_.magnitude,
+                                 .pinned = pinned,
+                                 .closed = closed,
+                                 .start_excess = Vec3::Zero(),
+                                 .end_excess = last_displacement_,
+                                 .first_node = first_node_,
+                                 .node_around = walk_.node(),
+                                 .start_time = stroke_.start_time};
+        if (pinned) {
+            finishing.start_excess = first_displacement_;
+        } else {
+            finishing.end_excess -= first_displacement_;
+        }
+        finishing_.emplace(finishing);
+    }
+    return finishing_->run(units);
 }
 
 }  // namespace flg

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Displacement reconstruction (Minarcik, Fiser, Sykora, sec. 4.5): a style applied to one target curve,
-//   result = target + magnitude * scale * (d_t t + d_n n + d_b b),
+//   result = target + magnitude * (d_t t + d_n n + d_b b),
 // with the target's moving frame and displacements read along shortest paths between random destinations of the patch
-// graph. Every sample is one table look-up, once the path trees are there.
+// graph; attributes (sec. 5) are read along with them. Every sample is one table look-up, once the path trees are there.
 //
 // Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come than
 // the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble where
@@ -12,7 +12,8 @@
 #include <array>
 #include <optional>
 
-#include "curves/resample.h"
+#include "stylization/applied_style.h"
+#include "stylization/finishing.h"
 #include "stylization/path_trees.h"
 
 namespace flg {
@@ -46,21 +47,28 @@ private:
     bool finishing_ = false;     // goes on to the style's end
 };
 
-// One target curve. The samples' columns begin at the curve's first sample; all are three floats a sample but for the
-// style index.
-struct StylizedColumns {
-    FrameColumns frames;  // positions are the result's, tangents and normals the target's
-    float* style_index = nullptr;
-};
-
 struct SynthesisInput {
-    const Displacement* displacement = nullptr;
+    const AppliedStyle* style = nullptr;
     PathTrees* trees = nullptr;
     double magnitude = 1;
-    double scale = 1;
-    bool from_start = false;
+    bool pin_ends = false;
     uint64_t seed = 1;
 };
+
+// One stroke along one target curve.
+struct StrokeInput {
+    SamplingPlan plan;  // steps from even_step_count() with the guide's spacing times the scale
+    uint64_t key = 0;   // of its random choices
+    bool from_start = false;
+    double start_time = 0;                // seconds; for styles with SPEED
+    StylizedColumns out;                  // outlive the run
+    std::span<const ColumnPair> carried;  // the same
+};
+
+// The key of stroke number `stroke` along a curve; of stroke 0 it is the curve's index, however many there are.
+constexpr uint64_t stroke_key(uint32_t curve, uint32_t stroke) {
+    return uint64_t{stroke} << 32 | curve;
+}
 
 // Stylizes one curve after the other. A unit is a sample, a point of the target or a settled node of a path tree: about
 // 50 ns.
@@ -72,10 +80,7 @@ public:
     SynthesisKernel(const SynthesisKernel&) = delete;
     SynthesisKernel& operator=(const SynthesisKernel&) = delete;
 
-    // `plan.steps` from even_step_count() with the guide's spacing times the scale; closed curves with repeat_first. The
-    // columns outlive the run.
-    void begin(const SamplingPlan& plan, uint64_t curve_index, const StylizedColumns& out,
-               std::span<const ColumnPair> columns);
+    void begin(const StrokeInput& stroke);
     bool run(uint32_t n);
     // Samples of the curve written so far.
     uint32_t written() const { return written_; }
@@ -83,8 +88,10 @@ public:
 private:
     bool find_node(uint32_t& units);
     bool make_tree(uint32_t& units);
-    void carry_columns(uint32_t first);
     void write(const FramedSample& sample);
+    void write_columns(uint32_t first);
+    Vec3 displacement_at(const FramedSample& sample) const;
+    bool finish(uint32_t& units);
 
     SynthesisInput input_;
     PathTreeKernel tree_kernel_;
@@ -94,13 +101,14 @@ private:
     uint32_t block_at_ = 0;  // the sample to come
     uint32_t block_count_ = 0;
     StyleWalk walk_;
-    CurveView curve_;
-    StylizedColumns out_;
-    std::span<const ColumnPair> columns_;
-    double factor_ = 0;
+    StrokeInput stroke_;
     uint32_t count_ = 0;
     uint32_t written_ = 0;
     bool node_known_ = true;  // walk_ stands at the next sample's node
+    FramedSample first_;      // of the stroke
+    uint32_t first_node_ = 0;
+    Vec3 first_displacement_, last_displacement_;
+    std::optional<Finishing> finishing_;
 };
 
 }  // namespace flg

@@ -321,7 +321,7 @@ TEST(StylizeApi, RefusesEachBadArgument) {
     refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
     refused([](auto& d) { d.scale = -2; }, invalid, "desc.scale is -2");
     refused([](auto& d) { d.start = static_cast<FlgStart>(3); }, invalid, "desc.start is 3");
-    refused([](auto& d) { d.frame = static_cast<FlgFrameMethod>(2); }, invalid, "desc.frame is 2");
+    refused([](auto& d) { d.frame = static_cast<FlgFrameMethod>(3); }, invalid, "desc.frame is 3");
     refused([](auto& d) { d.style = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.style is null");
     refused([](auto& d) { d.target = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.target is null");
     host.finish();

@@ -112,17 +112,20 @@ TEST(MovingFrame, ClosedCurvesSpreadTheirTwist) {
         return Vec3(r * std::cos(2 * a), r * std::sin(2 * a), std::sin(3 * a));
     };
     const Points points = test::sampled(knot, 400, true);
-    SamplingPlan plan = test::plan_of(points, 1000);
-    plan.repeat_first = true;
-    const Resampled r = test::resample(plan);
-    ASSERT_EQ(r.size(), 1001u);
+    const Resampled r = test::resample(points, 1000);
+    ASSERT_EQ(r.size(), 1000u);
     expect_orthonormal(r);
-    EXPECT_EQ(r.position(1000), r.position(0));
-    EXPECT_LT((r.normal(1000) - r.normal(0)).norm(), 1e-5);
+    // Over the seam the normal turns as much, against one that doesn't twist, as everywhere else.
+    const auto twist = [&](size_t i, size_t j) {
+        RotationMinimizingFrame frame(r.position(i), r.tangent(i), r.normal(i));
+        frame.step(r.position(j), r.tangent(j));
+        return angle_about(r.tangent(j), frame.normal(), r.normal(j));
+    };
+    for (size_t i = 0; i < 1000; ++i) EXPECT_NEAR(twist(i, (i + 1) % 1000), twist(499, 500), 2e-5) << i;
     // Against the frame carried once around without correction: a rotation that grows evenly.
     std::vector<Vec3> vectors = points.vectors();
     const auto literal = literal::resample(vectors, true, 1000, r.normal(0));
-    const double total = angle_about(literal[1000].tangent, literal[1000].normal, r.normal(1000));
+    const double total = angle_about(literal[1000].tangent, literal[1000].normal, r.normal(0));
     EXPECT_GT(std::abs(total), 0.05);
     for (size_t i : {100u, 250u, 500u, 900u}) {
         const double angle = angle_about(literal[i].tangent, literal[i].normal, r.normal(i));
@@ -150,6 +153,48 @@ TEST(MovingFrame, FrenetNormalsAreCarriedAlongStraightParts) {
     // The transition is an inflection, where Frenet normals may flip; from there on nothing turns.
     EXPECT_NEAR(std::abs(r.normal(300).x()), 1, 1e-5);
     EXPECT_LT((r.normal(390) - r.normal(300)).norm(), 1e-5);
+}
+
+// Normals in a fixed direction, one a point.
+SamplingPlan supplied(const Points& points, uint32_t steps, const std::vector<float>& normals) {
+    SamplingPlan plan = test::plan_of(points, steps, FLG_FRAME_SUPPLIED);
+    plan.normals = normals.data();
+    return plan;
+}
+
+TEST(MovingFrame, SuppliedNormalsAreInterpolatedAndMadePerpendicular) {
+    // Up and tangential at once, of length 3, on a circle: what is left of it is up.
+    for (bool closed : {false, true}) {
+        const auto circle = [](double u) { return Vec3(std::cos(test::two_pi * u), std::sin(test::two_pi * u), 0); };
+        const Points points = test::sampled(circle, 50, closed);
+        std::vector<float> normals;
+        for (size_t i = 0; i < points.floats.size() / 3; ++i) {
+            const double a = test::two_pi * static_cast<double>(i) / 50;
+            for (double v : {-3 * std::sin(a), 3 * std::cos(a), 3.0}) normals.push_back(static_cast<float>(v));
+        }
+        const Resampled r = test::resample(supplied(points, 333, normals));
+        expect_orthonormal(r);
+        for (size_t i = 0; i < r.size(); ++i) EXPECT_LT((r.normal(i) - Vec3::UnitZ()).norm(), 2e-2);
+    }
+    // Between two points that are given y and z: the direction of the linear mix.
+    const std::vector<float> normals{0, 1, 0, 0, 0, 1};
+    const Resampled r = test::resample(supplied(points_of({{0, 0, 0}, {1, 0, 0}}), 4, normals));
+    EXPECT_LT((r.normal(1) - Vec3(0, 3, 1).normalized()).norm(), 1e-6);
+}
+
+TEST(MovingFrame, SuppliedNormalsThatPointAlongTheCurveAreCarriedOn) {
+    const Points line = points_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
+    const std::vector<float> normals{1, 0, 0, 0, 0, 2, 7, 0, 0, 7, 0, 0, 0, -1, 0};
+    const Resampled r = test::resample(supplied(line, 40, normals));
+    expect_orthonormal(r);
+    EXPECT_LT((r.normal(10) - Vec3(0, 0, 1)).norm(), 1e-6);
+    for (size_t i = 20; i <= 30; ++i) EXPECT_LT((r.normal(i) - Vec3(0, 0, 1)).norm(), 1e-6) << i;
+    EXPECT_LT((r.normal(40) - Vec3(0, -1, 0)).norm(), 1e-6);
+    // Zero and opposite ones.
+    const std::vector<float> none(15, 0.0f);
+    expect_orthonormal(test::resample(supplied(line, 40, none)));
+    const std::vector<float> opposite{0, 1, 0, 0, -1, 0, 0, 1, 0, 0, -1, 0, 0, 1, 0};
+    expect_orthonormal(test::resample(supplied(line, 40, opposite)));
 }
 
 TEST(MovingFrame, RigidMotionOfTheCurveMovesTheFrames) {

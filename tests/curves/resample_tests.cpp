@@ -134,12 +134,14 @@ TEST(Resample, RepeatedPointsCountOnce) {
 
 TEST(Resample, ResultsDoNotDependOnTheSlices) {
     for (bool closed : {false, true}) {
-        for (FlgFrameMethod frame : {FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_FRENET}) {
+        for (FlgFrameMethod frame : {FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_FRENET, FLG_FRAME_SUPPLIED}) {
             const Points points = test::sampled(test::wild, 500, closed);
-            const Resampled whole = test::resample(points, 700, frame);
+            SamplingPlan plan = test::plan_of(points, 700, frame);
+            plan.normals = points.floats.data();
+            const Resampled whole = test::resample(plan);
             for (uint32_t slice : {1u, 7u, 256u}) {
                 EXPECT_EQ(test::measure(points, slice).length, test::measure(points).length);
-                const Resampled sliced = test::resample(points, 700, frame, slice);
+                const Resampled sliced = test::resample(plan, slice);
                 EXPECT_EQ(sliced.positions, whole.positions);
                 EXPECT_EQ(sliced.tangents, whole.tangents);
                 EXPECT_EQ(sliced.normals, whole.normals);

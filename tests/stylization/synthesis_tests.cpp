@@ -6,75 +6,18 @@
 #include <Eigen/Geometry>
 #include <thread>
 
-#include "curves/curve_inputs.h"
 #include "reference/literal_synthesis.h"
-#include "stylization/style_inputs.h"
+#include "stylization/synthesis_inputs.h"
 
 namespace flg {
 namespace {
 
 using test::Points;
 using test::points_of;
-
-// A prepared style, and one way to apply it.
-struct Style {
-    std::vector<Vec3> vectors;
-    Displacement displacement;
-    PatchGraph graph;
-
-    explicit Style(std::vector<Vec3> v, uint32_t patch = 10)
-        : vectors(std::move(v)),
-          displacement(test::displacement_of(vectors)),
-          graph(test::graph_of(displacement, patch)) {}
-    PathTrees trees(double tau) const {
-        return PathTrees(graph, static_cast<float>(tau * graph.temperature_unit), test::memory());
-    }
-};
-
-struct Result {
-    test::Resampled curve;
-    std::vector<float> indices;
-
-    double mean_run() const {
-        double runs = 1;
-        for (size_t i = 1; i < indices.size(); ++i) runs += indices[i] != indices[i - 1] + 1;
-        return static_cast<double>(indices.size()) / runs;
-    }
-};
-
-struct Options {
-    double magnitude = 1;
-    double scale = 1;
-    bool from_start = true;
-    uint64_t seed = 1;
-    uint64_t curve_index = 0;
-    uint32_t slice = 1u << 30;
-};
-
-Result stylize(const Style& style, PathTrees& trees, SamplingPlan plan, const Options& options = {}) {
-    Result result;
-    plan.repeat_first = plan.curve.closed;
-    const size_t count = plan.sample_count();
-    for (auto* column : {&result.curve.positions, &result.curve.tangents, &result.curve.normals}) {
-        column->resize(3 * count);
-    }
-    result.indices.resize(count);
-    SynthesisKernel kernel(
-        {&style.displacement, &trees, options.magnitude, options.scale, options.from_start, options.seed},
-        test::memory());
-    const StylizedColumns columns{
-        {result.curve.positions.data(), result.curve.tangents.data(), result.curve.normals.data()},
-        result.indices.data()};
-    kernel.begin(plan, options.curve_index, columns, {});
-    while (!kernel.run(options.slice)) {}
-    EXPECT_EQ(kernel.written(), count);
-    return result;
-}
-
-Result stylize(const Style& style, double tau, const SamplingPlan& plan, const Options& options = {}) {
-    PathTrees trees = style.trees(tau);
-    return stylize(style, trees, plan, options);
-}
+using test::stylize;
+using Style = test::TestStyle;
+using Result = test::StylizedCurve;
+using Options = test::StylizeOptions;
 
 Points long_target() {
     return test::sampled(test::helix, 800);
@@ -89,8 +32,7 @@ TEST(Synthesis, EqualsTheLiteralVersion) {
     for (double tau : {0.0, 0.05, 1.0}) {
         for (bool from_start : {true, false}) {
             PathTrees trees = style.trees(tau);
-            const Options options{
-                .magnitude = 0.7, .scale = 0.5, .from_start = from_start, .seed = 9, .curve_index = 4};
+            const Options options{.magnitude = 0.7, .scale = 0.5, .from_start = from_start, .seed = 9, .key = 4};
             const Result fast = stylize(style, trees, plan, options);
             literal::Walk walk;
             for (uint32_t k = 0; k < trees.destination_count(); ++k) {
@@ -103,7 +45,7 @@ TEST(Synthesis, EqualsTheLiteralVersion) {
                 return static_cast<int>(random_below(9, 4, static_cast<uint64_t>(index), static_cast<uint32_t>(count)));
             };
             const std::vector<int> indices =
-                literal::style_indices(test::edges_of(style.graph, trees.temperature()), walk, steps + 1);
+                literal::style_indices(test::edges_of(style.prepared.graph, trees.temperature()), walk, steps + 1);
             const std::vector<Vec3> positions = literal::displace(frames, style.vectors, indices, 0.7 * 0.5);
             for (uint32_t i = 0; i <= steps; ++i) {
                 ASSERT_EQ(fast.indices[i], indices[i]) << i;
@@ -138,19 +80,23 @@ struct Example {
 
 TEST(Synthesis, AStyleOnItsOwnGuideIsTheStyle) {
     Example example;
-    const Displacement displacement = example.displacement();
-    const PatchGraph graph = test::graph_of(displacement, 10);
-    PathTrees trees(graph, 0, test::memory());
-    test::Resampled out = example.points;
-    std::vector<float> indices(Example::count);
-    SynthesisKernel kernel({&displacement, &trees, 1, 1, true, 1}, test::memory());
-    kernel.begin(example.plan, 0, {{out.positions.data(), out.tangents.data(), out.normals.data()}, indices.data()},
-                 {});
-    while (!kernel.run(1000)) {}
+    Style style(std::vector<Vec3>(Example::count));
+    style.prepared.displacement = example.displacement();
+    style.prepared.graph = test::graph_of(style.prepared.displacement, 10);
+    std::vector<float> radius, user;
     for (uint32_t i = 0; i < Example::count; ++i) {
-        EXPECT_EQ(indices[i], static_cast<float>(i));  // to the very end
-        EXPECT_LT((out.position(i) - example.drawn[i]).norm(), 1e-4 * example.rms) << i;
+        radius.push_back(0.1f + 0.01f * static_cast<float>(i % 17));
+        user.insert(user.end(), {static_cast<float>(i), -0.5f * static_cast<float>(i)});
     }
+    style.add(FLG_ATTRIBUTE_RADIUS, 1, radius);
+    style.add(FLG_ATTRIBUTE_USER, 2, user);
+    const Result r = stylize(style, 0, example.plan);
+    for (uint32_t i = 0; i < Example::count; ++i) {
+        EXPECT_EQ(r.indices[i], static_cast<float>(i));  // to the very end
+        EXPECT_LT((r.curve.position(i) - example.drawn[i]).norm(), 1e-4 * example.rms) << i;
+    }
+    EXPECT_EQ(r.attributes[0], radius);
+    EXPECT_EQ(r.attributes[1], user);
 }
 
 TEST(Synthesis, RigidMotionOfTheTargetMovesTheResult) {
@@ -205,7 +151,7 @@ TEST(Synthesis, RandomChoicesAreKeyedBySeedAndCurve) {
     const SamplingPlan plan = test::plan_of(target, 2000);
     PathTrees trees = style.trees(0.0);
     const auto indices = [&](uint64_t seed, uint64_t curve, bool from_start) {
-        return stylize(style, trees, plan, {.from_start = from_start, .seed = seed, .curve_index = curve}).indices;
+        return stylize(style, trees, plan, {.from_start = from_start, .seed = seed, .key = curve}).indices;
     };
     EXPECT_EQ(indices(1, 0, false), indices(1, 0, false));
     EXPECT_NE(indices(1, 0, false), indices(2, 0, false));
@@ -254,19 +200,6 @@ TEST(Synthesis, StylesWithoutDisplacementLeaveTheTarget) {
     EXPECT_EQ(stylize(style, 1, plan).curve.positions, test::resample(plan).positions);
 }
 
-TEST(Synthesis, ClosedTargetsAreFollowedOnceAround) {
-    const Style style(test::wiggles(300));
-    const Points ring = test::sampled(
-        [](double u) {
-            return Vec3(std::cos(test::two_pi * u), std::sin(test::two_pi * u), std::sin(2 * test::two_pi * u));
-        },
-        100, true);
-    const Result r = stylize(style, 0, test::plan_of(ring, 400), {.magnitude = 0});
-    ASSERT_EQ(r.indices.size(), 401u);
-    EXPECT_EQ(r.curve.position(400), r.curve.position(0));
-    EXPECT_LT((r.curve.normal(400) - r.curve.normal(0)).norm(), 1e-5);
-}
-
 TEST(Synthesis, ResultsDoNotDependOnTheSlices) {
     const Style style(test::wiggles(300));
     for (bool closed : {false, true}) {
@@ -287,13 +220,12 @@ TEST(Synthesis, ThreadsShareTheTrees) {
     const SamplingPlan plan = test::plan_of(target, 3000);
     constexpr uint64_t curves = 8;
     std::vector<Result> alone(curves), together(curves);
-    for (uint64_t c = 0; c < curves; ++c) alone[c] = stylize(style, 0.1, plan, {.from_start = false, .curve_index = c});
+    for (uint64_t c = 0; c < curves; ++c) alone[c] = stylize(style, 0.1, plan, {.from_start = false, .key = c});
     PathTrees trees = style.trees(0.1);
     std::vector<std::thread> threads;
     for (uint64_t c = 0; c < curves; ++c) {
-        threads.emplace_back([&, c] {
-            together[c] = stylize(style, trees, plan, {.from_start = false, .curve_index = c, .slice = 50});
-        });
+        threads.emplace_back(
+            [&, c] { together[c] = stylize(style, trees, plan, {.from_start = false, .key = c, .slice = 50}); });
     }
     for (std::thread& thread : threads) thread.join();
     for (uint64_t c = 0; c < curves; ++c) EXPECT_EQ(together[c].curve.positions, alone[c].curve.positions);
@@ -303,14 +235,11 @@ TEST(Synthesis, OtherColumnsAreCarriedOver) {
     const Style style(test::wiggles(300));
     const Points line = points_of({{0, 0, 0}, {1, 0, 0}, {4, 0, 0}});
     const float radius[] = {1, 2, 5};
-    SamplingPlan plan = test::plan_of(line, 400);
-    std::vector<float> out(401), positions(3 * 401), tangents(3 * 401), normals(3 * 401), indices(401);
-    PathTrees trees = style.trees(0);
-    SynthesisKernel kernel({&style.displacement, &trees, 0, 1, true, 1}, test::memory());
+    std::vector<float> out(401);
     const ColumnPair column{radius, out.data(), 1, false};
-    kernel.begin(plan, 0, {{positions.data(), tangents.data(), normals.data()}, indices.data()}, {&column, 1});
-    while (!kernel.run(11)) {}
-    for (size_t i = 0; i <= 400; ++i) EXPECT_NEAR(out[i], 1 + positions[3 * i], 1e-5);
+    PathTrees trees = style.trees(0);
+    const Result r = stylize(style, trees, test::plan_of(line, 400), {.magnitude = 0, .slice = 11}, {&column, 1});
+    for (size_t i = 0; i <= 400; ++i) EXPECT_NEAR(out[i], 1 + r.curve.positions[3 * i], 1e-5);
 }
 
 }  // namespace

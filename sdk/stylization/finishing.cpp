@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/finishing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curves/moving_frame.h"
+
+namespace flg {
+
+bool Finishing::run(uint32_t& units) {
+    constexpr uint32_t samples_per_unit = 8;
+    while (done_ < input_.count) {
+        if (units == 0) return false;
+        --units;
+        const uint32_t last = std::min(input_.count, done_ + samples_per_unit);
+        if (input_.pinned || input_.closed) move_ends(done_, last);
+        if (input_.closed) close_angles(done_, last);
+        if (input_.out.time) add_times(done_, last);
+        done_ = last;
+    }
+    return true;
+}
+
+void Finishing::move_ends(uint32_t first, uint32_t last) {
+    const StylizedColumns& out = input_.out;
+    for (uint32_t i = first; i < last; ++i) {
+        const double u = static_cast<double>(i) / input_.steps;
+        const Vec3 excess = (1.0 - u) * input_.start_excess + u * input_.end_excess;
+        const size_t at = 3 * static_cast<size_t>(i);
+        store_vec3(load_vec3(out.frames.positions + at) - input_.magnitude * excess, out.frames.positions + at);
+        if (out.displacement) store_vec3(load_vec3(out.displacement + at) - excess, out.displacement + at);
+    }
+    if (!input_.pinned) return;
+    if (first == 0) pin(0, 0);
+    if (last == input_.count && !input_.closed) pin(input_.count - 1, input_.target.count - 1);
+}
+
+// To the bit.
+void Finishing::pin(uint32_t sample, uint32_t target_point) {
+    const size_t at = 3 * static_cast<size_t>(sample);
+    std::copy_n(input_.target.raw(target_point), 3, input_.out.frames.positions + at);
+    if (input_.out.displacement) std::fill_n(input_.out.displacement + at, 3, 0.0f);
+}
+
+void Finishing::close_angles(uint32_t first, uint32_t last) {
+    for (size_t a = 0; a < input_.style->attributes.size(); ++a) {
+        const AppliedAttribute& attribute = input_.style->attributes[a];
+        const size_t width = attribute.components;
+        for (size_t k = attribute.first_angle; k < width; ++k) {
+            const double gap_rad = std::remainder(static_cast<double>(attribute.values[input_.first_node * width + k]) -
+                                                      attribute.values[input_.node_around * width + k],
+                                                  attribute.period_rad);
+            const bool turns_ribbon = attribute.attribute == FLG_ATTRIBUTE_ANGLE;
+            for (uint32_t i = first; i < last; ++i) {
+                const double share_rad = gap_rad * i / input_.steps;
+                float& value = input_.out.attributes[a][i * width + k];
+                value = static_cast<float>(value + share_rad);
+                if (!turns_ribbon) continue;
+                float* normal = input_.out.frames.normals + 3 * static_cast<size_t>(i);
+                const Vec3 tangent = load_vec3(input_.out.frames.tangents + 3 * static_cast<size_t>(i));
+                store_vec3(turned_about(tangent, load_vec3(normal), share_rad), normal);
+            }
+        }
+    }
+}
+
+void Finishing::add_times(uint32_t first, uint32_t last) {
+    const size_t column = input_.style->find(FLG_ATTRIBUTE_SPEED) - input_.style->attributes.data();
+    const float* speeds = input_.out.attributes[column];
+    for (uint32_t i = first; i < last; ++i) {
+        if (i > 0) {
+            const float* position = input_.out.frames.positions + 3 * static_cast<size_t>(i);
+            const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
+            time_ += distance / (0.5 * (static_cast<double>(speeds[i - 1]) + speeds[i]));
+        }
+        input_.out.time[i] = static_cast<float>(time_);
+    }
+}
+
+}  // namespace flg

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What a stylized curve needs once its last point is known: its ends where they belong (Minarcik, Fiser, Sykora, sec.
+// 4.5.1 and 4.5.2), and the times of a motion along it.
+//
+// The paper's corrections of the result are linear in arc length. Here they are linear in the arc length of the target and
+// taken off the displacement, so that they grow with the magnitude: a result is closed or pinned at every magnitude. With
+// u from 0 to 1 along the target, D the displacement and "around" where a closed curve comes back to its first point:
+//   pinned   D(u) - (1 - u) D(0) - u D(1)
+//   closed   D(u) - u (D(around) - D(0))
+// On closed curves, angles among the attributes are closed likewise, the shorter way, so that ribbons go on over the seam
+// as they do elsewhere; other attributes begin anew there, as they do where the style is jumped about in.
+// Times: the distance of two points takes as long as the mean of their speeds says.
+#pragma once
+
+#include <span>
+
+#include "curves/resample.h"
+#include "stylization/applied_style.h"
+
+namespace flg {
+
+// Where the result of one curve goes. The columns begin at the curve's first sample.
+struct StylizedColumns {
+    FrameColumns frames;            // positions are the result's; tangents are the target's, normals too but for ANGLE
+    float* style_index = nullptr;   // 1 a sample
+    float* displacement = nullptr;  // 3 a sample; null: not wanted
+    float* time = nullptr;          // 1 a sample; null exactly if the style doesn't transfer SPEED
+    std::span<float* const> attributes;  // in the order of the style's
+};
+
+struct FinishingInput {
+    StylizedColumns out;
+    const AppliedStyle* style = nullptr;
+    CurveView target;
+    uint32_t count = 0;  // samples
+    uint32_t steps = 0;
+    double magnitude = 1;
+    bool pinned = false;
+    bool closed = false;
+    Vec3 start_excess = Vec3::Zero();  // what is taken off the displacement at u = 0
+    Vec3 end_excess = Vec3::Zero();    // and at u = 1
+    uint32_t first_node = 0;
+    uint32_t node_around = 0;  // of closed curves
+    double start_time = 0;     // seconds
+};
+
+// A unit is 8 samples, about 50 ns; more with angles.
+class Finishing {
+public:
+    explicit Finishing(const FinishingInput& input) : input_(input), time_(input.start_time) {}
+    // Spends units; true when all is done.
+    bool run(uint32_t& units);
+
+private:
+    void move_ends(uint32_t first, uint32_t last);
+    void close_angles(uint32_t first, uint32_t last);
+    void add_times(uint32_t first, uint32_t last);
+    void pin(uint32_t sample, uint32_t target_point);
+
+    FinishingInput input_;
+    uint32_t done_ = 0;
+    double time_;
+};
+
+}  // namespace flg

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "stylization/finishing.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "curves/moving_frame.h"
+#include "stylization/synthesis_inputs.h"
+
+namespace flg {
+namespace {
+
+using test::Points;
+using test::points_of;
+using test::stylize;
+using test::StylizedCurve;
+using test::StylizeOptions;
+using test::TestStyle;
+
+constexpr uint32_t steps = 700;
+
+Points ring() {
+    return test::sampled(
+        [](double u) {
+            const double a = test::two_pi * u;
+            const double r = 2 + std::cos(3 * a);
+            return Vec3(r * std::cos(2 * a), r * std::sin(2 * a), std::sin(3 * a));
+        },
+        400, true);
+}
+
+Vec3 displacement_of_node(const TestStyle& style, double node, const test::Resampled& frames, size_t i) {
+    const Vec3& d = style.vectors[static_cast<size_t>(node)];
+    return d.x() * frames.tangent(i) + d.y() * frames.normal(i) + d.z() * frames.tangent(i).cross(frames.normal(i));
+}
+
+TEST(Finishing, PinnedResultsBeginAndEndWhereTheirTargetsDo) {
+    const TestStyle style(test::wiggles(300));
+    const Points target = test::sampled(test::wild, 200);
+    const SamplingPlan plan = test::plan_of(target, steps);
+    const test::Resampled plain = test::resample(plan);
+    for (double magnitude : {0.0, 1.0, -3.0, 1e4}) {
+        const StylizeOptions options{.magnitude = magnitude, .from_start = false, .pin_ends = true};
+        const StylizedCurve r = stylize(style, 0.3, plan, options);
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_EQ(r.curve.positions[k], target.floats[k]);
+            EXPECT_EQ(r.curve.positions[3 * steps + k], target.floats[target.floats.size() - 3 + k]);
+            EXPECT_EQ(r.displacements[k], 0.0f);
+            EXPECT_EQ(r.displacements[3 * steps + k], 0.0f);
+        }
+    }
+    // The paper's formula, with the target's arc length.
+    const StylizedCurve r = stylize(style, 0.3, plan, {.magnitude = 0.7, .pin_ends = true});
+    const auto d = [&](size_t i) { return displacement_of_node(style, r.indices[i], plain, i); };
+    for (size_t i = 0; i <= steps; ++i) {
+        const double u = static_cast<double>(i) / steps;
+        const Vec3 expected = d(i) - (1 - u) * d(0) - u * d(steps);
+        ASSERT_LT((r.displacement(i) - expected).norm(), 1e-5) << i;
+        ASSERT_LT((r.curve.position(i) - plain.position(i) - 0.7 * expected).norm(), 1e-5) << i;
+    }
+}
+
+TEST(Finishing, ClosedResultsCloseByTheLinearCorrection) {
+    const TestStyle style(test::wiggles(300));
+    const Points target = ring();
+    const SamplingPlan plan = test::plan_of(target, steps);
+    const test::Resampled plain = test::resample(plan);
+    // The same walk, one sample longer: where the style is when the curve has come around.
+    const Points line = points_of({{0, 0, 0}, {1, 0, 0}});
+    const StylizeOptions options{.magnitude = 0.7, .from_start = false, .seed = 5};
+    const StylizedCurve walk = stylize(style, 0.3, test::plan_of(line, steps), options);
+    const StylizedCurve r = stylize(style, 0.3, plan, options);
+    ASSERT_EQ(r.size(), steps);
+    const Vec3 gap = displacement_of_node(style, walk.indices[steps], plain, 0) -
+                     displacement_of_node(style, walk.indices[0], plain, 0);
+    EXPECT_GT(gap.norm(), 0.05);  // there is something to close
+    for (size_t i = 0; i < steps; ++i) {
+        ASSERT_EQ(r.indices[i], walk.indices[i]);
+        const double u = static_cast<double>(i) / steps;
+        const Vec3 expected = displacement_of_node(style, r.indices[i], plain, i) - u * gap;
+        ASSERT_LT((r.displacement(i) - expected).norm(), 1e-5) << i;
+        ASSERT_LT((r.curve.position(i) - plain.position(i) - 0.7 * expected).norm(), 1e-5) << i;
+    }
+    // Magnitude 0 is the resampled target.
+    EXPECT_EQ(stylize(style, 0.3, plan, {.magnitude = 0}).curve.positions, plain.positions);
+    // Pinned, it passes through its target's first point.
+    const StylizedCurve pinned = stylize(style, 0.3, plan, {.magnitude = 2, .pin_ends = true});
+    EXPECT_EQ(pinned.curve.position(0), plain.position(0));
+    EXPECT_GT((pinned.curve.position(steps - 1) - plain.position(steps - 1)).norm(), 0);
+}
+
+TEST(Finishing, PositionsFollowFromDisplacementAtAnyMagnitude) {
+    const TestStyle style(test::wiggles(300));
+    for (const Points& target : {test::sampled(test::wild, 200), ring()}) {
+        for (bool pin_ends : {false, true}) {
+            const SamplingPlan plan = test::plan_of(target, steps);
+            StylizeOptions options{.magnitude = 0.5, .scale = 0.8, .pin_ends = pin_ends};
+            const StylizedCurve half = stylize(style, 0.3, plan, options);
+            options.magnitude = -2;
+            const StylizedCurve other = stylize(style, 0.3, plan, options);
+            EXPECT_EQ(half.displacements, other.displacements);
+            for (size_t i = 0; i < half.size(); ++i) {
+                const Vec3 expected = half.curve.position(i) + (-2 - 0.5) * half.displacement(i);
+                ASSERT_LT((other.curve.position(i) - expected).norm(), 2e-6) << i;
+            }
+        }
+    }
+}
+
+// A ribbon's twist against one that doesn't turn, from sample i to j.
+double twist(const test::Resampled& r, size_t i, size_t j) {
+    RotationMinimizingFrame frame(r.position(i), r.tangent(i), r.normal(i));
+    frame.step(r.position(j), r.tangent(j));
+    return angle_about(r.tangent(j), frame.normal(), r.normal(j));
+}
+
+// A style whose ribbon turns by `turn_rad` a point.
+TestStyle turning(double turn_rad, FlgMetric metric) {
+    TestStyle style(test::wiggles(300));
+    std::vector<float> angles;
+    for (int i = 0; i < 300; ++i) angles.push_back(static_cast<float>(turn_rad * i));
+    style.add(FLG_ATTRIBUTE_ANGLE, 1, angles, metric);
+    return style;
+}
+
+TEST(Finishing, AnglesTurnTheNormals) {
+    const TestStyle style = turning(0.05, FLG_METRIC_CIRCLE);
+    const Points target = test::sampled(test::wild, 200);
+    const SamplingPlan plan = test::plan_of(target, 250);
+    const test::Resampled plain = test::resample(plan);
+    const StylizedCurve r = stylize(style, 0, plan);
+    for (size_t i = 0; i <= 250; ++i) {
+        const double angle = 0.05 * r.indices[i];
+        EXPECT_NEAR(r.attributes[0][i], angle, 1e-6);
+        EXPECT_LT((r.curve.normal(i) - turned_about(plain.tangent(i), plain.normal(i), angle)).norm(), 1e-5);
+    }
+}
+
+TEST(Finishing, AClosedRibbonsTwistGoesOnOverTheSeam) {
+    // At 7 rad of the style per 300 points, the ribbon comes around turned by some angle, which is spread out.
+    for (FlgMetric metric : {FLG_METRIC_CIRCLE, FLG_METRIC_PROJECTIVE}) {
+        const TestStyle style = turning(0.023, metric);
+        const Points target = ring();
+        const StylizedCurve r = stylize(style, 0, test::plan_of(target, 290), {.magnitude = 0});
+        const double inside = twist(r.curve, 100, 101);
+        const double period = metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 2 * std::numbers::pi;
+        EXPECT_NEAR(std::remainder(twist(r.curve, 289, 0) - inside, period), 0, 1e-3);
+        // The values themselves meet, up to whole turns.
+        const double step = r.attributes[0][101] - r.attributes[0][100];
+        EXPECT_NEAR(std::remainder(r.attributes[0][0] - r.attributes[0][289] - step, period), 0, 1e-4);
+        // The shorter way round.
+        EXPECT_LT(std::abs(r.attributes[0][289] - 0.023 * 289), period / 2 + 1e-3);
+    }
+}
+
+TEST(Finishing, EllipsesCloseTheirAnglesOnly) {
+    TestStyle style(test::wiggles(300));
+    std::vector<float> radii;
+    for (int i = 0; i < 300; ++i) {
+        radii.insert(radii.end(), {1.0f + static_cast<float>(i), 2.0f, 0.02f * static_cast<float>(i)});
+    }
+    style.add(FLG_ATTRIBUTE_RADII, 3, radii);
+    const Points target = ring();
+    const StylizedCurve r = stylize(style, 0, test::plan_of(target, 290), {.scale = 0.5});
+    double before = 0;
+    for (size_t i = 0; i < 290; ++i) {
+        EXPECT_EQ(r.attributes[0][3 * i], 0.5f * (1.0f + r.indices[i]));
+        EXPECT_EQ(r.attributes[0][3 * i + 1], 1.0f);
+        if (i == 0) continue;
+        const double step = r.attributes[0][3 * i + 2] - r.attributes[0][3 * i - 1];
+        if (i > 1) {
+            EXPECT_NEAR(step, before, 1e-5);
+        }
+        before = step;
+    }
+    EXPECT_NEAR(std::remainder(r.attributes[0][2] - r.attributes[0][3 * 289 + 2] - before, test::two_pi), 0, 1e-4);
+}
+
+TEST(Finishing, SpeedsGiveTimes) {
+    TestStyle style(test::wiggles(300));
+    std::vector<float> speeds;
+    for (int i = 0; i < 300; ++i) speeds.push_back(1.0f + 0.01f * static_cast<float>(i % 50));
+    style.add(FLG_ATTRIBUTE_SPEED, 1, speeds);
+    const Points target = test::sampled(test::wild, 200);
+    for (bool pin_ends : {false, true}) {
+        const StylizedCurve r =
+            stylize(style, 0.1, test::plan_of(target, 250), {.pin_ends = pin_ends, .start_time = 4});
+        EXPECT_EQ(r.times[0], 4.0f);
+        for (size_t i = 1; i <= 250; ++i) {
+            const double distance = (r.curve.position(i) - r.curve.position(i - 1)).norm();
+            const double speed = 0.5 * (r.attributes[0][i] + r.attributes[0][i - 1]);
+            EXPECT_NEAR(r.times[i] - r.times[i - 1], distance / speed, 2e-6);
+        }
+    }
+    const StylizedCurve point = stylize(style, 0, test::plan_of(points_of({{1, 2, 3}}), 0), {.start_time = 4});
+    EXPECT_EQ(point.times, std::vector<float>{4});
+}
+
+TEST(Finishing, BasesTurnTheDisplacement) {
+    const TestStyle style(test::wiggles(300));
+    TestStyle turned(test::wiggles(300));
+    const std::array<double, 9> basis{0, 2, 0, 0.5, 0, -1, 1, 1, 1};
+    const Eigen::Matrix3d matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
+    for (uint32_t i = 0; i < 300; ++i) {
+        const Vec3 d = matrix * turned.vectors[i];
+        turned.prepared.displacement.along_tangent[i] = d.x();
+        turned.prepared.displacement.along_normal[i] = d.y();
+        turned.prepared.displacement.along_binormal[i] = d.z();
+    }
+    const Points target = test::sampled(test::wild, 200);
+    const SamplingPlan plan = test::plan_of(target, 250);
+    const StylizedCurve a = stylize(style, 0, plan, {.basis = basis}), b = stylize(turned, 0, plan);
+    for (size_t i = 0; i <= 250; ++i) EXPECT_LT((a.curve.position(i) - b.curve.position(i)).norm(), 1e-5);
+}
+
+TEST(Finishing, DegenerateTargets) {
+    TestStyle style = turning(0.05, FLG_METRIC_CIRCLE);
+    style.add(FLG_ATTRIBUTE_SPEED, 1, std::vector<float>(300, 2.0f));
+    for (const Points& target :
+         {points_of({{3, 4, 5}}), points_of({{3, 4, 5}}, true), points_of(std::vector<Vec3>(7, Vec3(3, 4, 5)), true)}) {
+        const StylizedCurve r = stylize(style, 0, test::plan_of(target, 0), {.pin_ends = true});
+        ASSERT_EQ(r.size(), 1u);
+        EXPECT_EQ(r.curve.position(0), Vec3(3, 4, 5));
+        EXPECT_EQ(r.displacement(0), Vec3(0, 0, 0));
+    }
+    // There and back: the smallest closed curve.
+    const Points pair = points_of({{0, 0, 0}, {1, 0, 0}}, true);
+    const StylizedCurve r = stylize(style, 0, test::plan_of(pair, 3), {.pin_ends = true});
+    EXPECT_EQ(r.curve.position(0), Vec3(0, 0, 0));
+    for (float v : r.curve.positions) EXPECT_TRUE(std::isfinite(v));
+    for (float v : r.curve.normals) EXPECT_TRUE(std::isfinite(v));
+}
+
+TEST(Finishing, ResultsDoNotDependOnTheSlices) {
+    TestStyle style = turning(0.05, FLG_METRIC_CIRCLE);
+    style.add(FLG_ATTRIBUTE_SPEED, 1, std::vector<float>(300, 2.0f));
+    for (const Points& target : {test::sampled(test::wild, 200), ring()}) {
+        for (bool pin_ends : {false, true}) {
+            const SamplingPlan plan = test::plan_of(target, steps);
+            StylizeOptions options{.pin_ends = pin_ends};
+            const StylizedCurve whole = stylize(style, 0.2, plan, options);
+            for (uint32_t slice : {1u, 7u, 256u}) {
+                options.slice = slice;
+                const StylizedCurve sliced = stylize(style, 0.2, plan, options);
+                EXPECT_EQ(sliced.curve.positions, whole.curve.positions);
+                EXPECT_EQ(sliced.curve.normals, whole.curve.normals);
+                EXPECT_EQ(sliced.displacements, whole.displacements);
+                EXPECT_EQ(sliced.attributes, whole.attributes);
+                EXPECT_EQ(sliced.times, whole.times);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace flg
