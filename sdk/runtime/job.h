@@ -26,6 +26,12 @@ public:
     virtual void publish(const Job& job) noexcept = 0;
 };
 
+// That one job waits for another: kept in the waiting job, listed by the other.
+struct Dependency {
+    std::shared_ptr<Job> waiting;
+    Dependency* next = nullptr;
+};
+
 struct StageTime {
     const char* name = "";
     uint64_t start_ns = 0, end_ns = 0;
@@ -37,7 +43,7 @@ public:
     static constexpr uint32_t max_stages = 16;
 
     Job(const Host& job_host, Memory* memory, uint32_t threads)
-        : host(job_host), concurrency(threads), strand(*this, job_host, memory), dependents(memory) {}
+        : host(job_host), concurrency(threads), strand(*this, job_host, memory), dependencies(memory) {}
 
     const Host& host;
     const uint32_t concurrency;  // strands a fork may use
@@ -58,16 +64,19 @@ public:
     // Live, guarded by the scheduler's mutex. The stages belong to the job's first strand while it runs.
     bool started = false;
     bool done = false;
-    uint32_t waiting_for = 0;  // dependencies that are not done
-    std::pmr::vector<std::shared_ptr<Job>> dependents;
+    uint32_t waiting_for = 0;                   // dependencies that are not done
+    std::pmr::vector<Dependency> dependencies;  // what this job waits for
+    Dependency* dependents = nullptr;           // who waits for this job
     FlgResult result = FLG_NOT_READY;
     char error[256] = "";
     uint64_t busy_ns = 0;
     uint64_t longest_chunk_ns = 0;
     std::array<StageTime, max_stages> stages;
     uint32_t stage_count = 0;
-    std::shared_ptr<Job> next_started, next_finished;  // the scheduler's lists
-    Job* next_failing = nullptr;                       // while a failure spreads
+    std::shared_ptr<Job> next_started;  // in the scheduler's list of started jobs
+    Job* next_finished = nullptr;       // in its list of finished ones
+    Job* previous_finished = nullptr;
+    Job* next_failing = nullptr;  // while a failure spreads
 
     // The scheduler's list of all jobs that are not published yet; it owns them. Host's thread only.
     std::shared_ptr<Job> self;

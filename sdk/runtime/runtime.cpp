@@ -30,6 +30,7 @@ Runtime::~Runtime() {
 }
 
 bool Runtime::stop() {
+    stopping_ = true;
     scheduler_.cancel_all();
     return !crew_ || crew_->stop();
 }

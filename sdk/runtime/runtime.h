@@ -23,6 +23,8 @@ public:
     bool wait(uint32_t timeout_us);
     // Cancels all jobs and stops all workers. False if the host's job system still holds tasks.
     bool stop();
+    // stop() was called: no job may be added any more.
+    bool stopping() const { return stopping_; }
 
     Scheduler& scheduler() { return scheduler_; }
     Memory* memory() const { return memory_; }
@@ -37,6 +39,7 @@ private:
     std::optional<HostTasks> host_tasks_;
     Crew* crew_ = nullptr;
     uint64_t frame_ = 0;
+    bool stopping_ = false;
 };
 
 }  // namespace flg

@@ -15,12 +15,6 @@ namespace flg {
 
 namespace {
 
-template <class Vector>
-void reserve_one_more(Vector& vector) {
-    constexpr size_t smallest = 8;
-    if (vector.size() == vector.capacity()) vector.reserve(std::max(smallest, vector.size() * 2));
-}
-
 // The sentence of the first failure is passed on as it is, however long the chain.
 void describe_failed_dependency(const Job& failed, Job& dependent) {
     constexpr char prefix[] = "a job it depends on failed: ";
@@ -33,10 +27,12 @@ void describe_failed_dependency(const Job& failed, Job& dependent) {
 Scheduler::~Scheduler() {
     // One by one: lists of shared pointers would free themselves recursively.
     while (started_) started_ = std::exchange(started_->next_started, nullptr);
-    while (finished_) finished_ = std::exchange(finished_->next_finished, nullptr);
     while (first_pending_) {
         const std::shared_ptr<Job> job = first_pending_->self;
-        job->dependents.clear();
+        while (Dependency* dependency = job->dependents) {
+            job->dependents = dependency->next;
+            const std::shared_ptr<Job> waiting = std::move(dependency->waiting);
+        }
         remove_pending(*job);
     }
 }
@@ -57,6 +53,32 @@ void Scheduler::push_front(Strand& strand) {
     strand.next = queue.first;
     queue.first = &strand;
     if (!queue.last) queue.last = &strand;
+}
+
+// Strands of a cancelled job go first, whatever its priority: they only have to be taken down.
+void Scheduler::hurry(Job& job) {
+    Queue& queue = ready_[job.priority];
+    Queue& urgent = ready_[priority_count - 1];
+    Strand* before = nullptr;
+    for (Strand* strand = queue.first; strand;) {
+        Strand* const next = strand->next;
+        if (&strand->job == &job && before) {
+            before->next = next;
+            if (queue.last == strand) queue.last = before;
+            strand->next = urgent.first;
+            urgent.first = strand;
+            if (!urgent.last) urgent.last = strand;
+        } else if (&strand->job == &job && &queue != &urgent) {
+            queue.first = next;
+            if (queue.last == strand) queue.last = nullptr;
+            strand->next = urgent.first;
+            urgent.first = strand;
+            if (!urgent.last) urgent.last = strand;
+        } else {
+            before = strand;
+        }
+        strand = next;
+    }
 }
 
 Strand* Scheduler::pop() {
@@ -185,7 +207,9 @@ void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& fail
     job.result = result;
     if (error != job.error) std::snprintf(job.error, sizeof job.error, "%s", error);
     add_finished(job);
-    for (const std::shared_ptr<Job>& dependent : job.dependents) {
+    while (Dependency* dependency = job.dependents) {
+        job.dependents = dependency->next;
+        const std::shared_ptr<Job> dependent = std::move(dependency->waiting);
         if (dependent->done) continue;
         if (result == FLG_OK) {
             if (--dependent->waiting_for == 0) push_back(dependent->strand);
@@ -195,17 +219,17 @@ void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& fail
             dependent->next_failing = std::exchange(failing, dependent.get());
         }
     }
-    job.dependents.clear();
 }
 
-// Into the list of finished jobs, which is in order of submission. Most belong at its end.
+// Into the list of finished jobs, which is in order of submission. Most belong near its end.
 void Scheduler::add_finished(Job& job) {
-    std::shared_ptr<Job>* place = &finished_;
-    if (finished_ && last_finished_->serial < job.serial) place = &last_finished_->next_finished;
-    while (*place && (*place)->serial < job.serial) place = &(*place)->next_finished;
-    job.next_finished = std::move(*place);
-    *place = job.shared_from_this();
-    if (!job.next_finished) last_finished_ = &job;
+    Job* before = last_finished_;
+    while (before && before->serial > job.serial) before = before->previous_finished;
+    Job* const after = before ? before->next_finished : first_finished_;
+    job.previous_finished = before;
+    job.next_finished = after;
+    (before ? before->next_finished : first_finished_) = &job;
+    (after ? after->previous_finished : last_finished_) = &job;
 }
 
 // ---- host's thread -------------------------------------------------------------------------------------------------
@@ -218,18 +242,20 @@ std::shared_ptr<Job> Scheduler::make_job() {
 void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<std::shared_ptr<Job>>& dependencies) {
     // All memory is taken before anything changes, so that a failing allocator leaves no trace.
     if (running_.capacity() <= pending_) running_.reserve(std::max(size_t{8}, size_t{pending_} * 2));
+    job->dependencies.resize(dependencies.size());
     job->serial = next_serial_++;
     bool ready = false;
     {
         std::lock_guard lock(mutex_);
-        for (const std::shared_ptr<Job>& dependency : dependencies) reserve_one_more(dependency->dependents);
         const Job* failed = nullptr;
-        for (const std::shared_ptr<Job>& dependency : dependencies) {
-            if (!dependency->done) {
-                dependency->dependents.push_back(job);
+        for (size_t i = 0; i < dependencies.size(); ++i) {
+            Job& other = *dependencies[i];
+            if (!other.done) {
+                job->dependencies[i] = {job, other.dependents};
+                other.dependents = &job->dependencies[i];
                 ++job->waiting_for;
-            } else if (dependency->result != FLG_OK && !failed) {
-                failed = dependency.get();
+            } else if (other.result != FLG_OK && !failed) {
+                failed = &other;
             }
         }
         if (failed) {
@@ -268,6 +294,8 @@ void Scheduler::cancel(Job& job) {
         if (job.waiting_for > 0) {
             complete(job, FLG_ERROR_CANCELLED, "the job was cancelled");
             woke = true;
+        } else {
+            hurry(job);
         }
     }
     if (woke) wake();
@@ -314,9 +342,10 @@ uint32_t Scheduler::publish(uint64_t deadline_ns, float* callback_us) {
         std::shared_ptr<Job> job;
         {
             std::lock_guard lock(mutex_);
-            if (!finished_) break;
-            job = std::move(finished_);
-            finished_ = std::move(job->next_finished);
+            if (!first_finished_) break;
+            job = first_finished_->self;
+            first_finished_ = job->next_finished;
+            (first_finished_ ? first_finished_->previous_finished : last_finished_) = nullptr;
         }
         publish_job(*job);
         ++count;
@@ -351,7 +380,8 @@ void Scheduler::publish_job(Job& job) {
 bool Scheduler::wait_publishable(uint32_t timeout_us) {
     if (pending_ == 0) return true;
     std::unique_lock lock(mutex_);
-    return publishable_.wait_for(lock, std::chrono::microseconds(timeout_us), [this] { return finished_ != nullptr; });
+    return publishable_.wait_for(lock, std::chrono::microseconds(timeout_us),
+                                 [this] { return first_finished_ != nullptr; });
 }
 
 Scheduler::Statistics Scheduler::take_statistics() {

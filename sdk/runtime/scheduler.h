@@ -5,7 +5,8 @@
 //
 // Strands are run by whoever calls run_next: the tick itself, built-in workers or tasks in the host's job system (see
 // workers.h). Ready strands run by priority, then in order of arrival; one whose slice is over goes back to the front.
-// One mutex guards the queues; it is held for some tens of instructions and never while work or a hook runs.
+// One mutex guards the queues; it is held for some tens of instructions and never while work, a callback or the allocator
+// runs (but to free a cancelled job that another one still listed).
 #pragma once
 
 #include <array>
@@ -83,6 +84,7 @@ private:
 
     void push_back(Strand& strand);
     void push_front(Strand& strand);
+    void hurry(Job& job);
     Strand* pop();
     void end_slice(Strand& strand);
     void finish_branch(Strand& strand);
@@ -108,8 +110,8 @@ private:
     std::array<Queue, priority_count> ready_;
     uint32_t ready_count_ = 0;
     std::shared_ptr<Job> started_;   // list of jobs that ran for the first time since the last tick
-    std::shared_ptr<Job> finished_;  // list of done jobs, by serial
-    Job* last_finished_ = nullptr;   // its end, if there is one
+    Job* first_finished_ = nullptr;  // done and not published, in order of submission
+    Job* last_finished_ = nullptr;
     Statistics statistics_;
 
     // Host's thread only.

@@ -2,6 +2,7 @@
 #include "runtime/workers.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace flg {
 
@@ -42,6 +43,7 @@ void Workers::work() {
     const uint64_t budget_ns = scheduler_.worker_budget_ns();
     uint64_t frame = 0;
     uint64_t used_ns = 0;
+    bool told = false;  // the others, that this one's budget is spent
     for (;;) {
         {
             std::unique_lock lock(scheduler_.mutex());
@@ -50,11 +52,13 @@ void Workers::work() {
                 if (frame != frame_) {
                     frame = frame_;
                     used_ns = 0;
+                    told = false;
                 }
                 const bool spent = budget_ns != 0 && used_ns >= budget_ns;
                 if (scheduler_.ready_count() > 0) {
                     if (!spent) break;
-                    wake_.notify_one();  // someone else may have budget left
+                    // Once a frame, or spent workers would go on waking each other.
+                    if (!std::exchange(told, true)) wake_.notify_all();
                 }
                 wake_.wait(lock);
             }
@@ -97,16 +101,22 @@ void HostTasks::hand_over() {
 void HostTasks::run() {
     const Host& host = scheduler_.host();
     const uint64_t start_ns = host.now_ns();
-    bool stopping;
+    uint64_t slice_ns = worker_slice_ns;
+    bool works;
     {
         std::lock_guard lock(scheduler_.mutex());
-        stopping = stopping_;
         --not_begun_;
+        works = may_go_on();
+        // The slice is booked before it is used, so that tasks side by side keep to the budget together.
+        if (const uint64_t budget_ns = scheduler_.worker_budget_ns(); works && budget_ns != 0) {
+            slice_ns = std::min({slice_ns, budget_ns, budget_ns * system_.concurrency - used_ns_});
+        }
+        if (works) used_ns_ += slice_ns;
     }
-    if (!stopping) scheduler_.run_next(start_ns + worker_slice_ns);
+    if (works) scheduler_.run_next(start_ns + slice_ns);
     {
         std::lock_guard lock(scheduler_.mutex());
-        used_ns_ += host.now_ns() - start_ns;
+        if (works) used_ns_ += (host.now_ns() - start_ns) - slice_ns;
         if (!may_go_on()) {
             --handed_over_;
             return;

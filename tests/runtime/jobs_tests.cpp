@@ -118,6 +118,67 @@ TEST_F(WithoutWorkers, LongChainsOfDependentsFailWithoutRecursion) {
     EXPECT_EQ(memory.live, 0);
 }
 
+TEST_F(WithoutWorkers, TheSameDependencyManyTimesIsOne) {
+    Runtime runtime(desc(clock), &memory);
+    uint64_t sum = 0, after = 0;
+    const auto first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
+    const auto second =
+        submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &after); }, FLG_PRIORITY_HIGH,
+               {first, first, first, first, first, first, first, first, first, first});
+    runtime.tick(0);
+    EXPECT_EQ(second->status.result, FLG_OK);
+    EXPECT_EQ(after, sum);
+}
+
+TEST_F(WithoutWorkers, MemoryThatRunsOutInSubmitLeavesNoTrace) {
+    for (int64_t fail = 0; fail < 4; ++fail) {
+        {
+            Runtime runtime(desc(clock), &memory);
+            uint64_t sum = 0, never = 0;
+            const auto first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
+            std::shared_ptr<Job> job = runtime.scheduler().make_job();
+            job->strand.start(store_hash_sum(job->strand.pace, 10, 1, &never));
+            const std::pmr::vector<std::shared_ptr<Job>> dependencies(9, first, std::pmr::new_delete_resource());
+            memory.fail_at = memory.calls + fail;
+            bool failed = false;
+            try {
+                runtime.scheduler().submit(job, dependencies);
+            } catch (const std::bad_alloc&) {
+                failed = true;
+            }
+            memory.fail_at = -1;
+            job.reset();
+            runtime.tick(0);
+            EXPECT_EQ(sum, expected_hash_sum(10));
+            EXPECT_EQ(never, failed ? 0 : expected_hash_sum(10));
+        }
+        EXPECT_EQ(memory.live, 0);
+    }
+}
+
+TEST_F(WithoutWorkers, ACancelledJobDoesNotWaitItsTurn) {
+    clock.step_ns = 1000;
+    Runtime runtime(desc(clock), &memory);
+    struct Body {
+        static Task<void> run(Pace& pace) {
+            for (;;) co_await pace;
+        }
+    };
+    const auto low = submit(
+        runtime, [&](Pace& pace) { return Body::run(pace); }, FLG_PRIORITY_LOW);
+    const auto low_too = submit(
+        runtime, [&](Pace& pace) { return Body::run(pace); }, FLG_PRIORITY_LOW);
+    submit(
+        runtime, [&](Pace& pace) { return Body::run(pace); }, FLG_PRIORITY_HIGH);
+    runtime.tick(50);
+    runtime.scheduler().cancel(*low_too);
+    runtime.scheduler().cancel(*low);
+    runtime.tick(50);
+    runtime.tick(50);
+    EXPECT_EQ(low->status.result, FLG_ERROR_CANCELLED);
+    EXPECT_EQ(low_too->status.result, FLG_ERROR_CANCELLED);
+}
+
 TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
     FlgContextDesc d = desc(clock);
     Runtime runtime(d, &memory);

@@ -2,6 +2,7 @@
 // The three ways to run give the same results; nothing is lost when jobs are cancelled at random.
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <deque>
 #include <mutex>
 #include <thread>
@@ -150,6 +151,57 @@ TEST(Threads, WorkersKeepTheirBudgetBetweenTicks) {
     EXPECT_GT(report.worker_us, 100.0f);
     // 50 ms would have been there; twice the budget (two frames begin within this measurement) were used.
     EXPECT_LT(report.worker_us, 5000.0f);
+}
+
+double process_cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+TEST(Threads, WorkersThatSpentTheirBudgetSleep) {
+    FlgContextDesc desc{};
+    desc.worker_count = 4;
+    desc.worker_budget_us = 200;
+    CountingMemory memory;
+    Runtime runtime(desc, &memory);
+    struct Body {
+        static Task<void> run(Pace& pace) {
+            for (;;) co_await pace;
+        }
+    };
+    for (int i = 0; i < 8; ++i) submit(runtime, [&](Pace& pace) { return Body::run(pace); });
+    const double before = process_cpu_seconds();
+    for (int i = 0; i < 4; ++i) {
+        runtime.tick(100);
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    }
+    // 4 workers x 4 frames x 0.2 ms of work; awake they would take 0.24 s.
+    EXPECT_LT(process_cpu_seconds() - before, 0.06);
+}
+
+TEST(Threads, TheHostsJobSystemKeepsTheBudgetToo) {
+    Pool pool(2);
+    FlgContextDesc desc{};
+    desc.job_system = pool.hook(2);
+    desc.worker_budget_us = 100;
+    ManualClock clock;  // every look at it takes a microsecond
+    clock.step_ns = 1000;
+    desc.clock = clock.hook();
+    CountingMemory memory;
+    Runtime runtime(desc, &memory);
+    struct Body {
+        static Task<void> run(Pace& pace) {
+            for (;;) co_await pace;
+        }
+    };
+    for (int i = 0; i < 4; ++i) submit(runtime, [&](Pace& pace) { return Body::run(pace); });
+    runtime.tick(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const FlgFrameReport report = runtime.tick(1);
+    EXPECT_GT(report.worker_us, 50.0f);
+    EXPECT_LT(report.worker_us, 500.0f);  // two tasks x 100 us, and up to one frame more that this tick began
+    while (!runtime.stop()) std::this_thread::yield();
 }
 
 TEST(Threads, TheFailureOfTheSmallestIndexComesOutOfAFork) {
