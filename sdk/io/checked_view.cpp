@@ -21,9 +21,11 @@ struct ColumnRule {
     uint32_t components;
 };
 constexpr ColumnRule rules[] = {
-    {FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_RADIUS, 1},      {FLG_ATTRIBUTE_COLOR, 4},
-    {FLG_ATTRIBUTE_TANGENT, 3},  {FLG_ATTRIBUTE_NORMAL, 3},      {FLG_ATTRIBUTE_TIME, 1},
-    {FLG_ATTRIBUTE_PRESSURE, 1}, {FLG_ATTRIBUTE_ORIENTATION, 4}, {FLG_ATTRIBUTE_STYLE_INDEX, 1},
+    {FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_RADIUS, 1},       {FLG_ATTRIBUTE_COLOR, 4},
+    {FLG_ATTRIBUTE_TANGENT, 3},  {FLG_ATTRIBUTE_NORMAL, 3},       {FLG_ATTRIBUTE_TIME, 1},
+    {FLG_ATTRIBUTE_PRESSURE, 1}, {FLG_ATTRIBUTE_ORIENTATION, 4},  {FLG_ATTRIBUTE_STYLE_INDEX, 1},
+    {FLG_ATTRIBUTE_RADII, 3},    {FLG_ATTRIBUTE_ANGLE, 1},        {FLG_ATTRIBUTE_WIDTH, 1},
+    {FLG_ATTRIBUTE_SPEED, 1},    {FLG_ATTRIBUTE_DISPLACEMENT, 3},
 };
 
 }  // namespace
@@ -50,7 +52,6 @@ CheckedView::CheckedView(const FlgCurveSetView* view) {
         if (column.attribute == FLG_ATTRIBUTE_POSITION) slot = &position;
         if (column.attribute == FLG_ATTRIBUTE_RADIUS) slot = &radius;
         if (column.attribute == FLG_ATTRIBUTE_COLOR) slot = &color;
-        if (column.attribute == FLG_ATTRIBUTE_TANGENT) slot = &tangent;
         if (column.attribute == FLG_ATTRIBUTE_NORMAL) slot = &normal;
         if (slot) *slot = resolved;
     }

@@ -30,7 +30,7 @@ public:
     size_t end(uint32_t curve) const { return view_.curve_offsets[curve + 1]; }
     bool closed(uint32_t curve) const { return view_.curve_flags && (view_.curve_flags[curve] & FLG_CURVE_CLOSED); }
 
-    Column position, radius, color, tangent, normal;
+    Column position, radius, color, normal;
 
 private:
     void check_curves() const;

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Source: Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, 2008 (double reflection, section 4).
-// Tangents are the view's, or else halve the turn between the segments that meet; normals are the view's, made
-// perpendicular, or else carried along by double reflection, on closed curves with the twist that is left spread evenly
-// over the length.
+// Tangents halve the turn between the segments that meet: a TANGENT column may be that of another curve (results of
+// flgStylize carry their target's frame), and a cross section placed by it would be squashed. Normals that are asked for
+// are made perpendicular, on the side that keeps the surface from crossing over itself, and carried along where they point
+// along the curve. All others are carried along by double reflection, on closed curves with the twist that is left spread
+// evenly over the length.
 #include "io/swept_frames.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flg::io {
 
 namespace {
 
-// Below it, a given normal is too close to the tangent to say a direction.
+// Below it, what is left of a vector across the tangent is rounding.
 constexpr double least_across = 1e-6;
+// Sine of the angle to the tangent below which a given normal says too little: beside such a point it turns about the
+// curve at once.
+constexpr double least_said = 0.1;
 
 Vec3 load(const float* p) {
     return {p[0], p[1], p[2]};
@@ -57,9 +63,33 @@ void carry_normals(std::vector<SweptFrame>& frames, bool closed) {
     }
 }
 
+// The frame's given normal across its tangent; zero where it points along it.
+Vec3 said_normal(const CheckedView& view, const SweptFrame& frame) {
+    const Vec3 given = normalized(load(view.normal.at(frame.point)));
+    const Vec3 across = given - dot(given, frame.tangent) * frame.tangent;
+    return length(across) > least_said ? normalized(across) : Vec3{};
+}
+
+void follow_normals(const CheckedView& view, std::vector<SweptFrame>& frames, bool closed) {
+    for (SweptFrame& frame : frames) frame.normal = said_normal(view, frame);
+    const auto says = [](const SweptFrame& frame) { return dot(frame.normal, frame.normal) > 0; };
+    const auto first = static_cast<size_t>(std::find_if(frames.begin(), frames.end(), says) - frames.begin());
+    if (first == frames.size()) return carry_normals(frames, closed);
+    for (size_t i = first; i-- > 0;) frames[i].normal = carry(frames[i + 1], frames[i]);
+    for (size_t i = first + 1; i < frames.size(); ++i) {
+        const Vec3 carried = carry(frames[i - 1], frames[i]);
+        const double side = dot(frames[i].normal, carried);
+        if (!says(frames[i])) {
+            frames[i].normal = carried;
+        } else if (side < 0) {
+            frames[i].normal = -1 * frames[i].normal;
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<SweptFrame> swept_frames(const CheckedView& view, uint32_t curve) {
+std::vector<SweptFrame> swept_frames(const CheckedView& view, uint32_t curve, Normals normals) {
     std::vector<SweptFrame> frames;
     for (size_t i = view.begin(curve); i < view.end(curve); ++i) {
         const Vec3 position = load(view.position.at(i));
@@ -80,13 +110,12 @@ std::vector<SweptFrame> swept_frames(const CheckedView& view, uint32_t curve) {
         const bool has_after = i + 1 < count || closed;
         const Vec3 before = has_before ? normalized(frame.position - frames[(i + count - 1) % count].position) : Vec3{};
         const Vec3 after = has_after ? normalized(frames[(i + 1) % count].position - frame.position) : Vec3{};
-        if (view.tangent) frame.tangent = normalized(load(view.tangent.at(frame.point)));
-        if (dot(frame.tangent, frame.tangent) == 0) frame.tangent = normalized(before + after);
+        frame.tangent = normalized(before + after);
         // The curve turns back on itself: it still arrives somehow.
         if (dot(frame.tangent, frame.tangent) == 0) frame.tangent = before;
     }
-    if (view.normal) {
-        for (SweptFrame& frame : frames) frame.normal = make_across(load(view.normal.at(frame.point)), frame.tangent);
+    if (view.normal && normals == Normals::followed) {
+        follow_normals(view, frames, closed);
     } else {
         carry_normals(frames, closed);
     }

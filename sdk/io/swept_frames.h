@@ -17,7 +17,12 @@ struct SweptFrame {
     size_t point;  // of the view
 };
 
+enum class Normals {
+    followed,  // the view's, where it has any: they say how a ribbon lies
+    carried    // rotation-minimizing: nothing round shows another, and following it could only twist the surface
+};
+
 // One frame a point, points repeated in a row only once; empty for a curve without length.
-std::vector<SweptFrame> swept_frames(const CheckedView& view, uint32_t curve);
+std::vector<SweptFrame> swept_frames(const CheckedView& view, uint32_t curve, Normals normals);
 
 }  // namespace flg::io

@@ -28,7 +28,7 @@ public:
     SweptMesh sweep() {
         const bool tube = desc_.geometry == FLG_GEOMETRY_TUBE;
         for (uint32_t c = 0; c < view_.curve_count(); ++c) {
-            const std::vector<SweptFrame> frames = swept_frames(view_, c);
+            const std::vector<SweptFrame> frames = swept_frames(view_, c, tube ? Normals::carried : Normals::followed);
             if (frames.empty()) continue;
             check_room(frames.size() * (tube ? desc_.tube_sides : 2));
             if (tube)

@@ -101,7 +101,7 @@ inline Read read(const std::string& path) {
 struct Curves {
     std::vector<uint32_t> offsets{0};
     std::vector<uint8_t> flags;
-    std::vector<float> positions, radii, colors, normals;
+    std::vector<float> positions, radii, colors, tangents, normals;
     std::vector<FlgColumn> columns;
 
     void add(std::initializer_list<float> points, bool closed = false) {
@@ -116,6 +116,7 @@ struct Curves {
         columns = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0}};
         if (!radii.empty()) columns.push_back({FLG_ATTRIBUTE_RADIUS, 1, radii.data(), 0, 0});
         if (!colors.empty()) columns.push_back({FLG_ATTRIBUTE_COLOR, 4, colors.data(), 0, 0});
+        if (!tangents.empty()) columns.push_back({FLG_ATTRIBUTE_TANGENT, 3, tangents.data(), 0, 0});
         if (!normals.empty()) columns.push_back({FLG_ATTRIBUTE_NORMAL, 3, normals.data(), 0, 0});
         FlgCurveSetView view = {};
         view.struct_size = sizeof view;

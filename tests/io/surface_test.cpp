@@ -205,6 +205,72 @@ TEST(Surface, RibbonLiesAcrossTheNormal) {
     for (const Point& n : ribbon.normals) EXPECT_NEAR(n.z, 1, 1e-7);
 }
 
+// What flgStylize makes of a straight target: loops in the plane of its normal, with the target's frame.
+Curves loops_with_frames_of_a_line() {
+    Curves curves;
+    constexpr int count = 121;
+    for (int i = 0; i < count; ++i) {
+        const double t = 4 * std::numbers::pi * i / (count - 1);
+        for (double value : {0.1 * t + std::sin(t), 1 - std::cos(t), 0.02 * t}) {
+            curves.positions.push_back(static_cast<float>(value));
+        }
+        curves.tangents.insert(curves.tangents.end(), {1, 0, 0});
+        curves.normals.insert(curves.normals.end(), {0, 1, 0});
+        curves.radii.push_back(0.1f);
+    }
+    curves.end();
+    return curves;
+}
+
+Point point_of(const Curves& curves, size_t i) {
+    const float* p = &curves.positions[3 * i];
+    return {p[0], p[1], p[2]};
+}
+
+// Vertex `side` of each cross section, from its centre: across the curve, and never flung to the other side.
+void expect_across(const Curves& curves, const Surface& surface, size_t sides) {
+    const size_t count = curves.positions.size() / 3;
+    ASSERT_GE(surface.positions.size(), sides * count);
+    for (size_t side = 0; side < sides; ++side) {
+        for (size_t i = 1; i + 1 < count; ++i) {
+            const Point arm = surface.positions[sides * i + side] - point_of(curves, i);
+            const Point next = surface.positions[sides * (i + 1) + side] - point_of(curves, i + 1);
+            const Point along = point_of(curves, i + 1) - point_of(curves, i - 1);
+            EXPECT_NEAR(dot(arm, arm), 0.01, 1e-5) << i;
+            EXPECT_NEAR(dot(arm, along) / std::sqrt(dot(arm, arm) * dot(along, along)), 0, 2e-3) << i;
+            EXPECT_GT(dot(arm, next), 0.8 * 0.01) << i;
+        }
+    }
+}
+
+TEST(Surface, TubesStandAcrossTheCurveWhateverItsFrame) {
+    Curves curves = loops_with_frames_of_a_line();
+    expect_across(curves, swept(curves, desc_of(FLG_GEOMETRY_TUBE, 8)), 8);
+}
+
+TEST(Surface, RibbonsDoNotCrossOverWhereTheNormalPointsAlongTheCurve) {
+    Curves curves = loops_with_frames_of_a_line();
+    expect_across(curves, swept(curves, desc_of(FLG_GEOMETRY_RIBBON)), 2);
+}
+
+TEST(Surface, ResultsWithAllTheirColumnsCanBeWritten) {
+    Curves curves;
+    curves.add({0, 0, 0, 1, 0, 0});
+    const std::vector<float> values(2 * 3, 0.5f);
+    FlgCurveSetView view = curves.view();
+    for (const auto& [attribute, components] : {std::pair(FLG_ATTRIBUTE_RADII, 3u),
+                                                {FLG_ATTRIBUTE_ANGLE, 1u},
+                                                {FLG_ATTRIBUTE_WIDTH, 1u},
+                                                {FLG_ATTRIBUTE_SPEED, 1u},
+                                                {FLG_ATTRIBUTE_DISPLACEMENT, 3u}}) {
+        curves.columns.push_back({attribute, components, values.data(), 0, 0});
+    }
+    view.columns = curves.columns.data();
+    view.column_count = static_cast<uint32_t>(curves.columns.size());
+    const Folder folder;
+    EXPECT_EQ(flgCurveFileWrite(folder.at("a.glb").c_str(), &view, nullptr), FLG_OK) << flgIoLastError();
+}
+
 TEST(Surface, FramesSurviveCornersAndTurnsBack) {
     Curves curves;
     curves.add({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1});
