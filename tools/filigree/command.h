@@ -16,6 +16,7 @@ struct Command {
 
 Command add_info(CLI::App& program, const CommonOptions& common);
 Command add_stylize(CLI::App& program, const CommonOptions& common);
+Command add_replay(CLI::App& program, const CommonOptions& common);
 Command add_bench(CLI::App& program, const CommonOptions& common);
 #if defined(FLG_WITH_RENDERER)
 Command add_render(CLI::App& program, const CommonOptions& common);

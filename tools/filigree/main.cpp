@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
     program.fallthrough();
 
     std::vector<flg::cli::Command> commands = {flg::cli::add_info(program, common),
-                                               flg::cli::add_stylize(program, common)};
+                                               flg::cli::add_stylize(program, common),
+                                               flg::cli::add_replay(program, common)};
 #if defined(FLG_WITH_RENDERER)
     commands.push_back(flg::cli::add_render(program, common));
 #endif

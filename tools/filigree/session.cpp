@@ -25,10 +25,11 @@ FlgJobStatus status_of(FlgContext context, FlgJob job) {
 
 }  // namespace
 
-Session::Session(const CommonOptions& common)
+Session::Session(const CommonOptions& common, const FlgAllocator& allocator)
     : common_(common), shows_progress_(!common.quiet && isatty(STDERR_FILENO) != 0) {
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = common.workers;
+    desc.allocator = allocator;
     check(flgContextCreate(&desc, &context_), "context");
 }
 

@@ -13,7 +13,8 @@ namespace flg::cli {
 
 class Session {
 public:
-    explicit Session(const CommonOptions& common);
+    // The hooks must outlive it.
+    explicit Session(const CommonOptions& common, const FlgAllocator& allocator = {});
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// filigree replay: recorded strokes, drawn again through live strokes, sample by sample.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <thread>
+
+#include "choices.h"
+#include "command.h"
+#include "counting_pool.h"
+#include "failure.h"
+#include "filigree/filigree_live.h"
+#include "report.h"
+#include "session.h"
+#include "stylize_output.h"
+#include "support/curve_source.h"
+#include "text_file.h"
+
+namespace flg::cli {
+namespace {
+
+using samples::CurveSource;
+using samples::find_column;
+using samples::value_at;
+using Clock = std::chrono::steady_clock;
+
+// Time between samples of files that say nothing of it.
+constexpr double kSampleSeconds = 1.0 / 90.0;
+// A host's frame in between two strokes.
+constexpr uint32_t kTickUs = 2000;
+// Memory for so many times the points that a stroke's length asks for.
+constexpr double kPointsReserve = 2.0;
+
+struct Options {
+    std::string strokes, style, output;
+    bool fast = false;
+    FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
+    FlgGeometry as = FLG_GEOMETRY_LINES;
+};
+
+// Microseconds of each push: on the wall's clock, and of this thread's processor time.
+struct Latencies {
+    std::vector<float> wall_us, processor_us;
+    uint64_t allocations = 0;
+};
+
+double processor_us() {
+    timespec time = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
+}
+
+std::vector<FlgLiveSample> samples_of(const FlgCurveSetView& view, uint32_t curve) {
+    const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
+    const FlgColumn* orientations = find_column(view, FLG_ATTRIBUTE_ORIENTATION);
+    const FlgColumn* pressures = find_column(view, FLG_ATTRIBUTE_PRESSURE);
+    const FlgColumn* times = find_column(view, FLG_ATTRIBUTE_TIME);
+    std::vector<FlgLiveSample> out;
+    for (uint32_t i = view.curve_offsets[curve]; i < view.curve_offsets[curve + 1]; ++i) {
+        FlgLiveSample sample = {};
+        std::copy_n(value_at(positions, i), 3, sample.position);
+        if (orientations != nullptr) std::copy_n(value_at(*orientations, i), 4, sample.orientation);
+        sample.pressure = pressures == nullptr ? 1.0f : std::clamp(*value_at(*pressures, i), 0.0f, 1.0f);
+        sample.time =
+            times == nullptr ? kSampleSeconds * (i - view.curve_offsets[curve]) : double{*value_at(*times, i)};
+        out.push_back(sample);
+    }
+    return out;
+}
+
+class Player {
+public:
+    Player(FlgContext context, const CountingPool& pool, const FlgLiveStrokeDesc& desc, bool fast)
+        : context_(context), pool_(pool), desc_(desc), fast_(fast) {}
+
+    void play(const std::vector<FlgLiveSample>& samples) {
+        const auto start = Clock::now();
+        begin();
+        bool drawn = false;
+        for (const FlgLiveSample& sample : samples) {
+            if (!fast_) {
+                std::this_thread::sleep_until(start +
+                                              std::chrono::duration_cast<Clock::duration>(
+                                                  std::chrono::duration<double>(sample.time - samples[0].time)));
+            }
+            FlgResult result = push(sample);
+            if (result == FLG_ERROR_LIMIT && drawn) {  // a jump: another stroke begins behind it
+                ++broken_;
+                end();
+                begin();
+                drawn = false;
+                result = push(sample);
+            }
+            if (result == FLG_ERROR_INVALID_ARGUMENT) {
+                ++refused_;
+            } else {
+                check(result, "sample");
+                drawn = true;
+            }
+        }
+        if (drawn) {
+            end();
+        } else {
+            check(flgLiveStrokeRelease(context_, stroke_), "stroke");
+        }
+    }
+
+    const std::vector<FlgCurveSet>& results() const { return results_; }
+    const Latencies& latencies() const { return latencies_; }
+    // What was pushed and not taken, and strokes that were broken at a jump.
+    uint64_t refused() const { return refused_; }
+    uint64_t broken() const { return broken_; }
+
+private:
+    void begin() { check(flgLiveStrokeBegin(context_, &desc_, &stroke_), "stroke"); }
+
+    FlgResult push(const FlgLiveSample& sample) {
+        FlgCurveSetView added = flgCurveSetViewDefaults();
+        const uint64_t allocations = pool_.allocations();
+        const double processor_before = processor_us();
+        const auto before = Clock::now();
+        const FlgResult result = flgLiveStrokePush(context_, stroke_, &sample, 1, &added);
+        const std::chrono::duration<float, std::micro> wall = Clock::now() - before;
+        latencies_.processor_us.push_back(static_cast<float>(processor_us() - processor_before));
+        latencies_.wall_us.push_back(wall.count());
+        latencies_.allocations += pool_.allocations() - allocations;
+        return result;
+    }
+
+    void end() {
+        FlgCurveSet result = {};
+        check(flgLiveStrokeEnd(context_, stroke_, nullptr, &result, nullptr, nullptr), "stroke");
+        check(flgLiveStrokeRelease(context_, stroke_), "stroke");
+        results_.push_back(result);
+        ++desc_.seed;
+        check(flgTick(context_, kTickUs, nullptr), "tick");
+    }
+
+    FlgContext context_;
+    const CountingPool& pool_;
+    FlgLiveStrokeDesc desc_;
+    bool fast_;
+    FlgLiveStroke stroke_ = {};
+    std::vector<FlgCurveSet> results_;
+    Latencies latencies_;
+    uint64_t refused_ = 0, broken_ = 0;
+};
+
+// All strokes as one set.
+FlgCurveSet join(FlgContext context, const std::vector<FlgCurveSet>& sets) {
+    std::vector<std::vector<float>> values;
+    std::vector<FlgColumn> columns;
+    std::vector<uint32_t> offsets = {0};
+    for (const FlgCurveSet& set : sets) {
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        check(flgCurveSetGetView(context, set, &view), "stroke");
+        columns.assign(view.columns, view.columns + view.column_count);
+        values.resize(view.column_count);
+        for (uint32_t k = 0; k < view.column_count; ++k) {
+            const float* data = view.columns[k].data;
+            values[k].insert(values[k].end(), data, data + size_t{view.curve_offsets[1]} * columns[k].components);
+        }
+        offsets.push_back(offsets.back() + view.curve_offsets[1]);
+    }
+    for (size_t k = 0; k < columns.size(); ++k) columns[k].data = values[k].data();
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    view.curve_count = static_cast<uint32_t>(sets.size());
+    view.curve_offsets = offsets.data();
+    view.columns = columns.data();
+    view.column_count = static_cast<uint32_t>(columns.size());
+    FlgCurveSet joined = {};
+    check(flgCurveSetCreate(context, &view, &joined), "strokes");
+    return joined;
+}
+
+// Enough for the longest stroke; all get the same, so that memory goes from one to the next.
+void reserve(const FlgCurveSetView& strokes, double spacing, FlgLiveStrokeDesc& desc) {
+    constexpr double samples_limit = 1 << 20, points_limit = 1 << 24;
+    double samples = 1, length = 0;
+    for (uint32_t c = 0; c < strokes.curve_count; ++c) {
+        samples = std::max<double>(samples, strokes.curve_offsets[c + 1] - strokes.curve_offsets[c]);
+        length = std::max(length, samples::curve_length(strokes, c));
+    }
+    desc.max_samples = static_cast<uint32_t>(std::min(samples, samples_limit));
+    desc.max_points = static_cast<uint32_t>(std::min(kPointsReserve * (length / spacing + 1.0), points_limit));
+}
+
+void add_latencies(const Latencies& latencies, Report& report) {
+    report.quality["p50_us"] = percentile(latencies.wall_us, 0.50);
+    report.quality["p99_us"] = percentile(latencies.wall_us, 0.99);
+    report.quality["max_us"] = percentile(latencies.wall_us, 1.0);
+    // Without what else the machine did meanwhile.
+    report.quality["processor_p99_us"] = percentile(latencies.processor_us, 0.99);
+    report.quality["processor_max_us"] = percentile(latencies.processor_us, 1.0);
+    report.quality["allocations"] = latencies.allocations;
+}
+
+FlgStyle prepare_style(Session& session, const CurveSource& source, const Options& options, Report& report) {
+    FlgContext context = session.context();
+    const samples::CurveRange first(source.view(), 0, 1);
+    FlgStyleDesc desc = flgStyleDefaults();
+    check(flgCurveSetCreate(context, &first.view(), &desc.style), options.style);
+    FlgStyle style = {};
+    Session::Pending jobs[2];
+    check(flgStyleCreate(context, &desc, &style, &jobs[0].job), options.style);
+    check(flgStyleWarm(context, style, options.live.temperature, nullptr, &jobs[1].job), options.style);
+    jobs[0].subject = jobs[1].subject = options.style;
+    session.finish(jobs, report);
+    return style;
+}
+
+void describe(const Options& options, Report& report) {
+    report.parameters = {{"strokes", options.strokes}, {"style", options.style}, {"fast", options.fast}};
+    report.parameters["sigma"] = as_written(options.live.magnitude);
+    report.parameters["tau"] = as_written(options.live.temperature);
+    report.parameters["scale"] = as_written(options.live.scale);
+    report.parameters["smoothing"] = as_written(options.live.smoothing);
+    report.parameters["max_jump"] = as_written(options.live.max_jump);
+    report.parameters["as"] = name_of(geometry_names(), options.as);
+}
+
+void run_replay(Options options, const CommonOptions& common) {
+    const StylizeOutput output{options.output, {}, {}, {}, options.as};
+    output.check_paths();
+    require_writable(common.report);
+    Report report("replay", common);
+    describe(options, report);
+    const CurveSource strokes(options.strokes);
+    const CurveSource style(options.style);
+    for (const std::string& warning : strokes.warnings()) report.warn(options.strokes + ": " + warning);
+
+    CountingPool pool;
+    Session session(common, pool.hooks());
+    FlgContext context = session.context();
+    options.live.style = prepare_style(session, style, options, report);
+    options.live.seed = common.seed;
+    FlgStyleInfo info = {};
+    info.struct_size = sizeof info;
+    check(flgStyleGetInfo(context, options.live.style, &info), options.style);
+    reserve(strokes.view(), static_cast<double>(info.spacing) * static_cast<double>(options.live.scale), options.live);
+
+    Player player(context, pool, options.live, options.fast);
+    for (uint32_t c = 0; c < strokes.view().curve_count; ++c) player.play(samples_of(strokes.view(), c));
+    FlgFrameReport frame = {};
+    frame.struct_size = sizeof frame;
+    do {
+        check(flgTick(context, common.budget_us, &frame), "tick");
+        if (frame.jobs_pending > 0) flgContextWait(context, kTickUs);
+    } while (frame.jobs_pending > 0);
+    if (player.results().empty()) throw InputError(options.strokes + ": no sample could be taken");
+
+    report.counts["strokes"] = strokes.view().curve_count;
+    report.counts["samples"] = player.latencies().wall_us.size();
+    report.counts["refused_samples"] = player.refused();
+    report.counts["broken_at_jumps"] = player.broken();
+    if (player.refused() > 0) {
+        report.warn(options.strokes + ": " + std::to_string(player.refused()) +
+                    " samples could not be taken, such as for their time");
+    }
+    if (player.broken() > 0) {
+        report.warn(options.strokes + ": strokes jump at " + std::to_string(player.broken()) +
+                    " places and were broken there");
+    }
+    add_latencies(player.latencies(), report);
+    output.write(context, options.live.style, join(context, player.results()), report);
+    report.write();
+}
+
+}  // namespace
+
+Command add_replay(CLI::App& program, const CommonOptions& common) {
+    CLI::App* app = program.add_subcommand("replay", "Draws recorded strokes again as live strokes, sample by sample");
+    const auto o = std::make_shared<Options>();
+    FlgLiveStrokeDesc& live = o->live;
+    app->add_option("STROKES", o->strokes, "Recorded strokes: a .tilt sketch, other curves, or builtin:NAME")
+        ->required();
+    app->add_option("--style", o->style, "The example: the first curve of a file, or builtin:NAME")->required();
+    app->add_option("-o,--output", o->output, "Result: .xyz, .obj or .glb")->required()->type_name("OUT");
+    app->add_flag("--fast", o->fast, "As fast as can be, instead of at the strokes' own times");
+    app->add_option("--sigma", live.magnitude, "Factor on the displacement; any finite number")
+        ->capture_default_str()
+        ->check(finite());
+    app->add_option("--tau", live.temperature, "Temperature, >= 0, as of stylize")
+        ->capture_default_str()
+        ->check(at_least_zero());
+    app->add_option("--scale", live.scale, "Size of the style on the strokes, > 0; 1 = as drawn")
+        ->capture_default_str()
+        ->check(above_zero());
+    app->add_option("--smoothing", live.smoothing, "Time constant of the input filter, seconds, >= 0; 0 = none")
+        ->capture_default_str()
+        ->check(at_least_zero());
+    app->add_option("--max-jump", live.max_jump, "Strokes are broken where samples are further apart, metres, > 0")
+        ->capture_default_str()
+        ->check(above_zero());
+    app->add_option("--radius-min", live.radius_min, "Radius at pressure 0, metres, >= 0")
+        ->capture_default_str()
+        ->check(at_least_zero());
+    app->add_option("--radius-max", live.radius_max, "Radius at pressure 1, metres, >= 0")
+        ->capture_default_str()
+        ->check(at_least_zero());
+    add_choice(*app, "--as", o->as, geometry_names(), "What a .glb holds");
+    return {app, [o, &common] { run_replay(*o, common); }};
+}
+
+}  // namespace flg::cli
