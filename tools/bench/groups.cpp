@@ -13,7 +13,10 @@ const std::vector<Group>& groups() {
 #endif
         {"ticks", run_ticks},
         {"growth", run_growth},
-        {"analogies", run_analogies}
+        {"analogies", run_analogies},
+        {"fig14", run_matching_kinds},
+        {"hair", run_hair},
+        {"ribbon", run_ribbon}
     };
     return list;
 }

@@ -12,6 +12,9 @@ std::vector<Row> run_patch_graph();
 std::vector<Row> run_ticks();
 std::vector<Row> run_growth();
 std::vector<Row> run_analogies();
+std::vector<Row> run_matching_kinds();
+std::vector<Row> run_hair();
+std::vector<Row> run_ribbon();
 #if defined(FLG_WITH_REFERENCE)
 // Against the literal versions, which are built with the tests.
 std::vector<Row> run_matching();

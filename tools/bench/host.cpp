@@ -5,14 +5,20 @@
 #include <stdexcept>
 
 namespace flg::bench {
+namespace {
+
+// The longest sleep; it ends when there is something to publish.
+constexpr uint32_t kWaitUs = 10'000;
+
+}  // namespace
 
 void check(FlgResult result) {
     if (result != FLG_OK) throw std::runtime_error(std::string("bench: ") + flgLastError());
 }
 
-Host::Host(const FlgAllocator& allocator, const FlgClock& clock) {
+Host::Host(const FlgAllocator& allocator, const FlgClock& clock, uint32_t workers) {
     FlgContextDesc desc = flgContextDefaults();
-    desc.worker_count = 0;
+    desc.worker_count = workers;
     desc.allocator = allocator;
     desc.clock = clock;
     check(flgContextCreate(&desc, &context_));
@@ -22,14 +28,23 @@ Host::~Host() {
     flgContextDestroy(context_);
 }
 
-FlgCurveSet Host::add(const scenes::Curve& curve) {
-    const uint32_t offsets[] = {0, static_cast<uint32_t>(curve.points.size())};
-    const FlgColumn position = {FLG_ATTRIBUTE_POSITION, 3, &curve.points[0].x, 0, 0};
+FlgCurveSet Host::add(std::span<const scenes::Curve> curves, std::span<const FlgColumn> more) {
+    std::vector<uint32_t> offsets = {0};
+    std::vector<scenes::Point> points;
+    std::vector<uint8_t> flags;
+    for (const scenes::Curve& curve : curves) {
+        points.insert(points.end(), curve.points.begin(), curve.points.end());
+        offsets.push_back(static_cast<uint32_t>(points.size()));
+        flags.push_back(curve.closed ? FLG_CURVE_CLOSED : 0);
+    }
+    std::vector<FlgColumn> columns = {{FLG_ATTRIBUTE_POSITION, 3, &points[0].x, 0, 0}};
+    columns.insert(columns.end(), more.begin(), more.end());
     FlgCurveSetView view = flgCurveSetViewDefaults();
-    view.curve_count = 1;
-    view.curve_offsets = offsets;
-    view.columns = &position;
-    view.column_count = 1;
+    view.curve_count = static_cast<uint32_t>(curves.size());
+    view.curve_offsets = offsets.data();
+    view.curve_flags = flags.data();
+    view.columns = columns.data();
+    view.column_count = static_cast<uint32_t>(columns.size());
     FlgCurveSet set = {};
     check(flgCurveSetCreate(context_, &view, &set));
     return set;
@@ -47,8 +62,16 @@ FlgStyle Host::prepare(FlgCurveSet curve, uint32_t point_count, FlgJob* job) {
 void Host::run() {
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
-    do check(flgTick(context_, 0, &report));
-    while (report.jobs_pending > 0);
+    do {
+        check(flgTick(context_, 0, &report));
+        if (report.jobs_pending > 0) flgContextWait(context_, kWaitUs);
+    } while (report.jobs_pending > 0);
+}
+
+FlgCurveSetView Host::view(FlgCurveSet set) {
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    check(flgCurveSetGetView(context_, set, &view));
+    return view;
 }
 
 FlgStyleInfo Host::info(FlgStyle style) {

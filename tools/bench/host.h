@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A host without worker threads, for measurements through the C ABI.
+// A host for measurements through the C ABI, without worker threads unless it asks for some.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,17 +17,21 @@ void check(FlgResult result);
 class Host {
 public:
     // The hooks must outlive it; without them, the C++ runtime's memory and the system's clock.
-    explicit Host(const FlgAllocator& allocator = {}, const FlgClock& clock = {});
+    explicit Host(const FlgAllocator& allocator = {}, const FlgClock& clock = {}, uint32_t workers = 0);
     ~Host();
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
 
     FlgContext context() const { return context_; }
-    FlgCurveSet add(const scenes::Curve& curve);
+    FlgCurveSet add(const scenes::Curve& curve) { return add(std::span(&curve, 1)); }
+    // With further columns.
+    FlgCurveSet add(std::span<const scenes::Curve> curves, std::span<const FlgColumn> more = {});
     FlgStyle prepare(FlgCurveSet curve, uint32_t point_count, FlgJob* job = nullptr);
     // Ticks without a budget until nothing is pending.
     void run();
     FlgStyleInfo info(FlgStyle style);
+    // Throws if the set's job failed.
+    FlgCurveSetView view(FlgCurveSet set);
     // Throws if the job failed.
     void check_done(FlgJob job);
 
