@@ -136,13 +136,22 @@ private:
         }
         const auto count = static_cast<uint32_t>(kept_.size());
         if (count < 2) return;  // without length: nothing to draw
-        if (!normal_ && look_.shape != Shape::line) {
-            normals_.resize(count);
-            carry_normals(positions_.data(), count, joined, normals_.data());
-        }
+        make_normals(count, joined);
         const auto first = static_cast<uint32_t>(data_.centers.size());
         for (uint32_t i = 0; i < count; ++i) add_point(i, count, joined);
         add_chunks(first, count, joined);
+    }
+
+    // Tubes are round: following the view's normals could only twist them.
+    void make_normals(uint32_t count, bool joined) {
+        normals_.assign(count, glm::vec3(0.0f, 1.0f, 0.0f));
+        if (look_.shape == Shape::line) return;
+        if (!normal_ || look_.shape == Shape::tube) {
+            carry_normals(positions_.data(), count, joined, normals_.data());
+            return;
+        }
+        for (uint32_t i = 0; i < count; ++i) normals_[i] = normal_.at<glm::vec3>(kept_[i]);
+        follow_normals(positions_.data(), count, joined, normals_.data());
     }
 
     void gather_points(uint32_t begin, uint32_t end) {
@@ -164,13 +173,8 @@ private:
         if (!(radius >= 0.0f && radius <= largest_coordinate))
             fail("Point %u has the radius %g; it must be in 0 to 1e30.", source, radius);
         radius *= look_.radius_scale;
-        glm::vec3 normal(0.0f, 1.0f, 0.0f);
-        if (normal_) {
-            normal = normal_.at<glm::vec3>(source);
-            if (!is_usable(normal)) fail("Point %u has a normal that is not finite.", source);
-        } else if (look_.shape != Shape::line) {
-            normal = normals_[i];
-        }
+        if (normal_ && !is_usable(normal_.at<glm::vec3>(source)))
+            fail("Point %u has a normal that is not finite.", source);
         glm::vec3 color;
         if (color_) {
             color = color_.at<glm::vec4>(source);
@@ -181,7 +185,7 @@ private:
             color = glm::mix(look_.color, look_.color_end, joined ? 1.0f - std::abs(2.0f * along - 1.0f) : along);
         }
         data_.centers.emplace_back(positions_[i], radius);
-        data_.looks.push_back({pack_normal(normal), pack_color(color)});
+        data_.looks.push_back({pack_normal(normals_[i]), pack_color(color)});
     }
 
     void add_chunks(uint32_t first, uint32_t count, bool joined) {

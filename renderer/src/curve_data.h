@@ -53,4 +53,8 @@ CurveData prepare_curves(const FlgCurveSetView& view, const CurveLook& look);
 // Of a closed curve, whose last point is its first, the twist is spread evenly.
 void carry_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* out_normals);
 
+// Given normals, of any length, made unit and perpendicular to the curve, on the side that keeps a ribbon from crossing
+// over itself; carried along where they point along the curve.
+void follow_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* in_out_normals);
+
 }  // namespace flg::render

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, ACM TOG 2008, section 4.
+// Given normals need not be perpendicular to the curve: results of flgStylize bring their target's.
 #include <cmath>
 
 #include "curve_data.h"
@@ -23,35 +24,83 @@ glm::vec3 any_normal(glm::vec3 tangent) {
     return unit(axis - tangent * glm::dot(axis, tangent));
 }
 
+// Sine of the angle to the tangent below which a given normal says too little: beside such a point it turns about the
+// curve at once.
+constexpr float least_said = 0.1f;
+
+class Frames {
+public:
+    Frames(const glm::vec3* positions, uint32_t count, bool closed)
+        : positions_(positions), count_(count), closed_(closed) {}
+
+    glm::vec3 tangent(uint32_t i) const {
+        const uint32_t before = i > 0 ? i - 1 : closed_ ? count_ - 2 : 0;
+        const uint32_t after = i + 1 < count_ ? i + 1 : closed_ ? 1 : i;
+        const glm::vec3 in = i > 0 || closed_ ? unit(positions_[i] - positions_[before]) : glm::vec3(0);
+        const glm::vec3 out = i + 1 < count_ || closed_ ? unit(positions_[after] - positions_[i]) : glm::vec3(0);
+        const glm::vec3 sum = in + out;
+        return glm::dot(sum, sum) > 1e-6f ? unit(sum) : in;  // a full turn back keeps the way in
+    }
+
+    // The normal at point `from` brought to its neighbour `to`, whose tangents these are.
+    glm::vec3 carry(glm::vec3 normal, uint32_t from, uint32_t to, glm::vec3 tangent_from, glm::vec3 tangent_to) const {
+        const glm::vec3 chord = unit(positions_[to] - positions_[from]);
+        const glm::vec3 normal_left = reflect_across(normal, chord);
+        const glm::vec3 tangent_left = reflect_across(tangent_from, chord);
+        const glm::vec3 next = reflect_across(normal_left, tangent_to - tangent_left);
+        const glm::vec3 level = next - tangent_to * glm::dot(next, tangent_to);
+        return glm::dot(level, level) > 1e-8f ? unit(level) : any_normal(tangent_to);
+    }
+
+private:
+    const glm::vec3* positions_;
+    uint32_t count_;
+    bool closed_;
+};
+
 }  // namespace
 
 void carry_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* out_normals) {
-    const auto tangent_at = [&](uint32_t i) {
-        const uint32_t before = i > 0 ? i - 1 : closed ? count - 2 : 0;
-        const uint32_t after = i + 1 < count ? i + 1 : closed ? 1 : i;
-        const glm::vec3 in = i > 0 || closed ? unit(positions[i] - positions[before]) : glm::vec3(0);
-        const glm::vec3 out = i + 1 < count || closed ? unit(positions[after] - positions[i]) : glm::vec3(0);
-        const glm::vec3 sum = in + out;
-        return glm::dot(sum, sum) > 1e-6f ? unit(sum) : in;  // a full turn back keeps the way in
-    };
-    glm::vec3 tangent = tangent_at(0);
+    const Frames frames(positions, count, closed);
+    glm::vec3 tangent = frames.tangent(0);
     out_normals[0] = any_normal(tangent);
     for (uint32_t i = 0; i + 1 < count; ++i) {
-        const glm::vec3 chord = unit(positions[i + 1] - positions[i]);
-        const glm::vec3 normal_left = reflect_across(out_normals[i], chord);
-        const glm::vec3 tangent_left = reflect_across(tangent, chord);
-        tangent = tangent_at(i + 1);
-        const glm::vec3 next = reflect_across(normal_left, tangent - tangent_left);
-        const glm::vec3 level = next - tangent * glm::dot(next, tangent);
-        out_normals[i + 1] = glm::dot(level, level) > 1e-8f ? unit(level) : any_normal(tangent);
+        const glm::vec3 next = frames.tangent(i + 1);
+        out_normals[i + 1] = frames.carry(out_normals[i], i, i + 1, tangent, next);
+        tangent = next;
     }
     if (!closed || count < 3) return;
     const glm::vec3 last = out_normals[count - 1];
     const float twist = std::atan2(glm::dot(glm::cross(last, out_normals[0]), tangent), glm::dot(last, out_normals[0]));
     for (uint32_t i = 0; i < count; ++i) {
         const float angle = twist * static_cast<float>(i) / static_cast<float>(count - 1);
-        const glm::vec3 across = glm::cross(tangent_at(i), out_normals[i]);
+        const glm::vec3 across = glm::cross(frames.tangent(i), out_normals[i]);
         out_normals[i] = std::cos(angle) * out_normals[i] + std::sin(angle) * across;
+    }
+}
+
+void follow_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* in_out_normals) {
+    const Frames frames(positions, count, closed);
+    uint32_t first = count;  // that has a direction
+    for (uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 tangent = frames.tangent(i), given = unit(in_out_normals[i]);
+        const glm::vec3 level = given - tangent * glm::dot(given, tangent);
+        in_out_normals[i] = glm::dot(level, level) > least_said * least_said ? unit(level) : glm::vec3(0);
+        if (first == count && in_out_normals[i] != glm::vec3(0)) first = i;
+    }
+    if (first == count) return carry_normals(positions, count, closed, in_out_normals);
+    for (uint32_t i = first; i-- > 0;)
+        in_out_normals[i] = frames.carry(in_out_normals[i + 1], i + 1, i, frames.tangent(i + 1), frames.tangent(i));
+    glm::vec3 tangent = frames.tangent(first);
+    for (uint32_t i = first + 1; i < count; ++i) {
+        const glm::vec3 next = frames.tangent(i);
+        const glm::vec3 carried = frames.carry(in_out_normals[i - 1], i - 1, i, tangent, next);
+        glm::vec3& normal = in_out_normals[i];
+        if (normal == glm::vec3(0))
+            normal = carried;
+        else if (glm::dot(normal, carried) < 0.0f)
+            normal = -normal;
+        tangent = next;
     }
 }
 

@@ -86,6 +86,25 @@ TEST_F(CoverageTest, JointsKeepTheWidth) {
     EXPECT_NEAR(covered(curves, {.shape = Shape::ribbon, .radius = radius_m}), expected, 0.025f * expected);
 }
 
+// An arc that comes to the camera and goes away again, its ribbon upright. In the middle the normal points along the
+// curve, as a target's does on a result of flgStylize: the ribbon must not cross over itself there.
+TEST_F(CoverageTest, RibbonsStayWholeWhereTheNormalPointsAlongTheCurve) {
+    Curves level, radial;
+    constexpr int segments = 10;
+    for (int i = 0; i <= segments; ++i) {
+        const float angle = (static_cast<float>(i) / segments - 0.5f) * 0.6f * pi;
+        const glm::vec3 out(std::sin(angle), 0, std::cos(angle));
+        for (Curves* c : {&level, &radial}) c->add(0.6f * out - glm::vec3(0, 0, 0.4f));
+        level.normals.insert(level.normals.end(), {1, 0, 0});
+        radial.normals.insert(radial.normals.end(), {out.x, out.y, out.z});
+    }
+    level.end();
+    radial.end();
+    const CurveLook look{.shape = Shape::ribbon, .radius = radius_m};
+    const auto expected = static_cast<float>(covered(radial, look));
+    EXPECT_NEAR(covered(level, look), expected, 0.01f * expected);
+}
+
 // A torus seen from its axis, at least as far as a ring goes: closed curves have no gap and no caps.
 TEST_F(CoverageTest, ClosedTubeIsARing) {
     constexpr float ring = 0.6f;
