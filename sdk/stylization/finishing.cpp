@@ -8,12 +8,30 @@
 
 namespace flg {
 
+namespace {
+
+constexpr uint32_t block = 16;  // samples
+// What one costs, in units.
+constexpr uint32_t units_to_move = 3;
+constexpr uint32_t units_per_angle = 2;
+constexpr uint32_t units_to_turn = 16;  // the ribbon's normals
+
+}  // namespace
+
+Finishing::Finishing(const FinishingInput& input)
+    : input_(input), units_per_block_(units_to_move), time_(input.start_time) {
+    if (!input.closed) return;
+    for (const AppliedAttribute& attribute : input.style->attributes) {
+        units_per_block_ += units_per_angle * (attribute.components - attribute.first_angle);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) units_per_block_ += units_to_turn;
+    }
+}
+
 bool Finishing::run(uint32_t& units) {
-    constexpr uint32_t samples_per_unit = 8;
     while (done_ < input_.count) {
         if (units == 0) return false;
-        --units;
-        const uint32_t last = std::min(input_.count, done_ + samples_per_unit);
+        units -= std::min(units, units_per_block_);
+        const uint32_t last = std::min(input_.count, done_ + block);
         if (input_.pinned || input_.closed) move_ends(done_, last);
         if (input_.closed) close_angles(done_, last);
         if (input_.out.time) add_times(done_, last);

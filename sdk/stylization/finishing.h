@@ -44,10 +44,10 @@ struct FinishingInput {
     double start_time = 0;     // seconds
 };
 
-// A unit is 8 samples, about 50 ns; more with angles.
+// A unit is about 50 ns of it.
 class Finishing {
 public:
-    explicit Finishing(const FinishingInput& input) : input_(input), time_(input.start_time) {}
+    explicit Finishing(const FinishingInput& input);
     // Spends units; true when all is done.
     bool run(uint32_t& units);
 
@@ -58,6 +58,7 @@ private:
     void pin(uint32_t sample, uint32_t target_point);
 
     FinishingInput input_;
+    uint32_t units_per_block_;
     uint32_t done_ = 0;
     double time_;
 };
