@@ -21,6 +21,16 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     fail(FLG_ERROR_FILE, "", "can't be written: %s", std::generic_category().message(error).c_str());
 }
 
+// Where a file of this name is: renaming over a symbolic link would replace the link.
+std::filesystem::path followed(std::filesystem::path path) {
+    constexpr int most_links = 40;  // as the kernel has it
+    for (int i = 0; i < most_links; ++i) {
+        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path))) return path;
+        path = path.parent_path() / std::filesystem::read_symlink(path);
+    }
+    fail_writing(ELOOP);
+}
+
 // A new file beside `path`; the names of files that exist, also of other programs writing now, are passed over.
 File open_beside(const std::filesystem::path& path, std::filesystem::path& temporary) {
     for (int i = 0; i < most_tries; ++i) {
@@ -34,7 +44,8 @@ File open_beside(const std::filesystem::path& path, std::filesystem::path& tempo
 
 }  // namespace
 
-void write_file(const std::filesystem::path& path, std::string_view content) {
+void write_file(const std::filesystem::path& name, std::string_view content) {
+    const std::filesystem::path path = followed(name);
     if (std::filesystem::is_directory(path)) fail_writing(EISDIR);
     std::filesystem::path temporary;
     File file = open_beside(path, temporary);

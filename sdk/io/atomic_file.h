@@ -7,7 +7,8 @@
 
 namespace flg::io {
 
-// Writes a temporary file beside `path` and renames it; on failure nothing is left behind and `path` is as it was.
-void write_file(const std::filesystem::path& path, std::string_view content);
+// Writes a temporary file beside `name`, or beside what it links to, and renames it; on failure nothing is left behind
+// and all is as it was.
+void write_file(const std::filesystem::path& name, std::string_view content);
 
 }  // namespace flg::io

@@ -39,8 +39,9 @@ private:
     throw Failure(result, std::move(place), reason);
 }
 
+// No place for line 0, of a file without lines.
 inline std::string line_place(uint64_t line) {
-    return std::to_string(line);
+    return line == 0 ? std::string() : std::to_string(line);
 }
 
 inline std::string byte_place(std::string_view part, uint64_t offset) {

@@ -10,7 +10,7 @@
 
 namespace flg::io {
 
-ByteBlock read_file(const std::filesystem::path& path, const std::string& place) {
+ByteBlock read_file(const std::filesystem::path& path, const std::string& place, uint64_t limit) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) {
@@ -20,9 +20,9 @@ ByteBlock read_file(const std::filesystem::path& path, const std::string& place)
     if (!std::filesystem::is_regular_file(status)) fail(FLG_ERROR_FILE, place, "is not a regular file");
     const uint64_t size = std::filesystem::file_size(path, error);
     if (error) fail(FLG_ERROR_FILE, place, "can't be read: %s", error.message().c_str());
-    if (size > max_bytes) {
-        fail(FLG_ERROR_LIMIT, place, "has %llu bytes, more than the limit of 2 GiB",
-             static_cast<unsigned long long>(size));
+    if (size > limit) {
+        fail(FLG_ERROR_LIMIT, place, "has %llu bytes, more than the limit of %s", static_cast<unsigned long long>(size),
+             size_text(limit).c_str());
     }
     errno = 0;
     std::ifstream file(path, std::ios::binary);

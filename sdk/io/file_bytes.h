@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/limits.h"
+
 namespace flg::io {
 
 using Bytes = std::span<const uint8_t>;
@@ -27,8 +29,8 @@ private:
     size_t size_ = 0;
 };
 
-// Reads a regular file of at most max_bytes. `place` is what failures name.
-ByteBlock read_file(const std::filesystem::path& path, const std::string& place);
+// Reads a regular file of at most `limit` bytes. `place` is what failures name.
+ByteBlock read_file(const std::filesystem::path& path, const std::string& place, uint64_t limit = max_bytes);
 
 inline std::string_view as_text(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

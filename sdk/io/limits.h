@@ -3,12 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace flg::io {
 
 // Of a file, of what is unpacked from it, and of what is made of it: hostile files must not fill the machine.
 constexpr uint64_t max_bytes = uint64_t{1} << 31;
+// Of a sketch's metadata, which real sketches need some kilobytes for.
+constexpr uint64_t max_metadata_bytes = uint64_t{16} << 20;
 constexpr uint64_t max_points = uint64_t{1} << 31;
+// A limit in a sentence: whole GiB or MiB.
+inline std::string size_text(uint64_t bytes) {
+    constexpr int mib = 20, gib = 30;
+    return bytes >> gib != 0 ? std::to_string(bytes >> gib) + " GiB" : std::to_string(bytes >> mib) + " MiB";
+}
 // Positions and radii, in size; beyond it squares overflow in float.
 constexpr float max_coordinate = 1e30f;
 // Metres; of curves that have no radius where others of the file have one, and of FlgCurveWriteDesc.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Source: the .tilt format as the painting program's own reader has it (googlevr/tilt-brush c5fb8671): a header, a zip
-// archive, and in it metadata.json (brushes) and data.sketch (strokes; tilt_strokes.cpp).
+// archive, and in it metadata.json (brushes; tilt_brush_index.cpp) and data.sketch (strokes; tilt_strokes.cpp).
 #include "io/tilt_reader.h"
 
-#include <nlohmann/json.hpp>
-
 #include "io/byte_reader.h"
+#include "io/limits.h"
+#include "io/tilt_brush_index.h"
 #include "io/tilt_strokes.h"
 #include "io/zip_reader.h"
 
@@ -21,35 +21,13 @@ constexpr const char* strokes_name = "data.sketch";
 constexpr const char* metadata_name = "metadata.json";
 constexpr const char* old_metadata_name = "main.json";  // of pre-release files
 
-std::vector<std::string> read_brush_index(Bytes metadata, const std::string& part) {
-    nlohmann::json root;
-    try {
-        root = nlohmann::json::parse(metadata.begin(), metadata.end());
-    } catch (const nlohmann::json::parse_error& error) {
-        fail(FLG_ERROR_FORMAT, byte_place(part, error.byte), "is no JSON");
-    } catch (const nlohmann::json::exception& error) {
-        fail(FLG_ERROR_FORMAT, part, "is no JSON: %s", error.what());
-    }
-    const auto index = root.is_object() ? root.find("BrushIndex") : root.end();
-    if (!root.is_object() || index == root.end()) fail(FLG_ERROR_FORMAT, part, "has no BrushIndex");
-    if (!index->is_array()) fail(FLG_ERROR_FORMAT, part + ".BrushIndex", "is no array");
-    std::vector<std::string> guids;
-    for (const nlohmann::json& guid : *index) {
-        if (!guid.is_string()) {
-            fail(FLG_ERROR_FORMAT, part + ".BrushIndex[" + std::to_string(guids.size()) + "]", "is no string");
-        }
-        guids.push_back(guid.get<std::string>());
-    }
-    return guids;
-}
-
 CurveData read_directory(const std::filesystem::path& path) {
     const ByteBlock strokes = read_file(path / strokes_name, strokes_name);
     const char* name =
         std::filesystem::exists(path / metadata_name) || !std::filesystem::exists(path / old_metadata_name)
             ? metadata_name
             : old_metadata_name;
-    const ByteBlock metadata = read_file(path / name, name);
+    const ByteBlock metadata = read_file(path / name, name, max_metadata_bytes);
     return read_tilt_strokes(strokes.bytes(), strokes_name, read_brush_index(metadata.bytes(), name));
 }
 
@@ -73,7 +51,7 @@ CurveData read_archive(const std::filesystem::path& path) {
     }
     const ZipReader zip(file.bytes());
     const char* name = !zip.has(metadata_name) && zip.has(old_metadata_name) ? old_metadata_name : metadata_name;
-    const ZipContent metadata = zip.read(name);
+    const ZipContent metadata = zip.read(name, max_metadata_bytes);
     const ZipContent strokes = zip.read(strokes_name);
     return read_tilt_strokes(strokes.bytes, strokes_name, read_brush_index(metadata.bytes, name));
 }

@@ -138,13 +138,14 @@ bool ZipReader::has(std::string_view name) const {
     return find(name) != nullptr;
 }
 
-ZipContent ZipReader::read(std::string_view name) const {
+ZipContent ZipReader::read(std::string_view name, uint64_t limit) const {
     const std::string place(name);
     const Member* member = find(name);
     if (!member) fail(FLG_ERROR_FORMAT, place, "is not in the archive");
     if (member->flags & flag_encrypted) fail(FLG_ERROR_FORMAT, place, "is encrypted");
-    if (member->size > max_bytes) {
-        fail(FLG_ERROR_LIMIT, place, "declares %u bytes, more than the limit of 2 GiB", member->size);
+    if (member->size > limit) {
+        fail(FLG_ERROR_LIMIT, place, "declares %u bytes, more than the limit of %s", member->size,
+             size_text(limit).c_str());
     }
     ByteReader local(file_.first(directory_), "", std::min(member->header, directory_));
     const std::string header_place = local.place();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/file_bytes.h"
+#include "io/limits.h"
 
 namespace flg::io {
 
@@ -23,8 +24,8 @@ public:
     explicit ZipReader(Bytes file);
 
     bool has(std::string_view name) const;
-    // Unpacks a member and checks its sum. Fails if there is none of that name.
-    ZipContent read(std::string_view name) const;
+    // Unpacks a member and checks its sum. Fails if there is none of that name, or it holds more than `limit` bytes.
+    ZipContent read(std::string_view name, uint64_t limit = max_bytes) const;
 
 private:
     struct Member {

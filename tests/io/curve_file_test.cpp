@@ -229,5 +229,29 @@ TEST(CurveFile, FullDiskKeepsTheOldFile) {
     EXPECT_EQ(read(path).positions(), curves.positions);
 }
 
+TEST(CurveFile, WritingThroughALinkKeepsTheLink) {
+    const Folder folder;
+    folder.put("real/old.xyz", "0 0 0\n");
+    std::filesystem::create_symlink("real/old.xyz", folder.at("link.xyz"));
+    std::filesystem::create_symlink("link.xyz", folder.at("second.xyz"));
+    std::filesystem::create_symlink("real/new.xyz", folder.at("dangling.xyz"));
+    std::filesystem::create_symlink("round.xyz", folder.at("round.xyz"));
+    Curves curves;
+    curves.add({1, 2, 3, 4, 5, 6});
+    for (const char* name : {"second.xyz", "dangling.xyz"}) {
+        ASSERT_EQ(write(folder.at(name), curves), FLG_OK) << flgIoLastError();
+        EXPECT_TRUE(std::filesystem::is_symlink(folder.at(name)));
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.at("link.xyz")));
+    for (const char* name : {"real/old.xyz", "real/new.xyz"}) EXPECT_EQ(slurp(folder.at(name)), "1 2 3\n4 5 6\n");
+    EXPECT_EQ(write(folder.at("round.xyz"), curves), FLG_ERROR_FILE);
+}
+
+TEST(CurveFile, FilesWithoutLinesHaveNoLineToName) {
+    const Folder folder;
+    expect_refused(folder.put("empty.xyz", ""), FLG_ERROR_FORMAT, "", "the file holds no points");
+    expect_refused(folder.put("empty.obj", ""), FLG_ERROR_FORMAT, "", "the file holds no lines");
+}
+
 }  // namespace
 }  // namespace flg::test

@@ -62,7 +62,7 @@ TEST(Xyz, RefusesWithTheLine) {
     refuse("0 0 1e999999999999\n", "1", "1e30 in size");
     refuse("0 0 0 -1\n", "1", "radius is -1");
     refuse("1 2 3\n# closed\n4 5 6\n", "2", "blank line");
-    refuse("", "0", "no points");
+    refuse("", "", "no points");
     refuse("# only\n# closed\n", "2", "no points");
 }
 

@@ -218,6 +218,39 @@ TEST(Tilt, ZipThatUnpacksWithoutEndIsStopped) {
     expect_refused(bomb(unpacked, 0xf0000000), FLG_ERROR_LIMIT, "data.sketch", "2 GiB");
 }
 
+// Numbers packed so well that a document of them would take gigabytes; read, they are passed over.
+TEST(Tilt, MetadataIsNotKeptAndHasALimit) {
+    const Folder folder;
+    const std::string sketch = tilt_sketch({sample_stroke()});
+    const auto metadata_of = [](size_t count) {
+        std::string text = R"({"junk": [)";
+        for (size_t i = 0; i < count; ++i) text += "[],";
+        return text + R"(0], "BrushIndex": ["c0012095-3ffd-4040-8ee1-fc180d346eaa"]})";
+    };
+    const auto file_of = [&](const std::string& metadata) {
+        return folder.put("bomb.tilt",
+                          tilt_header() + zip({{"metadata.json", metadata, true}, {"data.sketch", sketch}}));
+    };
+    const Read sound = read(file_of(metadata_of(100)));
+    ASSERT_EQ(sound.result, FLG_OK) << sound.error;
+    EXPECT_STREQ(sound.strokes.at(0).brush, "Ink");
+
+    constexpr size_t limit = size_t{16} << 20;
+    expect_refused(file_of(metadata_of(limit / 3)), FLG_ERROR_LIMIT, "metadata.json", "the limit of 16 MiB");
+    folder.put("folder.tilt/data.sketch", sketch);
+    folder.put("folder.tilt/metadata.json", metadata_of(limit / 3));
+    expect_refused(folder.at("folder.tilt"), FLG_ERROR_LIMIT, "metadata.json", "the limit of 16 MiB");
+
+    const std::string deep = R"({"junk": )" + std::string(1000, '[') + std::string(1000, ']') + "}";
+    expect_refused(file_of(deep), FLG_ERROR_LIMIT, "metadata.json", "deep");
+    std::string many = R"({"BrushIndex": [)";
+    for (int i = 0; i < 1 << 16; ++i) many += R"("",)";
+    expect_refused(file_of(many + R"(""]})"), FLG_ERROR_LIMIT, "metadata.json.BrushIndex", "65536");
+    expect_refused(file_of(R"({"BrushIndex": {}})"), FLG_ERROR_FORMAT, "metadata.json.BrushIndex", "no array");
+    expect_refused(file_of(R"({"BrushIndex": [[]]})"), FLG_ERROR_FORMAT, "metadata.json.BrushIndex[0]", "no string");
+    expect_refused(file_of(R"({"a": {"BrushIndex": []}})"), FLG_ERROR_FORMAT, "metadata.json", "no BrushIndex");
+}
+
 TEST(Tilt, TruncatedAnywhereIsRefused) {
     const Folder folder;
     for (const bool packed : {false, true}) {
