@@ -18,7 +18,7 @@ public:
 
     // As PatchRows; row() is M squared.
     bool advance(uint32_t& units);
-    bool done() const { return rows_.front().done(); }
+    bool done() const { return size_ == 0 && !adding_ && rows_.front().done(); }
     const double* row() const { return several_ ? costs_.data() + 1 : rows_.front().row(); }
     uint32_t index() const { return rows_.front().index(); }
     uint32_t curve() const { return rows_.front().curve(); }

@@ -129,10 +129,6 @@ void AttributeKernel::take(double fraction) {
             if (period > 0 && done_ > 0) value = nearest(value, (out - width)[k], period);
             out[k] = static_cast<float>(value);
         }
-        if (attribute.attribute == FLG_ATTRIBUTE_SPEED && !(*out > 0)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.style has a SPEED of %g, must be above 0",
-                          static_cast<double>(*out));
-        }
     }
 }
 
@@ -142,6 +138,7 @@ bool ChannelKernel::run(uint32_t n, std::pmr::vector<PatchChannel>& channels) {
     while (component_ < width) {
         const double weight = attribute_.weight;
         const double period = weight * attribute_.period(component_);
+        if (n == 0) return false;
         if (point_ == 0) channels.push_back({Buffer<double>(points, memory_), period});
         Buffer<double>& values = channels.back().values;
         for (; point_ < points; ++point_) {

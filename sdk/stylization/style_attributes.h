@@ -41,7 +41,7 @@ StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& 
                               Memory* memory);
 
 // Takes the values of all attributes along one style curve. A unit is a point of the example or of the guide, about
-// 30 ns and 2 ns for each component. Throws FLG_ERROR_INVALID_ARGUMENT for a SPEED that isn't above 0.
+// 30 ns and 2 ns for each component.
 class AttributeKernel {
 public:
     // `curve` of the example, with length; `places`: the matched arc lengths, non-decreasing, of the guide's points from

@@ -95,7 +95,6 @@ double total_length(const StyleCurves& curves, CurveMeasure StyleCurve::*measure
 Task<void> measure_curves(Pace& pace, const StyleRequest& request, StyleCurves& curves) {
     const CurveSet& example = *request.example;
     const uint32_t count = example.curve_count();
-    if (count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.style has 0 curves, must have one");
     if (count > style_curves_max) {
         throw Failure(FLG_ERROR_LIMIT, "desc.style has %u curves, may have %u", count, style_curves_max);
     }

@@ -132,13 +132,15 @@ std::shared_ptr<CurveSet> read_guide(Reader& in, const StyleCounts& counts, Memo
 void read_attribute(Reader& in, uint32_t nodes, PreparedStyle& style) {
     constexpr uint32_t components_max = 16;
     StyleAttribute& attribute = style.attributes.emplace_back();
-    attribute.attribute = static_cast<FlgAttribute>(in.value<int32_t>());
+    const auto kind = in.value<int32_t>();
     in.value(attribute.components);
     const auto metric = in.value<int32_t>();
-    if (metric < FLG_METRIC_EUCLIDEAN || metric > FLG_METRIC_PROJECTIVE || attribute.components > components_max) {
-        throw Failure(FLG_ERROR_FORMAT, "data holds no usable style: an attribute has metric %d and %u components",
-                      metric, attribute.components);
+    if (!can_transfer(kind) || metric < FLG_METRIC_EUCLIDEAN || metric > FLG_METRIC_PROJECTIVE ||
+        attribute.components > components_max) {
+        throw Failure(FLG_ERROR_FORMAT, "data holds no usable style: attribute %d with metric %d and %u components",
+                      kind, metric, attribute.components);
     }
+    attribute.attribute = static_cast<FlgAttribute>(kind);
     attribute.metric = static_cast<FlgMetric>(metric);
     in.value(attribute.weight);
     attribute.values = in.array<float>(size_t{nodes} * attribute.components);

@@ -106,21 +106,20 @@ void check_values(const PreparedStyle& style) {
 void check_attribute(const PreparedStyle& style, size_t index) {
     const StyleAttribute& attribute = style.attributes[index];
     const FlgAttribute kind = attribute.attribute;
-    require_that(can_transfer(static_cast<int32_t>(kind)), "an attribute is none that styles transfer");
     const uint32_t components = components_of(kind);
     require_that(attribute.components >= 1 && attribute.components <= components_max &&
                      (components == 0 || attribute.components == components),
                  "an attribute has a wrong number of components");
-    const FlgMetric metric = attribute.metric;
-    require_that(metric >= FLG_METRIC_EUCLIDEAN && metric <= FLG_METRIC_PROJECTIVE &&
-                     metric_fits(kind, attribute.components, metric),
-                 "an attribute's metric does not fit it");
+    require_that(metric_fits(kind, attribute.components, attribute.metric), "an attribute's metric does not fit it");
     require_that(finite_and_not_below(attribute.weight, 0), "an attribute's weight is out of range");
     for (size_t before = 0; before < index; ++before) {
         require_that(style.attributes[before].attribute != kind, "an attribute occurs twice");
     }
-    for (const float value : attribute.values) {
-        require_that(std::isfinite(value) && (kind != FLG_ATTRIBUTE_SPEED || value > 0),
+    for (size_t i = 0; i < attribute.values.size(); ++i) {
+        const float value = attribute.values[i];
+        const bool size = kind == FLG_ATTRIBUTE_RADIUS || kind == FLG_ATTRIBUTE_WIDTH ||
+                          (kind == FLG_ATTRIBUTE_RADII && i % attribute.components < 2);
+        require_that(std::isfinite(value) && (!size || value >= 0) && (kind != FLG_ATTRIBUTE_SPEED || value > 0),
                      "an attribute's value is out of range");
     }
 }

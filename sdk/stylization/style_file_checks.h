@@ -17,6 +17,7 @@ void check_offsets(const Buffer<uint32_t>& offsets, uint32_t nodes);
 
 // All numbers but the graph's; guide and matching curve by curve.
 void check_values(const PreparedStyle& style);
+// An attribute's kind and metric are ones that there are.
 void check_attribute(const PreparedStyle& style, size_t index);
 
 // Fills in what follows from the jumps, the curves and the patch, and checks the jumps: sorted, between centres of patches,

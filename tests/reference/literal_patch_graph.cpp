@@ -34,6 +34,39 @@ std::vector<double> patch_distances_sq(const std::vector<Vec3>& displacement, co
     return distances;
 }
 
+std::vector<double> patch_costs_sq(const std::vector<Vec3>& displacement, const std::vector<int>& boundaries,
+                                   const std::vector<PatchSize>& sizes, const std::vector<Channel>& channels) {
+    const int n = static_cast<int>(displacement.size());
+    int largest = 0;
+    for (const PatchSize& size : sizes) largest = std::max(largest, size.patch);
+    const auto attribute_distance = [](const Channel& channel, int a, int b) {
+        const double way = std::abs(channel.values[a] - channel.values[b]);
+        if (channel.period == 0) return channel.weight * way;
+        const double around = std::fmod(way, channel.period);
+        return channel.weight * std::min(around, channel.period - around);
+    };
+    std::vector<double> costs(static_cast<size_t>(n) * n, std::numeric_limits<double>::infinity());
+    for (int i = 0; i < n; ++i) {
+        for (int c = 0; c < n; ++c) {
+            if (patch_curve(boundaries, largest, i) < 0 || patch_curve(boundaries, largest, c) < 0) continue;
+            double cost = 0;
+            for (const PatchSize& size : sizes) {
+                double sum = 0;
+                for (int k = -size.patch; k <= size.patch; ++k) {
+                    sum += (displacement[i + k] - displacement[c + k]).squaredNorm();
+                    for (const Channel& channel : channels) {
+                        const double distance = attribute_distance(channel, i + k, c + k);
+                        sum += distance * distance;
+                    }
+                }
+                cost += size.weight * std::sqrt(sum);
+            }
+            costs[static_cast<size_t>(i) * n + c] = cost * cost;
+        }
+    }
+    return costs;
+}
+
 Graph dense_graph(const std::vector<double>& distances_sq, const std::vector<int>& boundaries, double tau) {
     const int n = boundaries.back();
     Graph graph(n);

@@ -15,6 +15,24 @@ using Vec3 = Eigen::Vector3d;
 std::vector<double> patch_distances_sq(const std::vector<Vec3>& displacement, const std::vector<int>& boundaries,
                                        int patch);
 
+// An attribute of one number a point (sec. 5): distances are weight times those on a line, or on a circle of that period.
+struct Channel {
+    std::vector<double> values;
+    double weight = 1;
+    double period = 0;
+};
+
+// Several patch sizes (sec. 4.5.4).
+struct PatchSize {
+    int patch = 0;
+    double weight = 1;
+};
+
+// (sum over the sizes of weight * rho_p(i, c))^2, with the attributes' distances in the sums of rho_p; infinite where i or c
+// is not the centre of a patch of the largest size.
+std::vector<double> patch_costs_sq(const std::vector<Vec3>& displacement, const std::vector<int>& boundaries,
+                                   const std::vector<PatchSize>& sizes, const std::vector<Channel>& channels);
+
 struct Edge {
     int target = 0;
     float cost = 0;
