@@ -44,6 +44,45 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     }
 }
 
+Task<void> lay_out_curves(Pace& pace, Sampling& sampling) {
+    const CurveSet& in = sampling.in;
+    CurveSet& out = sampling.out;
+    const uint64_t curve_count = uint64_t{in.curve_count()} * sampling.copies;
+    if (static_cast<double>(curve_count) >= max_points) {
+        throw Failure(FLG_ERROR_LIMIT, "%u strokes along %u curves would be more than 2^31 curves", sampling.copies,
+                      in.curve_count());
+    }
+    out.allocate_curves(static_cast<uint32_t>(curve_count));
+    uint64_t point_count = 0;
+    for (uint32_t c = 0; c < curve_count; ++c) {
+        out.offsets()[c] = static_cast<uint32_t>(point_count);
+        out.flags()[c] = in.flags()[c / sampling.copies];
+        point_count += sampling.plans[c / sampling.copies].sample_count();
+        if (static_cast<double>(point_count) >= max_points) {
+            throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points %g m apart", sampling.spacing);
+        }
+        if (c % layout_chunk == 0) co_await pace;
+    }
+    out.offsets()[curve_count] = static_cast<uint32_t>(point_count);
+}
+
+void lay_out_columns(Sampling& sampling, const std::pmr::vector<CurveSet::ColumnLayout>& added, Memory* memory) {
+    CurveSet& out = sampling.out;
+    std::pmr::vector<CurveSet::ColumnLayout> layout(
+        {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, memory);
+    layout.insert(layout.end(), added.begin(), added.end());
+    const size_t made = layout.size();
+    for (const Column& column : sampling.in.columns()) {
+        const bool replaced = std::any_of(layout.begin(), layout.begin() + static_cast<ptrdiff_t>(made),
+                                          [&](const auto& other) { return other.attribute == column.attribute; });
+        if (replaced) continue;
+        layout.push_back({column.attribute, column.components});
+        sampling.carried.push_back({&column, nullptr});
+    }
+    out.allocate_columns(layout);
+    for (size_t i = 0; i < sampling.carried.size(); ++i) sampling.carried[i].out = &out.columns()[made + i];
+}
+
 Task<void> resample_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     const CurveRange range = curves_of_batch(sampling.in, batch);
     std::pmr::vector<ColumnPair> pairs(pace.memory());
@@ -82,46 +121,15 @@ CurveView curve_view(const CurveSet& set, uint32_t curve) {
 Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added) {
     pace.stage("measure");
     const CurveSet& in = sampling.in;
-    CurveSet& out = sampling.out;
     if (sampling.frame == FLG_FRAME_SUPPLIED && !in.find(FLG_ATTRIBUTE_NORMAL)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "the curves have no FLG_ATTRIBUTE_NORMAL column, from which FLG_FRAME_SUPPLIED takes its frames");
     }
-    const uint64_t curve_count = uint64_t{in.curve_count()} * sampling.copies;
-    if (static_cast<double>(curve_count) >= max_points) {
-        throw Failure(FLG_ERROR_LIMIT, "%u strokes of %u curves would be more than 2^31 curves", sampling.copies,
-                      in.curve_count());
-    }
     sampling.plans = Buffer<SamplingPlan>(in.curve_count(), pace.memory());
     co_await fork(pace, batch_count(in), &measure_batch, sampling);
-
-    out.allocate_curves(static_cast<uint32_t>(curve_count));
-    uint64_t point_count = 0;
-    for (uint32_t c = 0; c < curve_count; ++c) {
-        out.offsets()[c] = static_cast<uint32_t>(point_count);
-        out.flags()[c] = in.flags()[c / sampling.copies];
-        point_count += sampling.plans[c / sampling.copies].sample_count();
-        if (static_cast<double>(point_count) >= max_points) {
-            throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points %g m apart", sampling.spacing);
-        }
-        if (c % layout_chunk == 0) co_await pace;
-    }
-    out.offsets()[curve_count] = static_cast<uint32_t>(point_count);
-
-    std::pmr::vector<CurveSet::ColumnLayout> layout(
-        {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory());
-    layout.insert(layout.end(), added.begin(), added.end());
-    const size_t made = layout.size();
-    for (const Column& column : in.columns()) {
-        const bool replaced = std::any_of(layout.begin(), layout.begin() + static_cast<ptrdiff_t>(made),
-                                          [&](const auto& other) { return other.attribute == column.attribute; });
-        if (replaced) continue;
-        layout.push_back({column.attribute, column.components});
-        sampling.carried.push_back({&column, nullptr});
-    }
-    out.allocate_columns(layout);
-    for (size_t i = 0; i < sampling.carried.size(); ++i) sampling.carried[i].out = &out.columns()[made + i];
-    pace.expect(in.point_count() + point_count);
+    co_await lay_out_curves(pace, sampling);
+    lay_out_columns(sampling, added, pace.memory());
+    pace.expect(uint64_t{in.point_count()} + sampling.out.point_count());
 }
 
 FrameColumns frame_columns(const Sampling& sampling, uint32_t out_curve) {

@@ -3,7 +3,8 @@
 //
 // What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order guide_flow,
 // guide_matching (or guide_discrete_matching), displacement, style_attributes, patch_rows, patch_costs and patch_graph,
-// path_tree, synthesis; and the two jobs that drive them, prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
+// path_tree, applied_style, synthesis, finishing; and the two jobs that drive them, prepare_style and apply_style. What
+// does not: curves as such (curves/), scheduling (runtime/).
 #pragma once
 
 #include <memory>
@@ -47,7 +48,7 @@ public:
 
     // [any thread] The path trees at a temperature (metres), shared by all jobs that ask for the same; those of the last
     // few temperatures are kept. Only once the style is prepared.
-    std::shared_ptr<PathTrees> trees(float temperature);
+    std::shared_ptr<PathTrees> trees(float asked_temperature);
 
     // What the host sees.
     void publish_partial() noexcept override {}
