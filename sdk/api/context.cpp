@@ -2,6 +2,8 @@
 // Contexts: made, ticked, waited for, destroyed.
 #include "api/context.h"
 
+#include <atomic>
+#include <cstddef>
 #include <new>
 
 #include "api/descriptors.h"
@@ -14,6 +16,10 @@ namespace {
 
 constexpr uint32_t max_threads = 256;
 
+// Counts contexts, so that handles of one that is gone don't fit the next at the same address. The one thing that contexts
+// share; what it counts to shows nowhere else.
+std::atomic<uint32_t> contexts_made{0};
+
 FlgContextDesc default_context_desc() {
     FlgContextDesc desc{};
     desc.struct_size = sizeof desc;
@@ -22,13 +28,19 @@ FlgContextDesc default_context_desc() {
     return desc;
 }
 
-void check(const FlgContextDesc& desc) {
+// Before anything else: with another version even the struct's size may differ.
+void check_version(const FlgContextDesc& desc) {
+    constexpr size_t version_end = offsetof(FlgContextDesc, version) + sizeof desc.version;
+    if (desc.struct_size < version_end) return;  // refused by its size
     const uint32_t major = desc.version >> 22;
     const uint32_t minor = desc.version >> 12 & 0x3ff;
     if (major != FLG_VERSION_MAJOR || (FLG_VERSION_MAJOR == 0 && minor != FLG_VERSION_MINOR)) {
         throw Failure(FLG_ERROR_VERSION, "the host was compiled for filigree %u.%u, this library is %d.%d.%d", major,
                       minor, FLG_VERSION_MAJOR, FLG_VERSION_MINOR, FLG_VERSION_PATCH);
     }
+}
+
+void check(const FlgContextDesc& desc) {
     if (desc.worker_count > max_threads) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "worker_count is %u, must be 0 to %u", desc.worker_count,
                       max_threads);
@@ -51,7 +63,25 @@ void refuse_inside_callback(const Context& context, const char* function) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s was called from a callback inside flgTick", function);
 }
 
+// Marks the time inside flgTick, also if a callback throws.
+class Ticking {
+public:
+    explicit Ticking(Context& context) : context_(context) { context_.ticking = true; }
+    ~Ticking() { context_.ticking = false; }
+    Ticking(const Ticking&) = delete;
+    Ticking& operator=(const Ticking&) = delete;
+
+private:
+    Context& context_;
+};
+
 }  // namespace
+
+void refuse_after_destroy(const Context& context) {
+    if (context.runtime.stopping()) {
+        throw Failure(FLG_ERROR_INVALID_HANDLE, "context is being destroyed; call flgContextDestroy again");
+    }
+}
 
 Context& get_context(FlgContext context) {
     if (!context) throw Failure(FLG_ERROR_INVALID_HANDLE, "context is null");
@@ -75,12 +105,13 @@ FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size) {
 FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context) {
     return guarded([&] {
         require(out_context, "out_context") = nullptr;
+        if (desc) check_version(*desc);
         const FlgContextDesc read = desc ? read_struct(desc, default_context_desc(), "desc") : default_context_desc();
         check(read);
         HostMemory memory(read.allocator);
         void* place = memory.allocate(sizeof(Context), alignof(Context));
         try {
-            const auto salt = static_cast<uint32_t>(mix64(reinterpret_cast<uintptr_t>(place)));
+            const auto salt = static_cast<uint32_t>(mix64(contexts_made.fetch_add(1, std::memory_order_relaxed)));
             *out_context = new (place) Context(read, memory, salt);
         } catch (...) {
             memory.deallocate(place, sizeof(Context), alignof(Context));
@@ -106,12 +137,17 @@ FlgResult flgContextDestroy(FlgContext context) {
 
 FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report) {
     return guarded([&] {
+        FlgFrameReport made{};
+        made.struct_size = sizeof made;
+        made.longest_chunk_stage = "";
+        if (report) write_struct(report, made, "report");
         Context& self = get_context(context);
         refuse_inside_callback(self, "flgTick");
-        if (report) check_struct_size<FlgFrameReport>(report->struct_size, "report");
-        self.ticking = true;
-        const FlgFrameReport made = self.runtime.tick(budget_us);
-        self.ticking = false;
+        refuse_after_destroy(self);
+        {
+            const Ticking ticking(self);
+            made = self.runtime.tick(budget_us);
+        }
         if (report) write_struct(report, made, "report");
         return FLG_OK;
     });

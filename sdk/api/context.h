@@ -36,6 +36,9 @@ using Context = FlgContextT;
 // The context behind the pointer; throws if it is null or visibly none.
 Context& get_context(FlgContext context);
 
+// After a first flgContextDestroy that had to wait, nothing else is to be done with a context.
+void refuse_after_destroy(const Context& context);
+
 // A new object in the context's memory.
 template <class T, class... Arguments>
 std::shared_ptr<T> make_object(Context& context, Arguments&&... arguments) {

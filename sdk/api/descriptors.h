@@ -42,13 +42,15 @@ void write_struct(T* out, const T& value, const char* name) {
     out->struct_size = struct_size;
 }
 
-// As write_struct, for a struct whose struct_size the host has not set yet.
+// The host's defaults. Its struct may be larger than ours, of a newer header: the rest becomes zero, and flgContextCreate
+// tells the host that the versions do not fit.
 template <class T>
 void init_struct(T* out, uint32_t struct_size, const T& defaults, const char* name) {
     if (!out) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
-    check_struct_size<T>(struct_size, name);
+    if (struct_size < first_size<T>) check_struct_size<T>(struct_size, name);
+    std::memset(static_cast<void*>(out), 0, struct_size);
+    std::memcpy(static_cast<void*>(out), &defaults, std::min<size_t>(struct_size, sizeof(T)));
     out->struct_size = struct_size;
-    write_struct(out, defaults, name);
 }
 
 template <class T>

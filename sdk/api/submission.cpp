@@ -12,6 +12,7 @@ FlgJobOptions default_job_options() {
 
 Submission::Submission(Context& context, const FlgJobOptions& options)
     : context_(context), dependencies_(&context.memory) {
+    refuse_after_destroy(context);
     check_enum(options.priority, FLG_PRIORITY_LOW, FLG_PRIORITY_HIGH, "job.priority", "FLG_PRIORITY_");
     if (options.dependency_count > 0 && !options.dependencies) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job.dependencies is null, but dependency_count is %u",

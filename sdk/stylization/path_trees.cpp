@@ -2,12 +2,18 @@
 #include "stylization/path_trees.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace flg {
 
+float PathTrees::finite_temperature(const PatchGraph& graph, float temperature) {
+    const float highest = std::numeric_limits<float>::max() / (2.0f * static_cast<float>(graph.node_count));
+    return std::min(temperature, highest);
+}
+
 PathTrees::PathTrees(const PatchGraph& graph, float temperature, Memory* memory)
     : graph_(&graph),
-      temperature_(temperature),
+      temperature_(finite_temperature(graph, temperature)),
       memory_(memory),
       trees_(std::min(static_cast<size_t>(destinations_max), graph.destinations.size()), memory) {}
 

@@ -16,6 +16,9 @@ class PathTrees {
 public:
     static constexpr uint32_t destinations_max = 256;
 
+    // `temperature`, or less where the cost of a path might pass what a float holds.
+    static float finite_temperature(const PatchGraph& graph, float temperature);
+
     // `graph` outlives it; `temperature` in metres. `memory` must be thread-safe.
     PathTrees(const PatchGraph& graph, float temperature, Memory* memory);
     ~PathTrees();

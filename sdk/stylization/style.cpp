@@ -6,7 +6,8 @@
 
 namespace flg {
 
-std::shared_ptr<PathTrees> Style::trees(float temperature) {
+std::shared_ptr<PathTrees> Style::trees(float asked_temperature) {
+    const float temperature = PathTrees::finite_temperature(prepared.graph, asked_temperature);
     std::lock_guard lock(mutex_);
     const auto found = std::find_if(trees_.begin(), trees_.end(),
                                     [&](const auto& trees) { return trees->temperature() == temperature; });

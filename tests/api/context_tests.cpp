@@ -26,7 +26,7 @@ TEST(ContextApi, RefusesWhatItCantUse) {
         EXPECT_EQ(context, nullptr);
     };
     refused([](auto& d) { d.struct_size = 0; }, FLG_ERROR_INVALID_ARGUMENT, "struct_size is 0");
-    refused([](auto& d) { d.struct_size += 8; }, FLG_ERROR_INVALID_ARGUMENT, "struct_size");
+    refused([](auto& d) { d.struct_size += 8; }, FLG_ERROR_INVALID_ARGUMENT, "desc: struct_size");
     refused([](auto& d) { d.version += 1u << 12; }, FLG_ERROR_VERSION, "compiled for filigree 0.2");
     refused([](auto& d) { d.version += 1u << 22; }, FLG_ERROR_VERSION, "compiled for filigree 1.1");
     refused([](auto& d) { d.worker_count = 257; }, FLG_ERROR_INVALID_ARGUMENT, "worker_count is 257");
@@ -134,6 +134,82 @@ TEST(ContextApi, ProfilerZonesNestAndAreNamed) {
     EXPECT_EQ(zones.depth, 0);
     EXPECT_GT(zones.count, 1);
     EXPECT_NE(zones.names.find("resample;"), std::string::npos) << zones.names;
+}
+
+TEST(ContextApi, HandlesOfADestroyedContextDoNotFitTheNext) {
+    for (int round = 0; round < 5; ++round) {
+        FlgCurveSet old{};
+        {
+            Host host;
+            old = host.create(arcs(1));
+        }
+        Host host;
+        host.create(arcs(1));
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        expect_failure(flgCurveSetGetView(host.context, old, &view), FLG_ERROR_INVALID_HANDLE,
+                       "not a living curve set");
+    }
+}
+
+TEST(ContextApi, ANewerHeaderGetsZerosAndIsToldItsVersion) {
+    struct Newer {
+        FlgContextDesc desc;
+        uint64_t later[4];
+    } newer;
+    std::memset(static_cast<void*>(&newer), 0xab, sizeof newer);
+    ASSERT_EQ(flgContextDescInit(&newer.desc, sizeof newer), FLG_OK);
+    EXPECT_EQ(newer.desc.struct_size, sizeof newer);
+    EXPECT_EQ(newer.desc.worker_count, 1u);
+    for (uint64_t later : newer.later) EXPECT_EQ(later, 0u);
+    newer.desc.version += 1u << 12;
+    FlgContext context = nullptr;
+    expect_failure(flgContextCreate(&newer.desc, &context), FLG_ERROR_VERSION, "compiled for filigree 0.2");
+}
+
+TEST(ContextApi, AFailingTickWritesItsReport) {
+    FlgFrameReport report;
+    std::memset(static_cast<void*>(&report), 0xcd, sizeof report);
+    report.struct_size = sizeof report;
+    expect_failure(flgTick(nullptr, 0, &report), FLG_ERROR_INVALID_HANDLE, "context is null");
+    EXPECT_EQ(report.frame, 0u);
+    EXPECT_EQ(report.jobs_pending, 0u);
+    EXPECT_STREQ(report.longest_chunk_stage, "");
+}
+
+TEST(ContextApi, ACallbackThatThrowsDoesNotLockTheContext) {
+    Host host;
+    FlgResampleDesc desc = flgResampleDefaults();
+    desc.curves = host.create(arcs(1));
+    desc.spacing = 1;
+    desc.job.on_finished = [](void*, FlgJob, FlgResult) { throw std::string("the host's own"); };
+    FlgCurveSet out{};
+    ASSERT_EQ(flgResample(host.context, &desc, &out, nullptr), FLG_OK);
+    expect_failure(flgTick(host.context, 0, nullptr), FLG_ERROR_INTERNAL, "unknown exception");
+    EXPECT_EQ(flgTick(host.context, 0, nullptr), FLG_OK);
+    EXPECT_EQ(host.view_of(out).curve_count, 1u);
+}
+
+TEST(ContextApi, AContextThatIsBeingDestroyedTakesNoMoreWork) {
+    std::vector<std::pair<void (*)(void*), void*>> tasks;
+    FlgContextDesc desc = flgContextDefaults();
+    desc.job_system = {&tasks, 1, [](void* user, void (*run)(void*), void* task) {
+                           static_cast<decltype(tasks)*>(user)->push_back({run, task});
+                       }};
+    FlgContext context = nullptr;
+    ASSERT_EQ(flgContextCreate(&desc, &context), FLG_OK);
+    Curves curves = arcs(1);
+    const FlgCurveSetView view = curves.view();
+    FlgResampleDesc resample = flgResampleDefaults();
+    resample.spacing = 1;
+    FlgCurveSet out{};
+    ASSERT_EQ(flgCurveSetCreate(context, &view, &resample.curves), FLG_OK);
+    ASSERT_EQ(flgResample(context, &resample, &out, nullptr), FLG_OK);
+    ASSERT_EQ(tasks.size(), 1u);
+    EXPECT_EQ(flgContextDestroy(context), FLG_NOT_READY);
+    expect_failure(flgResample(context, &resample, &out, nullptr), FLG_ERROR_INVALID_HANDLE, "being destroyed");
+    expect_failure(flgTick(context, 0, nullptr), FLG_ERROR_INVALID_HANDLE, "being destroyed");
+    tasks[0].first(tasks[0].second);
+    EXPECT_EQ(flgContextDestroy(context), FLG_OK);
 }
 
 TEST(ContextApi, ContextsSideBySideShareNothing) {

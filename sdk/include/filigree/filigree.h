@@ -14,7 +14,7 @@
  *              arguments are written on every path: on failure with null handles and zeros.
  * Threads      Calls on one context must not overlap, unless a function says [any thread]. Different contexts are
  *              independent. Nothing the host can observe changes outside the host's own calls: jobs run on
- *              workers, but what they made becomes visible inside flgTick, in order of submission.
+ *              workers, but what they made becomes visible inside flgTick; what is done by then in order of submission.
  * Waiting      No function waits for a job, but for flgContextWait, which exists to wait. Each says its cost.
  * Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
  */
@@ -98,7 +98,8 @@ typedef struct FlgContextT* FlgContext;
 
 /* All memory of a context, that of its jobs included. Called from any thread; must be thread-safe. `allocate` may
  * return null: what needed the memory then fails with FLG_ERROR_OUT_OF_MEMORY, and nothing is lost. Both null:
- * the C++ runtime's aligned new and delete. */
+ * the C++ runtime's aligned new and delete. Not included: what the C++ runtime itself takes for threads and for the
+ * exceptions that a failing job is stopped with. */
 typedef struct FlgAllocator {
     void* user_data;
     void* (*allocate)(void* user_data, size_t size, size_t alignment);
@@ -170,7 +171,8 @@ FLG_API FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_c
 
 /* Cancels all jobs and frees everything the context owns, all handles with it. Built-in workers are joined: at most
  * one kernel chunk (100 us). With a host's job system that still holds tasks of ours it returns FLG_NOT_READY, having
- * cancelled the jobs: let the job system run, then call again. Null is allowed and does nothing. */
+ * cancelled the jobs: let the job system run, then call again (all other calls are refused by then). Jobs that this cuts
+ * off are not called back. Null is allowed and does nothing. */
 FLG_API FlgResult flgContextDestroy(FlgContext context);
 
 /* What one flgTick did, and what the workers did since the one before. */
@@ -191,7 +193,8 @@ typedef struct FlgFrameReport {
 /* One frame of the runtime: publishes what finished (at most until `budget_us` is used up, the rest next time), calls the
  * callbacks of those jobs, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a
  * context without workers then runs all its jobs to the end. It ends at most one kernel chunk after its budget.
- * `report` may be null; set its struct_size. Allocates nothing in steady state. */
+ * `report` may be null; set its struct_size. Allocates nothing in steady state. Results that were released before
+ * their job was done are freed in here, at the cost of their release. */
 FLG_API FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
 
 /* For tools and loading screens: sleeps until flgTick has something to publish, no job is left, or the time is over.
@@ -217,7 +220,8 @@ typedef struct FlgJobOptions {
     uint32_t dependency_count;
     const FlgJob* dependencies;
     /* Called once, inside flgTick, when the job is published, whatever its result. It may call any function of this
-     * header on the context except flgTick, flgContextWait and flgContextDestroy. Null: none. */
+     * header on the context except flgTick, flgContextWait and flgContextDestroy. It must not throw. `job` is null if no
+     * handle was asked for. Null: none. */
     void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
     void* user_data;
     /* Nonzero: results may be viewed before the job is finished, as far as they are complete (flgCurveSetGetView then
@@ -328,7 +332,8 @@ FLG_API FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* v
 FLG_API FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view);
 
 /* Gives the handle and its views back. Jobs that read the set keep its memory until they are done; a job that was to make
- * it goes on, cancel it if its result is not wanted. */
+ * it goes on, cancel it if its result is not wanted. Cost: that of freeing its arrays, which for results of many megabytes
+ * some allocators give back to the system page by page: about 50 us a megabyte. */
 FLG_API FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set);
 
 /* Which moving frame to carry along a curve. */
