@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "style_options.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "choices.h"
+#include "failure.h"
+#include "support/curve_source.h"
+#include "text_file.h"
+
+namespace flg::cli {
+namespace {
+
+using samples::CurveSource;
+
+constexpr uint32_t kMostPatchSizes = 8, kMostPatch = 1024;
+// Weight of attributes that are not lengths, where none is given: this share of the style's length for a difference of 1.
+constexpr double kWeightPerLength = 0.01;
+
+const std::map<std::string, FlgAttribute> kAttributes = {
+    {"radius", FLG_ATTRIBUTE_RADIUS}, {"radii", FLG_ATTRIBUTE_RADII}, {"angle", FLG_ATTRIBUTE_ANGLE},
+    {"width", FLG_ATTRIBUTE_WIDTH},   {"speed", FLG_ATTRIBUTE_SPEED}, {"color", FLG_ATTRIBUTE_COLOR}};
+const std::map<std::string, FlgMetric> kAngles = {{"s1", FLG_METRIC_CIRCLE}, {"rp1", FLG_METRIC_PROJECTIVE}};
+const std::map<std::string, FlgMatching> kMatchings = {{"semi", FLG_MATCHING_SEMI_DISCRETE},
+                                                       {"discrete", FLG_MATCHING_DISCRETE}};
+
+bool is_length(FlgAttribute attribute) {
+    return attribute == FLG_ATTRIBUTE_RADIUS || attribute == FLG_ATTRIBUTE_RADII || attribute == FLG_ATTRIBUTE_WIDTH;
+}
+
+// NAME:VALUE -> the two; VALUE is "" where there is none.
+std::pair<std::string, std::string> split(const std::string& word) {
+    const size_t colon = word.find(':');
+    if (colon == std::string::npos) return {word, ""};
+    return {word.substr(0, colon), word.substr(colon + 1)};
+}
+
+bool read_number(const std::string& text, float& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+FlgCurveSet create_set(FlgContext context, const FlgCurveSetView& view, const std::string& name) {
+    FlgCurveSet set = {};
+    check(flgCurveSetCreate(context, &view, &set), name);
+    return set;
+}
+
+CurveSource load_curves(const std::string& name, Report& report) {
+    CurveSource source(name);
+    for (const std::string& warning : source.warnings()) report.warn(source.name() + ": " + warning);
+    return source;
+}
+
+double total_length(const FlgCurveSetView& view) {
+    double length = 0.0;
+    for (uint32_t c = 0; c < view.curve_count; ++c) length += samples::curve_length(view, c);
+    return length;
+}
+
+}  // namespace
+
+StyleOptions::StyleOptions() : desc_(flgStyleDefaults()) {}
+
+void StyleOptions::add_to(CLI::App& app) {
+    app.add_option("--style", style_, "The example: all curves of a file as one style, or builtin:NAME");
+    app.add_option("--style-file", style_file_,
+                   "With --style: write the prepared style there. Without: read it from there, and prepare nothing")
+        ->type_name("CACHE");
+    const auto add = [this](CLI::Option* option) { preparing_.push_back(option); };
+    add(app.add_option("--guide", guide_,
+                       "The style's unstyled form, as many curves; made from the style if not given"));
+    add(app.add_option("--patch", desc_.patch, "p, points each way that are compared before a jump, 1 to 1024")
+            ->capture_default_str()
+            ->check(CLI::Range(1u, kMostPatch).description("")));
+    add(app.add_option_function<std::vector<std::string>>(
+               "--multiresolution", [this](const auto& words) { parse_patch_sizes(words); },
+               "Several patch sizes instead, at most 8, each with its weight")
+            ->delimiter(',')
+            ->type_name("P:W,..."));
+    add(app.add_option("--alpha", desc_.alpha, "Length that the guide keeps, 0 to 1: dL/dt = (alpha - 1) int kappa^2")
+            ->capture_default_str()
+            ->check(between_including(0.0, 1.0)));
+    add(app.add_option("--beta", desc_.beta, "Closeness against evenness in the matching, between 0 and 1")
+            ->capture_default_str()
+            ->check(between(0.0, 1.0)));
+    add(add_choice(app, "--matching", desc_.matching, kMatchings,
+                   "Places on the style that guide points are matched with: anywhere, or its points only"));
+    add(app.add_option_function<std::vector<std::string>>(
+               "--attributes", [this](const auto& words) { parse_attributes(words); },
+               "What is transferred besides the shape: radius, radii, width, angle, speed, color; a number after a "
+               "colon is "
+               "its weight in metres, how much a difference of 1 counts (angle:0.02); default 1 for lengths, a "
+               "hundredth "
+               "of the style's length for others")
+            ->delimiter(',')
+            ->type_name("NAME[:WEIGHT],..."));
+    add(add_choice(app, "--angle", angle_, kAngles,
+                   "Ribbons whose sides differ (s1) or not (rp1, half a turn changes nothing)"));
+}
+
+void StyleOptions::parse_attributes(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        const auto [name, weight] = split(word);
+        const auto found = kAttributes.find(name);
+        if (found == kAttributes.end()) {
+            throw CLI::ValidationError("--attributes",
+                                       "'" + name + "' is none of radius, radii, width, angle, speed, color");
+        }
+        Attribute attribute = {found->second, -1.0f};
+        if (name.size() < word.size() && (!read_number(weight, attribute.weight) || attribute.weight < 0.0f)) {
+            throw CLI::ValidationError("--attributes", "'" + weight + "' is not a weight, a number >= 0");
+        }
+        attributes_.push_back(attribute);
+    }
+}
+
+void StyleOptions::parse_patch_sizes(const std::vector<std::string>& words) {
+    if (words.size() > kMostPatchSizes) throw CLI::ValidationError("--multiresolution", "takes at most 8 patch sizes");
+    for (const std::string& word : words) {
+        const auto [size, weight] = split(word);
+        float patch = 0.0f, counts = 1.0f;
+        if (!read_number(size, patch) || patch < 1.0f || patch > kMostPatch || patch != std::floor(patch) ||
+            (size.size() < word.size() && (!read_number(weight, counts) || !(counts > 0.0f)))) {
+            throw CLI::ValidationError("--multiresolution",
+                                       "'" + word + "' is not P:W with P from 1 to 1024 and W > 0");
+        }
+        patch_sizes_.push_back({static_cast<uint32_t>(patch), counts});
+    }
+}
+
+void StyleOptions::check_usage() const {
+    if (style_.empty() && style_file_.empty()) {
+        throw UsageError("--style is required, or --style-file with a style that was saved (filigree --help)");
+    }
+    if (style_.empty()) {
+        for (const CLI::Option* option : preparing_) {
+            if (option->count() == 0) continue;
+            throw UsageError(option->get_name() + ": a style from a file is prepared already; give --style, too");
+        }
+    } else {
+        require_writable(style_file_);
+    }
+    const auto turns = [](const Attribute& a) { return a.attribute == FLG_ATTRIBUTE_ANGLE; };
+    if (angle_ != FLG_METRIC_AUTO && std::none_of(attributes_.begin(), attributes_.end(), turns)) {
+        throw UsageError("--angle: needs angle among --attributes");
+    }
+}
+
+void StyleOptions::describe(Report& report) const {
+    if (!style_.empty()) report.parameters["style"] = style_;
+    if (!style_file_.empty()) report.parameters["style_file"] = style_file_;
+    if (style_.empty()) return;
+    if (!guide_.empty()) report.parameters["guide"] = guide_;
+    report.parameters["patch"] = desc_.patch;
+    for (const FlgPatchSize& size : patch_sizes_) {
+        report.parameters["multiresolution"].push_back({size.patch, as_written(size.weight)});
+    }
+    report.parameters["alpha"] = as_written(desc_.alpha);
+    report.parameters["beta"] = as_written(desc_.beta);
+    report.parameters["matching"] = name_of(kMatchings, desc_.matching);
+    for (const Attribute& a : attributes_) report.parameters["attributes"].push_back(name_of(kAttributes, a.attribute));
+    if (angle_ != FLG_METRIC_AUTO) report.parameters["angle"] = name_of(kAngles, angle_);
+}
+
+std::vector<FlgStyleAttribute> StyleOptions::attributes(double style_length) const {
+    std::vector<FlgStyleAttribute> list;
+    for (const Attribute& a : attributes_) {
+        const double usual = is_length(a.attribute) ? 1.0 : kWeightPerLength * style_length;
+        list.push_back({a.attribute, a.attribute == FLG_ATTRIBUTE_ANGLE ? angle_ : FLG_METRIC_AUTO,
+                        a.weight < 0.0f ? static_cast<float>(usual) : a.weight, 0});
+    }
+    return list;
+}
+
+FlgStyle StyleOptions::start(FlgContext context, Report& report, FlgJob& out_job) const {
+    out_job = {};
+    if (style_.empty()) return load(context, report);
+    FlgStyleDesc desc = desc_;
+    const CurveSource style = load_curves(style_, report);
+    desc.style = create_set(context, style.view(), style_);
+    report.counts["style_curves"] = style.view().curve_count;
+    report.counts["style_curve_points"] = style.point_count();
+    if (!guide_.empty()) desc.guide = create_set(context, load_curves(guide_, report).view(), guide_);
+    const std::vector<FlgStyleAttribute> list = attributes(total_length(style.view()));
+    desc.attributes = list.empty() ? nullptr : list.data();
+    desc.attribute_count = static_cast<uint32_t>(list.size());
+    desc.patch_sizes = patch_sizes_.empty() ? nullptr : patch_sizes_.data();
+    desc.patch_size_count = static_cast<uint32_t>(patch_sizes_.size());
+    FlgStyle prepared = {};
+    check(flgStyleCreate(context, &desc, &prepared, &out_job), style_);
+    return prepared;
+}
+
+FlgStyle StyleOptions::load(FlgContext context, Report& report) const {
+    std::ifstream file(style_file_, std::ios::binary);
+    if (!file) throw InputError(style_file_ + ": can't be opened");
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (file.bad()) throw InputError(style_file_ + ": can't be read");
+    FlgStyle style = {};
+    check(flgStyleCreateFromData(context, bytes.data(), bytes.size(), &style), style_file_);
+    report.counts["style_file_bytes"] = bytes.size();
+    return style;
+}
+
+void StyleOptions::save(FlgContext context, FlgStyle style, Report& report) const {
+    if (style_.empty() || style_file_.empty()) return;
+    size_t size = 0;
+    check(flgStyleGetData(context, style, nullptr, 0, &size), style_);
+    std::string bytes(size, '\0');
+    check(flgStyleGetData(context, style, bytes.data(), bytes.size(), &size), style_);
+    write_text_file(style_file_, bytes);
+    report.counts["style_file_bytes"] = size;
+}
+
+}  // namespace flg::cli

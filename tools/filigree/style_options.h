@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// How `stylize` comes by its style: learnt from curves with many options, or read from a style file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "filigree/filigree.h"
+#include "report.h"
+
+namespace flg::cli {
+
+class StyleOptions {
+public:
+    StyleOptions();
+    void add_to(CLI::App& app);
+
+    // Refuses what does not go together (UsageError) and files that can't be written.
+    void check_usage() const;
+    void describe(Report& report) const;
+    // A style that is prepared by `out_job` (null: ready at once, from the style file).
+    FlgStyle start(FlgContext context, Report& report, FlgJob& out_job) const;
+    // Keeps the style, ready by now, if a file is wanted.
+    void save(FlgContext context, FlgStyle style, Report& report) const;
+    // What errors are about.
+    const std::string& subject() const { return style_.empty() ? style_file_ : style_; }
+
+private:
+    struct Attribute {
+        FlgAttribute attribute;
+        float weight;  // negative: not given
+    };
+
+    FlgStyle load(FlgContext context, Report& report) const;
+    std::vector<FlgStyleAttribute> attributes(double style_length) const;
+    void parse_attributes(const std::vector<std::string>& words);
+    void parse_patch_sizes(const std::vector<std::string>& words);
+
+    std::string style_, guide_, style_file_;
+    std::vector<Attribute> attributes_;
+    std::vector<FlgPatchSize> patch_sizes_;
+    FlgMetric angle_ = FLG_METRIC_AUTO;
+    FlgStyleDesc desc_;
+    // Options that say how a style is prepared: they mean nothing to one that is loaded.
+    std::vector<CLI::Option*> preparing_;
+};
+
+}  // namespace flg::cli
