@@ -48,7 +48,7 @@ double hairline(double heading) {
 Vector comb(const Vector& p) {
     const double side = std::clamp(p.x / 0.030, -1.0, 1.0);
     const double above = smooth_step((p.y - 0.02) / 0.08);
-    return unit({1.15 * side * above, -1.0 + 0.35 * above, -0.45 * above});
+    return unit({1.5 * side * above, -1.0 + 0.45 * above, -0.55 * above});
 }
 
 // Moves a place out of the head's layer of thickness `layer`.
@@ -71,15 +71,15 @@ Curve strand(uint32_t index, const Vector& root, const Vector& normal) {
     const double layer = 0.004 + 0.010 * (0.5 + 0.5 * hand(1.5));
     const double step = length_m / (kStrandPoints - 1);
     Curve curve;
-    Vector p = root, heading = unit(normal + 0.15 * Vector{hand(2.5), 0.0, hand(3.5)});
+    Vector p = root, heading = unit(0.55 * normal + comb(root) + 0.12 * Vector{hand(2.5), 0.0, hand(3.5)});
     for (uint32_t i = 0; i < kStrandPoints; ++i) {
         const double u = static_cast<double>(i) / (kStrandPoints - 1);
         curve.points.push_back(to_point(p));
         curve.radii.push_back(static_cast<float>(0.00075 * (1.0 - 0.75 * u * u)));
-        const Vector stray = {0.10 * lock(place + 3.0 * u) + 0.05 * hand(4.0 * u), 0.0,
-                              0.10 * lock(place + 3.0 * u + 90.0) + 0.05 * hand(4.0 * u + 60.0)};
-        const double obeys = 0.05 + 0.06 * smooth_step(u / 0.15);
-        heading = unit((1.0 - obeys) * heading + obeys * (comb(p) + stray));
+        const Vector stray = {0.22 * lock(place + 3.0 * u) + 0.08 * hand(4.0 * u), 0.0,
+                              0.22 * lock(place + 3.0 * u + 90.0) + 0.08 * hand(4.0 * u + 60.0)};
+        constexpr double kObeys = 0.16;
+        heading = unit((1.0 - kObeys) * heading + kObeys * (comb(p) + stray));
         // At the parting the root's own place decides about the side.
         if (std::abs(p.x) < 0.004) heading.x += root.x < 0.0 ? -0.05 : 0.05;
         const Vector next = outside(p + step * heading, layer * smooth_step(u / 0.10));

@@ -2,6 +2,7 @@
 // The targets: short strokes by formula, attractors by integration, and the bouquet.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "attractors.h"
@@ -126,9 +127,11 @@ Curve stem(uint32_t index) {
         along += step * std::cos(pitch);
         up += step * std::sin(pitch);
     }
-    const double hue = 0.5 + 0.5 * std::sin(0.61 * index);
-    curve.color = {static_cast<float>(0.10 + 0.75 * hue), static_cast<float>(0.42 - 0.25 * hue),
-                   static_cast<float>(0.16 + 0.22 * (1.0 - hue)), 1.0f};
+    constexpr Color kInks[] = {{0.62f, 0.035f, 0.020f, 1.0f},
+                               {0.015f, 0.200f, 0.170f, 1.0f},
+                               {0.85f, 0.300f, 0.020f, 1.0f},
+                               {0.030f, 0.100f, 0.330f, 1.0f}};
+    curve.color = kInks[index % std::size(kInks)];
     return curve;
 }
 

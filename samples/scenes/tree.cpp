@@ -18,7 +18,7 @@ constexpr int kIterations = 5;
 constexpr double kDivergence1 = 94.74, kDivergence2 = 132.63, kBranching = 18.95;  // degrees
 constexpr double kElongation = 1.109, kThickening = 1.732;
 constexpr double kTropism = 0.14;
-constexpr double kTrunk = 200.0;                         // length of the axiom's segment, in units of the book
+constexpr double kTrunk = 60.0;                          // length of the axiom's segment, in units of the book
 constexpr double kMetres = 0.0021;                       // one of them
 constexpr double kTipRadius = 0.0021, kSpacing = 0.012;  // metres
 

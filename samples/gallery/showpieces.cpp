@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What a README opens with: strokes before and after, one style at three magnitudes, a large target.
+#include "gallery/looks.h"
+#include "gallery/pictures.h"
+
+namespace flg::gallery {
+namespace {
+
+void strokes(Workshop& workshop, Studio& studio) {
+    const filigree::CurveSet target = workshop.curves(scenes::make_bouquet());
+    const filigree::Style style = workshop.style(scenes::make_style("loops"));
+    const filigree::CurveSet result = workshop.stylize(style, target, sized(style, 0.020f));
+    Panel before, after;
+    before.layers = {{target.view(), tube()}};
+    after.layers = {{result.view(), tube(kInk, 0.0f, 0.25f)}};
+    before.nearer = after.nearer = 0.82f;
+    before.shift = after.shift = {0.03f, 0.0f};
+    studio.take("strokes", {before, after}, 2, kWidth, kHeight);
+}
+
+void magnitude(Workshop& workshop, Studio& studio) {
+    constexpr float kMagnitudes[] = {0.0f, 0.5f, 1.0f};
+    const filigree::CurveSet target = workshop.curve(scenes::make_target("spiral"));
+    const filigree::Style style = workshop.style(scenes::make_style("curls"));
+    std::vector<filigree::CurveSet> results;
+    std::vector<Panel> panels;
+    for (float sigma : kMagnitudes) {
+        FlgStylizeDesc desc = sized(style, 0.040f);
+        desc.magnitude = sigma;
+        results.push_back(workshop.stylize(style, target, desc));
+        Panel panel;
+        panel.layers = {{Columns(results.back().view()).without(FLG_ATTRIBUTE_COLOR), tube(kTeal, 0.009f)}};
+        panel.sight = {-0.3f, -0.45f, -1.0f};
+        panel.nearer = 0.80f;
+        panel.shift = {0.03f, 0.0f};
+        panels.push_back(panel);
+    }
+    studio.take("magnitude", panels, 3, kWidth, 360);
+}
+
+void thomas(Workshop& workshop, Studio& studio) {
+    constexpr uint32_t kThomasWidth = 720, kThomasHeight = 440;
+    const filigree::CurveSet target = workshop.curve(scenes::make_target("thomas"));
+    const FlgStyleAttribute angle = {FLG_ATTRIBUTE_ANGLE, FLG_METRIC_CIRCLE, 0.01f, 0};
+    FlgStyleDesc prepare = flgStyleDefaults();
+    prepare.attributes = &angle;
+    prepare.attribute_count = 1;
+    const filigree::Style style = workshop.style(scenes::make_style("twist"), prepare);
+    const filigree::CurveSet result = workshop.stylize(style, target, sized(style, 0.012f));
+    Panel panel;
+    panel.layers = {{Columns(result.view()).without(FLG_ATTRIBUTE_COLOR), ribbon(kRed, kTeal, 0.003f)}};
+    panel.sight = {-1.0f, -1.0f, 1.0f};
+    panel.nearer = 0.84f;
+    studio.take("thomas", {panel}, 1, kThomasWidth, kThomasHeight);
+}
+
+constexpr Picture kPictures[] = {
+    {"strokes", "Strokes before and after", true, strokes},
+    {"magnitude", "One style, at three magnitudes", true, magnitude},
+    {"thomas", "A style on the Thomas attractor", true, thomas},
+};
+
+}  // namespace
+
+std::span<const Picture> showpieces() {
+    return kPictures;
+}
+
+}  // namespace flg::gallery

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "gallery/studio.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "gallery/small_png.h"
+
+namespace flg::gallery {
+namespace {
+
+// Pictures are drawn so many times larger each way.
+constexpr uint32_t kOversampling = 2;
+// Between panels, pixels, white.
+constexpr uint32_t kGap = 4;
+
+float to_linear(uint8_t value) {
+    const float v = static_cast<float>(value) / 255.0f;
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+uint8_t to_srgb(float v) {
+    const float encoded = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
+    // 7 bits: in the last one there is only the dither of the drawing, which the average makes needless.
+    constexpr long kSteps = 2;
+    return static_cast<uint8_t>(
+        std::min(kSteps * std::lround(255.0f / kSteps * std::clamp(encoded, 0.0f, 1.0f)), 255L));
+}
+
+render::Image averaged_down(const render::Image& large) {
+    std::array<float, 256> linear;
+    for (uint32_t i = 0; i < 256; ++i) linear[i] = to_linear(static_cast<uint8_t>(i));
+    render::Image image{large.width / kOversampling, large.height / kOversampling, {}};
+    image.pixels.reserve(size_t{4} * image.width * image.height);
+    for (uint32_t y = 0; y < image.height; ++y) {
+        for (uint32_t x = 0; x < image.width; ++x) {
+            for (uint32_t c = 0; c < 3; ++c) {
+                float sum = 0.0f;
+                for (uint32_t i = 0; i < kOversampling * kOversampling; ++i) {
+                    sum += linear[large.at(x * kOversampling + i % kOversampling,
+                                           y * kOversampling + i / kOversampling)[c]];
+                }
+                image.pixels.push_back(to_srgb(sum / (kOversampling * kOversampling)));
+            }
+            image.pixels.push_back(255);
+        }
+    }
+    return image;
+}
+
+void paste(const render::Image& from, render::Image& into, uint32_t left, uint32_t top) {
+    for (uint32_t y = 0; y < from.height; ++y) {
+        std::copy_n(from.at(0, y), size_t{4} * from.width,
+                    into.pixels.begin() + static_cast<ptrdiff_t>(4 * (size_t{top + y} * into.width + left)));
+    }
+}
+
+}  // namespace
+
+render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) {
+    renderer_.clear();
+    for (const Layer& layer : panel.layers) renderer_.upload(layer.curves.view(), layer.look);
+    render::Scene scene;
+    scene.ground = panel.ground;
+    renderer_.set_scene(scene);
+    render::Target target(renderer_, width * kOversampling, height * kOversampling);
+    const render::Box box = panel.box.empty() ? renderer_.bounds() : panel.box;
+    render::Orbit orbit{frame_box(box, panel.sight, target.aspect())};
+    orbit.zoom(panel.nearer);
+    orbit.pan(panel.shift.x, panel.shift.y);
+    renderer_.draw(target, orbit.camera);
+    return averaged_down(renderer_.capture(target));
+}
+
+void Studio::take(const std::string& name, const std::vector<Panel>& panels, uint32_t columns, uint32_t width,
+                  uint32_t height) {
+    const uint32_t rows = (static_cast<uint32_t>(panels.size()) + columns - 1) / columns;
+    const uint32_t panel_width = (width - (columns - 1) * kGap) / columns,
+                   panel_height = (height - (rows - 1) * kGap) / rows;
+    render::Image picture{width, height, std::vector<uint8_t>(size_t{4} * width * height, 255)};
+    for (uint32_t i = 0; i < panels.size(); ++i) {
+        paste(draw(panels[i], panel_width, panel_height), picture, (i % columns) * (panel_width + kGap),
+              (i / columns) * (panel_height + kGap));
+    }
+    const std::string path = folder_ + "/" + name + ".png";
+    write_small_png(picture, path);
+    std::printf("wrote %s\n", path.c_str());
+    std::fflush(stdout);
+}
+
+}  // namespace flg::gallery
