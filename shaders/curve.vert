@@ -22,7 +22,7 @@ const uint part_begin_cap = 1;
 const uint part_end_cap = 2;
 
 const float longest_miter = 2.0;   // in radii; sharper corners are cut off
-const float least_width_px = 0.5;  // half-width: thinner curves would drop out between samples
+const float least_width_px = 0.5;  // half-width, also of ribbons seen edge-on: thinner ones would drop out between samples
 const float ribbon_crown = 0.35;   // how far a ribbon's shading normals lean outwards at its edges
 const float half_pi = 1.5707963;
 const float two_pi = 6.2831853;
@@ -128,6 +128,20 @@ void main() {
         across += turn_unit * (dot(across, turn_unit) * (1.0 / cos_half - 1.0));
     }
 
+    vec3 widening = vec3(0.0);
+    if (shape == shape_ribbon) {
+        bool perspective = view.bounce_color.w > 0.5;
+        vec3 to_viewer = perspective ? view.eye.xyz - center.xyz : view.sun_direction.xyz;
+        vec3 sideways = cross(tangent, to_viewer);
+        float size = length(sideways);
+        if (size > 1e-6 * length(to_viewer)) {
+            sideways /= size;
+            float seen = radius * dot(across, sideways);
+            float least = least_width_px * pixel * (side == 0u ? -1.0 : 1.0) * (dot(binormal, sideways) < 0.0 ? -1.0 : 1.0);
+            if (abs(seen) < abs(least)) widening = sideways * (least - seen);
+        }
+    }
+
     if (draw.part != part_body) {
         bool at_begin = draw.part == part_begin_cap;
         float way = at_begin ? 1.0 - float(ring) / float(draw.cap_rings) : float(ring) / float(draw.cap_rings);
@@ -143,7 +157,7 @@ void main() {
         }
     }
 
-    vec3 position = center.xyz + radius * across + lift * tangent;
+    vec3 position = center.xyz + radius * across + widening + lift * tangent;
     out_position = position;
     out_normal = shading;
     out_color = unpack_color(packed_look.y);

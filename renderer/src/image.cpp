@@ -21,7 +21,13 @@ namespace flg::render {
 void write_png(const Image& image, const std::string& path) {
     if (image.width == 0 || image.height == 0 || image.pixels.size() != size_t{4} * image.width * image.height)
         fail("The image to write to \"%s\" has no pixels, or not as many as its size says.", path.c_str());
-    const std::string temporary = path + ".part";
+    // Renaming over a symbolic link would replace the link.
+    constexpr int most_links = 40;  // as the kernel has it
+    std::filesystem::path real = path;
+    std::error_code ignored;
+    for (int i = 0; i < most_links && std::filesystem::is_symlink(real, ignored); ++i)
+        real = real.parent_path() / std::filesystem::read_symlink(real, ignored);
+    const std::string temporary = real.string() + ".part";
     std::FILE* file = std::fopen(temporary.c_str(), "wb");
     if (!file) fail("\"%s\" can't be written: %s.", path.c_str(), std::strerror(errno));
     const auto write = [](void* context, void* data, int size) {
@@ -33,9 +39,8 @@ void write_png(const Image& image, const std::string& path) {
     const bool failed = std::ferror(file) != 0;
     const bool closed = std::fclose(file) == 0;
     std::error_code error;
-    if (encoded && !failed && closed) std::filesystem::rename(temporary, path, error);
+    if (encoded && !failed && closed) std::filesystem::rename(temporary, real, error);
     if (!encoded || failed || !closed || error) {
-        std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         fail("\"%s\" can't be written%s%s.", path.c_str(), error ? ": " : "", error ? error.message().c_str() : "");
     }

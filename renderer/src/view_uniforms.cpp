@@ -58,6 +58,7 @@ ViewUniforms sun_view(const Scene& scene, const Box& box, uint32_t shadow_size) 
     view.clip_from_world = map.clip_from_world;
     view.eye =
         glm::vec4(to_sun * (2.0f * box.diagonal() + 1.0f) + (box.empty() ? glm::vec3(0) : box.center()), map.texel_m);
+    view.sun_direction = glm::vec4(to_sun, 0.0f);
     view.bounce_color.w = 0.0f;
     return view;
 }

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "filigree_renderer/window.h"
+#include "strokes/framing.h"
 #include "strokes/live.h"
 #include "support/vulkan_loader.h"
 
@@ -16,12 +17,6 @@ namespace {
 
 using namespace flg::samples;
 namespace render = flg::render;
-
-constexpr uint32_t kWidth = 1280, kHeight = 720;
-constexpr glm::vec3 kSight{-0.45f, -0.22f, -1.0f};  // from the eye into the scene
-
-// Sketches seldom fill the corners of their box.
-constexpr float kNearer = 0.85f;
 
 struct Options {
     std::vector<std::string> files = {"builtin:bouquet"};
@@ -32,10 +27,22 @@ struct Options {
     bool no_window = false;
 };
 
+std::string known_styles() {
+    std::string list;
+    for (const std::string& name : flg::scenes::style_names()) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
 // A built-in style goes by its bare name, too.
 std::string style_source(const std::string& style) {
     const std::vector<std::string>& names = flg::scenes::style_names();
-    return std::find(names.begin(), names.end(), style) != names.end() ? "builtin:" + style : style;
+    if (std::find(names.begin(), names.end(), style) != names.end()) return "builtin:" + style;
+    const bool is_name = style.find_first_of("./:") == style.npos;
+    if (is_name && !std::filesystem::exists(style)) {
+        throw std::runtime_error("--style: '" + style + "' is no file and none of the built-in styles " +
+                                 known_styles());
+    }
+    return style;
 }
 
 // Null, having said so, where there is no display.
@@ -76,10 +83,11 @@ std::vector<CurveSource> load(const std::vector<std::string>& names) {
 }
 
 void run(const Options& options) {
+    const std::string style_name = style_source(options.style);
     std::filesystem::create_directories(options.out);
     const auto path = [&](const char* name) { return options.out + "/" + name; };
     const std::vector<CurveSource> sources = load(options.files);
-    const CurveSource style(style_source(options.style));
+    const CurveSource style(style_name);
     std::vector<StrokeGroup> groups = group_by_size(sources);
 
     calm_vulkan_loader();
@@ -90,12 +98,10 @@ void run(const Options& options) {
 
     StrokeSet originals;
     for (const CurveSource& source : sources) originals.add_all(source.view());
-    renderer.upload(originals.view());
-    render::Orbit view_point{frame_box(renderer.bounds(), kSight, offscreen.aspect())};
-    view_point.zoom(kNearer);
-    const render::Camera camera = view_point.camera;
-    save_picture(renderer, offscreen, camera, originals.view(), render::Shape::ribbon, path("before.png"));
-    renderer.clear();
+    const FlgCurveSetView before = originals.view();
+    const Framing live_framing = frame_strokes({&before, 1});
+    offscreen.resize(live_framing.width, kHeight);
+    const render::Camera camera = live_framing.camera;
 
     Live live(options.workers, options.budget_us);
     live.start(style, groups);
@@ -118,6 +124,10 @@ void run(const Options& options) {
 
     StrokeSet result = live.result();
     const FlgCurveSetView view = result.view();
+    const FlgCurveSetView all[] = {before, view};
+    const Framing framing = frame_strokes(all);
+    offscreen.resize(framing.width, kHeight);
+    save_picture(renderer, offscreen, framing.camera, before, render::Shape::ribbon, path("before.png"));
     FlgCurveWriteDesc write = {};
     flgCurveWriteDescInit(&write, sizeof write);
     write.geometry = FLG_GEOMETRY_RIBBON;
@@ -125,8 +135,8 @@ void run(const Options& options) {
         throw std::runtime_error(flgIoLastError());
     }
     std::printf("wrote %s\n", path("result.glb").c_str());
-    save_picture(renderer, offscreen, camera, view, render::Shape::tube, path("styled_tubes.png"));
-    save_picture(renderer, offscreen, camera, view, render::Shape::ribbon, path("styled_ribbons.png"));
+    save_picture(renderer, offscreen, framing.camera, view, render::Shape::tube, path("styled_tubes.png"));
+    save_picture(renderer, offscreen, framing.camera, view, render::Shape::ribbon, path("styled_ribbons.png"));
 
     if (window) std::puts("drag to turn, shift + drag to move, wheel to zoom, Escape to end");
     while (window && window->poll()) renderer.draw(*window, window->orbit.camera);
@@ -140,8 +150,7 @@ int main(int argc, char** argv) {
                      "strokes");
     program.add_option("FILE", options.files, "Strokes: .tilt, .xyz, .obj, .gltf, .glb or builtin:NAME")
         ->capture_default_str();
-    program.add_option("--style", options.style, "loops, zigzag, curls, knots, tremor, braid, or a file")
-        ->capture_default_str();
+    program.add_option("--style", options.style, known_styles() + ", or a file")->capture_default_str();
     program.add_option("--out", options.out, "Folder for the results")->capture_default_str();
     program.add_option("--workers", options.workers, "Threads to work on, 0 = in the frame itself")
         ->capture_default_str()

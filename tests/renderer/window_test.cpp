@@ -87,5 +87,37 @@ TEST(Camera, FramesTheWholeBoxTightly) {
     }
 }
 
+TEST(Camera, FramesPointsByTheMarginAskedFor) {
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 200; ++i) {
+        const float t = 0.1f * static_cast<float>(i);
+        points.emplace_back(2 + t * std::cos(t), 3 * std::sin(2 * t), 0.3f * t);
+    }
+    constexpr float margin = 1.25f;
+    for (const glm::vec3 direction : {glm::vec3(0, 0, -1), glm::vec3(-1, -0.4f, -1)}) {
+        for (const float aspect : {0.5f, 1.0f, 2.0f}) {
+            const Camera camera = frame_points(points, direction, aspect, margin);
+            const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+            const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+            const glm::vec3 up = glm::cross(right, forward);
+            const float tan_y = std::tan(0.5f * camera.fov_y_rad);
+            glm::vec2 low(2), high(-2);  // in the picture, -1 to 1
+            for (const glm::vec3& p : points) {
+                const glm::vec3 arm = p - camera.eye;
+                const glm::vec2 seen =
+                    glm::vec2(glm::dot(arm, right) / aspect, glm::dot(arm, up)) / (glm::dot(arm, forward) * tan_y);
+                low = glm::min(low, seen);
+                high = glm::max(high, seen);
+            }
+            const glm::vec2 size = high - low;
+            EXPECT_NEAR(std::max(size.x, size.y), 2 / margin, 1e-4f);
+            for (int i = 0; i < 2; ++i) {
+                EXPECT_GE(low[i], -1 / margin - 1e-4f);
+                EXPECT_LE(high[i], 1 / margin + 1e-4f);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace flg::render::test

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 
 namespace flg::render {
 
@@ -29,6 +30,11 @@ constexpr float default_fov_y_rad = 0.6f;  // about a 38 mm lens on film
 // small margin, in a picture `aspect` times as wide as high. An empty box is taken as a point, a point as a box of one
 // metre.
 Camera frame_box(const Box& box, glm::vec3 direction, float aspect, float fov_y_rad = default_fov_y_rad);
+
+// The same for points, of which there must be one: as near as it can be while the picture's edges stay clear of them by
+// `margin`, the picture's size over that of what they fill, >= 1.
+Camera frame_points(std::span<const glm::vec3> points, glm::vec3 direction, float aspect, float margin,
+                    float fov_y_rad = default_fov_y_rad);
 
 // Turns around its target, moves nearer and aside; what the mouse does in a window.
 struct Orbit {
