@@ -12,6 +12,7 @@ const std::vector<Group>& groups() {
         {"matching", run_matching},
 #endif
         {"ticks", run_ticks},
+        {"live", run_live},
         {"growth", run_growth},
         {"analogies", run_analogies},
         {"fig14", run_matching_kinds},

@@ -26,7 +26,7 @@ using samples::find_column;
 using samples::value_at;
 using Clock = std::chrono::steady_clock;
 
-// Time between samples of files that say nothing of it.
+// Time between samples of strokes that say nothing of it, or whose times run backwards.
 constexpr double kSampleSeconds = 1.0 / 90.0;
 // A host's frame in between two strokes.
 constexpr uint32_t kTickUs = 2000;
@@ -52,7 +52,7 @@ double processor_us() {
     return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-std::vector<FlgLiveSample> samples_of(const FlgCurveSetView& view, uint32_t curve) {
+std::vector<FlgLiveSample> samples_of(const FlgCurveSetView& view, uint32_t curve, uint64_t& retimed) {
     const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
     const FlgColumn* orientations = find_column(view, FLG_ATTRIBUTE_ORIENTATION);
     const FlgColumn* pressures = find_column(view, FLG_ATTRIBUTE_PRESSURE);
@@ -63,9 +63,14 @@ std::vector<FlgLiveSample> samples_of(const FlgCurveSetView& view, uint32_t curv
         std::copy_n(value_at(positions, i), 3, sample.position);
         if (orientations != nullptr) std::copy_n(value_at(*orientations, i), 4, sample.orientation);
         sample.pressure = pressures == nullptr ? 1.0f : std::clamp(*value_at(*pressures, i), 0.0f, 1.0f);
-        sample.time =
-            times == nullptr ? kSampleSeconds * (i - view.curve_offsets[curve]) : double{*value_at(*times, i)};
+        if (times != nullptr) sample.time = *value_at(*times, i);
         out.push_back(sample);
+    }
+    const auto earlier = [](const FlgLiveSample& a, const FlgLiveSample& b) { return a.time < b.time; };
+    const bool backwards = !std::is_sorted(out.begin(), out.end(), earlier);
+    retimed += backwards;
+    if (times == nullptr || backwards) {
+        for (size_t i = 0; i < out.size(); ++i) out[i].time = kSampleSeconds * static_cast<double>(i);
     }
     return out;
 }
@@ -242,7 +247,8 @@ void run_replay(Options options, const CommonOptions& common) {
     reserve(strokes.view(), static_cast<double>(info.spacing) * static_cast<double>(options.live.scale), options.live);
 
     Player player(context, pool, options.live, options.fast);
-    for (uint32_t c = 0; c < strokes.view().curve_count; ++c) player.play(samples_of(strokes.view(), c));
+    uint64_t retimed = 0;
+    for (uint32_t c = 0; c < strokes.view().curve_count; ++c) player.play(samples_of(strokes.view(), c, retimed));
     FlgFrameReport frame = {};
     frame.struct_size = sizeof frame;
     do {
@@ -254,10 +260,15 @@ void run_replay(Options options, const CommonOptions& common) {
     report.counts["strokes"] = strokes.view().curve_count;
     report.counts["samples"] = player.latencies().wall_us.size();
     report.counts["refused_samples"] = player.refused();
+    report.counts["retimed_strokes"] = retimed;
     report.counts["broken_at_jumps"] = player.broken();
+    if (retimed > 0) {
+        report.warn(options.strokes + ": " + std::to_string(retimed) +
+                    " strokes whose times run backwards were played at 90 Hz");
+    }
     if (player.refused() > 0) {
         report.warn(options.strokes + ": " + std::to_string(player.refused()) +
-                    " samples could not be taken, such as for their time");
+                    " samples could not be taken, such as for a coordinate beyond 1e30");
     }
     if (player.broken() > 0) {
         report.warn(options.strokes + ": strokes jump at " + std::to_string(player.broken()) +
