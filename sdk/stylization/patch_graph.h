@@ -40,6 +40,8 @@ struct PatchGraph {
     static constexpr float temperature_share = 0.1f;
     float temperature_unit = 0;
 
+    // The first point of the first style curve that has destinations: from those of shorter curves nothing leads on.
+    uint32_t start() const { return destinations[0] - patch - 1; }
     uint32_t jump_count() const { return static_cast<uint32_t>(in_source.size()); }
     // With the consecutive ones.
     uint32_t edge_count() const { return jump_count() + node_count - curve_count; }

@@ -11,8 +11,9 @@ namespace flg {
 StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples)
     : trees_(trees), seed_(seed), curve_index_(curve_index), samples_left_(samples - 1) {
     if (from_start) {
-        // The last destination of the first style curve.
-        const uint32_t end = trees->graph().curve_end[0];
+        // To the last destination of the first style curve that has any.
+        node_ = trees->graph().start();
+        const uint32_t end = trees->graph().curve_end[node_];
         while (destination_ + 1 < trees->destination_count() && trees->destination(destination_ + 1) < end) {
             ++destination_;
         }
@@ -34,7 +35,7 @@ bool StyleWalk::runs_out() const {
 void StyleWalk::draw_destination() {
     const uint32_t others = trees_->destination_count() - 1;
     if (others == 0) {
-        node_ = 0;
+        node_ = trees_->graph().start();
     } else {
         const uint32_t drawn = random_below(seed_, curve_index_, draws_++, others);
         destination_ = drawn < destination_ ? drawn : drawn + 1;

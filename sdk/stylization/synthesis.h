@@ -22,8 +22,8 @@ namespace flg {
 class StyleWalk {
 public:
     StyleWalk() = default;
-    // `from_start`: begins at the style's first point, and goes to the end of its first curve first. Otherwise at a random
-    // destination. `samples`: how many points there will be.
+    // `from_start`: begins at the style's first point, and goes to the end of its first curve first (the first curve with
+    // patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
     StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
 
     uint32_t node() const { return node_; }

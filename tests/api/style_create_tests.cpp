@@ -235,6 +235,12 @@ TEST(StyleCreate, StylesWithoutVariationWork) {
             stylize_desc.target = host.create(arcs(1));
             const FlgCurveSetView result = host.view_of(stylize(host, stylize_desc));
             EXPECT_GT(result.curve_offsets[1], 100u);
+            // The short curve is not used.
+            const FlgColumn* index = find_column(result, FLG_ATTRIBUTE_STYLE_INDEX);
+            for (uint32_t i = 0; i < result.curve_offsets[1]; ++i) {
+                ASSERT_LT(index->data[i], 256);
+                ASSERT_GE(index->data[i], two ? 5 : 0);
+            }
         }
     }
 }
