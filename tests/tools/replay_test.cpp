@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// filigree replay: strokes through live strokes, at their own times or not.
+#include "cli_test.h"
+
+namespace flg::test {
+namespace {
+
+using Replay = Cli;
+
+// Ten samples of a bent stroke of 90 cm.
+std::string stroke() {
+    std::string text;
+    for (int i = 0; i < 10; ++i) text += std::to_string(0.1 * i) + " " + std::to_string(0.01 * i * i) + " 0\n";
+    return text;
+}
+
+TEST_F(Replay, ReportsLatenciesAndAllocatesNothing) {
+    done({"replay", "builtin:flourish", "--style", "builtin:zigzag", "--scale", "0.2", "-o", "out.xyz", "--fast",
+          "--report", "report.json", "--quiet"});
+    const nlohmann::json json = report();
+    EXPECT_EQ(json.at("command"), "replay");
+    EXPECT_EQ(json.at("parameters").at("fast"), true);
+    const nlohmann::json& quality = json.at("quality");
+    EXPECT_EQ(quality.at("allocations"), 0);
+    EXPECT_GT(quality.at("p50_us"), 0);
+    EXPECT_GE(quality.at("p99_us"), quality.at("p50_us"));
+    EXPECT_GE(quality.at("max_us"), quality.at("p99_us"));
+    const nlohmann::json& counts = json.at("counts");
+    EXPECT_EQ(counts.at("strokes"), 1);
+    EXPECT_GT(counts.at("result_points"), 100);
+}
+
+TEST_F(Replay, OwnTimesAndWorkersDoNotChangeTheBits) {
+    folder.write("stroke.xyz", stroke());
+    done({"replay", "stroke.xyz", "--style", "builtin:loops", "--scale", "0.2", "-o", "slow.xyz", "--quiet"});
+    done({"replay", "stroke.xyz", "--style", "builtin:loops", "--scale", "0.2", "-o", "fast.xyz", "--fast", "--workers",
+          "0", "--quiet"});
+    const std::string slow = folder.read("slow.xyz");
+    EXPECT_GT(slow.size(), 1000u);
+    EXPECT_EQ(slow, folder.read("fast.xyz"));
+}
+
+TEST_F(Replay, BreaksStrokesAtJumps) {
+    std::string text = stroke();
+    for (int i = 0; i < 10; ++i) text += std::to_string(50 + 0.1 * i) + " 0 0\n";
+    folder.write("jump.xyz", text);
+    const Outcome outcome = done({"replay", "jump.xyz", "--style", "builtin:loops", "--scale", "0.2", "-o", "out.xyz",
+                                  "--fast", "--report", "report.json"});
+    EXPECT_NE(outcome.err.find("broken"), std::string::npos);
+    EXPECT_EQ(report().at("counts").at("broken_at_jumps"), 1);
+    EXPECT_NE(folder.read("out.xyz").find("\n\n"), std::string::npos);  // two curves
+}
+
+TEST_F(Replay, RefusesBadUsageAndBadFiles) {
+    expect_refused({"replay", "builtin:flourish", "-o", "out.xyz"}, 2, {"--style"});
+    expect_refused({"replay", "none.tilt", "--style", "builtin:loops", "-o", "out.xyz"}, 1, {"none.tilt"});
+    expect_refused({"replay", "builtin:flourish", "--style", "builtin:loops", "-o", "out.xyz", "--smoothing", "-1"}, 2,
+                   {"--smoothing"});
+    expect_refused({"replay", "builtin:flourish", "--style", "builtin:loops", "-o", "out.png"}, 2, {"out.png"});
+}
+
+}  // namespace
+}  // namespace flg::test
