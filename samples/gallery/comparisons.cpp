@@ -4,7 +4,6 @@
 
 #include "gallery/looks.h"
 #include "gallery/pictures.h"
-#include "gallery/plain_flow.h"
 
 namespace flg::gallery {
 namespace {
@@ -40,6 +39,7 @@ void temperature(Workshop& workshop, Studio& studio) {
 
 // Fig. 12: an arc that turns the other way in its middle.
 void frames(Workshop& workshop, Studio& studio) {
+    constexpr glm::vec3 kFromAbove = {-0.15f, -0.85f, -1.0f};
     scenes::Curve wave;
     for (int i = 0; i < 200; ++i) {
         const double u = i / 199.0 - 0.5;
@@ -54,7 +54,7 @@ void frames(Workshop& workshop, Studio& studio) {
         FlgStylizeDesc desc = sized(style, 0.055f);
         desc.frame = frame;
         results.push_back(workshop.stylize(style, target, desc));
-        Panel panel = panel_of(results.back(), tube(frame == FLG_FRAME_FRENET ? kRed : kTeal, 0.008f));
+        Panel panel = panel_of(results.back(), tube(frame == FLG_FRAME_FRENET ? kRed : kTeal, 0.008f), kFromAbove);
         panel.layers.push_back({target.view(), tube(kGrey, 0.003f)});
         panel.layers.back().curves = panel.layers.back().curves.without(FLG_ATTRIBUTE_COLOR);
         panels.push_back(panel);
@@ -118,7 +118,7 @@ void matching(Workshop& workshop, Studio& studio) {
     studio.take("matching", panels, 2, kWidth, kHeight);
 }
 
-// Fig. 13 and 15. Above: the style with its guide; below: the result.
+// Fig. 15. Above: the style with its guide; below: the result.
 void ablations(Workshop& workshop, Studio& studio) {
     const scenes::Curve example = make_style("zigzag");
     const filigree::CurveSet drawn = workshop.curve(example), target = workshop.curve(make_target("s_curve"));
@@ -139,11 +139,6 @@ void ablations(Workshop& workshop, Studio& studio) {
     const float scale = sized(full, 0.045f).scale;
     show(full, scale, kTeal);
 
-    const double kept = static_cast<double>(full.info().guide_length) / static_cast<double>(full.info().style_length);
-    const filigree::CurveSet clumped = workshop.curve(plain_flow(example, kept));
-    prepare.guide = clumped.get();
-    show(workshop.style(example, prepare), scale, kRed);
-
     prepare = flgStyleDefaults();
     prepare.alpha = 0.0f;
     show(workshop.style(example, prepare), scale, kRed);
@@ -154,7 +149,7 @@ void ablations(Workshop& workshop, Studio& studio) {
     show(workshop.style(example, prepare), scale, kRed);
 
     above.insert(above.end(), below.begin(), below.end());
-    studio.take("ablations", above, 4, kWidth, kHeight);
+    studio.take("ablations", above, 3, kWidth, kHeight);
 }
 
 constexpr Picture kPictures[] = {
@@ -163,7 +158,7 @@ constexpr Picture kPictures[] = {
     {"planes", "Fig. 16: a style drawn in a plane, in three planes, and all at once", true, planes},
     {"attributes", "Sec. 5: the shape alone; with radius and colour", true, attributes},
     {"matching", "Fig. 14: discrete and semi-discrete matching", true, matching},
-    {"ablations", "Fig. 13 and 15: all of it; without redistribution, length preservation, matching", true, ablations},
+    {"ablations", "Fig. 15: all of it; without length preservation; without matching", true, ablations},
 };
 
 }  // namespace

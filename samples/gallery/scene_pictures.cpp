@@ -114,7 +114,9 @@ void vine(Workshop& workshop, Studio& studio) {
                                              {0.09f, 0.05f, 0.02f},
                                              {0.03f, 0.11f, 0.03f}};
     const filigree::CurveSet target = workshop.curve(make_target("vine"));
-    const filigree::Style style = workshop.style(make_style("braid"));
+    FlgStyleDesc prepare = flgStyleDefaults();
+    prepare.point_count = 1500;
+    const filigree::Style style = workshop.style(make_style("braid"), prepare);
     FlgStylizeDesc desc = sized(style, 0.042f);
     desc.strokes = kStrokes;
     const filigree::CurveSet result = workshop.stylize(style, target, desc);

@@ -48,7 +48,7 @@ void thomas(Workshop& workshop, Studio& studio) {
     const filigree::Style style = workshop.style(scenes::make_style("twist"), prepare);
     const filigree::CurveSet result = workshop.stylize(style, target, sized(style, 0.012f));
     Panel panel;
-    panel.layers = {{Columns(result.view()).without(FLG_ATTRIBUTE_COLOR), ribbon(kRed, kTeal, 0.003f)}};
+    panel.layers = {{Columns(result.view()).without(FLG_ATTRIBUTE_COLOR), ribbon(kRed, kGold, 0.004f)}};
     panel.sight = {-1.0f, -1.0f, 1.0f};
     panel.nearer = 0.84f;
     studio.take("thomas", {panel}, 1, kThomasWidth, kThomasHeight);
