@@ -326,5 +326,37 @@ TEST(LiveStrokeInput, ReplaysManyCurves) {
     }
 }
 
+TEST(LiveStrokeInput, MemoryThatRunsOutAnywhereLeavesTheStrokeUsable) {
+    LiveHost host;
+    const Samples samples = drawn(60);
+    int64_t failures = 0;
+    for (int64_t fail = 0;; ++fail) {
+        host.allocator.fail_at = host.allocator.calls + fail;
+        FlgLiveStroke stroke{};
+        FlgCurveSet stylized{}, raw{};
+        FlgJob job{};
+        FlgResult result = flgLiveStrokeBegin(host.context, &host.live, &stroke);
+        if (result == FLG_OK) {
+            host.push(stroke, samples.data(), 60);
+            result = flgLiveStrokeEnd(host.context, stroke, nullptr, &stylized, &raw, &job);
+            if (result == FLG_OK) {
+                host.finish();
+                result = host.result_of(job);
+            }
+            host.allocator.fail_at = -1;
+            if (result != FLG_OK) {
+                EXPECT_EQ(host.info(stroke).ended, 0u);
+                EXPECT_EQ(flgLiveStrokeUndo(host.context, stroke, 60, nullptr), FLG_OK);
+            }
+            EXPECT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);
+        }
+        host.allocator.fail_at = -1;
+        if (result == FLG_OK) break;
+        ++failures;
+        ASSERT_EQ(result, FLG_ERROR_OUT_OF_MEMORY) << flgResultName(result);
+    }
+    EXPECT_GT(failures, 15);
+}
+
 }  // namespace
 }  // namespace flg::test
