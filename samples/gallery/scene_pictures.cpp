@@ -24,6 +24,7 @@ FlgStylizeDesc pinned(const filigree::Style& style, float displacement_m) {
 }
 
 void hair(Workshop& workshop, Studio& studio) {
+    constexpr uint32_t kHairWidth = 580, kHairHeight = 326;  // small: hair packs badly
     const filigree::CurveSet target = workshop.curves(make_scene("hair").curves),
                              head = workshop.curve(scenes::make_head());
     FlgStyleDesc prepare = flgStyleDefaults();
@@ -38,7 +39,7 @@ void hair(Workshop& workshop, Studio& studio) {
     before.sight = after.sight = {-0.55f, -0.15f, -1.0f};
     before.nearer = after.nearer = 0.72f;
     before.shift = after.shift = {0.0f, -0.05f};
-    studio.take("hair", {before, after}, 2, kWidth, kHeight);
+    studio.take("hair", {before, after}, 2, kHairWidth, kHairHeight);
 }
 
 void tree(Workshop& workshop, Studio& studio) {
@@ -84,7 +85,7 @@ void tower(Workshop& workshop, Studio& studio) {
 }
 
 void flow(Workshop& workshop, Studio& studio) {
-    constexpr uint32_t kLines = 70, kFlowWidth = 800, kFlowHeight = 330;
+    constexpr uint32_t kLines = 70, kFlowWidth = 640, kFlowHeight = 264;
     const filigree::CurveSet target = workshop.curves(make_scene("flow", kLines).curves),
                              ball = workshop.curve(scenes::make_ball());
     const filigree::Style style = workshop.style(make_style("curls"));
