@@ -23,7 +23,8 @@ TEST_F(Info, OdditiesAreCounted) {
     folder.write(
         "odd.xyz",
         "# closed\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n\n5 5 5\n\n2 2 2\n2 2 2\n2 2 2\n\n0 0 3\n0 0 4\n0 0 4\n0 0 5\n");
-    done({"info", "odd.xyz", "--report", "report.json"});
+    const Outcome outcome = done({"info", "odd.xyz", "--report", "report.json"});
+    EXPECT_EQ(outcome.err, "");
     const nlohmann::json counts = report().at("counts");
     EXPECT_EQ(counts.at("curves"), 4);
     EXPECT_EQ(counts.at("closed"), 1);
@@ -34,6 +35,14 @@ TEST_F(Info, OdditiesAreCounted) {
     EXPECT_DOUBLE_EQ(report().at("quality").at("total_length"), 4.0 + 2.0);
     EXPECT_DOUBLE_EQ(report().at("quality").at("curve_length").at("max"), 4.0);
     EXPECT_EQ(report().at("quality").at("box"), nlohmann::json({{0.0, 0.0, 0.0}, {5.0, 5.0, 5.0}}));
+}
+
+TEST_F(Info, OdditiesOfTheFileAreSaidOnce) {
+    folder.write("odd.xyz", "0 0 0\n1 0 0\n\n# closed\n");
+    const Outcome outcome = done({"info", "odd.xyz", "--report", "report.json"});
+    EXPECT_NE(outcome.out.find("odd: line 4: no curve follows"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(report().at("warnings").size(), 1u);
 }
 
 TEST_F(Info, BenchPrintsBarsAsJson) {

@@ -30,6 +30,13 @@ TEST_F(Render, PictureHasTheSizeAskedFor) {
     }
 }
 
+TEST_F(Render, PicturesThroughLinksKeepTheLinks) {
+    std::filesystem::create_symlink("real.png", folder / "out.png");
+    done({"render", "builtin:spiral", "-o", "out.png", "--size", "32x32"});
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "out.png"));
+    EXPECT_EQ(size_of(folder.read("real.png")), std::make_pair(32u, 32u));
+}
+
 TEST_F(Render, ATurnAroundGivesDifferentPictures) {
     done({"render", "builtin:spiral", "builtin:loops", "-o", "turn.png", "--size", "96x96", "--frames", "3"});
     EXPECT_EQ(folder.list(), (std::vector<std::string>{"turn-0001.png", "turn-0002.png", "turn-0003.png"}));
@@ -73,7 +80,10 @@ TEST_F(Strokes, HeadlessRunLeavesItsResults) {
             {"builtin:spiral", "builtin:s_curve", "--no-window", "--out", "out", "--workers", workers}, folder.path());
         ASSERT_EQ(outcome.status, 0) << outcome.err;
         for (const char* picture : {"out/before.png", "out/styled_ribbons.png", "out/styled_tubes.png"}) {
-            EXPECT_EQ(size_of(folder.read(picture)), std::make_pair(1280u, 720u)) << picture;
+            // As wide as the strokes ask for.
+            const auto [width, height] = size_of(folder.read(picture));
+            EXPECT_EQ(height, 720u) << picture;
+            EXPECT_TRUE(width >= 540 && width <= 1280) << picture << ": " << width;
         }
         EXPECT_EQ(folder.read("out/result.glb").substr(0, 4), "glTF");
         const nlohmann::json frames = nlohmann::json::parse(folder.read("out/frames.json"));
@@ -83,6 +93,13 @@ TEST_F(Strokes, HeadlessRunLeavesItsResults) {
         EXPECT_GT(frames.at("tick_us").at("max"), 0.0);
         EXPECT_FALSE(frames.at("longest_chunk").at("stage").get<std::string>().empty());
     }
+}
+
+TEST_F(Strokes, UnknownStylesAreToldTheKnownOnes) {
+    const Outcome outcome = run_program(FLG_STROKES_PROGRAM, {"--style", "nosuch", "--no-window"}, folder.path());
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("strokes: --style: 'nosuch'")) << outcome.err;
+    EXPECT_NE(outcome.err.find("loops, zigzag"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Strokes, BadInputIsOneLine) {

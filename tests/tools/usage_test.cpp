@@ -37,7 +37,9 @@ TEST_F(Usage, BadUsageExitsWithTwo) {
     expect_refused({"info"}, kBadUsage, {"FILE"});
     expect_refused({"stylize", "--target", "builtin:s_curve", "-o", "out.xyz"}, kBadUsage, {"--style"});
     expect_refused(stylize_with({"--nosuch"}), kBadUsage, {"--nosuch"});
-    expect_refused(stylize_with({"--seed", "many"}), kBadUsage, {"--seed"});
+    for (const char* seed : {"many", "-1", "1.5", "18446744073709551616", "99999999999999999999999"}) {
+        expect_refused(stylize_with({"--seed", seed}), kBadUsage, {"--seed", seed, "0 to 18446744073709551615"});
+    }
     expect_refused(stylize_with({"--workers", "1000"}), kBadUsage, {"--workers"});
     expect_refused(stylize_with({"--workers", "-1"}), kBadUsage, {"--workers"});
     expect_refused(stylize_with({"--budget", "-1"}), kBadUsage, {"--budget"});
@@ -59,6 +61,36 @@ TEST_F(Usage, NumbersOutOfRangeExitWithTwo) {
         for (const char* value : values) expect_refused(stylize_with({option, value}), kBadUsage, {option});
     }
     EXPECT_TRUE(folder.list().empty());
+}
+
+TEST_F(Usage, NumbersOutOfRangeAreToldTheRange) {
+    expect_refused(stylize_with({"--tau", "inf"}), kBadUsage, {"--tau", "'inf'", "0 to 3.4e38"});
+    expect_refused(stylize_with({"--sigma", "1e39"}), kBadUsage, {"--sigma", "-3.4e38 to 3.4e38"});
+    done(stylize_with({"--seed", "18446744073709551615", "--quiet"}));
+}
+
+TEST_F(Usage, OutputsThatShareAFileExitWithTwo) {
+    for (const char* option : {"--save-guide", "--save-matching", "--save-path", "--report"}) {
+        expect_refused(stylize_with({option, "out.xyz"}), kBadUsage, {"out.xyz", option});
+        expect_refused(stylize_with({option, "./out.xyz"}), kBadUsage, {"out.xyz", option});
+    }
+    expect_refused(stylize_with({"--save-path", "a.txt", "--save-matching", "a.txt"}), kBadUsage, {"a.txt"});
+    EXPECT_TRUE(folder.list().empty());
+    folder.write("real.xyz", "");
+    std::filesystem::create_symlink("real.xyz", folder / "link.xyz");
+    expect_refused(stylize_with({"--save-guide", "link.xyz", "--save-path", "real.xyz"}), kBadUsage, {"real.xyz"});
+}
+
+TEST_F(Usage, OutputsThroughLinksKeepTheLinks) {
+    std::filesystem::create_directory(folder / "real");
+    for (const char* name : {"out.xyz", "path.txt", "report.json"}) {
+        std::filesystem::create_symlink(std::string("real/") + name, folder / name);
+    }
+    done(stylize_with({"--save-path", "path.txt", "--report", "report.json", "--quiet"}));
+    for (const char* name : {"out.xyz", "path.txt", "report.json"}) {
+        EXPECT_TRUE(std::filesystem::is_symlink(folder / name)) << name;
+        EXPECT_FALSE(folder.read(std::string("real/") + name).empty()) << name;
+    }
 }
 
 TEST_F(Usage, OutputsOfOtherKindsExitWithTwo) {

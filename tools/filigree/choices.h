@@ -65,19 +65,31 @@ CLI::Validator number_that(Holds holds, const std::string& demand) {
 }
 
 inline CLI::Validator finite() {
-    return number_that([](double) { return true; }, "a finite number");
+    return number_that([](double) { return true; }, "a number from -3.4e38 to 3.4e38");
 }
 inline CLI::Validator at_least_zero() {
-    return number_that([](double v) { return v >= 0.0; }, "a number >= 0");
+    return number_that([](double v) { return v >= 0.0; }, "a number from 0 to 3.4e38");
 }
 inline CLI::Validator above_zero() {
-    return number_that([](double v) { return v > 0.0; }, "a number > 0");
+    return number_that([](double v) { return v > 0.0; }, "a number above 0, to 3.4e38");
 }
 inline CLI::Validator between(double low, double high) {
     return number_that([=](double v) { return v > low && v < high; }, "a number between 0 and 1, these excluded");
 }
 inline CLI::Validator between_including(double low, double high) {
     return number_that([=](double v) { return v >= low && v <= high; }, "a number from 0 to 1");
+}
+
+// CLI11 takes what strtoull takes, which wraps -1 and cuts what is too long.
+inline CLI::Validator whole_64_bit() {
+    return CLI::Validator(
+        [](std::string& text) {
+            uint64_t value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool good = error == std::errc() && end == text.data() + text.size();
+            return good ? std::string() : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+        },
+        "");
 }
 
 }  // namespace flg::cli

@@ -84,8 +84,10 @@ void add_brushes(const CurveSource& source, Report& report) {
     std::map<std::string, uint32_t> brushes;
     for (uint32_t i = 0; i < count; ++i) ++brushes[strokes[i].brush];
     std::cout << "brushes:";
+    const char* separator = " ";
     for (const auto& [brush, uses] : brushes) {
-        std::cout << "  " << brush << " " << uses;
+        std::cout << separator << brush << " " << uses;
+        separator = ", ";
         report.counts["brushes"][brush] = uses;
     }
     std::cout << "\n";
@@ -126,7 +128,7 @@ void run_info(const std::string& name, const CommonOptions& common) {
 
     for (const std::string& warning : source.warnings()) {
         std::cout << "odd: " << warning << "\n";
-        report.warn(source.name() + ": " + warning);
+        report.note(source.name() + ": " + warning);
     }
     const auto odd = [&](uint64_t count, const char* what) {
         if (count == 0) return;

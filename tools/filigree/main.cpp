@@ -2,9 +2,12 @@
 // The command line: everything the SDK does, without a window. Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <thread>
 
+#include "choices.h"
 #include "command.h"
 #include "failure.h"
 #include "support/curve_source.h"
@@ -29,7 +32,10 @@ std::string version_text() {
 
 void add_common_options(CLI::App& program, flg::cli::CommonOptions& common) {
     program.add_option("--report", common.report, "Write a JSON report to this file")->type_name("FILE.json");
-    program.add_option("--seed", common.seed, "Key of all random choices")->type_name("N")->capture_default_str();
+    program.add_option("--seed", common.seed, "Key of all random choices, 0 to 2^64 - 1")
+        ->type_name("N")
+        ->check(flg::cli::whole_64_bit())
+        ->capture_default_str();
     program
         .add_option("--workers", common.workers,
                     "Threads to work on, 0 to 256; 0 = on the calling thread. Default: one a core (here " +
@@ -42,6 +48,23 @@ void add_common_options(CLI::App& program, flg::cli::CommonOptions& common) {
         ->type_name("US")
         ->capture_default_str();
     program.add_flag("--quiet", common.quiet, "No progress and no warnings on stderr");
+}
+
+// Of two outputs in one file only one would be left.
+void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
+    std::map<std::filesystem::path, std::string> options;  // by their file
+    for (const CLI::App* app : {&program, &command}) {
+        for (const char* name : {"--report", "--output", "--save-guide", "--save-matching", "--save-path"}) {
+            const CLI::Option* option = app->get_option_no_throw(name);
+            if (option == nullptr || option->count() == 0) continue;
+            const std::string file = option->results().back();
+            std::error_code ignored;
+            const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
+            const auto [other, is_new] = options.emplace(path, name);
+            if (!is_new)
+                throw flg::cli::UsageError(file + ": " + other->second + " and " + name + " name the same file");
+        }
+    }
 }
 
 }  // namespace
@@ -81,7 +104,9 @@ int main(int argc, char** argv) {
 
     try {
         for (const flg::cli::Command& command : commands) {
-            if (command.app->parsed()) command.run();
+            if (!command.app->parsed()) continue;
+            refuse_shared_outputs(program, *command.app);
+            command.run();
         }
     } catch (const flg::cli::UsageError& error) {
         return complain(error.what(), kBadUsage);

@@ -32,7 +32,7 @@ void Report::add_stage(const std::string& name, double wall_us, double busy_us) 
 }
 
 void Report::warn(const std::string& sentence) {
-    warnings_.push_back(sentence);
+    note(sentence);
     if (!common_.quiet) std::cerr << "filigree: warning: " << sentence << "\n";
 }
 

@@ -27,6 +27,8 @@ public:
 
     // Adds up when a stage comes twice. Microseconds.
     void add_stage(const std::string& name, double wall_us, double busy_us);
+    // A warning for the JSON alone, already said elsewhere.
+    void note(const std::string& sentence) { warnings_.push_back(sentence); }
     // Also says it on stderr, unless --quiet.
     void warn(const std::string& sentence);
     void set_ticks(const TickTimes& times) { times_ = times; }

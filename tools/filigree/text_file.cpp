@@ -18,9 +18,21 @@ namespace {
     throw InputError(path + ": can't be written: " + std::strerror(error));
 }
 
+// Where a file of this name is: renaming over a symbolic link would replace the link.
+std::string followed(const std::string& name) {
+    constexpr int kMostLinks = 40;  // as the kernel has it
+    std::filesystem::path path(name);
+    for (int i = 0; i < kMostLinks; ++i) {
+        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path))) return path.string();
+        path = path.parent_path() / std::filesystem::read_symlink(path);
+    }
+    fail(name, ELOOP);
+}
+
 }  // namespace
 
-void write_text_file(const std::string& path, std::string_view text) {
+void write_text_file(const std::string& name, std::string_view text) {
+    const std::string path = followed(name);
     const std::string temporary = path + ".part";
     {
         std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
@@ -41,7 +53,7 @@ void write_text_file(const std::string& path, std::string_view text) {
 
 void require_writable(const std::string& path) {
     if (path.empty()) return;
-    const std::filesystem::path target(path);
+    const std::filesystem::path target(followed(path));
     std::filesystem::path folder = target.parent_path();
     if (folder.empty()) folder = ".";
     if (!std::filesystem::is_directory(folder)) fail(path, ENOENT);
