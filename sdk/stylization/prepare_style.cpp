@@ -89,6 +89,7 @@ Task<void> take_attributes(Pace& pace, const StyleRequest& request, const Matche
         const std::span<const double> places(matched.places.data() + first, guides.offsets()[c + 1] - first);
         AttributeKernel kernel(*request.example, c, places, first, prepared.attributes);
         while (!kernel.run(attribute_chunk)) co_await pace;
+        co_await pace;
     }
 }
 

@@ -107,9 +107,11 @@ Task<void> measure_curves(Pace& pace, const StyleRequest& request, StyleCurves& 
         StyleCurve& curve = curves.emplace_back(pace.memory());
         curve.example = curve_view(example, c);
         curve.measure = co_await measure_curve(pace, example, c, "style");
+        co_await pace;
         if (!request.guide) continue;
         curve.guide = curve_view(*request.guide, c);
         curve.guide_measure = co_await measure_curve(pace, *request.guide, c, "guide");
+        co_await pace;
     }
 }
 
@@ -117,6 +119,7 @@ Task<uint32_t> choose_point_count(Pace& pace, const StyleCurves& curves) {
     double wanted = 0;
     for (const StyleCurve& curve : curves) {
         const double turning = co_await total_turning(pace, curve.example);
+        co_await pace;
         wanted += std::max(static_cast<double>(curve.example.count), turning / auto_turn_per_point);
     }
     const double clamped =
@@ -140,6 +143,7 @@ Task<uint32_t> make_guides(Pace& pace, const StyleRequest& request, StyleCurves&
         ArcLengthKernel kernel(curve.guide);
         while (!kernel.run(measure_chunk)) co_await pace;
         curve.guide_measure = kernel.measure();
+        co_await pace;
         if (!(curve.guide_measure.length > 0)) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the guide has no length");
     }
     co_return steps;
@@ -202,6 +206,7 @@ Task<void> frame_guides(Pace& pace, const StyleCurves& curves, CurveSet& guide) 
         ResampleKernel kernel({.curve = curves[c].guide, .measure = curves[c].guide_measure, .steps = curves[c].steps},
                               columns, {});
         while (!kernel.run(sample_chunk)) co_await pace;
+        co_await pace;
     }
 }
 

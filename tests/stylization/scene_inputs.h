@@ -2,6 +2,10 @@
 // Scenes with attributes and several patch sizes, in the words of the kernels and of the literal version.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
 #include "stylization/patch_costs.h"
 #include "stylization/style_inputs.h"
 
