@@ -93,6 +93,45 @@ TEST(StyleCreate, WeightsSteerTheGraphAndNoneLeavesItAlone) {
     EXPECT_GT(style_info(host, prepare(host, desc)).temperature_unit, 2 * plain.temperature_unit);
 }
 
+// Attributes that tell where on the style they are: they come back as the matching says.
+TEST(StyleCreate, AttributesComeBackOnTheStylesOwnGuide) {
+    Host host;
+    Columns columns{coil(600)};
+    std::vector<double> arc_lengths{0};
+    const std::vector<float>& p = columns.curves.positions;
+    for (size_t i = 3; i < p.size(); i += 3) {
+        const double step = std::hypot(p[i] - p[i - 3], p[i + 1] - p[i - 2], p[i + 2] - p[i - 1]);
+        arc_lengths.push_back(arc_lengths.back() + step);
+    }
+    columns.with(FLG_ATTRIBUTE_WIDTH, 1, [&](auto i, auto) { return arc_lengths[i]; })
+        .with(FLG_ATTRIBUTE_ANGLE, 1, [&](auto i, auto) { return std::remainder(2 * arc_lengths[i], 2 * M_PI); })
+        .with(FLG_ATTRIBUTE_COLOR, 4, [&](auto i, auto k) { return k * arc_lengths[i]; });
+    const FlgStyleAttribute attributes[3] = {{FLG_ATTRIBUTE_WIDTH, FLG_METRIC_AUTO, 0, 0},
+                                             {FLG_ATTRIBUTE_ANGLE, FLG_METRIC_AUTO, 0.1f, 0},
+                                             {FLG_ATTRIBUTE_COLOR, FLG_METRIC_AUTO, 0, 0}};
+    FlgStyleDesc desc = flgStyleDefaults();
+    desc.style = columns.create(host);
+    desc.attributes = attributes;
+    desc.attribute_count = 3;
+    FlgStylizeDesc stylize_desc = flgStylizeDefaults();
+    stylize_desc.style = prepare(host, desc);
+    ASSERT_EQ(flgStyleGetGuide(host.context, stylize_desc.style, &stylize_desc.target), FLG_OK);
+    const FlgCurveSetView view = host.view_of(stylize(host, stylize_desc));
+    const FlgStyleInfo info = style_info(host, stylize_desc.style);
+    ASSERT_EQ(view.curve_offsets[1], info.point_count);
+    const FlgColumn* width = find_column(view, FLG_ATTRIBUTE_WIDTH);
+    const FlgColumn* angle = find_column(view, FLG_ATTRIBUTE_ANGLE);
+    const FlgColumn* color = find_column(view, FLG_ATTRIBUTE_COLOR);
+    ASSERT_TRUE(width && angle && color);
+    for (uint32_t i = 0; i < info.point_count; ++i) {
+        // The polyline is shorter than the smooth curve, by the same share everywhere but for the coil's wobble.
+        const double s = info.matching[i] * (arc_lengths.back() / info.style_length);
+        EXPECT_NEAR(width->data[i], s, 1e-3) << i;
+        EXPECT_NEAR(std::remainder(angle->data[i] - 2 * width->data[i], 2 * M_PI), 0, 1e-4) << i;
+        for (uint32_t k = 0; k < 4; ++k) EXPECT_NEAR(color->data[4 * i + k], k * width->data[i], 1e-4) << i;
+    }
+}
+
 TEST(StyleCreate, DiscreteMatchingIsCoarserOnly) {
     Host host;
     FlgStyleDesc desc = flgStyleDefaults();
