@@ -116,7 +116,10 @@ void HostTasks::run() {
     if (works) scheduler_.run_next(start_ns + slice_ns);
     {
         std::lock_guard lock(scheduler_.mutex());
-        if (works) used_ns_ += (host.now_ns() - start_ns) - slice_ns;
+        if (works) {
+            used_ns_ += host.now_ns() - start_ns;
+            used_ns_ -= std::min(used_ns_, slice_ns);  // a tick may have begun a new frame meanwhile
+        }
         if (!may_go_on()) {
             --handed_over_;
             return;

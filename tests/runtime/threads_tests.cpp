@@ -133,24 +133,35 @@ TEST(Threads, AJobSystemThatNeverRunsOurTasksKeepsTheContextAlive) {
     EXPECT_EQ(memory.live, 0);
 }
 
+// Ticks until workers have used a millisecond of `clock` in all, and says how much that was for each tick. On a clock that
+// moves by a microsecond at each look, the machine's speed doesn't matter: workers that kept no budget would use thousands.
+float worker_us_per_tick(Runtime& runtime) {
+    float worker_us = 0;
+    int ticks = 0;
+    for (; worker_us < 1000.0f; ++ticks) {
+        worker_us += runtime.tick(1).worker_us;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return worker_us / static_cast<float>(ticks);
+}
+
+struct Endless {
+    static Task<void> run(Pace& pace) {
+        for (;;) co_await pace;
+    }
+};
+
 TEST(Threads, WorkersKeepTheirBudgetBetweenTicks) {
+    ManualClock clock;
+    clock.step_ns = 1000;
     FlgContextDesc desc{};
     desc.worker_count = 1;
     desc.worker_budget_us = 200;
+    desc.clock = clock.hook();
     CountingMemory memory;
     Runtime runtime(desc, &memory);
-    struct Body {
-        static Task<void> run(Pace& pace) {
-            for (;;) co_await pace;
-        }
-    };
-    submit(runtime, [&](Pace& pace) { return Body::run(pace); });
-    runtime.tick(100);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    const FlgFrameReport report = runtime.tick(100);
-    EXPECT_GT(report.worker_us, 100.0f);
-    // 50 ms would have been there; twice the budget (two frames begin within this measurement) were used.
-    EXPECT_LT(report.worker_us, 5000.0f);
+    submit(runtime, [&](Pace& pace) { return Endless::run(pace); });
+    EXPECT_LT(worker_us_per_tick(runtime), 250.0f);
 }
 
 double process_cpu_seconds() {
@@ -165,12 +176,7 @@ TEST(Threads, WorkersThatSpentTheirBudgetSleep) {
     desc.worker_budget_us = 200;
     CountingMemory memory;
     Runtime runtime(desc, &memory);
-    struct Body {
-        static Task<void> run(Pace& pace) {
-            for (;;) co_await pace;
-        }
-    };
-    for (int i = 0; i < 8; ++i) submit(runtime, [&](Pace& pace) { return Body::run(pace); });
+    for (int i = 0; i < 8; ++i) submit(runtime, [&](Pace& pace) { return Endless::run(pace); });
     const double before = process_cpu_seconds();
     for (int i = 0; i < 4; ++i) {
         runtime.tick(100);
@@ -190,17 +196,8 @@ TEST(Threads, TheHostsJobSystemKeepsTheBudgetToo) {
     desc.clock = clock.hook();
     CountingMemory memory;
     Runtime runtime(desc, &memory);
-    struct Body {
-        static Task<void> run(Pace& pace) {
-            for (;;) co_await pace;
-        }
-    };
-    for (int i = 0; i < 4; ++i) submit(runtime, [&](Pace& pace) { return Body::run(pace); });
-    runtime.tick(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    const FlgFrameReport report = runtime.tick(1);
-    EXPECT_GT(report.worker_us, 50.0f);
-    EXPECT_LT(report.worker_us, 500.0f);  // two tasks x 100 us, and up to one frame more that this tick began
+    for (int i = 0; i < 4; ++i) submit(runtime, [&](Pace& pace) { return Endless::run(pace); });
+    EXPECT_LT(worker_us_per_tick(runtime), 300.0f);
     while (!runtime.stop()) std::this_thread::yield();
 }
 
