@@ -227,8 +227,8 @@ TEST(Threads, RandomCancellationLosesNothing) {
         FlgContextDesc desc{};
         desc.worker_count = workers;
         {
+            std::vector<Sums> many(60, Sums{std::vector<uint64_t>(20)});  // outlives the workers
             Runtime runtime(desc, &memory);
-            std::vector<Sums> many(60, Sums{std::vector<uint64_t>(20)});
             std::vector<std::shared_ptr<Job>> jobs;
             for (uint32_t i = 0; i < many.size(); ++i) {
                 if (i % 3 == 2) {
