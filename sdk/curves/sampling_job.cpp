@@ -10,9 +10,9 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t measure_chunk = 800;   // points, about 20 us
-constexpr uint32_t resample_chunk = 400;  // samples, about 20 us
-constexpr uint32_t layout_chunk = 5000;   // curves, about 20 us
+constexpr uint32_t measure_chunk = 400;   // points, about 10 us
+constexpr uint32_t resample_chunk = 200;  // samples, about 10 us
+constexpr uint32_t layout_chunk = 2500;   // curves, about 10 us
 constexpr double max_points = 2147483648.0;
 
 // A curve's, or null if frames are not to be supplied.

@@ -11,8 +11,8 @@ namespace flg {
 namespace {
 
 constexpr uint32_t trees_per_branch = 8;
-constexpr uint32_t tree_chunk = 250;    // units, about 20 us
-constexpr uint32_t point_chunk = 200;   // units, about 20 us
+constexpr uint32_t tree_chunk = 120;    // units, about 10 us
+constexpr uint32_t point_chunk = 100;   // units, about 10 us
 constexpr size_t copy_chunk = 4096;     // floats, about 10 us on pages not touched before
 constexpr uint32_t check_chunk = 1024;  // samples, about 10 us
 

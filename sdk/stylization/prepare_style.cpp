@@ -13,15 +13,15 @@ namespace flg {
 
 namespace {
 
-// Units of work that take about 20 us each.
-constexpr uint32_t matching_chunk = 800;
-constexpr uint32_t discrete_matching_chunk = 4000;
-constexpr uint32_t copy_chunk = 4000;
-constexpr uint32_t evaluate_chunk = 800;
-constexpr uint32_t attribute_chunk = 60;
-constexpr uint32_t displacement_chunk = 2000;
-constexpr uint32_t channel_chunk = 3000;
-constexpr uint32_t graph_chunk = 40;
+// Units of work that take about 10 us each.
+constexpr uint32_t matching_chunk = 400;
+constexpr uint32_t discrete_matching_chunk = 2000;
+constexpr uint32_t copy_chunk = 2000;
+constexpr uint32_t evaluate_chunk = 400;
+constexpr uint32_t attribute_chunk = 30;
+constexpr uint32_t displacement_chunk = 1000;
+constexpr uint32_t channel_chunk = 1500;
+constexpr uint32_t graph_chunk = 20;
 
 // What matching gives: where on its style curve each node lies.
 struct Matched {

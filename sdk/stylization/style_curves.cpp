@@ -11,12 +11,12 @@ namespace flg {
 
 namespace {
 
-// Units of work that take about 20 us each.
-constexpr uint32_t measure_chunk = 800;
-constexpr uint32_t sample_chunk = 400;
-constexpr uint32_t turning_chunk = 500;
-constexpr uint32_t flow_chunk = 2000;
-constexpr uint32_t copy_chunk = 4000;
+// Units of work that take about 10 us each.
+constexpr uint32_t measure_chunk = 400;
+constexpr uint32_t sample_chunk = 200;
+constexpr uint32_t turning_chunk = 250;
+constexpr uint32_t flow_chunk = 1000;
+constexpr uint32_t copy_chunk = 2000;
 // Even the shortest of several curves is sampled with so many points, for flow and matching.
 constexpr uint32_t samples_min = 16;
 
