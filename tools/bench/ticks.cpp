@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Frames under load: flgTick with a budget of 2 ms and no workers, while styles are prepared, curves resampled and attractors
-// stylized. What a game sees of Filigree, with a
-// pool as allocator.
+// stylized. What a game sees of Filigree, with a pool as allocator.
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
 
 #include "bench/groups.h"
 #include "bench/host.h"
@@ -14,6 +16,7 @@ namespace {
 constexpr uint32_t kBudgetUs = 2000;
 constexpr double kTickBarUs = 2100.0, kChunkBarUs = 100.0, kWholeShare = 0.99;
 constexpr int kRounds = 5;
+constexpr size_t kMostLooks = 4'000'000;
 constexpr uint32_t kTargetPoints = 369'400, kLargeStylePoints = 4096;
 
 void submit(Host& host) {
@@ -65,6 +68,44 @@ Frames play(Pool& pool, const FlgClock& clock) {
     return frames;
 }
 
+// Remembers every look at the clock: without a budget the same ones each time, a chunk between each and the next.
+struct Looks {
+    std::vector<uint64_t> times_ns;
+
+    FlgClock hook() {
+        return {this, [](void* self) {
+                    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+                    const auto now_ns = static_cast<uint64_t>(std::chrono::nanoseconds(now).count());
+                    static_cast<Looks*>(self)->times_ns.push_back(now_ns);
+                    return now_ns;
+                }};
+    }
+};
+
+// Each chunk's least time over the rounds, microseconds. What the machine does besides falls into another chunk each
+// round (a spinning loop sees gaps of 60 to 500 us here); what a chunk itself takes is there in all of them.
+std::vector<double> least_chunks_us(Pool& pool) {
+    std::vector<double> least_us;
+    for (int round = 0; round < kRounds; ++round) {
+        Looks looks;
+        looks.times_ns.reserve(kMostLooks);
+        {
+            Host host(pool.hooks(), looks.hook());
+            submit(host);
+            check(flgTick(host.context(), 0, nullptr));
+        }
+        const size_t count = looks.times_ns.size() - 1;
+        if (round == 0) least_us.assign(count, HUGE_VAL);
+        if (count != least_us.size())
+            throw std::runtime_error("rounds of the same work looked at the clock differently often");
+        for (size_t i = 0; i < count; ++i) {
+            const auto chunk_ns = static_cast<double>(looks.times_ns[i + 1] - looks.times_ns[i]);
+            least_us[i] = std::min(least_us[i], 1e-3 * chunk_ns);
+        }
+    }
+    return least_us;
+}
+
 uint64_t processor_time_ns(void*) {
     return static_cast<uint64_t>(1e6 * thread_ms());
 }
@@ -91,13 +132,13 @@ std::vector<Row> run_ticks() {
     std::snprintf(note, sizeof note, "%zu ticks, longest %.0f us; in processor time p99 %.0f us, longest %.0f us",
                   ticks_us.size(), *std::max_element(ticks_us.begin(), ticks_us.end()), share(own_ticks_us),
                   *std::max_element(own_ticks_us.begin(), own_ticks_us.end()));
-    // What the machine does besides only adds: a spinning loop sees gaps of 60 to 500 us here. The round with the
-    // least of it tells most about our chunks.
-    char rounds[128];
-    std::snprintf(rounds, sizeof rounds, "%s, least of %d rounds; median %.0f us", stage.c_str(), kRounds,
-                  median(chunks_us));
+    const std::vector<double> least_us = least_chunks_us(pool);
+    char rounds[160];
+    std::snprintf(rounds, sizeof rounds,
+                  "%zu chunks, each the least of %d rounds; longest of a round of frames: %s, median %.0f us",
+                  least_us.size(), kRounds, stage.c_str(), median(chunks_us));
     return {below("flgTick at 2 ms under load, p99", share(ticks_us), "us", kTickBarUs, note),
-            below("longest kernel chunk under load", *std::min_element(chunks_us.begin(), chunks_us.end()), "us",
+            below("longest kernel chunk under load", *std::max_element(least_us.begin(), least_us.end()), "us",
                   kChunkBarUs, rounds)};
 }
 
