@@ -7,7 +7,6 @@ namespace flg {
 
 namespace {
 
-constexpr double corner_cosine = 0.6427876096865394;  // of 50 degrees
 // Points that one refill looks at, at most: what a long run of equal points costs.
 constexpr uint32_t reads_per_refill = 64;
 

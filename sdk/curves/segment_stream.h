@@ -14,6 +14,9 @@
 
 namespace flg {
 
+// Of 50 degrees: edges that turn by more meet in a corner. Live strokes go by the same rule.
+constexpr double corner_cosine = 0.6427876096865394;
+
 class SegmentStream {
 public:
     explicit SegmentStream(const CurveView& curve);

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "curves/segment_stream.h"
+
 namespace flg {
 
 namespace {
-
-constexpr double corner_cosine = 0.6427876096865394;  // of 50 degrees, as curves/segment_stream has it
 
 Vec3 mirrored(const Vec3& tangent, const Vec3& direction) {
     return (2.0 * tangent.dot(direction)) * direction - tangent;
