@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Points and curves on a mesh, given by where they lie in its triangles and not in space, so that they can be embedded
+// exactly.
+#pragma once
+
+#include "surfaces/mesh.h"
+
+namespace flg {
+
+// In `triangle`, at weights (1 - u - v, u, v) of its corners; u, v >= 0, u + v <= 1. On an edge or a vertex any triangle
+// there will do: two points may be the same place with different triangles.
+struct SurfacePoint {
+    uint32_t triangle;
+    float u, v;
+};
+
+inline Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
+    const Triple& corners = mesh.triangles[point.triangle];
+    const double u = point.u, v = point.v;
+    return (1 - u - v) * mesh.position(corners[0]) + u * mesh.position(corners[1]) + v * mesh.position(corners[2]);
+}
+
+// The point at `t` of the way along the edge that starts at `corner`.
+inline SurfacePoint point_on_edge(Corner corner, float t) {
+    const uint32_t triangle = triangle_of(corner);
+    switch (corner % 3) {
+        case 0: return {triangle, t, 0};
+        case 1: return {triangle, 1 - t, t};
+        default: return {triangle, 0, 1 - t};
+    }
+}
+
+}  // namespace flg
