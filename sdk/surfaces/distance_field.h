@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What geodesic solvers are asked and what they answer. Both solvers (refined_solver.h, graph_solver.h) take the same
+// question and differ in accuracy and speed only.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "surfaces/surface_point.h"
+
+namespace flg {
+
+constexpr float unreachable = std::numeric_limits<float>::infinity();
+
+// Where distances start: every kind of source (points on faces, polylines, borders) becomes vertices that are so far from
+// it, straight through a triangle that holds it. Sorted by vertex, each vertex at most once, the least distance of it.
+struct Seed {
+    uint32_t vertex;
+    float distance;  // metres, >= 0
+    uint32_t label;  // of its source
+};
+
+// When a solver may stop, and what it may enter.
+struct SolveLimits {
+    float distance = unreachable;  // vertices further away are left unreachable
+    // Stop once all of these have their final distance; none: go on to the end. Vertices further away than the last of
+    // them may be left unreachable or too far.
+    std::pmr::vector<uint32_t> targets;
+};
+
+// A value a vertex, linear in each triangle.
+struct DistanceField {
+    Buffer<float> distances;  // metres; `unreachable` where no path leads, or none within the limits
+    Buffer<uint32_t> labels;  // of the nearest source, no_index where unreachable; empty unless asked for
+};
+
+}  // namespace flg
