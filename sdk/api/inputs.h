@@ -2,7 +2,9 @@
 // Checks that descriptors share; the sentences name argument, value and rule.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 
 #include "core/failure.h"
@@ -32,6 +34,15 @@ void check_enum(const Enum& value, Enum first, Enum last, const char* argument, 
 
 inline void check_frame(const FlgFrameMethod& method, const char* argument) {
     check_enum(method, FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_SUPPLIED, argument, "FLG_FRAME_");
+}
+
+// desc.basis of any finite numbers.
+inline void check_basis(const float (&basis)[9]) {
+    for (int i = 0; i < 9; ++i) {
+        char name[sizeof "desc.basis[0]"];
+        std::snprintf(name, sizeof name, "desc.basis[%d]", i);
+        check_range(std::isfinite(basis[i]), name, basis[i], "finite");
+    }
 }
 
 }  // namespace flg

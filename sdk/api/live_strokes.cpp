@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "api/context.h"
 #include "api/descriptors.h"
@@ -26,7 +28,9 @@ FlgLiveStrokeDesc default_live_stroke_desc() {
     desc.max_jump = 1.0f;
     desc.max_samples = 16'384;
     desc.max_points = 65'536;
+    desc.frame = settings.frame;
     desc.seed = settings.seed;
+    std::copy(settings.basis.begin(), settings.basis.end(), desc.basis);
     return desc;
 }
 
@@ -48,6 +52,14 @@ void check(const FlgLiveStrokeDesc& desc) {
                 "1 to 2^20");
     check_range(desc.max_points >= 1 && desc.max_points <= points_limit, "desc.max_points", desc.max_points,
                 "1 to 2^24");
+    check_frame(desc.frame, "desc.frame");
+    if (desc.frame == FLG_FRAME_FRENET) {
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT,
+            "desc.frame is FLG_FRAME_FRENET, whose normals depend on points that are not drawn yet; live strokes "
+            "take FLG_FRAME_ROTATION_MINIMIZING or FLG_FRAME_SUPPLIED");
+    }
+    check_basis(desc.basis);
 }
 
 LiveSettings settings_of(const FlgLiveStrokeDesc& desc) {
@@ -57,6 +69,8 @@ LiveSettings settings_of(const FlgLiveStrokeDesc& desc) {
     settings.radius_min = desc.radius_min;
     settings.radius_max = desc.radius_max;
     settings.smoothing = desc.smoothing;
+    settings.frame = desc.frame;
+    std::copy(std::begin(desc.basis), std::end(desc.basis), settings.basis.begin());
     settings.from_start = desc.start != FLG_START_RANDOM;
     settings.seed = desc.seed;
     settings.max_points = desc.max_points;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "api/context.h"
@@ -38,11 +37,7 @@ void check(const FlgStylizeDesc& desc) {
                 "finite and at least 0");
     check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
     check_frame(desc.frame, "desc.frame");
-    for (size_t i = 0; i < std::size(desc.basis); ++i) {
-        char name[sizeof "desc.basis[0]"];
-        std::snprintf(name, sizeof name, "desc.basis[%zu]", i);
-        check_range(std::isfinite(desc.basis[i]), name, desc.basis[i], "finite");
-    }
+    check_basis(desc.basis);
     check_range(desc.strokes >= 1 && desc.strokes <= strokes_max, "desc.strokes", desc.strokes, "1 to 1024");
     check_enum(desc.start, FLG_START_AUTO, FLG_START_RANDOM, "desc.start", "FLG_START_");
 }

@@ -25,13 +25,30 @@ void LiveSegment::load(SegmentBlock& block) const {
     block.measure(1);
 }
 
-LiveCurve::PositionAndPressure LiveCurve::filtered(const PositionAndPressure& value, double time) {
+Vec3 turned_by(const float* quaternion, const Vec3& v) {
+    const Vec3 axis(quaternion[0], quaternion[1], quaternion[2]);
+    const double w = quaternion[3];
+    const double size_sq = axis.squaredNorm() + w * w;
+    if (!(size_sq > 0)) return Vec3::Zero();
+    return v + (2.0 / size_sq) * axis.cross(axis.cross(v) + w * v);
+}
+
+LiveCurve::Reading LiveCurve::reading_of(const LiveSamples& samples, uint32_t sample) {
+    Reading reading;
+    reading.head<3>() = load_vec3(samples.positions + 3 * size_t{sample});
+    reading[3] = samples.pressures ? samples.pressures[sample] : 1.0;
+    const bool has_up = samples.orientations != nullptr;
+    reading.tail<3>() = has_up ? turned_by(samples.orientations + 4 * size_t{sample}, Vec3::UnitY()) : Vec3::Zero();
+    return reading;
+}
+
+LiveCurve::Reading LiveCurve::filtered(const Reading& value, double time) {
     if (samples_ == 0 || smoothing_ == 0) {
         smoothed_ = value;
     } else if (time > time_) {
         const double elapsed = time - time_;
         // The state runs behind the input by this when it has settled.
-        const PositionAndPressure lag = (smoothing_ / elapsed) * (value - raw_);
+        const Reading lag = (smoothing_ / elapsed) * (value - raw_);
         const double kept = std::exp(-elapsed / smoothing_);
         smoothed_ = value - lag + kept * (smoothed_ - raw_ + lag);
     }
@@ -43,7 +60,7 @@ LiveCurve::PositionAndPressure LiveCurve::filtered(const PositionAndPressure& va
 
 LiveSegment LiveCurve::segment_to(bool smooth_end, const Vec3& tangent_end) const {
     const Vec3& u = direction_;
-    LiveSegment segment{start_, end_, u, chord_, u, u, pressure_start_, pressure_end_};
+    LiveSegment segment{start_, end_, u, chord_, u, u, hand_start_, hand_end_};
     if (smooth_start_) {
         segment.tangent_start = tangent_start_;
         segment.tangent_end = mirrored(tangent_start_, u);
@@ -56,23 +73,22 @@ LiveSegment LiveCurve::segment_to(bool smooth_end, const Vec3& tangent_end) cons
 }
 
 bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& segment) {
-    const float* p = samples.positions + 3 * size_t{sample};
-    const double pressure = samples.pressures ? samples.pressures[sample] : 1.0;
     // Counted from the first sample in float, as the host gets the samples back.
     const double time =
         samples.times ? static_cast<float>(double{samples.times[sample]} - double{samples.times[0]}) : 0.0;
-    const PositionAndPressure value = filtered(PositionAndPressure(p[0], p[1], p[2], pressure), time);
+    const Reading value = filtered(reading_of(samples, sample), time);
     const Vec3 place = value.head<3>();
+    const LiveHand hand{value[3], time, value.tail<3>()};
     if (places_ == 0) {
         end_ = place;
-        pressure_end_ = value[3];
+        hand_end_ = hand;
         places_ = 1;
         return false;
     }
     const Vec3 way = place - end_;
     const double chord = way.norm();
     if (!(chord > resolution_)) {
-        pressure_end_ = value[3];
+        hand_end_ = hand;
         return false;
     }
     const Vec3 direction = way / chord;
@@ -88,8 +104,8 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
     end_ = place;
     direction_ = direction;
     chord_ = chord;
-    pressure_start_ = pressure_end_;
-    pressure_end_ = value[3];
+    hand_start_ = hand_end_;
+    hand_end_ = hand;
     tangent_start_ = tangent;
     smooth_start_ = smooth;
     places_ = 2;

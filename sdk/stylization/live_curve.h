@@ -6,7 +6,7 @@
 // next; its end's tangent needs the place after that.
 // The filter is y' = (x - y) / tau, solved exactly for x that runs evenly from one sample to the next, so what it gives
 // at a sample does not depend on how many others lie in between on the same way. An x that runs evenly for long is
-// followed tau later.
+// followed tau later. Position, pressure and the controller's axis go through it together; times don't.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,12 +23,26 @@ struct LiveSamples {
     const float* times = nullptr;  // seconds on any clock
 };
 
+// What a hand does besides being somewhere.
+struct LiveHand {
+    double pressure = 0;
+    double time = 0;         // seconds from the first sample on
+    Vec3 up = Vec3::Zero();  // the controller's y axis, shorter than 1 where smoothing has turned it; zero: unknown
+
+    LiveHand between(const LiveHand& next, double t) const {
+        return {pressure + t * (next.pressure - pressure), time + t * (next.time - time), up + t * (next.up - up)};
+    }
+};
+
+// `v` turned by a quaternion x y z w of any length; zero if that is zero.
+Vec3 turned_by(const float* quaternion, const Vec3& v);
+
 // From one place to the next.
 struct LiveSegment {
     Vec3 start = Vec3::Zero(), end = Vec3::Zero(), direction = Vec3::Zero();  // direction unit, from start to end
     double chord = 0;
     Vec3 tangent_start = Vec3::Zero(), tangent_end = Vec3::Zero();
-    double pressure_start = 0, pressure_end = 0;
+    LiveHand hand_start, hand_end;
 
     // As the block's only segment.
     void load(SegmentBlock& block) const;
@@ -47,22 +61,25 @@ public:
     bool finish(LiveSegment& segment);
     bool has_place() const { return places_ > 0; }
     const Vec3& last_place() const { return end_; }
-    double last_pressure() const { return pressure_end_; }
+    const LiveHand& last_hand() const { return hand_end_; }
 
 private:
-    using PositionAndPressure = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+    // Position, pressure, axis.
+    using Reading = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
 
-    PositionAndPressure filtered(const PositionAndPressure& value, double time);
+    static Reading reading_of(const LiveSamples& samples, uint32_t sample);
+    Reading filtered(const Reading& value, double time);
     LiveSegment segment_to(bool smooth_end, const Vec3& tangent_end) const;
 
     double smoothing_ = 0, resolution_ = 0;
     double time_ = 0;
-    PositionAndPressure raw_ = PositionAndPressure::Zero(), smoothed_ = PositionAndPressure::Zero();
+    Reading raw_ = Reading::Zero(), smoothed_ = Reading::Zero();
     uint32_t samples_ = 0;
     uint32_t places_ = 0;
     // The last two places.
     Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero(), direction_ = Vec3::Zero();
-    double chord_ = 0, pressure_start_ = 0, pressure_end_ = 0;
+    double chord_ = 0;
+    LiveHand hand_start_, hand_end_;
     Vec3 tangent_start_ = Vec3::Zero();
     bool smooth_start_ = false;
 };

@@ -9,8 +9,9 @@ namespace flg {
 
 namespace {
 
-constexpr double place_share = 1e-3;   // of a step: places nearer than this are one
-constexpr double along_cosine = 0.95;  // a controller's axis nearer to the direction gives no normal
+constexpr double place_share = 1e-3;    // of a step: places nearer than this are one
+constexpr double along_cosine = 0.95;   // a controller's axis nearer to the direction gives no first normal
+constexpr double parallel_sine = 1e-4;  // as FramedSampler has it
 
 // More than a stroke can have.
 constexpr uint32_t endless = UINT32_MAX;
@@ -44,6 +45,7 @@ LiveColumns live_columns(const PreparedStyle& style) {
     add(FLG_ATTRIBUTE_NORMAL, 3);
     add(FLG_ATTRIBUTE_RADIUS, 1);
     add(FLG_ATTRIBUTE_STYLE_INDEX, 1);
+    add(FLG_ATTRIBUTE_TIME, 1);
     for (const StyleAttribute& attribute : style.attributes) {
         if (attribute.attribute != FLG_ATTRIBUTE_RADIUS) add(attribute.attribute, attribute.components);
     }
@@ -51,9 +53,14 @@ LiveColumns live_columns(const PreparedStyle& style) {
 }
 
 LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples, const LiveColumns& out)
-    : settings_(settings), samples_(samples), out_(out), step_(settings.spacing()) {
+    : settings_(settings),
+      samples_(samples),
+      out_(out),
+      basis_(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(settings.basis.data())),
+      step_(settings.spacing()) {
     for (const StyleAttribute& attribute : settings.style->attributes) {
         if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_ = &attribute;
+        if (attribute.attribute == FLG_ATTRIBUTE_SPEED) speed_ = &attribute;
     }
     if (radius_) radius_unit_ = mean_radius(radius_->values);
     state_.curve = LiveCurve(settings.smoothing, place_share * step_);
@@ -108,21 +115,23 @@ bool LiveKernel::follow_segment(uint32_t& units) {
 
 Vec3 LiveKernel::first_normal(const Vec3& tangent) const {
     if (samples_.orientations) {
-        const float* q = samples_.orientations;
-        const Vec3 axis(q[0], q[1], q[2]);
-        const double w = q[3];
-        const double size_sq = axis.squaredNorm() + w * w;
-        if (size_sq > 0) {
-            const auto turned = [&](const Vec3& v) -> Vec3 {
-                return v + (2.0 / size_sq) * axis.cross(axis.cross(v) + w * v);
-            };
-            const Vec3 up = turned(Vec3::UnitY());
-            return across(std::abs(up.dot(tangent)) < along_cosine ? up : turned(Vec3::UnitX()), tangent);
+        const Vec3 up = turned_by(samples_.orientations, Vec3::UnitY());
+        if (!up.isZero(0)) {
+            const bool along = std::abs(up.dot(tangent)) >= along_cosine;
+            return across(along ? turned_by(samples_.orientations, Vec3::UnitX()) : up, tangent);
         }
     }
     int furthest = 0;
     tangent.cwiseAbs().minCoeff(&furthest);
     return across(Vec3::Unit(furthest), tangent);
+}
+
+// As FramedSampler has it.
+void LiveKernel::take_supplied_normal(const Vec3& up) {
+    const Vec3& tangent = state_.frame.tangent();
+    const Vec3 normal = up - up.dot(tangent) * tangent;
+    const double size = normal.norm();
+    if (size > parallel_sine * up.norm()) state_.frame.set_normal(normal / size);
 }
 
 void LiveKernel::make_point(double t) {
@@ -139,9 +148,9 @@ void LiveKernel::make_point(double t) {
         state_.frame.step(position, tangent);
         if (!state_.walk.advance()) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
     }
-    const double pressure =
-        state_.segment.pressure_start + t * (state_.segment.pressure_end - state_.segment.pressure_start);
-    write(position, tangent, state_.frame.normal(), pressure, settings_.magnitude * settings_.scale);
+    const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, t);
+    if (settings_.frame == FLG_FRAME_SUPPLIED) take_supplied_normal(hand.up);
+    write(position, tangent, state_.frame.normal(), hand, settings_.magnitude * settings_.scale);
 }
 
 // Of a stroke without length. It has no frame to be displaced in.
@@ -152,19 +161,19 @@ void LiveKernel::make_lone_point() {
     }
     state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
     const Vec3 tangent = Vec3::UnitX();
-    write(state_.curve.last_place(), tangent, first_normal(tangent), state_.curve.last_pressure(), 0.0);
+    write(state_.curve.last_place(), tangent, first_normal(tangent), state_.curve.last_hand(), 0.0);
 }
 
-void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, double pressure,
+void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
                        double factor) {
     const uint32_t node = state_.walk.node();
     const Displacement& d = settings_.style->displacement;
     const Vec3 binormal = tangent.cross(frame_normal);
-    const Vec3 displaced = position + factor * (d.along_tangent[node] * tangent + d.along_normal[node] * frame_normal +
-                                                d.along_binormal[node] * binormal);
+    const Vec3 along = basis_ * Vec3(d.along_tangent[node], d.along_normal[node], d.along_binormal[node]);
+    const Vec3 displaced = position + factor * (along.x() * tangent + along.y() * frame_normal + along.z() * binormal);
     Vec3 normal = frame_normal;
     write_attributes(node, tangent, normal);
-    double radius = settings_.radius_min + (settings_.radius_max - settings_.radius_min) * pressure;
+    double radius = settings_.radius_min + (settings_.radius_max - settings_.radius_min) * hand.pressure;
     if (radius_) radius *= radius_->values[node] / radius_unit_;
     const size_t at = state_.points;
     store_vec3(displaced, out_.data[0] + 3 * at);
@@ -172,7 +181,19 @@ void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& fr
     store_vec3(normal, out_.data[2] + 3 * at);
     out_.data[3][at] = static_cast<float>(radius);
     out_.data[4][at] = static_cast<float>(node);
+    out_.data[5][at] = static_cast<float>(speed_ ? motion_time(node) : hand.time);
     ++state_.points;
+}
+
+// Of the point whose position has been written.
+double LiveKernel::motion_time(uint32_t node) {
+    if (state_.points == 0) return 0;
+    const size_t at = state_.points;
+    const float* position = out_.data[0] + 3 * at;
+    const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
+    const float speed_before = speed_->values[static_cast<size_t>(out_.data[4][at - 1])];
+    state_.motion_s += distance / (0.5 * (double{speed_before} + double{speed_->values[node]}));
+    return state_.motion_s;
 }
 
 // As flgStylize gives them: sizes times scale, and an angle turns the normal.

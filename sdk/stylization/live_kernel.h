@@ -23,8 +23,10 @@ struct LiveSettings {
     PathTrees* trees = nullptr;  // all there
     double magnitude = 1;
     double scale = 1;
-    double radius_min = 0, radius_max = 0;  // metres
-    double smoothing = 0;                   // seconds
+    double radius_min = 0, radius_max = 0;                   // metres
+    double smoothing = 0;                                    // seconds
+    FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;    // or FLG_FRAME_SUPPLIED
+    std::array<double, 9> basis{1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major
     bool from_start = true;
     uint64_t seed = 1;
     uint32_t max_points = 0;
@@ -34,8 +36,8 @@ struct LiveSettings {
 
 bool all_trees_made(const PathTrees& trees);
 
-// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, then the style's attributes but for RADIUS.
-constexpr uint32_t live_own_columns = 5;
+// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, then the style's attributes but for RADIUS.
+constexpr uint32_t live_own_columns = 6;
 constexpr uint32_t live_columns_max = live_own_columns + 8;
 struct LiveColumns {
     uint32_t count = 0;
@@ -52,6 +54,7 @@ struct LiveState {
     double ahead = 0;      // metres from the segment's start to the next point
     uint32_t samples = 0;  // read
     uint32_t points = 0;   // made
+    double motion_s = 0;   // TIME of the last point, if the style has SPEED
     RotationMinimizingFrame frame;
     StyleWalk walk;
 };
@@ -79,13 +82,18 @@ private:
     void make_point(double t);
     void make_lone_point();
     Vec3 first_normal(const Vec3& tangent) const;
-    void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, double pressure, double factor);
+    void take_supplied_normal(const Vec3& up);
+    void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
+               double factor);
     void write_attributes(uint32_t node, const Vec3& tangent, Vec3& normal);
+    double motion_time(uint32_t node);
 
     LiveSettings settings_;
     LiveSamples samples_;
     LiveColumns out_;
+    Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();
     const StyleAttribute* radius_ = nullptr;
+    const StyleAttribute* speed_ = nullptr;
     double radius_unit_ = 1;  // the radius attribute's mean
     double step_ = 0;
     LiveState state_;

@@ -80,7 +80,7 @@ TEST(LiveStrokeAttributes, ComeFromTheStyle) {
     host.push(bare, samples.data(), samples.size());
     const Heard without = heard_of(host.points(bare));
     ASSERT_EQ(without.points(), with.points());
-    EXPECT_EQ(without.columns.size(), 5u);
+    EXPECT_EQ(without.columns.size(), 6u);
     for (size_t i = 0; i < with.points(); ++i) {
         const float* a = &without.of(FLG_ATTRIBUTE_NORMAL)[3 * i];
         const float* b = &with.of(FLG_ATTRIBUTE_NORMAL)[3 * i];

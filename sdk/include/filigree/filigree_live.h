@@ -12,13 +12,18 @@
  *                  so the curve is known, and points are made, up to the last but one sample that is a place of its own:
  *                  the geometry is one sample behind (11 ms at 90 Hz), and `smoothing` seconds more if that is set.
  * The points       At even steps of arc length along it, FlgStyleInfo::spacing * scale, whatever the sample rate. Once
- *                  made, a point never moves. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, and the style's
- *                  attributes but for RADIUS, all as flgStylize gives them.
+ *                  made, a point never moves. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
+ *                  style's attributes but for RADIUS, all as flgStylize gives them.
  * Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, times that in
  *                  units of its mean over the style.
+ * Time             When the hand was there, seconds from the first sample on; if the style has a SPEED attribute, when a motion at
+ *                  that speed is, from 0 on.
  * Frame            Rotation-minimizing (double reflection). The first normal is the first sample's controller's y axis
  *                  made perpendicular to the curve, or its x axis if the y axis is within 18 degrees of the curve's
  *                  direction. Without an orientation: the coordinate axis furthest from the direction.
+ *                  Supplied: the controller's y axis at every point, interpolated between the samples (and smoothed with
+ *                  them) and made perpendicular to the curve; where it points along the curve, or samples have no
+ *                  orientation, carried on from the last point where it did not.
  * Cost             Depends on the new samples only, about 0.2 us a sample and 0.1 us a point. A sample makes 256 points at
  *                  most; what is left is made by the samples after it, and by flgLiveStrokeEnd. Pushing allocates
  *                  nothing: all memory is taken by flgLiveStrokeBegin.
@@ -61,13 +66,18 @@ typedef struct FlgLiveStrokeDesc {
     float smoothing;
     /* The longest way from one sample to the next, metres, > 0: what jumps further is refused. Default 1. */
     float max_jump;
-    /* Samples (1 to 2^20) and points (1 to 2^24) that memory is taken for: about 100 bytes a sample, 50 a point.
+    /* Samples (1 to 2^20) and points (1 to 2^24) that memory is taken for: about 130 bytes a sample, 50 a point.
      * Default 16,384 and 65,536. */
     uint32_t max_samples;
     uint32_t max_points;
-    uint32_t reserved;
+    /* FLG_FRAME_ROTATION_MINIMIZING or FLG_FRAME_SUPPLIED: by the controller, see above. FLG_FRAME_FRENET is refused: its
+     * normal lies between a point's neighbours, of which the later one is not drawn yet. */
+    FlgFrameMethod frame;
     /* Key of all random choices. Default 1. */
     uint64_t seed;
+    /* As in FlgStylizeDesc. Default: identity. */
+    float basis[9];
+    uint32_t reserved;
 } FlgLiveStrokeDesc;
 
 FLG_API FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size);
@@ -79,7 +89,7 @@ FLG_API FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc
 /* What a controller says. */
 typedef struct FlgLiveSample {
     float position[3];    /* metres, at most 1e30 in size */
-    float orientation[4]; /* quaternion x y z w of any length; all zero: none. Only the first sample's is used */
+    float orientation[4]; /* quaternion x y z w of any length; all zero: none; see Frame */
     float pressure;       /* 0 to 1 */
     double time;          /* seconds on any clock; not falling */
 } FlgLiveSample;
@@ -140,7 +150,7 @@ FLG_API FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke)
 
 /* The batch form: starts a job that draws every curve of a set of recorded samples as a live stroke, and ends it. Curve c
  * is what a live stroke with the same descriptor and seed `seed + c` gives for these samples, bit for bit. Missing columns:
- * no orientation, pressure 1; without TIME `smoothing` must be 0. What flgLiveStrokePush would refuse for its values fails the
+ * no orientation, pressure 1; without TIME `smoothing` must be 0, and the hand was everywhere at 0 s. What flgLiveStrokePush would refuse for its values fails the
  * job with the same result; curves end at max_points; max_samples does not count. Closed curves are drawn open. The style
  * need not be ready or warm. `options` may be null. */
 FLG_API FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
