@@ -14,6 +14,18 @@ std::string stroke() {
     return text;
 }
 
+// Many strokes in a row: while one is drawn, workers end those before it, and allocate.
+TEST_F(Replay, CountsThePushesOwnAllocations) {
+    std::string text;
+    for (int k = 0; k < 12; ++k) text += stroke() + "\n";
+    folder.write("strokes.xyz", text);
+    done({"replay", "strokes.xyz", "--style", "builtin:zigzag", "--scale", "0.02", "-o", "out.xyz", "--fast",
+          "--workers", "1", "--report", "report.json", "--quiet"});
+    const nlohmann::json json = report();
+    EXPECT_EQ(json.at("counts").at("strokes"), 12);
+    EXPECT_EQ(json.at("quality").at("allocations"), 0);
+}
+
 TEST_F(Replay, ReportsLatenciesAndAllocatesNothing) {
     done({"replay", "builtin:flourish", "--style", "builtin:zigzag", "--scale", "0.2", "-o", "out.xyz", "--fast",
           "--report", "report.json", "--quiet"});

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // An allocator as engines have one: blocks that came back are given out again, and new ones are touched once, so that
-// nothing is touched for the first time while strokes are drawn. Counts its calls.
+// nothing is touched for the first time while strokes are drawn. Counts its calls, thread by thread: what workers do meanwhile
+// is not what a call on the host's thread does.
 #pragma once
 
 #include <cstring>
 #include <map>
 #include <mutex>
 #include <new>
+#include <thread>
 
 #include "filigree/filigree.h"
 
@@ -22,9 +24,11 @@ public:
     }
 
     FlgAllocator hooks() { return {this, allocate, release}; }
+    // By the thread that asks.
     uint64_t allocations() const {
         std::lock_guard lock(mutex_);
-        return allocations_;
+        const auto found = allocations_.find(std::this_thread::get_id());
+        return found == allocations_.end() ? 0 : found->second;
     }
 
 private:
@@ -34,7 +38,7 @@ private:
         auto& pool = *static_cast<CountingPool*>(self);
         {
             std::lock_guard lock(pool.mutex_);
-            ++pool.allocations_;
+            ++pool.allocations_[std::this_thread::get_id()];
             const auto found = pool.free_.find({size, alignment});
             if (found != pool.free_.end()) {
                 void* memory = found->second;
@@ -54,7 +58,7 @@ private:
 
     mutable std::mutex mutex_;
     std::multimap<Kind, void*> free_;
-    uint64_t allocations_ = 0;
+    std::map<std::thread::id, uint64_t> allocations_;
 };
 
 }  // namespace flg::cli

@@ -43,7 +43,7 @@ struct Options {
 // Microseconds of each push: on the wall's clock, and of this thread's processor time.
 struct Latencies {
     std::vector<float> wall_us, processor_us;
-    uint64_t allocations = 0;
+    uint64_t allocations = 0;  // by pushes
 };
 
 double processor_us() {
