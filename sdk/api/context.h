@@ -90,7 +90,7 @@ private:
 
     Context& context_;
     std::shared_ptr<Job> job_;
-    std::pmr::vector<std::shared_ptr<Job>> dependencies_;
+    std::pmr::vector<Prerequisite> dependencies_;
 };
 
 // Defaults of the job part of descriptors.

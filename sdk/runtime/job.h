@@ -26,10 +26,19 @@ public:
     virtual void publish(const Job& job) noexcept = 0;
 };
 
+// A job that another one waits for.
+struct Prerequisite {
+    Prerequisite(std::shared_ptr<Job> awaited, bool for_order_only = false)
+        : job(std::move(awaited)), order_only(for_order_only) {}
+    std::shared_ptr<Job> job;
+    bool order_only;  // it has to be done, but may have failed
+};
+
 // That one job waits for another: kept in the waiting job, listed by the other.
 struct Dependency {
     std::shared_ptr<Job> waiting;
     Dependency* next = nullptr;
+    bool order_only = false;
 };
 
 struct StageTime {
@@ -58,6 +67,10 @@ public:
 
     // Live, any thread.
     std::atomic<bool> cancelled{false};
+    std::atomic<bool> committed{false};  // see Pace::commit
+    bool given_up() const {
+        return cancelled.load(std::memory_order_relaxed) && !committed.load(std::memory_order_relaxed);
+    }
     std::atomic<const char*> stage{""};
     std::atomic<uint64_t> expected_units{0}, done_units{0};
 

@@ -13,13 +13,17 @@ Memory* frame_memory(Pace& pace) {
 bool Pace::await_ready() noexcept {
     const uint64_t now_ns = host_.now_ns();
     end_chunk(now_ns);
-    return now_ns < deadline_ns_ && !job_.cancelled.load(std::memory_order_relaxed);
+    return now_ns < deadline_ns_ && !job_.given_up();
 }
 
 void Pace::stage(const char* name) noexcept {
     const uint64_t now_ns = host_.now_ns();
     end_chunk(now_ns);
     job_.begin_stage(name, now_ns, slice_busy_ns());
+}
+
+void Pace::commit() noexcept {
+    job_.committed.store(true, std::memory_order_relaxed);
 }
 
 void Pace::expect(uint64_t units) noexcept {

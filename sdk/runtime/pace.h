@@ -37,6 +37,9 @@ public:
 
     // Begins a named stage of the job (a string literal); for the job's first strand only. At most 16 a job.
     void stage(const char* name) noexcept;
+    // From here on the job goes on to its end although it may be cancelled: it changes what outlives it, and a half of
+    // that is worse than all of it. Only the end of the context stops it. For the job's first strand only.
+    void commit() noexcept;
     // Progress in units that the job chooses: what there is in all, and what was done just now (any strand).
     void expect(uint64_t units) noexcept;
     void advance(uint64_t units) noexcept;

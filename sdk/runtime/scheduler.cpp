@@ -109,7 +109,7 @@ bool Scheduler::run_next(uint64_t deadline_ns) {
             started_ = job.shared_from_this();
         }
     }
-    if (!strand->job.cancelled.load(std::memory_order_relaxed)) {
+    if (!strand->job.given_up()) {
         strand->pace.begin_slice(host_.now_ns(), deadline_ns);
         host_.zone_begin(strand->job.stage.load(std::memory_order_relaxed));
         strand->pace.resume_point_.resume();
@@ -126,13 +126,13 @@ void Scheduler::end_slice(Strand& strand) {
     Job& job = strand.job;
     const std::shared_ptr<Job> keep_alive = job.shared_from_this();
     const bool first = strand.member_of == nullptr;
-    const bool cancelled = job.cancelled.load(std::memory_order_relaxed);
-    const bool done = cancelled || strand.root.done();
+    const bool given_up = job.given_up();
+    const bool done = given_up || strand.root.done();
     FlgResult result = FLG_OK;
     char error[sizeof job.error] = "";
     if (first && done && !strand.pace.fork_) {
         // The outcome is read, and what the job holds is freed, before others hear of it and outside the mutex.
-        if (cancelled && !strand.root.done()) {
+        if (given_up && !strand.root.done()) {
             result = FLG_ERROR_CANCELLED;
             std::snprintf(error, sizeof error, "the job was cancelled");
         } else if (strand.root.exception()) {
@@ -211,7 +211,7 @@ void Scheduler::settle(Job& job, FlgResult result, const char* error, Job*& fail
         job.dependents = dependency->next;
         const std::shared_ptr<Job> dependent = std::move(dependency->waiting);
         if (dependent->done) continue;
-        if (result == FLG_OK) {
+        if (result == FLG_OK || dependency->order_only) {
             if (--dependent->waiting_for == 0) push_back(dependent->strand);
         } else {
             dependent->done = true;
@@ -239,22 +239,22 @@ std::shared_ptr<Job> Scheduler::make_job() {
                                      std::max(1u, threads_));
 }
 
-void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<std::shared_ptr<Job>>& dependencies) {
+void Scheduler::submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequisite>& prerequisites) {
     // All memory is taken before anything changes, so that a failing allocator leaves no trace.
     if (running_.capacity() <= pending_) running_.reserve(std::max(size_t{8}, size_t{pending_} * 2));
-    job->dependencies.resize(dependencies.size());
+    job->dependencies.resize(prerequisites.size());
     job->serial = next_serial_++;
     bool ready = false;
     {
         std::lock_guard lock(mutex_);
         const Job* failed = nullptr;
-        for (size_t i = 0; i < dependencies.size(); ++i) {
-            Job& other = *dependencies[i];
+        for (size_t i = 0; i < prerequisites.size(); ++i) {
+            Job& other = *prerequisites[i].job;
             if (!other.done) {
-                job->dependencies[i] = {job, other.dependents};
+                job->dependencies[i] = {job, other.dependents, prerequisites[i].order_only};
                 other.dependents = &job->dependencies[i];
                 ++job->waiting_for;
-            } else if (other.result != FLG_OK && !failed) {
+            } else if (other.result != FLG_OK && !prerequisites[i].order_only && !failed) {
                 failed = &other;
             }
         }
@@ -302,7 +302,10 @@ void Scheduler::cancel(Job& job) {
 }
 
 void Scheduler::cancel_all() {
-    for (Job* job = first_pending_; job; job = job->next_pending) cancel(*job);
+    for (Job* job = first_pending_; job; job = job->next_pending) {
+        job->committed.store(false, std::memory_order_relaxed);
+        cancel(*job);
+    }
 }
 
 void Scheduler::publish_progress() {

@@ -34,9 +34,10 @@ public:
 
     // A job ready to be filled in: output, task (job->strand.start), options.
     std::shared_ptr<Job> make_job();
-    // Queues it once all `dependencies` are done; fails it if one of them failed.
-    void submit(std::shared_ptr<Job> job, const std::pmr::vector<std::shared_ptr<Job>>& dependencies);
+    // Queues it once all `prerequisites` are done; fails it if one of them failed, but for those of order only.
+    void submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequisite>& prerequisites);
     void cancel(Job& job);
+    // At the end of the context: also jobs that are committed.
     void cancel_all();
 
     // Publishes done jobs in order of submission until `deadline_ns`, at least one. Returns how many.

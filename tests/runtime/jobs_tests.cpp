@@ -100,6 +100,56 @@ TEST_F(WithoutWorkers, DependentsWaitAndFailWithTheirDependencies) {
     EXPECT_EQ(late->status.result, FLG_ERROR_DEPENDENCY);
 }
 
+TEST_F(WithoutWorkers, JobsThatWaitForOrderOnlyRunAfterAFailure) {
+    clock.step_ns = 1000;
+    Runtime runtime(desc(clock), &memory);
+    uint64_t never = 0, sum = 0;
+    const auto failing = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 1000, 1, &never); });
+    const auto ordered = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); },
+                                FLG_PRIORITY_HIGH, {{failing, true}});
+    const auto dependent =
+        submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {failing});
+    runtime.tick(50);
+    EXPECT_EQ(ordered->status.state, FLG_JOB_WAITING);
+    runtime.scheduler().cancel(*failing);
+    const auto late = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); }, FLG_PRIORITY_HIGH,
+                             {{failing, true}});
+    runtime.tick(0);
+    EXPECT_EQ(failing->status.result, FLG_ERROR_CANCELLED);
+    EXPECT_EQ(ordered->status.result, FLG_OK);
+    EXPECT_EQ(late->status.result, FLG_OK);
+    EXPECT_EQ(dependent->status.result, FLG_ERROR_DEPENDENCY);
+    EXPECT_EQ(sum, expected_hash_sum(10));
+    EXPECT_EQ(never, 0u);
+}
+
+TEST_F(WithoutWorkers, ACommittedJobGoesOnAlthoughCancelledButNotBeyondTheContext) {
+    struct Body {
+        static Task<void> run(Pace& pace, int steps, int* done) {
+            co_await pace;
+            pace.commit();
+            for (; *done < steps; ++*done) co_await pace;
+        }
+    };
+    clock.step_ns = 1000;
+    int whole = 0, cut_off = 0;
+    {
+        Runtime runtime(desc(clock), &memory);
+        const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace, 1000, &whole); });
+        runtime.tick(50);
+        ASSERT_GT(whole, 0);
+        runtime.scheduler().cancel(*job);
+        runtime.tick(0);
+        EXPECT_EQ(job->status.result, FLG_OK);
+        EXPECT_EQ(whole, 1000);
+        submit(runtime, [&](Pace& pace) { return Body::run(pace, 1000, &cut_off); });
+        runtime.tick(50);
+    }
+    EXPECT_GT(cut_off, 0);
+    EXPECT_LT(cut_off, 1000);
+    EXPECT_EQ(memory.live, 0);
+}
+
 TEST_F(WithoutWorkers, LongChainsOfDependentsFailWithoutRecursion) {
     {
         Runtime runtime(desc(clock), &memory);
@@ -138,7 +188,7 @@ TEST_F(WithoutWorkers, MemoryThatRunsOutInSubmitLeavesNoTrace) {
             const auto first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
             std::shared_ptr<Job> job = runtime.scheduler().make_job();
             job->strand.start(store_hash_sum(job->strand.pace, 10, 1, &never));
-            const std::pmr::vector<std::shared_ptr<Job>> dependencies(9, first, std::pmr::new_delete_resource());
+            const std::pmr::vector<Prerequisite> dependencies(9, Prerequisite(first), std::pmr::new_delete_resource());
             memory.fail_at = memory.calls + fail;
             bool failed = false;
             try {
@@ -194,7 +244,7 @@ TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
             static_cast<std::vector<uint64_t>*>(user)->push_back(handle.id);
         };
         job->strand.start(store_hash_sum(job->strand.pace, 4, 2, &sum));
-        runtime.scheduler().submit(job, std::pmr::vector<std::shared_ptr<Job>>(&memory));
+        runtime.scheduler().submit(job, std::pmr::vector<Prerequisite>(&memory));
         jobs.push_back(job);
     }
     while (runtime.scheduler().run_next(UINT64_MAX)) {}
@@ -212,7 +262,7 @@ TEST_F(WithoutWorkers, ABudgetOfCallbacksIsKept) {
         job->user_data = &clock;
         job->on_finished = [](void* user, FlgJob, FlgResult) { static_cast<ManualClock*>(user)->now_ns += 60'000; };
         job->strand.start(store_hash_sum(job->strand.pace, 4, 4, &sum));
-        runtime.scheduler().submit(job, std::pmr::vector<std::shared_ptr<Job>>(&memory));
+        runtime.scheduler().submit(job, std::pmr::vector<Prerequisite>(&memory));
     }
     while (runtime.scheduler().run_next(UINT64_MAX)) {}
     EXPECT_EQ(runtime.tick(100).jobs_finished, 2u);

@@ -263,7 +263,7 @@ FLG_API FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* 
                                   uint32_t* out_count);
 
 /* Asks a job to end. It is published with FLG_ERROR_CANCELLED by a later flgTick (or with its result, if it was
- * finished already); what it held is freed, jobs that depend on it fail. Cancelling a finished job does nothing. */
+ * finished already, or has begun to change a surface, which it then does whole); what it held is freed, jobs that depend on it fail. Cancelling a finished job does nothing. */
 FLG_API FlgResult flgJobCancel(FlgContext context, FlgJob job);
 
 /* Gives the handle back; the job goes on, and its callback is still called. Functions that start a job take a null
