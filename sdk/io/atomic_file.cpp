@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "io/failure.h"
+#include "io/limits.h"
 
 namespace flg::io {
 
@@ -45,6 +46,9 @@ File open_beside(const std::filesystem::path& path, std::filesystem::path& tempo
 }  // namespace
 
 void write_file(const std::filesystem::path& name, std::string_view content) {
+    if (content.size() > max_bytes) {
+        fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", content.size());
+    }
     const std::filesystem::path path = followed(name);
     if (std::filesystem::is_directory(path)) fail_writing(EISDIR);
     std::filesystem::path temporary;

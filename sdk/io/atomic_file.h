@@ -8,7 +8,7 @@
 namespace flg::io {
 
 // Writes a temporary file beside `name`, or beside what it links to, and renames it; on failure nothing is left behind
-// and all is as it was.
+// and all is as it was. Refuses more than max_bytes.
 void write_file(const std::filesystem::path& name, std::string_view content);
 
 }  // namespace flg::io

@@ -6,18 +6,9 @@
 #include <cstdint>
 
 #include "filigree/filigree.h"
+#include "io/checked_columns.h"
 
 namespace flg::io {
-
-// A column with its stride resolved; null data when the view has none of that attribute.
-struct Column {
-    const float* data = nullptr;
-    size_t stride = 0;  // bytes
-    explicit operator bool() const { return data != nullptr; }
-    const float* at(size_t point) const {
-        return reinterpret_cast<const float*>(reinterpret_cast<const char*>(data) + point * stride);
-    }
-};
 
 class CheckedView {
 public:
@@ -34,7 +25,6 @@ public:
 
 private:
     void check_curves() const;
-    void check_column(uint32_t index) const;
 
     FlgCurveSetView view_ = {};
 };

@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "filigree/filigree_io.h"
+#include "io/tally.h"
 
 namespace flg::io {
-
-// How often one oddity was met, and where first.
-struct Tally {
-    uint64_t count = 0;
-    uint64_t first = 0;
-    void add(uint64_t index) {
-        if (count++ == 0) first = index;
-    }
-};
 
 struct CurveData {
     const char* format = "";
@@ -43,12 +35,7 @@ struct CurveData {
         flags.push_back(closed ? FLG_CURVE_CLOSED : 0);
     }
 
-    // One sentence a kind of oddity: "2 strokes: <what> (first: stroke 7)".
-    void warn(const Tally& tally, const char* unit, const char* what) {
-        if (tally.count == 0) return;
-        warnings.push_back(std::to_string(tally.count) + " " + unit + (tally.count == 1 ? "" : "s") + ": " + what +
-                           " (first: " + unit + " " + std::to_string(tally.first) + ")");
-    }
+    void warn(const Tally& tally, const char* unit, const char* what) { io::warn(warnings, tally, unit, what); }
 };
 
 }  // namespace flg::io

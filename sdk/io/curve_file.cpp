@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The C ABI of filigree_io.h, translated onto this room. Memory is the C++ runtime's: there is no context here.
+// The C ABI of curve files, translated onto this room.
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <memory>
-#include <new>
-#include <stdexcept>
 #include <string>
 
 #include "filigree/filigree_io.h"
 #include "io/atomic_file.h"
 #include "io/curve_data.h"
 #include "io/curve_measures.h"
-#include "io/failure.h"
+#include "io/entry_point.h"
 #include "io/file_bytes.h"
 #include "io/gltf_reader.h"
 #include "io/gltf_writer.h"
@@ -37,66 +31,6 @@ namespace {
 constexpr uint32_t default_sides = 8;
 constexpr uint32_t least_sides = 3;
 constexpr uint32_t most_sides = 64;
-
-// Long enough for the longest path that Linux knows, and a sentence.
-thread_local char last_error[4096 + 1024] = "no error";
-
-FlgResult set_last_error(FlgResult result, const char* file, const std::string& place, const char* reason) noexcept {
-    const char* separator = *file != '\0' && !place.empty() ? ":" : "";
-    std::snprintf(last_error, sizeof last_error, "%s%s%s: %s", file, separator, place.c_str(), reason);
-    return result;
-}
-
-// Runs an entry point's body; `file` is what the sentence of a failure starts with.
-template <class Body>
-FlgResult guarded(const char* file, Body&& body) noexcept {
-    try {
-        body();
-        return FLG_OK;
-    } catch (const Failure& failure) {
-        return set_last_error(failure.result(), file, failure.place(), failure.what());
-    } catch (const std::bad_alloc&) {
-        return set_last_error(FLG_ERROR_OUT_OF_MEMORY, file, {}, "no memory is left");
-    } catch (const std::length_error&) {
-        return set_last_error(FLG_ERROR_OUT_OF_MEMORY, file, {}, "no memory is left");
-    } catch (const std::filesystem::filesystem_error& error) {
-        return set_last_error(FLG_ERROR_FILE, file, {}, error.code().message().c_str());
-    } catch (const std::exception& error) {
-        return set_last_error(FLG_ERROR_INTERNAL, file, {}, error.what());
-    } catch (...) {
-        return set_last_error(FLG_ERROR_INTERNAL, file, {}, "unknown exception");
-    }
-}
-
-void check_argument(const void* pointer, const char* name) {
-    if (!pointer) fail(FLG_ERROR_INVALID_ARGUMENT, name, "is null");
-}
-
-// Fills a host's struct as far as the host knows it. All structs so far have their first version's size.
-template <class Struct>
-void hand_out(Struct value, Struct* out, uint32_t struct_size) {
-    value.struct_size = struct_size;
-    std::memcpy(out, &value, std::min<size_t>(struct_size, sizeof value));
-}
-
-template <class Struct>
-void check_size(uint32_t struct_size, const char* name) {
-    if (struct_size < sizeof(Struct)) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, name, "has the struct_size %u, must be at least %zu", struct_size,
-             sizeof(Struct));
-    }
-}
-
-std::filesystem::path to_path(const char* utf8) {
-    std::filesystem::path path{std::u8string(reinterpret_cast<const char8_t*>(utf8), std::strlen(utf8))};
-    return path.has_filename() ? path : path.parent_path();
-}
-
-std::string extension_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
 
 CurveData read_curves(const std::filesystem::path& path) {
     const std::string extension = extension_of(path);
@@ -152,10 +86,6 @@ using namespace flg::io;
 
 extern "C" {
 
-const char* flgIoLastError(void) {
-    return last_error;
-}
-
 FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
     if (out_file) *out_file = nullptr;
     return guarded(path ? path : "flgCurveFileRead", [&] {
@@ -178,10 +108,7 @@ FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
 
 FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view) {
     return guarded("flgCurveFileGetView", [&] {
-        check_argument(out_view, "out_view");
-        const uint32_t struct_size = out_view->struct_size;
-        check_size<FlgCurveSetView>(struct_size, "out_view");
-        hand_out(FlgCurveSetView{}, out_view, struct_size);
+        const uint32_t struct_size = open_out(out_view, "out_view");
         check_argument(file, "file");
         FlgCurveSetView view = {};
         view.curve_count = static_cast<uint32_t>(file->data.curve_count());
@@ -195,10 +122,7 @@ FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view) {
 
 FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info) {
     return guarded("flgCurveFileGetInfo", [&] {
-        check_argument(out_info, "out_info");
-        const uint32_t struct_size = out_info->struct_size;
-        check_size<FlgCurveFileInfo>(struct_size, "out_info");
-        hand_out(FlgCurveFileInfo{}, out_info, struct_size);
+        const uint32_t struct_size = open_out(out_info, "out_info");
         check_argument(file, "file");
         const CurveData& data = file->data;
         FlgCurveFileInfo info = {};
@@ -257,9 +181,6 @@ FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const
             content = write_glb(curves, checked);
         } else {
             fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .xyz .txt .obj .glb", cited(extension).c_str());
-        }
-        if (content.size() > max_bytes) {
-            fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", content.size());
         }
         write_file(target, content);
     });

@@ -4,10 +4,8 @@
 // two indices that follow each other and chain (as programs write edge by edge) are joined into one curve.
 #include "io/obj_lines.h"
 
-#include <span>
-
+#include "io/obj_statements.h"
 #include "io/polylines.h"
-#include "io/text_lines.h"
 
 namespace flg::io {
 
@@ -22,22 +20,12 @@ class ObjReader {
 public:
     CurveData read(std::string_view text) {
         data_.format = "obj";
-        TextLines lines(text);
-        std::string joined;
-        for (std::string_view line; lines.next(line);) {
-            const uint64_t first_line = lines.number();
-            // A backslash continues the statement on the next line.
-            if (line.ends_with('\\')) {
-                joined.clear();
-                do {
-                    joined.append(line.substr(0, line.size() - 1)) += ' ';
-                } while (lines.next(line) && line.ends_with('\\'));
-                if (!line.ends_with('\\')) joined.append(line);
-                line = joined;
-            }
-            read_statement(LineCursor(line, first_line), first_line);
+        ObjStatements statements(text);
+        for (std::string_view statement; statements.next(statement);) {
+            read_statement(LineCursor(statement, statements.line()), statements.line());
         }
-        if (statements_.empty()) fail(FLG_ERROR_FORMAT, line_place(lines.number()), "the file holds no lines (`l`)");
+        if (statements_.empty())
+            fail(FLG_ERROR_FORMAT, line_place(statements.last_line()), "the file holds no lines (`l`)");
         data_.warn(faces_, "face", "left out: only lines are read");
         build();
         return std::move(data_);
@@ -54,29 +42,12 @@ private:
             faces_.add(line);
         } else if (keyword == "l") {
             statements_.push_back({line, indices_.size()});
-            while (cursor.more()) indices_.push_back(read_index(cursor.word(), line));
+            while (cursor.more()) indices_.push_back(read_obj_index(cursor.word(), vertices_.size() / 3, line));
             if (indices_.size() - statements_.back().begin < 2) {
                 fail(FLG_ERROR_FORMAT, line_place(line), "a line of fewer than two vertices");
             }
             if (indices_.size() > max_points) fail(FLG_ERROR_LIMIT, line_place(line), "more than 2^31 points");
         }
-    }
-
-    // From 0; whether the vertex exists is seen at the end of the file.
-    uint32_t read_index(std::string_view word, uint64_t line) const {
-        const int64_t count = static_cast<int64_t>(vertices_.size() / 3);
-        int64_t value = 0;
-        const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        const bool whole = stop == word.data() + word.size() || *stop == '/';
-        if (error == std::errc::invalid_argument || !whole) {
-            fail(FLG_ERROR_FORMAT, line_place(line), "no vertex index: %s", cited(word).c_str());
-        }
-        const int64_t index = value < 0 ? count + value : value - 1;
-        if (error != std::errc{} || index < 0 || index >= static_cast<int64_t>(max_points)) {
-            fail(FLG_ERROR_FORMAT, line_place(line), "the vertex index %s is out of range: %lld vertices so far",
-                 cited(word).c_str(), static_cast<long long>(count));
-        }
-        return static_cast<uint32_t>(index);
     }
 
     void build() {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "io/glb_builder.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "io/failure.h"
+#include "io/limits.h"
+
+namespace flg::io {
+
+namespace {
+
+constexpr uint32_t target_vertices = 34962;
+constexpr uint32_t target_indices = 34963;
+constexpr uint32_t glb_magic = 0x46546c67;
+constexpr uint32_t glb_version = 2;
+constexpr uint32_t glb_json = 0x4e4f534a;
+constexpr uint32_t glb_binary = 0x004e4942;
+constexpr size_t glb_alignment = 4;
+
+void separate(std::string& list) {
+    if (!list.empty()) list += ',';
+}
+
+// A float's shortest text as a double: JSON readers get exactly the float.
+void append_exact(std::string& text, float value) {
+    char buffer[32];
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, double{value}).ptr);
+}
+
+}  // namespace
+
+size_t GlbBuilder::add_view(std::span<const float> values, uint32_t components) {
+    return add_bytes(values.data(), values.size_bytes(), target_vertices,
+                     ",\"byteStride\":" + std::to_string(components * sizeof(float)));
+}
+
+size_t GlbBuilder::add_view(std::span<const uint32_t> indices) {
+    return add_bytes(indices.data(), indices.size_bytes(), target_indices, "");
+}
+
+size_t GlbBuilder::add_colors(std::vector<float> colors) {
+    for (float& value : colors) value = std::clamp(value, 0.0f, 1.0f);
+    return add_view(colors, 4);
+}
+
+size_t GlbBuilder::add_accessor(size_t view, size_t byte_offset, size_t count, uint32_t component_type,
+                                const char* type, const std::string& bounds) {
+    separate(accessors_);
+    accessors_ += "{\"bufferView\":" + std::to_string(view) + ",\"byteOffset\":" + std::to_string(byte_offset) +
+                  ",\"componentType\":" + std::to_string(component_type) + ",\"count\":" + std::to_string(count) +
+                  ",\"type\":\"" + type + "\"" + bounds + "}";
+    return accessor_count_++;
+}
+
+size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count) {
+    constexpr size_t components = 3;
+    float low[components], high[components];
+    for (size_t k = 0; k < components; ++k) {
+        low[k] = high[k] = positions[first * components + k];
+        for (size_t i = first; i < first + count; ++i) {
+            low[k] = std::min(low[k], positions[i * components + k]);
+            high[k] = std::max(high[k], positions[i * components + k]);
+        }
+    }
+    std::string bounds;
+    for (const auto& [name, values] : {std::pair(",\"min\":[", low), std::pair(",\"max\":[", high)}) {
+        bounds += name;
+        for (size_t k = 0; k < components; ++k) {
+            if (k != 0) bounds += ',';
+            append_exact(bounds, values[k]);
+        }
+        bounds += ']';
+    }
+    return add_accessor(view, first * components * sizeof(float), count, glb_float, "VEC3", bounds);
+}
+
+void GlbBuilder::add_primitive(const std::string& attributes, int mode, const std::string& rest) {
+    separate(primitives_);
+    primitives_ += "{\"attributes\":{" + attributes + "},\"mode\":" + std::to_string(mode) + rest + "}";
+}
+
+std::string GlbBuilder::finish(const std::string& materials) const {
+    std::string json =
+        "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"},\"scene\":0,"
+        "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[" +
+        primitives_ + "]}]," + materials + "\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
+        "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
+    json.resize((json.size() + glb_alignment - 1) / glb_alignment * glb_alignment, ' ');
+    constexpr size_t headers = 7 * sizeof(uint32_t);
+    const size_t total = headers + json.size() + binary_.size();
+    if (total > max_bytes) fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", total);
+    std::string glb;
+    glb.reserve(total);
+    const auto append = [&](size_t value) {
+        const uint32_t word = static_cast<uint32_t>(value);
+        glb.append(reinterpret_cast<const char*>(&word), sizeof word);
+    };
+    for (size_t value : {size_t{glb_magic}, size_t{glb_version}, total, json.size(), size_t{glb_json}}) append(value);
+    glb += json;
+    append(binary_.size());
+    append(glb_binary);
+    glb += binary_;
+    return glb;
+}
+
+// All values take 4 bytes, so that every view is aligned.
+size_t GlbBuilder::add_bytes(const void* data, size_t size, uint32_t target, const std::string& rest) {
+    separate(views_);
+    views_ += "{\"buffer\":0,\"byteOffset\":" + std::to_string(binary_.size()) +
+              ",\"byteLength\":" + std::to_string(size) + ",\"target\":" + std::to_string(target) + rest + "}";
+    binary_.append(static_cast<const char*>(data), size);
+    return view_count_++;
+}
+
+}  // namespace flg::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Oddities of a file, counted: one warning a kind, however often it was met.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flg::io {
+
+// How often one oddity was met, and where first.
+struct Tally {
+    uint64_t count = 0;
+    uint64_t first = 0;
+    void add(uint64_t index) {
+        if (count++ == 0) first = index;
+    }
+};
+
+// One sentence a kind of oddity: "2 strokes: <what> (first: stroke 7)"; none for what was never met.
+inline void warn(std::vector<std::string>& warnings, const Tally& tally, const std::string& unit, const char* what) {
+    if (tally.count == 0) return;
+    warnings.push_back(std::to_string(tally.count) + " " + unit + (tally.count == 1 ? "" : "s") + ": " + what +
+                       " (first: " + unit + " " + std::to_string(tally.first) + ")");
+}
+
+}  // namespace flg::io
