@@ -4,72 +4,49 @@
 namespace flg {
 
 AdjacencyKernel::AdjacencyKernel(Mesh& mesh, Memory* memory)
-    : mesh_(mesh), first_(size_t{mesh.vertex_count()} + 1, memory), corners_(3 * mesh.triangles.size(), memory) {
+    : mesh_(mesh), sort_(mesh.triangles, mesh.vertex_count(), memory) {
     mesh.neighbours = GrowingBuffer<Triple>(mesh.triangles.size(), memory);
     mesh.corner_of_vertex = GrowingBuffer<uint32_t>(mesh.vertex_count(), memory);
 }
 
-// Edges that leave `vertex` meet those that come back from the same neighbour.
-void AdjacencyKernel::join_edges_from(uint32_t vertex) {
-    for (uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
-        const Corner leaving = corners_[i];
-        const uint32_t end = mesh_.vertex_at(next_corner(leaving));
-        uint32_t neighbour = no_index;
-        for (uint32_t j = first_[vertex]; j < first_[vertex + 1]; ++j) {
-            if (mesh_.vertex_at(previous_corner(corners_[j])) == end) neighbour = triangle_of(corners_[j]);
-        }
-        mesh_.neighbours[leaving / 3][leaving % 3] = neighbour;
+// At a border (no other corner) the vertex is given the first corner of its fan.
+void AdjacencyKernel::join(Corner corner, Corner other) {
+    if (other == no_index) {
+        mesh_.neighbours[corner / 3][corner % 3] = no_index;
+        mesh_.corner_of_vertex[mesh_.vertex_at(corner)] = corner;
+    } else {
+        mesh_.neighbours[corner / 3][corner % 3] = triangle_of(other);
+        mesh_.neighbours[other / 3][other % 3] = triangle_of(corner);
     }
-}
-
-// Any corner, but at a border the one that nothing lies before, counter-clockwise.
-void AdjacencyKernel::choose_corner(uint32_t vertex) {
-    Corner chosen = corners_[first_[vertex]];
-    for (uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
-        if (mesh_.neighbour_at(corners_[i]) == no_index) chosen = corners_[i];
-    }
-    mesh_.corner_of_vertex[vertex] = chosen;
 }
 
 bool AdjacencyKernel::run(uint32_t count) {
-    const uint32_t vertices = mesh_.vertex_count(), triangles = mesh_.triangle_count();
-    for (; count > 0 && pass_ != Pass::done; --count) {
-        const uint32_t i = at_++;
-        uint32_t size = vertices;
-        switch (pass_) {
-            case Pass::clear:
-                first_[i] = 0;
-                size = vertices + 1;
-                break;
-            case Pass::count:
-                for (uint32_t vertex : mesh_.triangles[i]) ++first_[vertex];
-                size = triangles;
-                break;
-            case Pass::sum:
-                sum_ += first_[i];
-                first_[i] = sum_;  // the end of the vertex's corners; filling counts it down to their beginning
-                if (i + 1 == vertices) first_[vertices] = sum_;
-                break;
-            case Pass::fill:
-                // From the last triangle to the first, so that each vertex has its corners in rising order.
-                for (uint32_t k = 3; k-- > 0;) {
-                    const uint32_t triangle = triangles - 1 - i;
-                    corners_[--first_[mesh_.triangles[triangle][k]]] = 3 * triangle + k;
-                }
-                size = triangles;
-                break;
-            case Pass::join:
-                join_edges_from(i);
-                choose_corner(i);
-                break;
-            case Pass::done: break;
+    if (stage_ == Stage::corners) {
+        for (; at_ < mesh_.triangle_count(); ++at_, --count) {
+            if (count == 0) return false;
+            for (uint32_t k = 0; k < 3; ++k) mesh_.corner_of_vertex[mesh_.triangles[at_][k]] = 3 * at_ + k;
         }
-        if (at_ >= size) {
-            at_ = 0;
-            pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
-        }
+        stage_ = Stage::sort;
     }
-    return pass_ == Pass::done;
+    if (stage_ == Stage::sort) {
+        if (!sort_.run(count)) return false;
+        sorted_ = sort_.take();
+        at_ = 0;
+        stage_ = Stage::join;
+        return false;
+    }
+    if (stage_ == Stage::join) {
+        for (; at_ < sorted_.size(); --count) {
+            if (count == 0) return false;
+            const Corner corner = sorted_[at_++];
+            const bool shared =
+                at_ < sorted_.size() && edge_at(mesh_.triangles, sorted_[at_]) == edge_at(mesh_.triangles, corner);
+            join(corner, shared ? sorted_[at_++] : no_index);
+        }
+        sorted_ = {};
+        stage_ = Stage::done;
+    }
+    return true;
 }
 
 }  // namespace flg

@@ -1,36 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "surfaces/expect_valid.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
-
-void expect_consistent(const Mesh& mesh) {
-    std::vector<uint32_t> corners(mesh.vertex_count(), 0);
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        for (uint32_t vertex : mesh.triangles[t]) ++corners[vertex];
-    }
-    for (Corner corner = 0; corner < 3 * mesh.triangle_count(); ++corner) {
-        const Corner across = mesh.opposite(corner);
-        if (across == no_index) continue;
-        EXPECT_EQ(mesh.vertex_at(across), mesh.vertex_at(next_corner(corner)));
-        EXPECT_EQ(mesh.vertex_at(next_corner(across)), mesh.vertex_at(corner));
-        EXPECT_EQ(mesh.opposite(across), corner);
-    }
-    // Turning from corner_of_vertex meets every corner of the vertex once.
-    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-        const Corner start = mesh.corner_of_vertex[v];
-        uint32_t met = 0;
-        Corner corner = start;
-        do {
-            ASSERT_EQ(mesh.vertex_at(corner), v);
-            ++met;
-            corner = mesh.turn(corner);
-        } while (corner != start && corner != no_index);
-        EXPECT_EQ(met, corners[v]) << "vertex " << v;
-    }
-}
 
 uint32_t border_edges(const Mesh& mesh) {
     uint32_t count = 0;
@@ -49,7 +24,7 @@ TEST(Adjacency, JoinsEveryInnerEdgeAndNoOther) {
                  {cylinder(9, 4), 2 * 9}, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 3}};
     for (const auto& [soup, borders] : cases) {
         const Mesh mesh = make_mesh(soup);
-        expect_consistent(mesh);
+        expect_valid(mesh);
         EXPECT_EQ(border_edges(mesh), borders);
     }
 }
