@@ -70,11 +70,16 @@ inline Heard heard_of(const FlgCurveSetView& view) {
 // A host with a style that is ready and warm.
 class LiveHost : public Host {
 public:
-    explicit LiveHost(Curves example = coil(), const std::function<void(FlgStyleDesc&)>& change = {}) {
+    explicit LiveHost(uint32_t workers = 0, const FlgClock& clock = {})
+        : Host([&] {
+              FlgContextDesc desc = flgContextDefaults();
+              desc.worker_count = workers;
+              desc.clock = clock;
+              return desc;
+          }()) {
         FlgStyleDesc desc = flgStyleDefaults();
         desc.point_count = 256;
-        desc.style = create(std::move(example));
-        if (change) change(desc);
+        desc.style = create(coil());
         EXPECT_EQ(flgStyleCreate(context, &desc, &style, nullptr), FLG_OK) << flgLastError();
         warm(0);
         live.style = style;

@@ -13,6 +13,7 @@ const std::vector<Group>& groups() {
 #endif
         {"ticks", run_ticks},
         {"live", run_live},
+        {"live_style", run_live_style},
         {"growth", run_growth},
         {"analogies", run_analogies},
         {"fig14", run_matching_kinds},

@@ -11,6 +11,7 @@ std::vector<Row> run_prepare();
 std::vector<Row> run_patch_graph();
 std::vector<Row> run_ticks();
 std::vector<Row> run_live();
+std::vector<Row> run_live_style();
 std::vector<Row> run_growth();
 std::vector<Row> run_analogies();
 std::vector<Row> run_matching_kinds();
