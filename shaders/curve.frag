@@ -19,10 +19,12 @@ const float shadow_spread = 1.6;  // texels
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 albedo;
+layout(location = 3) in vec3 crown;  // of ribbons: outwards on both sides
 layout(location = 0) out vec4 out_color;
 
 void main() {
-    vec3 normal = normalize(smooth_normal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = smooth_normal * (gl_FrontFacing ? 1.0 : -1.0);
+    normal = normalize(shape == shape_ribbon ? normal + crown : normal);
     vec3 to_eye = normalize(view.eye.xyz - position);
     vec3 to_sun = view.sun_direction.xyz;
 

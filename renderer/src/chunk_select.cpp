@@ -43,12 +43,16 @@ float ChunkSelector::pixels_per_metre(const ChunkBounds& bounds) const {
     return 1.0f / (pixel_m_ * std::max(distance, 1e-3f * bounds.extent));
 }
 
-void ChunkSelector::select(const CurveData& curves, const CurveLook& look, std::vector<uint32_t>& instances,
-                           std::vector<DrawBin>& bins) {
+void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float magnitude_offset,
+                           std::vector<uint32_t>& instances, std::vector<DrawBin>& bins) {
     keyed_.clear();
     const bool tube = look.shape == Shape::tube;
     for (uint32_t i = 0; i < curves.chunks.size(); ++i) {
-        const ChunkBounds& bounds = curves.bounds[i];
+        ChunkBounds bounds = curves.bounds[i];
+        if (magnitude_offset != 0.0f) {
+            bounds.extent += std::abs(magnitude_offset) * curves.growths[i].extent;
+            bounds.segment += std::abs(magnitude_offset) * curves.growths[i].segment;
+        }
         if (!in_sight(bounds)) continue;
         const float scale = pixels_per_metre(bounds);
         const float step_px = bounds.segment * scale;

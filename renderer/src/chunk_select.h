@@ -27,8 +27,8 @@ class ChunkSelector {
 public:
     explicit ChunkSelector(const ViewUniforms& view);
     // Appends to both.
-    void select(const CurveData& curves, const CurveLook& look, std::vector<uint32_t>& instances,
-                std::vector<DrawBin>& bins);
+    void select(const CurveData& curves, const CurveLook& look, float magnitude_offset,
+                std::vector<uint32_t>& instances, std::vector<DrawBin>& bins);
 
 private:
     bool in_sight(const ChunkBounds& bounds) const;

@@ -106,7 +106,8 @@ public:
           position_(find_column(view, FLG_ATTRIBUTE_POSITION, 3, "POSITION")),
           radius_(find_column(view, FLG_ATTRIBUTE_RADIUS, 1, "RADIUS")),
           color_(find_column(view, FLG_ATTRIBUTE_COLOR, 4, "COLOR")),
-          normal_(find_column(view, FLG_ATTRIBUTE_NORMAL, 3, "NORMAL")) {
+          normal_(find_column(view, FLG_ATTRIBUTE_NORMAL, 3, "NORMAL")),
+          displacement_(find_column(view, FLG_ATTRIBUTE_DISPLACEMENT, 3, "DISPLACEMENT")) {
         if (!position_) fail("The view has no POSITION column.");
     }
 
@@ -114,6 +115,8 @@ public:
         const uint32_t points = view_.curve_offsets[view_.curve_count];
         data_.centers.reserve(points + view_.curve_count);
         data_.looks.reserve(points + view_.curve_count);
+        data_.has_displacements = bool(displacement_);
+        if (displacement_) data_.displacements.reserve(points + view_.curve_count);
         for (uint32_t c = 0; c < view_.curve_count; ++c) add_curve(c);
         return std::move(data_);
     }
@@ -186,6 +189,18 @@ private:
         }
         data_.centers.emplace_back(positions_[i], radius);
         data_.looks.push_back({pack_normal(normals_[i]), pack_color(color)});
+        if (displacement_) add_displacement(i);
+    }
+
+    void add_displacement(uint32_t i) {
+        const uint32_t source = kept_[i];
+        const auto displacement = displacement_.at<glm::vec3>(source);
+        if (!is_usable(displacement))
+            fail("Point %u has a displacement that is not finite, or longer than 1e30.", source);
+        glm::vec3 normal = normals_[i];
+        if (normal_ && look_.shape == Shape::ribbon && normal_.at<glm::vec3>(source) != glm::vec3(0))
+            normal = normal_.at<glm::vec3>(source);
+        data_.displacements.push_back({displacement, pack_normal(normal)});
     }
 
     void add_chunks(uint32_t first, uint32_t count, bool joined) {
@@ -197,6 +212,7 @@ private:
             if (!joined && at + segments == last) flags |= Chunk::ends;
             data_.chunks.push_back({at, segments | flags, first, last});
             data_.bounds.push_back(bounds_of(at, segments));
+            if (displacement_) add_growth(at, segments);
         }
     }
 
@@ -217,9 +233,23 @@ private:
                 length / static_cast<float>(segments)};
     }
 
+    void add_growth(uint32_t first, uint32_t segments) {
+        const float reach = look_.shape == Shape::line ? 0.0f : data_.bounds.back().thickness;
+        ChunkGrowth growth{};
+        for (uint32_t i = first; i <= first + segments; ++i) {
+            const glm::vec3 displacement = data_.displacements[i].displacement;
+            data_.displaced_box.add(glm::vec3(data_.centers[i]), displacement, reach);
+            growth.extent = std::max(growth.extent, glm::length(displacement));
+            if (i > first)
+                growth.segment +=
+                    glm::distance(displacement, data_.displacements[i - 1].displacement) / static_cast<float>(segments);
+        }
+        data_.growths.push_back(growth);
+    }
+
     const FlgCurveSetView& view_;
     const CurveLook& look_;
-    Column position_, radius_, color_, normal_;
+    Column position_, radius_, color_, normal_, displacement_;
     CurveData data_;
     std::vector<glm::vec3> positions_, normals_;  // of the curve at hand
     std::vector<uint32_t> kept_;                  // which of the view's points they are

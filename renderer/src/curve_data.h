@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "displaced_box.h"
 #include "filigree_renderer/renderer.h"
 
 namespace flg::render {
@@ -33,9 +34,20 @@ struct ChunkBounds {
     float segment;    // mean length of a segment, metres
 };
 
+// What of a chunk grows with the size of the magnitude offset; per offset of 1.
+struct ChunkGrowth {
+    float extent;   // largest displacement, metres
+    float segment;  // mean difference of neighbouring displacements, metres
+};
+
 struct PackedLook {
     uint32_t normal;  // octahedral, 2 x snorm16
     uint32_t color;   // sRGB, 4 x unorm8
+};
+
+struct PackedDisplacement {
+    glm::vec3 displacement;  // metres
+    uint32_t normal;         // of ribbons as given, not followed; octahedral
 };
 
 struct CurveData {
@@ -44,6 +56,13 @@ struct CurveData {
     std::vector<Chunk> chunks;
     std::vector<ChunkBounds> bounds;
     Box box;
+    bool has_displacements = false;
+    // With those; else empty.
+    std::vector<PackedDisplacement> displacements;
+    std::vector<ChunkGrowth> growths;
+    DisplacedBox displaced_box;
+
+    Box box_at(float magnitude_offset) const { return has_displacements ? displaced_box.at(magnitude_offset) : box; }
 };
 
 // Throws Error for a view or a look that can't be used.

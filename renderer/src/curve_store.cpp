@@ -2,12 +2,14 @@
 #include "curve_store.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flg::render {
 namespace {
 
 constexpr uint32_t most_columns = 32;
 constexpr VkDeviceSize least_bytes = 16;  // of a buffer of an upload in which nothing is to draw
+constexpr float largest_magnitude_offset = 1e6f;
 
 template <class T>
 Buffer make_filled(DeviceMemory& memory, UploadRing& ring, const std::vector<T>& values, VkBufferUsageFlags usage) {
@@ -46,7 +48,7 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelin
     if (data.centers.size() * sizeof data.centers[0] > most_bytes)
         fail("The curves have %zu points; this device takes %zu in an upload.", data.centers.size(),
              most_bytes / sizeof data.centers[0]);
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 3};
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, curve_buffers};
     VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool_info.maxSets = 1;
     pool_info.poolSizeCount = 1;
@@ -62,17 +64,23 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelin
         centers = Buffer(make_filled(memory, ring, data.centers, usage));
         looks = Buffer(make_filled(memory, ring, data.looks, usage));
         chunks = Buffer(make_filled(memory, ring, data.chunks, usage));
+        if (data.has_displacements) displacements = Buffer(make_filled(memory, ring, data.displacements, usage));
     } catch (...) {
         vkDestroyDescriptorPool(device, pool, nullptr);
         throw;
     }
     data.centers = {};
     data.looks = {};
-    const VkDescriptorBufferInfo buffers[] = {
-        {centers.handle(), 0, VK_WHOLE_SIZE}, {looks.handle(), 0, VK_WHOLE_SIZE}, {chunks.handle(), 0, VK_WHOLE_SIZE}};
+    data.displacements = {};
+    // Without displacements the shader reads none; something must be bound nevertheless.
+    const Buffer& last = data.has_displacements ? displacements : centers;
+    const VkDescriptorBufferInfo buffers[curve_buffers] = {{centers.handle(), 0, VK_WHOLE_SIZE},
+                                                           {looks.handle(), 0, VK_WHOLE_SIZE},
+                                                           {chunks.handle(), 0, VK_WHOLE_SIZE},
+                                                           {last.handle(), 0, VK_WHOLE_SIZE}};
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set;
-    write.descriptorCount = 3;
+    write.descriptorCount = curve_buffers;
     write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     write.pBufferInfo = buffers;
     vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
@@ -90,6 +98,17 @@ CurvesId CurveStore::add(std::unique_ptr<DeviceCurves> curves) {
 void CurveStore::check_id(CurvesId id) const {
     if (!curves_.contains(id.value))
         fail("There are no curves with the id %llu.", static_cast<unsigned long long>(id.value));
+}
+
+void CurveStore::set_magnitude_offset(CurvesId id, float offset) {
+    check_id(id);
+    DeviceCurves& curves = *curves_[id.value];
+    if (!curves.data.has_displacements)
+        fail("The curves %llu were uploaded without a DISPLACEMENT column.", static_cast<unsigned long long>(id.value));
+    if (!(std::abs(offset) <= largest_magnitude_offset))
+        fail("The magnitude offset is %g; it must be in -%g to %g.", offset, largest_magnitude_offset,
+             largest_magnitude_offset);
+    curves.magnitude_offset = offset;
 }
 
 void CurveStore::replace(CurvesId id, std::unique_ptr<DeviceCurves> curves, uint64_t frame) {
@@ -115,7 +134,7 @@ void CurveStore::recycle(uint64_t finished_frame) {
 
 Box CurveStore::bounds() const {
     Box box;
-    for (const auto& [id, curves] : curves_) box.add(curves->data.box);
+    for (const auto& [id, curves] : curves_) box.add(curves->data.box_at(curves->magnitude_offset));
     return box;
 }
 
@@ -124,7 +143,7 @@ void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, s
     for (const auto& [id, curves] : curves_) {
         if (shadow && (!curves->look.casts_shadow || curves->look.shape == Shape::line)) continue;
         const auto first_bin = static_cast<uint32_t>(list.bins.size());
-        selector.select(curves->data, curves->look, instances, list.bins);
+        selector.select(curves->data, curves->look, curves->magnitude_offset, instances, list.bins);
         const auto bin_count = static_cast<uint32_t>(list.bins.size()) - first_bin;
         if (bin_count) list.items.push_back({curves.get(), first_bin, bin_count});
     }
@@ -139,8 +158,9 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
     vkCmdBindIndexBuffer(commands, patterns.buffer(), 0, VK_INDEX_TYPE_UINT16);
     for (const DrawList::Item& item : list.items) {
         const CurveLook& look = item.curves->look;
+        const bool displaced = item.curves->magnitude_offset != 0.0f;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          shadow ? pipelines.curve_shadow(look.shape) : pipelines.curve(look));
+                          shadow ? pipelines.curve_shadow(look.shape, displaced) : pipelines.curve(look, displaced));
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 1, 1, &item.curves->set,
                                 0, nullptr);
         for (uint32_t i = item.first_bin; i < item.first_bin + item.bin_count; ++i) {
@@ -150,7 +170,8 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
                                  cap_rings,
                                  look.caps == Caps::round,
                                  0.5f * look.line_width_px,
-                                 look.gloss};
+                                 look.gloss,
+                                 item.curves->magnitude_offset};
             vkCmdPushConstants(commands, pipelines.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                                0, sizeof push, &push);
             const uint32_t indices = IndexPatterns::index_count(bin.columns, bin.segments);

@@ -36,8 +36,9 @@ struct DeviceCurves {
 
     CurveLook look;
     CurveData data;  // without its points
+    float magnitude_offset = 0.0f;
     VkDevice device;
-    Buffer centers, looks, chunks;
+    Buffer centers, looks, chunks, displacements;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
 };
@@ -67,6 +68,7 @@ public:
     void remove(CurvesId id, uint64_t frame);
     void remove_all(uint64_t frame);
     void check_id(CurvesId id) const;
+    void set_magnitude_offset(CurvesId id, float offset);
     void recycle(uint64_t finished_frame);
     Box bounds() const;
 

@@ -37,6 +37,7 @@ struct PipelineDesc {
     VkShaderModule vertex = VK_NULL_HANDLE;
     VkShaderModule fragment = VK_NULL_HANDLE;  // null: depth only
     uint32_t shape = 0;
+    VkBool32 displaced = VK_FALSE;
     bool has_instances = false;
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
     VkCompareOp depth_test = VK_COMPARE_OP_GREATER;
@@ -48,8 +49,9 @@ struct PipelineDesc {
 };
 
 VkPipeline make_pipeline(VkDevice device, const PipelineDesc& desc) {
-    const VkSpecializationMapEntry entry{0, 0, sizeof(uint32_t)};
-    const VkSpecializationInfo constants{1, &entry, sizeof desc.shape, &desc.shape};
+    const uint32_t values[] = {desc.shape, desc.displaced};
+    const VkSpecializationMapEntry entries[] = {{0, 0, sizeof values[0]}, {1, sizeof values[0], sizeof values[1]}};
+    const VkSpecializationInfo constants{2, entries, sizeof values, values};
     VkPipelineShaderStageCreateInfo stages[2]{};
     for (auto& stage : stages) {
         stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -135,9 +137,9 @@ Pipelines::Pipelines(const Device& device, VkRenderPass main_pass, VkSampleCount
     const VkDescriptorSetLayoutBinding view_bindings[] = {
         {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, vertex | fragment, nullptr},
         {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, fragment, nullptr}};
-    const VkDescriptorSetLayoutBinding curve_bindings[] = {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, vertex, nullptr},
-                                                           {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, vertex, nullptr},
-                                                           {2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, vertex, nullptr}};
+    VkDescriptorSetLayoutBinding curve_bindings[curve_buffers];
+    for (uint32_t i = 0; i < curve_buffers; ++i)
+        curve_bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, vertex, nullptr};
     try {
         view_layout_ = make_set_layout(device_, view_bindings);
         curves_layout_ = make_set_layout(device_, curve_bindings);
@@ -159,11 +161,9 @@ Pipelines::Pipelines(const Device& device, VkRenderPass main_pass, VkSampleCount
         desc.has_instances = true;
         desc.vertex = curve_vertex.handle();
         desc.fragment = curve_fragment.handle();
-        for (desc.shape = 0; desc.shape < 3; ++desc.shape) curve_[desc.shape] = make_pipeline(device_, desc);
         PipelineDesc closed = desc;
         closed.shape = static_cast<uint32_t>(Shape::tube);
         closed.cull = VK_CULL_MODE_BACK_BIT;
-        closed_tube_ = make_pipeline(device_, closed);
 
         PipelineDesc shadow = desc;
         shadow.fragment = VK_NULL_HANDLE;
@@ -171,7 +171,15 @@ Pipelines::Pipelines(const Device& device, VkRenderPass main_pass, VkSampleCount
         shadow.samples = VK_SAMPLE_COUNT_1_BIT;
         shadow.depth_test = VK_COMPARE_OP_LESS;
         shadow.biased = true;
-        for (shadow.shape = 0; shadow.shape < 2; ++shadow.shape) shadow_[shadow.shape] = make_pipeline(device_, shadow);
+
+        for (const VkBool32 displaced : {VK_FALSE, VK_TRUE}) {
+            desc.displaced = closed.displaced = shadow.displaced = displaced;
+            for (desc.shape = 0; desc.shape < 3; ++desc.shape)
+                curve_[displaced][desc.shape] = make_pipeline(device_, desc);
+            closed_tube_[displaced] = make_pipeline(device_, closed);
+            for (shadow.shape = 0; shadow.shape < 2; ++shadow.shape)
+                shadow_[displaced][shadow.shape] = make_pipeline(device_, shadow);
+        }
 
         PipelineDesc backdrop = desc;
         backdrop.has_instances = false;
@@ -191,18 +199,20 @@ Pipelines::~Pipelines() {
 }
 
 void Pipelines::destroy() {
-    for (VkPipeline pipeline : curve_) vkDestroyPipeline(device_, pipeline, nullptr);
-    for (VkPipeline pipeline : shadow_) vkDestroyPipeline(device_, pipeline, nullptr);
-    vkDestroyPipeline(device_, closed_tube_, nullptr);
+    for (int displaced = 0; displaced < 2; ++displaced) {
+        for (VkPipeline pipeline : curve_[displaced]) vkDestroyPipeline(device_, pipeline, nullptr);
+        for (VkPipeline pipeline : shadow_[displaced]) vkDestroyPipeline(device_, pipeline, nullptr);
+        vkDestroyPipeline(device_, closed_tube_[displaced], nullptr);
+    }
     vkDestroyPipeline(device_, backdrop_, nullptr);
     vkDestroyPipelineLayout(device_, layout_, nullptr);
     vkDestroyDescriptorSetLayout(device_, curves_layout_, nullptr);
     vkDestroyDescriptorSetLayout(device_, view_layout_, nullptr);
 }
 
-VkPipeline Pipelines::curve(const CurveLook& look) const {
-    if (look.shape == Shape::tube && look.caps != Caps::none) return closed_tube_;
-    return curve_[static_cast<int>(look.shape)];
+VkPipeline Pipelines::curve(const CurveLook& look, bool displaced) const {
+    if (look.shape == Shape::tube && look.caps != Caps::none) return closed_tube_[displaced];
+    return curve_[displaced][static_cast<int>(look.shape)];
 }
 
 }  // namespace flg::render

@@ -14,7 +14,10 @@ struct CurvePush {
     uint32_t round_cap;
     float line_half_width_px;
     float gloss;
+    float magnitude_offset;
 };
+
+constexpr uint32_t curve_buffers = 4;  // of set 1: centers, looks, chunks, displacements
 
 class Pipelines {
 public:
@@ -27,8 +30,9 @@ public:
     VkDescriptorSetLayout curves_layout() const { return curves_layout_; }  // set 1
     VkPipelineLayout layout() const { return layout_; }
 
-    VkPipeline curve(const CurveLook& look) const;
-    VkPipeline curve_shadow(Shape shape) const { return shadow_[static_cast<int>(shape)]; }
+    // `displaced`: of points moved by a magnitude offset.
+    VkPipeline curve(const CurveLook& look, bool displaced) const;
+    VkPipeline curve_shadow(Shape shape, bool displaced) const { return shadow_[displaced][static_cast<int>(shape)]; }
     VkPipeline backdrop() const { return backdrop_; }
 
 private:
@@ -38,9 +42,9 @@ private:
     VkDescriptorSetLayout view_layout_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout curves_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkPipeline curve_[3] = {};     // by shape, both sides
-    VkPipeline closed_tube_ = {};  // whose inside is never seen
-    VkPipeline shadow_[2] = {};    // by shape; lines cast none
+    VkPipeline curve_[2][3] = {};     // displaced or not, by shape; both sides
+    VkPipeline closed_tube_[2] = {};  // whose inside is never seen
+    VkPipeline shadow_[2][2] = {};    // lines cast none
     VkPipeline backdrop_ = VK_NULL_HANDLE;
 };
 

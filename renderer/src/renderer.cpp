@@ -74,6 +74,11 @@ void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook&
     s.shadow_is_current = false;
 }
 
+void Renderer::set_magnitude_offset(CurvesId id, float offset) {
+    state_->curves.set_magnitude_offset(id, offset);
+    state_->shadow_is_current = false;
+}
+
 void Renderer::remove(CurvesId id) {
     if (id.value == 0) return;
     state_->curves.remove(id, state_->frame + 1);
@@ -160,7 +165,7 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
 
     const VkCommandBuffer commands = submission.commands = slot.begin();
     slot.mark(Moment::begin);
-    ring.record(commands, frame + 1);
+    stats.uploaded_bytes = ring.record(commands, frame + 1);
     const auto bind_view = [&](VkDescriptorSet set) {
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
     };

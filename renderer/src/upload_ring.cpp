@@ -34,9 +34,13 @@ void UploadRing::upload(const Buffer& target, const void* data, VkDeviceSize siz
     }
 }
 
-void UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
-    if (copies_.empty()) return;
-    for (const Copy& copy : copies_) vkCmdCopyBuffer(commands, copy.source, copy.target, 1, &copy.region);
+VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
+    if (copies_.empty()) return 0;
+    VkDeviceSize bytes = 0;
+    for (const Copy& copy : copies_) {
+        vkCmdCopyBuffer(commands, copy.source, copy.target, 1, &copy.region);
+        bytes += copy.region.size;
+    }
     copies_.clear();
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
@@ -49,6 +53,7 @@ void UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
         in_flight_.back().frame = frame;
         filling_.pop_front();
     }
+    return bytes;
 }
 
 void UploadRing::recycle(uint64_t finished_frame) {

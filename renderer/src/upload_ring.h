@@ -16,8 +16,8 @@ public:
 
     // `target` must live until the next recorded frame is done.
     void upload(const Buffer& target, const void* data, VkDeviceSize size);
-    // Records all pending copies, and that shaders wait for them.
-    void record(VkCommandBuffer commands, uint64_t frame);
+    // Records all pending copies, and that shaders wait for them; returns how many bytes.
+    VkDeviceSize record(VkCommandBuffer commands, uint64_t frame);
     void recycle(uint64_t finished_frame);
 
 private:

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "curves.h"
 
 namespace flg::render::test {
@@ -116,6 +118,21 @@ TEST_F(RendererTest, SunCastsAShadowOnTheGround) {
     uint32_t darker = 0;
     for (size_t i = 0; i < with.pixels.size(); i += 4) darker += with.pixels[i] + 10 < without.pixels[i];
     EXPECT_GT(darker, 300u);
+}
+
+TEST_F(RendererTest, RibbonsLookTheSameFromBothSides) {
+    Target target(renderer, picture_size, picture_size);
+    const auto seen = [&](float side) {
+        Curves bar = straight(1.0f, 20, {0, 0, side});
+        const CurvesId id = renderer.upload(bar.view(), {.shape = Shape::ribbon, .radius = 0.2f});
+        const Image image = picture(target);
+        renderer.remove(id);
+        return image;
+    };
+    const Image front = seen(1), back = seen(-1);
+    int most = 0;
+    for (size_t i = 0; i < front.pixels.size(); ++i) most = std::max(most, std::abs(front.pixels[i] - back.pixels[i]));
+    EXPECT_LE(most, 2) << "but for rounding";
 }
 
 TEST_F(RendererTest, MultisamplingSoftensEdges) {

@@ -86,8 +86,9 @@ struct FrameStats {
     double gpu_ms = -1;         // of the whole frame on the device; -1: not known
     double gpu_shadow_ms = -1;  // of it, the shadow map; 0 when it could be kept
     uint32_t draw_calls = 0;
-    uint64_t triangles = 0;     // of the main pass, caps included
-    uint64_t device_bytes = 0;  // of memory held on the device
+    uint64_t triangles = 0;       // of the main pass, caps included
+    uint64_t uploaded_bytes = 0;  // of curves, on their way to the device with this frame
+    uint64_t device_bytes = 0;    // of memory held on the device
 };
 
 class Renderer;
@@ -127,13 +128,20 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Copies curves to the device, in the background of the next frames. Needs a POSITION column; takes RADIUS, COLOR and
-    // NORMAL where there are; without NORMAL it carries a rotation-minimizing frame along. Values must be finite. Points
-    // repeated in a row count once, curves without length are not drawn. The view is not needed afterwards.
-    // Cost: one pass over the data, about 60 ns a point, more without NORMAL.
+    // Copies curves to the device, in the background of the next frames. Needs a POSITION column; takes RADIUS, COLOR, NORMAL
+    // and DISPLACEMENT where there are; without NORMAL it carries a rotation-minimizing frame along. Values must be finite.
+    // Points repeated in a row count once, curves without length are not drawn. The view is not needed afterwards.
+    // Cost: one pass over the data, about 60 ns a point, more without NORMAL or with DISPLACEMENT.
     CurvesId upload(const FlgCurveSetView& view, const CurveLook& look = {});
     // Replaces what `id` shows. On error nothing changes.
     void update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look = {});
+    // Magnitude changed after the fact, on the device (sec. 4.5.3 of the paper): draws POSITION + offset * DISPLACEMENT, so
+    // that curves stylized at magnitude m are shown at m + offset, in -1e6 to 1e6. Tubes and ribbons follow the curve as it
+    // then is, ribbons by their NORMAL column; without one they keep the frame that was carried along the upload. 0 after
+    // upload() and update(). Needs curves with a DISPLACEMENT column.
+    // Cost: of the call under a microsecond, whatever the number of points, and nothing is uploaded; the shadow map is drawn
+    // anew. A frame's vertices take longer while the offset is not 0: each ring is followed from the start of its chunk.
+    void set_magnitude_offset(CurvesId id, float offset);
     // Zero does nothing. Throws for an id that was removed or never given.
     void remove(CurvesId id);
     void clear();
