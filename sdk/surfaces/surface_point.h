@@ -20,7 +20,13 @@ inline Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
     return (1 - u - v) * mesh.position(corners[0]) + u * mesh.position(corners[1]) + v * mesh.position(corners[2]);
 }
 
-// The point at `t` of the way along the edge that starts at `corner`.
+// Points on edges lie at multiples of 2^-24 of the way: then 1 - t is exact, and both triangles of an edge see the same
+// point. `t` in [0, 1].
+inline float round_on_edge(double t) {
+    return static_cast<float>(static_cast<int32_t>(t * 0x1p24 + 0.5)) * 0x1p-24f;
+}
+
+// The point at `t` of the way along the edge that starts at `corner`; `t` as round_on_edge() gives it.
 inline SurfacePoint point_on_edge(Corner corner, float t) {
     const uint32_t triangle = triangle_of(corner);
     switch (corner % 3) {
