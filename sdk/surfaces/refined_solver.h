@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Geodesic distances by unfolding triangles: the `refined` solver. Labels are corrected until nothing improves: vertices
+// wait in buckets by distance (refined_solver_queue.h), and each one that is taken out tells its neighbours what it knows
+// (refined_solver_step.h). Departure from Nazzaro, Puppo, Pellacini: geoTangle (2021), sec. 4.2: unfolding takes the place
+// of the arcs across edges, buckets that of the SLF and LLL heuristics.
+//
+// Distances are not those of a graph: they depend, within the solver's error, on the order of visits, which is fixed. The
+// order does not depend on slices, on ranks, or on what the solver was used for before.
+#pragma once
+
+#include <span>
+
+#include "surfaces/distance_field.h"
+#include "surfaces/refined_solver_queue.h"
+#include "surfaces/refined_solver_step.h"
+
+namespace flg {
+
+// A solver is scratch memory (20 bytes a vertex, 24 with labels) that serves one field after the other; one for each thread.
+class RefinedSolver {
+public:
+    // The blocks must outlive the solver; they may be updated between fields.
+    RefinedSolver(const GeodesicBlocks& blocks, Memory* memory);
+
+    // Starts a field. Seeds and limits must outlive the run. Labels are kept if `labelled`.
+    void begin(std::span<const Seed> seeds, const SolveLimits& limits, bool labelled);
+    // Adds sources to the field that was made last: what is nearer to them changes, nothing else is visited.
+    void extend(std::span<const Seed> seeds, const SolveLimits& limits);
+    // Advances by `count` vertices (about 0.1 us); true when the field is complete.
+    bool run(uint32_t count);
+
+    // After that, until the next begin: of a vertex of the mesh.
+    float distance(uint32_t vertex) const;
+    uint32_t label(uint32_t vertex) const;
+
+private:
+    enum class Pass { clear, find_first, seed, solve, drain, done };
+
+    void advance(size_t size);
+    void clear(uint32_t rank);
+    void place(const Seed& seed);
+    uint32_t bucket_of(float distance) const;
+    void wait(uint32_t rank);
+    void improve(uint32_t rank, const WaveState& state, uint32_t label);
+    bool take(uint32_t& rank);
+    void solve_pair();
+    void spread(uint32_t rank);
+    void apply(uint32_t rank, const std::array<uint32_t, lane_count>& lanes, const WaveStep& step);
+    void next_bucket();
+    bool targets_are_nearer_than(float distance);
+    void drain();
+
+    const GeodesicBlocks& blocks_;
+    Memory* memory_;
+    const WaveStepFunction step_;
+    Buffer<WaveState> states_;  // by rank
+    Buffer<uint32_t> waiting_;  // by rank: the bucket that it waits in, or no_index
+    Buffer<uint32_t> labels_;   // by rank
+    BucketQueue queue_;
+    std::span<const Seed> seeds_;
+    const SolveLimits* limits_ = nullptr;
+    bool labelled_ = false;
+    float buckets_per_metre_ = 1;
+    uint32_t bucket_ = 0;        // that is being emptied
+    uint32_t targets_met_ = 0;   // the first targets that have a distance
+    float furthest_target_ = 0;  // of them
+    float reach_ = unreachable;  // the last limit
+    Pass pass_ = Pass::done;
+    uint32_t at_ = 0;
+};
+
+// Copies the solver's field out, in slices of vertices.
+class DistanceFieldKernel {
+public:
+    // `field` takes memory for all vertices of the mesh; labels only if the solver keeps them and they are wanted.
+    DistanceFieldKernel(const RefinedSolver& solver, uint32_t vertex_count, bool labelled, DistanceField& field,
+                        Memory* memory);
+    bool run(uint32_t count);
+
+private:
+    const RefinedSolver& solver_;
+    DistanceField& field_;
+    uint32_t at_ = 0;
+};
+
+}  // namespace flg

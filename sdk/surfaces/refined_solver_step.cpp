@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/refined_solver_step.h"
+
+// Vectors are passed only between functions that are inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace flg {
+
+namespace portable {
+#include "surfaces/refined_solver_step.inl"
+}  // namespace portable
+
+void wave_step_portable(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states, uint32_t rank,
+                        WaveStep& step) {
+    portable::wave_step(lanes, &positions->x, &states->distance, rank, step);
+}
+
+#ifdef __x86_64__
+
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+namespace avx2 {
+#include "surfaces/refined_solver_step.inl"
+}  // namespace avx2
+
+void wave_step_avx2(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states, uint32_t rank,
+                    WaveStep& step) {
+    avx2::wave_step(lanes, &positions->x, &states->distance, rank, step);
+}
+
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+WaveStepFunction choose_wave_step() {
+    return __builtin_cpu_supports("avx2") ? wave_step_avx2 : wave_step_portable;
+}
+
+#else
+
+WaveStepFunction choose_wave_step() {
+    return wave_step_portable;
+}
+
+#endif
+
+}  // namespace flg
