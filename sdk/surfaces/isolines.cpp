@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace flg {
 
@@ -26,18 +27,20 @@ IsolineKernel::IsolineKernel(const Mesh& mesh, std::span<const float> values, st
       crossed_(memory),
       segments_(memory) {}
 
-uint16_t IsolineKernel::class_of(float value) const {
-    if (!std::isfinite(value)) return no_class;
-    // A binary search that always takes the same steps.
-    const float* first = levels_.data();
-    size_t left = levels_.size();
-    while (left > 1) {
-        const size_t half = left / 2;
-        first = first[half - 1] <= value ? first + half : first;
-        left -= half;
+void IsolineKernel::classify(uint32_t vertex) {
+    const float value = values_[vertex];
+    // Mostly the band of the vertex before.
+    if (!(band_begin_ <= value && value < band_end_)) {
+        if (!std::isfinite(value)) {
+            classes_[vertex] = no_class;
+            return;
+        }
+        const auto above = std::upper_bound(levels_.begin(), levels_.end(), value);
+        band_ = static_cast<uint16_t>(above - levels_.begin());
+        band_begin_ = above == levels_.begin() ? std::numeric_limits<float>::lowest() : *(above - 1);
+        band_end_ = above == levels_.end() ? std::numeric_limits<float>::infinity() : *above;
     }
-    if (left == 1 && *first <= value) ++first;
-    return static_cast<uint16_t>(first - levels_.data());
+    classes_[vertex] = band_;
 }
 
 // The part above, walked around counter-clockwise, goes below the level on the edge `in` and comes back on `out`; the
@@ -138,7 +141,7 @@ bool IsolineKernel::run(uint32_t count) {
             case Pass::classify: {
                 const uint32_t end = at_ + std::min(count, vertices - at_);
                 count -= end - at_;
-                for (; at_ < end; ++at_) classes_[at_] = class_of(values_[at_]);
+                for (; at_ < end; ++at_) classify(at_);
                 if (at_ == vertices) enter(Pass::scan);
                 break;
             }

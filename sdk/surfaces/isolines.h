@@ -62,7 +62,7 @@ private:
         uint16_t lowest_level;
     };
 
-    uint16_t class_of(float value) const;
+    void classify(uint32_t vertex);
     Crossing crossing(uint32_t triangle, uint32_t level) const;
     void begin_crossing(uint32_t triangle);
     void cross_next_level(uint32_t triangle);
@@ -82,6 +82,8 @@ private:
     std::pmr::deque<Segment> segments_;
     Pass pass_ = Pass::classify;
     uint32_t at_ = 0;
+    uint16_t band_ = 0;  // the class of values from band_begin_ to below band_end_; none yet
+    float band_begin_ = 0, band_end_ = 0;
     uint16_t next_level_ = 0;  // of the triangle that is being crossed, the one before at_
     uint16_t end_level_ = 0;
     uint32_t drawing_ = no_index;     // the segment to draw next
