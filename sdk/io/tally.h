@@ -20,7 +20,8 @@ struct Tally {
 // One sentence a kind of oddity: "2 strokes: <what> (first: stroke 7)"; none for what was never met.
 inline void warn(std::vector<std::string>& warnings, const Tally& tally, const std::string& unit, const char* what) {
     if (tally.count == 0) return;
-    warnings.push_back(std::to_string(tally.count) + " " + unit + (tally.count == 1 ? "" : "s") + ": " + what +
+    const std::string plural = unit == "vertex" ? "vertices" : unit + "s";
+    warnings.push_back(std::to_string(tally.count) + " " + (tally.count == 1 ? unit : plural) + ": " + what +
                        " (first: " + unit + " " + std::to_string(tally.first) + ")");
 }
 

@@ -30,6 +30,7 @@ public:
         return true;
     }
     uint64_t number() const { return number_; }  // of the last line, from 1
+    std::string_view rest() const { return rest_; }
 
 private:
     std::string_view rest_;
@@ -68,6 +69,22 @@ public:
         }
         if (!(std::abs(value) <= max_coordinate)) {
             fail(FLG_ERROR_FORMAT, line_place(number_), "the %s must be finite and at most 1e30 in size: %s", what,
+                 cited(word()).c_str());
+        }
+        at_ = stop;
+        return value;
+    }
+
+    // A whole number of at most 32 bits, with or without sign.
+    int64_t integer(const char* what) {
+        if (!more()) fail(FLG_ERROR_FORMAT, line_place(number_), "the %s is missing", what);
+        int64_t value = 0;
+        const auto [stop, error] = std::from_chars(at_, end_, value);
+        if (error == std::errc::invalid_argument || (stop != end_ && !is_blank(*stop))) {
+            fail(FLG_ERROR_FORMAT, line_place(number_), "the %s is no whole number: %s", what, cited(word()).c_str());
+        }
+        if (error != std::errc{} || value < INT32_MIN || value > int64_t{UINT32_MAX}) {
+            fail(FLG_ERROR_FORMAT, line_place(number_), "the %s has more than 32 bits: %s", what,
                  cited(word()).c_str());
         }
         at_ = stop;
@@ -115,6 +132,11 @@ inline void append_number(std::string& text, float value) {
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
     text.append(buffer, end);
+}
+
+// Numbers, each with a blank before it.
+inline void append_numbers(std::string& text, const float* values, size_t count) {
+    for (size_t i = 0; i < count; ++i) append_number(text += ' ', values[i]);
 }
 
 }  // namespace flg::io
