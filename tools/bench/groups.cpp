@@ -18,7 +18,10 @@ const std::vector<Group>& groups() {
         {"analogies", run_analogies},
         {"fig14", run_matching_kinds},
         {"hair", run_hair},
-        {"ribbon", run_ribbon}
+        {"ribbon", run_ribbon},
+#if defined(FLG_WITH_RENDERER)
+        {"magnitude", run_magnitude},
+#endif
     };
     return list;
 }

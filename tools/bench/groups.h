@@ -17,6 +17,9 @@ std::vector<Row> run_analogies();
 std::vector<Row> run_matching_kinds();
 std::vector<Row> run_hair();
 std::vector<Row> run_ribbon();
+#if defined(FLG_WITH_RENDERER)
+std::vector<Row> run_magnitude();
+#endif
 #if defined(FLG_WITH_REFERENCE)
 // Against the literal versions, which are built with the tests.
 std::vector<Row> run_matching();
