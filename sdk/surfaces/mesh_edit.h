@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What a cut changed in a mesh: enough to take it back and to make it again, to the bit, without a copy of the mesh.
+// Memory is proportional to the change: 12 bytes an overwritten word, 16 bytes a run of relabelled triangles; while the
+// cut is taken back, also what it had added.
+//
+// Invariants
+// - Vertices and triangles are only added, at the end of the arrays; those there were keep their index.
+// - Words are remembered in the order they were written, each time they were: taking back goes from the last to the first.
+//   What lies beyond the counts before is not remembered.
+// - Edits of one mesh form a stack: only the last one that is made can be taken back, only the last one that was taken
+//   back can be made again.
+#pragma once
+
+#include <deque>
+#include <utility>
+
+#include "surfaces/mesh_growth.h"
+
+namespace flg {
+
+// The arrays of 32-bit words a mesh consists of; the columns follow.
+enum MeshArray : uint32_t {
+    array_positions,
+    array_corners,
+    array_triangles,
+    array_neighbours,
+    array_regions,
+    array_columns
+};
+
+class MeshEdit {
+public:
+    explicit MeshEdit(Memory* memory) : words_(memory), labels_(memory), memory_(memory) {}
+
+    struct Counts {
+        uint32_t vertices = 0, triangles = 0;
+    };
+    const Counts& before() const { return before_; }
+    const Counts& after() const { return after_; }
+
+    // ---- for those who cut: between begin and end, all changes to what there was go through these
+    void begin(const Mesh& mesh) { before_ = after_ = {mesh.vertex_count(), mesh.triangle_count()}; }
+    void end(const Mesh& mesh) { after_ = {mesh.vertex_count(), mesh.triangle_count()}; }
+
+    void set_triangle(Mesh& mesh, uint32_t triangle, const Triple& vertices) {
+        for (uint32_t k = 0; k < 3; ++k) remember(array_triangles, 3 * triangle + k, mesh.triangles[triangle][k]);
+        mesh.triangles[triangle] = vertices;
+    }
+    void set_neighbour(Mesh& mesh, Corner edge, uint32_t neighbour) {
+        uint32_t& word = mesh.neighbours[edge / 3][edge % 3];
+        remember(array_neighbours, edge, word);
+        word = neighbour;
+    }
+    void set_corner(Mesh& mesh, uint32_t vertex, Corner corner) {
+        remember(array_corners, vertex, mesh.corner_of_vertex[vertex]);
+        mesh.corner_of_vertex[vertex] = corner;
+    }
+    // Of a column of one component.
+    void set_value(MeshColumns& columns, uint32_t column, uint32_t vertex, float value);
+    // At most once a triangle. Triangles in rising order make long runs.
+    void set_region(Mesh& mesh, uint32_t triangle, uint32_t label) {
+        const uint32_t old = std::exchange(mesh.regions[triangle], label);
+        if (triangle >= before_.triangles || old == label) return;
+        if (!labels_.empty()) {
+            LabelRun& last = labels_.back();
+            if (triangle == last.first + last.count && old == last.old && label == last.label) {
+                ++last.count;
+                return;
+            }
+        }
+        labels_.push_back({triangle, 1, old, label});
+    }
+
+    // ---- for those who ask what was changed, and for mesh_edit_replay.h
+    struct Word {
+        uint32_t array;  // MeshArray, or array_columns + column
+        uint32_t index;  // of the word in it
+        uint32_t value;  // the one it does not have now
+    };
+    struct LabelRun {
+        uint32_t first, count;  // triangles
+        uint32_t old, label;
+    };
+    std::pmr::deque<Word>& words() { return words_; }
+    const std::pmr::deque<Word>& words() const { return words_; }
+    const std::pmr::deque<LabelRun>& labels() const { return labels_; }
+    // What the cut had added, one array behind the other; empty while the cut is in the mesh.
+    Buffer<std::byte>& added() { return added_; }
+    Memory* memory() const { return memory_; }
+
+private:
+    void remember(MeshArray array, uint32_t index, uint32_t value) {
+        const bool of_vertex = array == array_corners;
+        if (index < (of_vertex ? before_.vertices : 3 * before_.triangles)) words_.push_back({array, index, value});
+    }
+
+    Counts before_, after_;
+    std::pmr::deque<Word> words_;
+    std::pmr::deque<LabelRun> labels_;
+    Buffer<std::byte> added_;
+    Memory* memory_;
+};
+
+}  // namespace flg
