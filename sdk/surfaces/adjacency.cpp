@@ -3,9 +3,17 @@
 
 namespace flg {
 
-AdjacencyKernel::AdjacencyKernel(Mesh& mesh, Memory* memory)
-    : mesh_(mesh), sort_(mesh.triangles, mesh.vertex_count(), memory) {
+namespace {
+
+GrowingBuffer<Triple>& room_for_neighbours(Mesh& mesh, Memory* memory) {
     mesh.neighbours = GrowingBuffer<Triple>(mesh.triangles.size(), memory);
+    return mesh.neighbours;
+}
+
+}  // namespace
+
+AdjacencyKernel::AdjacencyKernel(Mesh& mesh, Memory* memory)
+    : mesh_(mesh), sort_(mesh.triangles, mesh.vertex_count(), room_for_neighbours(mesh, memory), memory) {
     mesh.corner_of_vertex = GrowingBuffer<uint32_t>(mesh.vertex_count(), memory);
 }
 

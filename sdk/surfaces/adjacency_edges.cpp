@@ -3,19 +3,21 @@
 
 namespace flg {
 
-EdgeSortKernel::EdgeSortKernel(const GrowingBuffer<Triple>& triangles, uint32_t vertex_count, Memory* memory)
+EdgeSortKernel::EdgeSortKernel(const GrowingBuffer<Triple>& triangles, uint32_t vertex_count,
+                               GrowingBuffer<Triple>& scratch, Memory* memory)
     : triangles_(triangles),
       vertex_count_(vertex_count),
       lesser_(vertex_count, memory),
       greater_(vertex_count, memory),
-      half_sorted_(3 * triangles.size(), memory),
+      half_sorted_(reinterpret_cast<Corner*>(scratch.data())),
       sorted_(3 * triangles.size(), memory) {}
 
 uint32_t EdgeSortKernel::pass_size() const {
     switch (pass_) {
         case Pass::clear:
         case Pass::sum: return vertex_count_;
-        case Pass::count: return static_cast<uint32_t>(triangles_.size());
+        case Pass::count:
+        case Pass::by_greater: return static_cast<uint32_t>(triangles_.size());
         default: return static_cast<uint32_t>(sorted_.size());
     }
 }
@@ -41,8 +43,10 @@ void EdgeSortKernel::run_pass(uint32_t begin, uint32_t end) {
             }
             break;
         case Pass::by_greater:
-            for (Corner corner = begin; corner < end; ++corner) {
-                half_sorted_[greater_[edge_at(triangles_, corner).greater]++] = corner;
+            for (uint32_t t = begin; t < end; ++t) {
+                for (uint32_t k = 0; k < 3; ++k) {
+                    half_sorted_[greater_[edge_at(triangles_, 3 * t + k).greater]++] = 3 * t + k;
+                }
             }
             break;
         case Pass::by_lesser:
@@ -66,7 +70,6 @@ bool EdgeSortKernel::run(uint32_t count) {
         at_ = 0;
         pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
     }
-    half_sorted_ = {};
     return true;
 }
 

@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
+#include "core/failure.h"
+#include "surfaces/repair_inputs.h"
+
+namespace flg::test {
+namespace {
+
+bool is_clean(const MeshReport& report) {
+    return report.welded_vertices == 0 && report.degenerate_triangles == 0 && report.duplicate_triangles == 0 &&
+           report.crowded_edges == 0 && report.flipped_triangles == 0 && report.cut_edges == 0 &&
+           report.split_vertices == 0 && report.unused_vertices == 0;
+}
+
+void append(Soup& soup, const Soup& other, const Vec3& offset) {
+    const uint32_t first = static_cast<uint32_t>(soup.positions.size());
+    for (const Position& p : other.positions) soup.positions.push_back(to_position(load_vec3(p.data()) + offset));
+    for (const Triple& t : other.triangles) soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+// Each triangle with three vertices of its own, as files without indices have them.
+Soup exploded(const Soup& soup) {
+    Soup apart;
+    for (const Triple& t : soup.triangles) {
+        const uint32_t first = static_cast<uint32_t>(apart.positions.size());
+        for (uint32_t v : t) apart.positions.push_back(soup.positions[v]);
+        apart.triangles.push_back({first, first + 1, first + 2});
+    }
+    return apart;
+}
+
+// A strip of `length` squares, the ends joined after half a turn if `twisted`.
+Soup band(uint32_t length, bool twisted) {
+    Soup soup;
+    for (uint32_t i = 0; i < length; ++i) {
+        const double angle = 2 * std::numbers::pi * i / length, tilt = twisted ? angle / 2 : 0;
+        for (double side : {-0.3, 0.3}) {
+            const double r = 1 + side * std::cos(tilt);
+            soup.positions.push_back(
+                to_position({r * std::cos(angle), r * std::sin(angle), side * std::sin(tilt) + (twisted ? 0 : side)}));
+        }
+    }
+    for (uint32_t i = 0; i < length; ++i) {
+        const bool last = i + 1 == length;
+        const uint32_t a = 2 * i, b = 2 * i + 1;
+        uint32_t c = last ? 0 : 2 * i + 2, d = last ? 1 : 2 * i + 3;
+        if (last && twisted) std::swap(c, d);
+        soup.triangles.push_back({a, c, b});
+        soup.triangles.push_back({c, d, b});
+    }
+    return soup;
+}
+
+// The unit cube at `corner`, on vertices that are shared with what is there.
+void append_cube(Soup& soup, const Vec3& corner) {
+    uint32_t at[8];
+    for (uint32_t i = 0; i < 8; ++i) {
+        const Position place = to_position(corner + Vec3(i & 1, i >> 1 & 1, i >> 2 & 1));
+        const auto found = std::find(soup.positions.begin(), soup.positions.end(), place);
+        at[i] = static_cast<uint32_t>(found - soup.positions.begin());
+        if (found == soup.positions.end()) soup.positions.push_back(place);
+    }
+    constexpr uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& q : quads) {
+        soup.triangles.push_back({at[q[0]], at[q[1]], at[q[2]]});
+        soup.triangles.push_back({at[q[0]], at[q[2]], at[q[3]]});
+    }
+}
+
+std::string failure_of(const RepairInput& input, RepairOptions options = {}) {
+    try {
+        RepairedMesh repaired(test_memory());
+        run_task([&](Pace& pace) { return repair_mesh(pace, input.view, options, repaired); });
+    } catch (const Failure& failure) {
+        return failure.what();
+    }
+    return "";
+}
+
+TEST(MeshRepair, LeavesAGoodMeshAsItIs) {
+    const struct {
+        Soup soup;
+        uint32_t loops, genus;
+    } cases[] = {{tetrahedron(), 0, 0},  {sphere(3), 0, 0},
+                 {torus(12, 8), 0, 1},   {plane(7, 0.3), 1, 0},
+                 {cylinder(9, 4), 2, 0}, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 1, 0}};
+    for (const auto& [soup, loops, genus] : cases) {
+        const RepairedMesh repaired = repair(soup);
+        EXPECT_TRUE(is_clean(repaired.report));
+        EXPECT_TRUE(repaired.vertices.is_identity() && repaired.triangles.is_identity());
+        EXPECT_TRUE(std::equal(soup.triangles.begin(), soup.triangles.end(), repaired.mesh.triangles.begin()));
+        EXPECT_EQ(repaired.report.topology.components, 1u);
+        EXPECT_EQ(repaired.report.topology.border_loops, loops);
+        EXPECT_EQ(repaired.report.topology.genus, genus);
+        EXPECT_EQ(repaired.report.flat_triangles, 0u);
+    }
+}
+
+TEST(MeshRepair, ReadsStridedColumnsAndRegions) {
+    const Soup soup = sphere(1);
+    RepairInput input(soup);
+    std::vector<float> values;  // a radius before each position
+    for (const Position& p : soup.positions) values.insert(values.end(), {7, p[0], p[1], p[2]});
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_RADIUS, 1, values.data(), 16, 0},
+                                 {FLG_ATTRIBUTE_POSITION, 3, values.data() + 1, 16, 0}};
+    std::vector<uint32_t> regions;
+    for (uint32_t t = 0; t < soup.triangles.size(); ++t) regions.push_back(t % 5);
+    input.triangles[3][1] = input.triangles[3][0];
+    input.view.columns = columns;
+    input.view.column_count = 2;
+    input.view.regions = regions.data();
+    const RepairedMesh repaired = repair(input);
+    EXPECT_EQ(repaired.report.degenerate_triangles, 1u);
+    for (uint32_t t = 0; t < repaired.mesh.triangle_count(); ++t) {
+        EXPECT_EQ(repaired.mesh.regions[t], (t < 3 ? t : t + 1) % 5);
+    }
+}
+
+TEST(MeshRepair, HoldsAHundredComponents) {
+    Soup soup;
+    for (uint32_t i = 0; i < 100; ++i) append(soup, i % 2 ? sphere(1) : torus(5, 4), Vec3(3 * i, 0, 0));
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_TRUE(is_clean(repaired.report));
+    EXPECT_EQ(repaired.report.topology.components, 100u);
+    EXPECT_EQ(repaired.report.topology.genus, 50u);
+    EXPECT_EQ(repaired.report.topology.euler_number, 100);
+}
+
+TEST(MeshRepair, WeldsEqualPositionsOnlyWhenAsked) {
+    const Soup whole = sphere(2), apart = exploded(whole);
+    const RepairedMesh kept = repair(apart);
+    EXPECT_EQ(kept.report.topology.components, whole.triangles.size());
+    EXPECT_EQ(kept.report.welded_vertices, 0u);
+
+    const RepairedMesh welded = repair(apart, {.weld_distance = 0.0f});
+    EXPECT_EQ(welded.report.welded_vertices, apart.positions.size() - whole.positions.size());
+    EXPECT_EQ(welded.report.unused_vertices, 0u);
+    EXPECT_EQ(welded.mesh.positions.size(), whole.positions.size());
+    EXPECT_EQ(welded.report.topology.euler_number, 2);
+    EXPECT_EQ(welded.report.topology.border_edges, 0u);
+    // What is welded leads to the vertex it was welded to.
+    for (uint32_t from = 0; from < apart.positions.size(); ++from) {
+        EXPECT_EQ(welded.mesh.positions[welded.vertices.of_input[from]], apart.positions[from]);
+    }
+}
+
+TEST(MeshRepair, WeldsWithinADistance) {
+    Soup soup = exploded(sphere(2));  // edges about 0.3 long
+    for (uint32_t v = 0; v < soup.positions.size(); ++v) {
+        for (uint32_t k = 0; k < 3; ++k) soup.positions[v][k] += static_cast<float>(1e-3 * random_unit(1, v, k));
+    }
+    EXPECT_EQ(repair(soup, {.weld_distance = 0.0f}).report.welded_vertices, 0u);
+    const RepairedMesh welded = repair(soup, {.weld_distance = 2e-3f});
+    EXPECT_EQ(welded.mesh.positions.size(), sphere(2).positions.size());
+    EXPECT_EQ(welded.report.topology.euler_number, 2);
+}
+
+TEST(MeshRepair, WeldsZerosOfEitherSign) {
+    Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 0, 0}, {1, -0.0f, 0}, {0, -1, 0}}, {{0, 1, 2}, {4, 3, 5}}};
+    EXPECT_EQ(repair(soup, {.weld_distance = 0.0f}).report.welded_vertices, 2u);
+}
+
+TEST(MeshRepair, DropsTrianglesThatWeldingFolds) {
+    const RepairedMesh repaired = repair(plane(10), {.weld_distance = 0.12f});  // cells are 0.1 wide
+    EXPECT_GT(repaired.report.welded_vertices, 0u);
+    EXPECT_GT(repaired.report.degenerate_triangles, 0u);
+    EXPECT_EQ(failure_of(RepairInput(plane(10)), {.weld_distance = 3.0f}),
+              "nothing is left of the mesh: each of its 200 triangles names a vertex twice");
+}
+
+TEST(MeshRepair, DropsDuplicatesHoweverWound) {
+    Soup soup = sphere(2);
+    const Triple a = soup.triangles[5], b = soup.triangles[9];
+    soup.triangles.push_back({a[1], a[2], a[0]});
+    soup.triangles.push_back({b[1], b[0], b[2]});
+    soup.triangles.push_back(b);
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.duplicate_triangles, 3u);
+    EXPECT_EQ(repaired.report.crowded_edges, 0u);
+    EXPECT_EQ(repaired.report.flipped_triangles, 0u);
+    EXPECT_EQ(repaired.report.topology.euler_number, 2);
+    EXPECT_EQ(repaired.triangles.of_input[soup.triangles.size() - 1], no_index);
+
+    // Two triangles back to back are one.
+    EXPECT_EQ(repair({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}).mesh.triangle_count(), 1u);
+}
+
+TEST(MeshRepair, TurnsTheMinorityOver) {
+    Soup soup = torus(12, 8);
+    for (uint32_t t : {0u, 1u, 17u, 100u}) std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.flipped_triangles, 4u);
+    EXPECT_EQ(repaired.report.cut_edges, 0u);
+    EXPECT_EQ(repaired.report.topology.genus, 1u);
+    const Soup good = torus(12, 8);
+    const RepairedMesh expected = repair(good);
+    for (uint32_t t = 0; t < good.triangles.size(); ++t) {
+        const Triple& corners = repaired.mesh.triangles[t];
+        EXPECT_EQ(std::find(corners.begin(), corners.end(), good.triangles[t][0]) - corners.begin(), 0);
+        EXPECT_EQ(corners[1], good.triangles[t][1]);
+    }
+}
+
+TEST(MeshRepair, OnATieTheFirstTrianglesWindingStays) {
+    const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 2, 3}}};
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.flipped_triangles, 1u);
+    EXPECT_EQ(repaired.mesh.triangles[0], soup.triangles[0]);
+}
+
+TEST(MeshRepair, CutsAMoebiusStripOpen) {
+    EXPECT_EQ(repair(band(20, false)).report.topology.border_loops, 2u);
+    const RepairedMesh repaired = repair(band(20, true));
+    EXPECT_EQ(repaired.report.cut_edges, 1u);
+    EXPECT_EQ(repaired.report.split_vertices, 2u);
+    EXPECT_EQ(repaired.report.topology.border_loops, 1u);
+    EXPECT_EQ(repaired.report.topology.euler_number, 1);  // a disk
+    EXPECT_EQ(repaired.mesh.triangle_count(), 40u);
+}
+
+// A closed surface that can't be oriented has no border to cut from: slits must still end somewhere.
+TEST(MeshRepair, CutsAKleinBottleOpen) {
+    constexpr uint32_t around = 12, tube = 8;
+    Soup soup = torus(around, tube);
+    for (Triple& corners : soup.triangles) {
+        const auto on = [&](uint32_t ring) {
+            return std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return v / tube == ring; });
+        };
+        if (!on(0) || !on(around - 1)) continue;
+        for (uint32_t& v : corners) {
+            if (v / tube == 0) v = (tube - v) % tube;
+        }
+    }
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_GT(repaired.report.cut_edges, 0u);
+    EXPECT_GE(repaired.report.topology.border_loops, 1u);
+    EXPECT_EQ(repaired.mesh.triangle_count(), soup.triangles.size());
+    EXPECT_EQ(repaired.report.topology.components, 1u);
+}
+
+TEST(MeshRepair, SplitsABowTie) {
+    const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.split_vertices, 1u);
+    EXPECT_EQ(repaired.report.topology.components, 2u);
+    ASSERT_EQ(repaired.mesh.vertex_count(), 6u);
+    EXPECT_EQ(repaired.vertices.to_input[5], 0u);
+    EXPECT_EQ(repaired.vertices.of_input[0], 0u);
+}
+
+TEST(MeshRepair, SplitsBallsThatTouchInAPoint) {
+    Soup soup = tetrahedron();
+    for (int i = 0; i < 2; ++i) {
+        const uint32_t first = static_cast<uint32_t>(soup.positions.size());
+        append(soup, tetrahedron(), Vec3(2 + 2 * i, 2, 2));
+        for (Triple& t : soup.triangles) std::replace(t.begin(), t.end(), first, 0u);
+    }
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.split_vertices, 2u);
+    EXPECT_EQ(repaired.report.unused_vertices, 2u);
+    EXPECT_EQ(repaired.report.topology.components, 3u);
+    EXPECT_EQ(repaired.report.topology.border_edges, 0u);
+}
+
+TEST(MeshRepair, LeavesAThirdTriangleOpen) {
+    // Two go straight on, the third stands on their edge.
+    const Soup soup{{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}, {{1, 0, 4}, {1, 0, 2}, {0, 1, 3}}};
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.crowded_edges, 1u);
+    EXPECT_EQ(repaired.report.split_vertices, 2u);
+    EXPECT_EQ(repaired.mesh.neighbours[1][0], 2u);
+    EXPECT_EQ(repaired.mesh.neighbours[0][0], no_index);
+    EXPECT_EQ(repaired.report.topology.components, 2u);
+}
+
+TEST(MeshRepair, TakesAWallOutOfABall) {
+    // The wall shares the equator: the ball stays closed.
+    Soup soup;
+    soup.positions = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
+    for (uint32_t i = 0; i < 6; ++i) {
+        const double angle = std::numbers::pi * i / 3;
+        soup.positions.push_back(to_position({std::cos(angle), std::sin(angle), 0}));
+        const uint32_t a = 3 + i, b = 3 + (i + 1) % 6;
+        soup.triangles.insert(soup.triangles.end(), {{a, b, 2}, {a, b, 0}, {b, a, 1}});
+    }
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.crowded_edges, 6u);
+    EXPECT_EQ(repaired.report.topology.components, 2u);
+    EXPECT_EQ(repaired.report.topology.border_edges, 6u);
+    EXPECT_EQ(repaired.report.topology.euler_number, 3);
+}
+
+TEST(MeshRepair, KeepsSolidsThatTouchInAnEdgeClosedAndApart) {
+    for (const Vec3& other : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(0, 1, 1), Vec3(-1, 0, 1)}) {
+        Soup soup;
+        append_cube(soup, Vec3(0, 0, 0));
+        append_cube(soup, other);
+        const RepairedMesh repaired = repair(soup);
+        EXPECT_EQ(repaired.report.crowded_edges, 1u);
+        EXPECT_EQ(repaired.report.split_vertices, 2u);
+        EXPECT_EQ(repaired.report.topology.components, 2u);
+        EXPECT_EQ(repaired.report.topology.border_edges, 0u);
+        EXPECT_EQ(repaired.report.topology.euler_number, 4);
+    }
+}
+
+// Cubes that fill space share faces as duplicates and edges with up to eight triangles: whatever becomes of it is valid.
+TEST(MeshRepair, HoldsCrowdsOfCubes) {
+    for (uint32_t seed = 0; seed < 20; ++seed) {
+        Soup soup;
+        for (uint32_t i = 0; i < 27; ++i) {
+            if (random_unit(seed, i, 0) < 0.5) append_cube(soup, Vec3(i % 3, i / 3 % 3, i / 9));
+        }
+        if (!soup.triangles.empty()) repair(soup);
+    }
+}
+
+// Triangles between few vertices, with every defect at once.
+TEST(MeshRepair, HoldsRandomTriangles) {
+    for (uint32_t seed = 0; seed < 300; ++seed) {
+        Soup soup;
+        const uint32_t vertices = 4 + random_below(seed, 0, 0, 12), triangles = 1 + random_below(seed, 0, 1, 60);
+        for (uint32_t v = 0; v < vertices; ++v) {
+            soup.positions.push_back(to_position(
+                {random_unit(seed, v, 2), random_unit(seed, v, 3), v % 3 == 0 ? 0 : random_unit(seed, v, 4)}));
+        }
+        for (uint32_t t = 0; t < triangles; ++t) {
+            soup.triangles.push_back({random_below(seed, t, 5, vertices), random_below(seed, t, 6, vertices),
+                                      random_below(seed, t, 7, vertices)});
+        }
+        const bool any = std::any_of(soup.triangles.begin(), soup.triangles.end(),
+                                     [](const Triple& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; });
+        if (any) repair(soup);
+        if (::testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST(MeshRepair, IsDoneOnceAndForAll) {
+    Soup soup = band(20, true);
+    append_cube(soup, Vec3(5, 0, 0));
+    append_cube(soup, Vec3(6, 1, 0));
+    const RepairedMesh once = repair(soup);
+    Soup again;
+    again.positions.assign(once.mesh.positions.begin(), once.mesh.positions.end());
+    again.triangles.assign(once.mesh.triangles.begin(), once.mesh.triangles.end());
+    EXPECT_TRUE(is_clean(repair(again).report));
+}
+
+TEST(MeshRepair, DropsUnusedVerticesAndCountsFlatTriangles) {
+    const Soup soup{{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {8, 8, 8}}, {{1, 2, 3}, {3, 2, 4}}};
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.unused_vertices, 2u);
+    EXPECT_EQ(repaired.report.flat_triangles, 1u);
+    EXPECT_EQ(repaired.mesh.triangle_count(), 2u);
+    EXPECT_EQ(repaired.vertices.of_input[0], no_index);
+    EXPECT_EQ(repaired.vertices.of_input[1], 0u);
+}
+
+TEST(MeshRepair, HoldsAVertexOfManyTriangles) {
+    constexpr uint32_t valence = 20'000;
+    Soup soup;
+    soup.positions.push_back({0, 0, 1});
+    for (uint32_t i = 0; i < valence; ++i) {
+        const double angle = 2 * std::numbers::pi * i / valence;
+        soup.positions.push_back(to_position({std::cos(angle), std::sin(angle), 0}));
+        soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % valence});
+    }
+    EXPECT_TRUE(is_clean(repair(soup).report));
+}
+
+TEST(MeshRepair, LimitsTheTrianglesAtAnEdge) {
+    const auto book = [](uint32_t pages) {
+        Soup soup{{{0, 0, 0}, {0, 0, 1}}, {}};
+        for (uint32_t i = 0; i < pages; ++i) {
+            soup.positions.push_back(to_position({std::cos(0.001 * i), std::sin(0.001 * i), 0}));
+            soup.triangles.push_back({0, 1, 2 + i});
+            if (i % 2) std::swap(soup.triangles.back()[0], soup.triangles.back()[1]);
+        }
+        return soup;
+    };
+    EXPECT_EQ(repair(book(32)).report.topology.components, 16u);
+    EXPECT_EQ(repair(book(1000)).report.topology.components, 1000u);
+    EXPECT_EQ(failure_of(RepairInput(book(1001))), "more than 1000 triangles share the edge from vertex 0 to vertex 1");
+}
+
+TEST(MeshRepair, RefusesWhatIsNoMesh) {
+    EXPECT_EQ(failure_of(RepairInput(Soup{})), "the mesh is empty: it has 0 vertices and 0 triangles");
+    EXPECT_EQ(failure_of(RepairInput(Soup{{{0, 0, 0}}, {}})), "the mesh is empty: it has 1 vertices and 0 triangles");
+    EXPECT_EQ(failure_of(RepairInput(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 1, 2}}})),
+              "nothing is left of the mesh: each of its 1 triangles names a vertex twice");
+
+    Soup soup = sphere(1);
+    soup.triangles[7][2] = 42;
+    EXPECT_EQ(failure_of(RepairInput(soup)), "triangle 7 of the mesh names vertex 42; there are 42 vertices");
+
+    for (float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -2e30f}) {
+        soup = sphere(1);
+        soup.positions[5] = {1, bad, 2};
+        const std::string failure = failure_of(RepairInput(soup));
+        EXPECT_NE(failure.find("vertex 5 of the mesh is at (1, "), std::string::npos) << failure;
+    }
+    soup.positions[5] = {1, 1e30f, 2};
+    EXPECT_EQ(failure_of(RepairInput(soup)), "");
+
+    RepairInput without(sphere(1));
+    without.column.attribute = FLG_ATTRIBUTE_NORMAL;
+    EXPECT_EQ(failure_of(without), "none of the mesh's 1 columns is FLG_ATTRIBUTE_POSITION");
+
+    RepairInput large(sphere(1));
+    large.view.triangle_count = 1u << 30;
+    EXPECT_EQ(failure_of(large),
+              "the mesh has 42 vertices and 1073741824 triangles, the limit is 2147483648 and 715827882");
+
+    for (float bad : {-1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        const std::string failure = failure_of(RepairInput(sphere(1)), {.weld_distance = bad});
+        EXPECT_NE(failure.find("must be finite and not negative"), std::string::npos) << failure;
+    }
+}
+
+TEST(MeshRepair, DoesNotDependOnPauses) {
+    Soup soup = exploded(band(20, true));
+    append(soup, torus(30, 20), Vec3(5, 0, 0));
+    append_cube(soup, Vec3(10, 0, 0));
+    append_cube(soup, Vec3(11, 1, 0));
+    const RepairInput input(soup);
+    const RepairedMesh whole = repair(input, {.weld_distance = 0.0f});
+    const RepairedMesh sliced = repair(input, {.weld_distance = 0.0f}, true);
+    const auto expect_same = [](const auto& a, const auto& b) {
+        EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+    };
+    expect_same(whole.mesh.positions, sliced.mesh.positions);
+    expect_same(whole.mesh.triangles, sliced.mesh.triangles);
+    expect_same(whole.mesh.neighbours, sliced.mesh.neighbours);
+    expect_same(whole.mesh.corner_of_vertex, sliced.mesh.corner_of_vertex);
+    expect_same(whole.vertices.to_input, sliced.vertices.to_input);
+}
+
+}  // namespace
+}  // namespace flg::test
