@@ -5,6 +5,7 @@
 // only lead on.
 #include "io/gltf_mesh_reader.h"
 
+#include <algorithm>
 #include <map>
 
 #include "io/gltf_scene.h"
@@ -21,10 +22,12 @@ public:
 
     MeshData read() {
         data_.format = "gltf";
-        data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, {}});
         visit_primitives(document_, [this](const GltfPrimitive& primitive) { read_primitive(primitive); });
         if (data_.triangles.empty()) fail(FLG_ERROR_FORMAT, "meshes", "the file shows no triangles");
-        if (!has_color_) data_.columns.clear();
+        if (!colors_.empty()) {
+            colors_.resize(4 * data_.vertex_count(), 1.0f);
+            data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, std::move(colors_)});
+        }
         if (regions_.size() == 1) data_.regions.clear();
         data_.warn(others_, "primitive", "of points or lines, left out: only triangles are read");
         data_.warn(open_, "primitive", "of triangles that are not complete, the rest left out");
@@ -67,11 +70,18 @@ private:
 
     void append_vertices(const GltfVertices& vertices, const Transform& transform) {
         first_vertex_ = static_cast<uint32_t>(data_.vertex_count());
-        has_color_ |= vertices.colors.has_value();
-        std::vector<float>& colors = data_.columns[0].values;
-        for (uint32_t i = 0; i < vertices.positions.count; ++i) {
-            for (float value : vertices.position(i, transform)) data_.positions.push_back(value);
-            for (float value : vertices.color(i)) colors.push_back(value);
+        const uint32_t count = static_cast<uint32_t>(vertices.positions.count);
+        data_.positions.resize(3 * (size_t{first_vertex_} + count));
+        float* to = &data_.positions[3 * size_t{first_vertex_}];
+        for (uint32_t i = 0; i < count; ++i, to += 3) {
+            const std::array<float, 3> position = vertices.position(i, transform);
+            std::copy(position.begin(), position.end(), to);
+        }
+        if (!vertices.colors) return;
+        // White, where primitives before this one have no colours.
+        colors_.resize(4 * size_t{first_vertex_}, 1.0f);
+        for (uint32_t i = 0; i < count; ++i) {
+            for (float value : vertices.color(i)) colors_.push_back(value);
         }
     }
 
@@ -99,7 +109,7 @@ private:
 
     GltfDocument document_;
     MeshData data_;
-    bool has_color_ = false;
+    std::vector<float> colors_;  // of the vertices up to the last that has one
     SharedVertices shared_ = {};
     uint32_t first_vertex_ = 0;
     std::map<uint64_t, uint32_t> regions_;  // of materials

@@ -68,7 +68,8 @@ struct MeshData {
 
     // Faces may share vertices, and meshes be shown many times: a small file could ask for very much.
     void check_room(uint64_t more_vertices, uint64_t more_triangles, const std::string& place) const {
-        uint64_t vertex_bytes = 3 * sizeof(float);
+        // As if all vertices had colours.
+        uint64_t vertex_bytes = (3 + 4) * sizeof(float);
         for (const VertexColumn& column : columns) vertex_bytes += column.components * sizeof(float);
         const uint64_t triangle_bytes = (4 + face_columns.size()) * sizeof(uint32_t);
         const uint64_t vertices = vertex_count() + more_vertices;

@@ -6,12 +6,16 @@
 #include "io/off_format.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "io/text_lines.h"
 
 namespace flg::io {
 
 namespace {
+
+// Numbers that are read are finite.
+constexpr float no_alpha = std::numeric_limits<float>::infinity();
 
 class OffReader {
 public:
@@ -24,11 +28,9 @@ public:
         for (uint64_t i = 0; i < face_count_; ++i) read_face();
         if (data_.triangles.empty()) fail(FLG_ERROR_FORMAT, place(), "the file holds no faces");
         if (has_colors_) {
-            const bool bytes = std::any_of(colors_.begin(), colors_.end(), [](float value) { return value > 1; });
-            for (size_t i = 0; bytes && i < colors_.size(); ++i) {
-                // Where alpha is not given, it is 1 already.
-                if (i % 4 != 3 || has_alpha_) colors_[i] /= 255;
-            }
+            const bool bytes =
+                std::any_of(colors_.begin(), colors_.end(), [](float value) { return value > 1 && value != no_alpha; });
+            for (float& value : colors_) value = value == no_alpha ? 1 : value / (bytes ? 255.0f : 1.0f);
             data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, std::move(colors_)});
         }
         Tally more;
@@ -93,8 +95,7 @@ private:
         for (int k = 0; has_normals_ && k < 3; ++k) cursor_.number("normal");
         if (!has_colors_) return;
         for (const char* what : {"red", "green", "blue"}) colors_.push_back(cursor_.number(what));
-        has_alpha_ |= cursor_.more();
-        colors_.push_back(cursor_.more() ? cursor_.number("alpha") : 1.0f);
+        colors_.push_back(cursor_.more() ? cursor_.number("alpha") : no_alpha);
     }
 
     void read_face() {
@@ -119,7 +120,7 @@ private:
     LineCursor cursor_{{}, 0};
     MeshData data_;
     uint64_t vertex_count_ = 0, face_count_ = 0;
-    bool has_colors_ = false, has_normals_ = false, has_alpha_ = false;
+    bool has_colors_ = false, has_normals_ = false;
     std::vector<float> colors_;
     std::vector<uint32_t> corners_;
 };

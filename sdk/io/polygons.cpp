@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Source: Meisters, Polygons have ears (1975). A polygon is seen along the axis that its normal (Newell's) is closest to;
-// an ear is a convex corner whose triangle holds none of the reflex corners. The next ear is looked for where the last
+// an ear is a convex corner whose triangle holds none of the corners that are reflex or flat. The next ear is looked for where the last
 // one was cut, which spreads the triangles.
 // Invariant: n corners give n - 2 triangles, so that each polygon stays where its fan was.
 // Departures: polygons that have no ear left (they cross themselves) and those of more than most_corners keep a fan of
@@ -124,8 +124,8 @@ private:
             const Point& p = points_[left_[i]];
             // Corners on one of the ear's own (as where a slit closes) do not stand in its way.
             if (p == a || p == b || p == c) continue;
-            const bool reflex = turn(points_[left_[(i + n - 1) % n]], p, points_[left_[(i + 1) % n]]) < 0;
-            if (reflex && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+            const bool convex = turn(points_[left_[(i + n - 1) % n]], p, points_[left_[(i + 1) % n]]) > 0;
+            if (!convex && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
         }
         return true;
     }

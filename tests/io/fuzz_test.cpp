@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "io/files.h"
+#include "io/mesh_files.h"
 #include "io/tilt_files.h"
 
 namespace flg::test {
@@ -24,7 +24,28 @@ void expect_sound(const Read& curves) {
     for (size_t c = 0; c < curves.flags.size(); ++c) ASSERT_LT(curves.offsets[c], curves.offsets[c + 1]);
 }
 
-void damage(const std::string& path, const std::string& whole, int rounds) {
+void expect_sound(const ReadMesh& mesh) {
+    if (mesh.result != FLG_OK) {
+        EXPECT_TRUE(mesh.result == FLG_ERROR_FORMAT || mesh.result == FLG_ERROR_LIMIT || mesh.result == FLG_ERROR_FILE)
+            << mesh.error;
+        return;
+    }
+    for (const auto& [attribute, column] : mesh.columns) {
+        for (float value : column) ASSERT_LE(std::abs(value), 1e30f) << attribute;
+    }
+    ASSERT_FALSE(mesh.triangles.empty());
+    for (uint32_t vertex : mesh.triangles) ASSERT_LT(vertex, mesh.info.vertex_count);
+}
+
+void read_curves(const std::string& path) {
+    expect_sound(read(path));
+}
+
+void read_meshes(const std::string& path) {
+    expect_sound(read_mesh(path));
+}
+
+void damage(const std::string& path, const std::string& whole, int rounds, void (*read_one)(const std::string&)) {
     std::mt19937 random(1);
     const std::string root = std::filesystem::path(path).extension() == ".sketch"
                                  ? std::filesystem::path(path).parent_path().string()
@@ -36,17 +57,17 @@ void damage(const std::string& path, const std::string& whole, int rounds) {
         }
         std::filesystem::remove(path);
         std::ofstream(path, std::ios::binary) << bytes;
-        expect_sound(read(root));
+        read_one(root);
     }
 }
 
 TEST(Fuzz, Tilt) {
     const Folder folder;
     const std::string sketch = tilt_sketch({sample_stroke(), sample_stroke()});
-    damage(folder.at("a.tilt"), tilt_file(sketch), 800);
-    damage(folder.at("b.tilt"), tilt_file(sketch, true), 800);
+    damage(folder.at("a.tilt"), tilt_file(sketch), 800, read_curves);
+    damage(folder.at("b.tilt"), tilt_file(sketch, true), 800, read_curves);
     folder.put("c.tilt/metadata.json", tilt_metadata);
-    damage(folder.at("c.tilt/data.sketch"), sketch, 1200);
+    damage(folder.at("c.tilt/data.sketch"), sketch, 1200, read_curves);
 }
 
 Curves sample_curves() {
@@ -64,8 +85,33 @@ TEST(Fuzz, TextAndGltf) {
     Curves curves = sample_curves();
     for (const char* name : {"a.xyz", "a.obj", "a.glb"}) {
         ASSERT_EQ(write(folder.at(name), curves), FLG_OK);
-        damage(folder.at(name), slurp(folder.at(name)), 600);
+        damage(folder.at(name), slurp(folder.at(name)), 600, read_curves);
     }
+}
+
+MeshInput sample_mesh() {
+    MeshInput mesh;
+    mesh.colors.assign(16, 0.5f);
+    mesh.normals.assign(12, 0.5f);
+    mesh.user.assign(8, 0.25f);
+    mesh.regions = {0, 1, 1, 2};
+    mesh.split_regions = true;
+    return mesh;
+}
+
+TEST(Fuzz, Meshes) {
+    const Folder folder;
+    MeshInput mesh = sample_mesh();
+    for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb"}) {
+        ASSERT_EQ(write_mesh(folder.at(name), mesh), FLG_OK) << flgIoLastError();
+        damage(folder.at(name), slurp(folder.at(name)), 800, read_meshes);
+    }
+    damage(folder.at("b.ply"),
+           "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 2\nproperty list uchar int vertex_indices\nproperty int region\n"
+           "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+           "0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n1 1 1\n4 0 1 2 3 7\n3 0 1 4 8\n7 0 1 2 -1 3 2 1\n",
+           1200, read_meshes);
 }
 
 TEST(Fuzz, TruncatedGlbIsRefused) {
@@ -75,6 +121,14 @@ TEST(Fuzz, TruncatedGlbIsRefused) {
     const std::string whole = slurp(folder.at("a.glb"));
     for (size_t size = 0; size < whole.size(); ++size) {
         ASSERT_EQ(read(folder.put("cut.glb", std::string_view(whole).substr(0, size))).result, FLG_ERROR_FORMAT)
+            << size;
+    }
+    MeshInput mesh = sample_mesh();
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK);
+    const std::string triangles = slurp(folder.at("a.glb"));
+    for (size_t size = 0; size < triangles.size(); ++size) {
+        ASSERT_EQ(read_mesh(folder.put("cut.glb", std::string_view(triangles).substr(0, size))).result,
+                  FLG_ERROR_FORMAT)
             << size;
     }
 }

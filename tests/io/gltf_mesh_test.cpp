@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Triangles of glTF files: what is read of other programs' files, and what another reader (tinygltf) finds in ours.
+#include <tiny_gltf.h>
+
+#include <algorithm>
+
+#include <cstring>
+#include <limits>
+
+#include "io/gltf_files.h"
+#include "io/mesh_files.h"
+
+namespace flg::test {
+namespace {
+
+// Primitives of triangles over the document's four points.
+Document document_of(const std::string& primitives) {
+    Document document;
+    document.primitive = primitives;
+    return document;
+}
+
+// Adds an accessor of 16-bit indices; the first is accessor 1.
+void add_indices(Document& document, const std::vector<uint16_t>& indices) {
+    const std::string view =
+        std::to_string(1 + static_cast<size_t>(std::count(document.views.begin(), document.views.end(), '{')));
+    document.views += R"(, {"buffer": 0, "byteOffset": )" + std::to_string(48 + document.more.size()) +
+                      R"(, "byteLength": )" + std::to_string(2 * indices.size()) + "}";
+    document.accessors += R"(, {"bufferView": )" + view + R"(, "componentType": 5123, "type": "SCALAR", "count": )" +
+                          std::to_string(indices.size()) + "}";
+    document.more += bytes_of(indices);
+}
+
+TEST(GltfMesh, ReadsTrianglesStripsAndFans) {
+    const Folder folder;
+    Document document = document_of(R"({"attributes": {"POSITION": 0}, "indices": 1},
+        {"attributes": {"POSITION": 0}, "indices": 2, "mode": 5}, {"attributes": {"POSITION": 0}, "mode": 6},
+        {"attributes": {"POSITION": 0}, "mode": 3}, {"attributes": {"POSITION": 0}, "mode": 4})");
+    add_indices(document, {0, 1, 2, 0, 2, 3});
+    add_indices(document, {0, 1, 3, 2, 2, 1, 0});
+    ReadMesh mesh = read_mesh(folder.put("a.gltf", document.text()));
+    ASSERT_EQ(mesh.result, FLG_OK) << mesh.error;
+    // All primitives share the same vertices.
+    EXPECT_EQ(mesh.positions(), document.points);
+    EXPECT_EQ(mesh.triangles, (Indices{0, 1, 2, 0, 2, 3, 0, 1, 3, 3, 1, 2, 2, 1, 0, 0, 1, 2, 0, 2, 3, 0, 1, 2}));
+    EXPECT_EQ(mesh.info.polygon_count, 8u);
+    EXPECT_EQ(mesh.regions, Indices{});
+    EXPECT_EQ(mesh.format, "gltf");
+    EXPECT_EQ(mesh.warnings,
+              "1 primitive: of points or lines, left out: only triangles are read (first: primitive 3)\n"
+              "1 primitive: of triangles that are not complete, the rest left out (first: primitive 4)\n");
+}
+
+TEST(GltfMesh, NodesPlaceMeshesAndMirrorsTurnTriangles) {
+    const Folder folder;
+    Document document = document_of(R"({"attributes": {"POSITION": 0}, "indices": 1})");
+    add_indices(document, {0, 1, 2});
+    document.nodes = R"("scenes": [{"nodes": [2]}], "nodes": [{"mesh": 0, "translation": [0, 0, 5]},
+        {"mesh": 0, "scale": [-1, 2, 1]}, {"children": [0, 1], "translation": [10, 0, 0]}],)";
+    ReadMesh mesh = read_mesh(folder.put("a.gltf", document.text()));
+    ASSERT_EQ(mesh.result, FLG_OK) << mesh.error;
+    EXPECT_EQ(mesh.positions(), (Floats{10, 0, 5, 11, 0, 5, 11, 1, 5, 10, 1, 5, 10, 0, 0, 9, 0, 0, 9, 2, 0, 10, 2, 0}));
+    EXPECT_EQ(mesh.triangles, (Indices{0, 1, 2, 4, 6, 5}));
+    EXPECT_NEAR(mesh.area_xy(), 0.5 + 1, 1e-6);
+    // Without nodes: as they are.
+    document.nodes.clear();
+    EXPECT_EQ(read_mesh(folder.put("b.gltf", document.text())).positions(), document.points);
+}
+
+TEST(GltfMesh, MaterialsAreRegionsAndColoursAreFilledUp) {
+    const Folder folder;
+    Document document = document_of(R"({"attributes": {"POSITION": 0}, "indices": 1, "material": 5},
+        {"attributes": {"POSITION": 0, "COLOR_0": 2}, "indices": 1},
+        {"attributes": {"POSITION": 0}, "indices": 1, "material": 5})");
+    add_indices(document, {0, 1, 2});
+    document.more.resize(8);
+    document.more += std::string("\xff\x00\x33.\x00\xff\x00.\x00\x00\xff.\xff\xff\xff.", 16);
+    document.views += R"(, {"buffer": 0, "byteOffset": 56, "byteLength": 16, "byteStride": 4})";
+    document.accessors +=
+        R"(, {"bufferView": 2, "componentType": 5121, "normalized": true, "count": 4, "type": "VEC3"})";
+    ReadMesh mesh = read_mesh(folder.put("a.gltf", document.text()));
+    ASSERT_EQ(mesh.result, FLG_OK) << mesh.error;
+    EXPECT_EQ(mesh.regions, (Indices{0, 1, 0}));
+    EXPECT_EQ(mesh.triangles, (Indices{0, 1, 2, 4, 5, 6, 8, 9, 10}));
+    ASSERT_EQ(mesh.colors().size(), 48u);
+    const Floats middle(mesh.colors().begin() + 16, mesh.colors().begin() + 20);
+    EXPECT_EQ(middle, (Floats{1, 0, 0.2f, 1}));
+    EXPECT_EQ(Floats(mesh.colors().begin(), mesh.colors().begin() + 16), Floats(16, 1.0f));
+    EXPECT_EQ(Floats(mesh.colors().begin() + 32, mesh.colors().end()), Floats(16, 1.0f));
+}
+
+TEST(GltfMesh, RefusesWithThePlace) {
+    const Folder folder;
+    const auto refuse = [&](const Document& document, const char* place, const char* reason) {
+        expect_mesh_refused(folder.put("a.gltf", document.text()), FLG_ERROR_FORMAT, place, reason);
+    };
+    refuse(document_of(R"({"attributes": {"POSITION": 0}, "mode": 3})"), "meshes", "the file shows no triangles");
+    refuse(document_of(R"({"attributes": {"POSITION": 0}, "mode": 7})"), "meshes[0].primitives[0].mode", "is 7");
+    refuse(document_of(R"({"attributes": {"NORMAL": 0}})"), "meshes[0].primitives[0].attributes", "has no POSITION");
+    refuse(document_of(R"({})"), "meshes[0].primitives[0].attributes", "has no POSITION");
+    refuse(document_of(R"({"attributes": {"POSITION": 0}, "indices": 1})"), "meshes[0].primitives[0].indices",
+           "accessors 1 of 1");
+    refuse(document_of(R"({"attributes": {"POSITION": 0}, "indices": 0})"), "accessors[0]", "no unsigned integers");
+    refuse(document_of(R"({"attributes": {"POSITION": 0}, "material": -1})"), "meshes[0].primitives[0].material",
+           "whole number");
+    refuse(document_of("3"), "meshes[0].primitives[0]", "no object");
+    Document document = document_of(R"({"attributes": {"POSITION": 0}, "indices": 1})");
+    add_indices(document, {0, 1, 4});
+    refuse(document, "accessors[1]", "index 4 at 2, but there are 4 vertices");
+    document = document_of(R"({"attributes": {"POSITION": 0}})");
+    document.points[4] = std::numeric_limits<float>::quiet_NaN();
+    refuse(document, "accessors[0]", "vertex 1 gives nan");
+    document.points[4] = 1e30f;
+    document.nodes = R"("nodes": [{"mesh": 0, "scale": [1, 10, 1]}],)";
+    refuse(document, "accessors[0]", "vertex 1 gives 1e+31");
+}
+
+TEST(GltfMesh, SmallFilesCannotAskForMemoryWithoutEnd) {
+    const Folder folder;
+    // 200 nodes that show the same million one-byte indices: 3.2 GB of triangles out of a megabyte.
+    constexpr uint64_t indices = 3000000;
+    Document document = document_of(R"({"attributes": {"POSITION": 0}, "indices": 1})");
+    document.uri = "big.bin";
+    document.length = 48 + indices;
+    std::filesystem::resize_file(folder.put("big.bin", bytes_of(document.points)), document.length);
+    document.accessors =
+        R"(, {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": )" + std::to_string(indices) + "}";
+    document.views = R"(, {"buffer": 0, "byteOffset": 48, "byteLength": )" + std::to_string(indices) + "}";
+    std::string nodes;
+    for (int i = 0; i < 200; ++i) nodes += R"({"mesh": 0},)";
+    document.nodes = R"("nodes": [)" + nodes + R"({"mesh": 0}],)";
+    expect_mesh_refused(folder.put("a.gltf", document.text()), FLG_ERROR_LIMIT, "meshes[0].primitives[0]", "2 GiB");
+}
+
+TEST(GltfMesh, RoundTripsEveryBit) {
+    const Folder folder;
+    MeshInput mesh;
+    mesh.positions = {0.1f, -7.5f, 1e-42f, 1e30f, 0.3f, 0, -7.7f, 1, 0.125f, 3, 4, 5};
+    mesh.colors = {0.1f, 0.2f, 0.3f, 0.4f, 1, 0, 0, 1, 0, 0, 0, 0.5f, 0, 0, 0, 0};
+    mesh.regions = {9, 4, 9, 7};
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoLastError();
+    ReadMesh again = read_mesh(folder.at("a.glb"));
+    ASSERT_EQ(again.result, FLG_OK) << again.error;
+    EXPECT_EQ(again.positions(), mesh.positions);
+    EXPECT_EQ(again.colors(), mesh.colors);
+    EXPECT_EQ(again.triangles, mesh.triangles);
+    EXPECT_EQ(again.regions, Indices{});
+    // With regions: by region, in their order, vertices still shared.
+    mesh.split_regions = true;
+    ASSERT_EQ(write_mesh(folder.at("b.glb"), mesh), FLG_OK) << flgIoLastError();
+    ReadMesh split = read_mesh(folder.at("b.glb"));
+    EXPECT_EQ(split.positions(), mesh.positions);
+    EXPECT_EQ(split.triangles, (Indices{0, 1, 3, 1, 2, 3, 0, 2, 1, 0, 3, 2}));
+    EXPECT_EQ(split.regions, (Indices{0, 1, 2, 2}));
+}
+
+tinygltf::Model load_model(const std::string& path) {
+    tinygltf::TinyGLTF loader;
+    tinygltf::Model model;
+    std::string error, warning;
+    EXPECT_TRUE(loader.LoadBinaryFromFile(&model, &error, &warning, path)) << error;
+    EXPECT_EQ(error + warning, "");
+    return model;
+}
+
+template <class T>
+std::vector<T> values_of(const tinygltf::Model& model, int index, size_t components) {
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(accessor.bufferView)];
+    std::vector<T> values(accessor.count * components);
+    std::memcpy(values.data(), &model.buffers[0].data[view.byteOffset + accessor.byteOffset],
+                values.size() * sizeof(T));
+    return values;
+}
+
+TEST(GltfMesh, AnotherReaderFindsTheSame) {
+    const Folder folder;
+    MeshInput mesh;
+    mesh.regions = {3, 3, 0, 3};
+    mesh.split_regions = true;
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoLastError();
+    const tinygltf::Model model = load_model(folder.at("a.glb"));
+    ASSERT_EQ(model.meshes.size(), 1u);
+    ASSERT_EQ(model.meshes[0].primitives.size(), 2u);
+    ASSERT_EQ(model.materials.size(), 2u);
+    EXPECT_EQ(model.materials[0].name, "region 0");
+    EXPECT_EQ(model.materials[1].name, "region 3");
+    const tinygltf::Primitive& first = model.meshes[0].primitives[0];
+    const tinygltf::Primitive& second = model.meshes[0].primitives[1];
+    EXPECT_EQ(first.mode, TINYGLTF_MODE_TRIANGLES);
+    EXPECT_EQ(values_of<uint32_t>(model, first.indices, 1), (Indices{0, 3, 2}));
+    EXPECT_EQ(values_of<uint32_t>(model, second.indices, 1), (Indices{0, 2, 1, 0, 1, 3, 1, 2, 3}));
+    EXPECT_EQ(values_of<float>(model, second.attributes.at("POSITION"), 3), mesh.positions);
+    const tinygltf::Accessor& bounds = model.accessors[static_cast<size_t>(first.attributes.at("POSITION"))];
+    EXPECT_EQ(bounds.minValues, (std::vector<double>{0, 0, 0}));
+    EXPECT_EQ(bounds.maxValues, (std::vector<double>{1, 1, 1}));
+    // Outwards, by area: at the origin along the diagonal; at (1, 0, 0) two faces of area 1/2 and the slanted one.
+    const Floats normals = values_of<float>(model, first.attributes.at("NORMAL"), 3);
+    const float third = -1 / std::sqrt(3.0f);
+    for (size_t k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(normals[k], third);
+    for (size_t k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(normals[3 + k], k == 0 ? 1.0f : 0.0f);
+
+    MeshInput given;
+    given.normals = {2, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, -1};
+    ASSERT_EQ(write_mesh(folder.at("b.glb"), given), FLG_OK);
+    const tinygltf::Model with_normals = load_model(folder.at("b.glb"));
+    ASSERT_EQ(with_normals.materials.size(), 1u);
+    EXPECT_EQ(values_of<float>(with_normals, with_normals.meshes[0].primitives[0].attributes.at("NORMAL"), 3),
+              (Floats{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1}));
+}
+
+}  // namespace
+}  // namespace flg::test
