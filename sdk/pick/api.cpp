@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// The C ABI of picking: checks, and failures as results.
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+
+#include "pick/pick_scene.h"
+
+using flg::Failure;
+using flg::pick::PickScene;
+
+struct FlgPickSceneT {
+    explicit FlgPickSceneT(uint32_t threads) : scene(threads) {}
+    PickScene scene;
+};
+
+namespace {
+
+thread_local char last_error[512] = "no error";
+
+FlgResult take_error(FlgResult result, const char* sentence) noexcept {
+    std::snprintf(last_error, sizeof last_error, "%s", sentence);
+    return result;
+}
+
+template <class Body>
+FlgResult guarded(Body&& body) noexcept {
+    try {
+        body();
+        return FLG_OK;
+    } catch (const Failure& failure) {
+        return take_error(failure.result(), failure.what());
+    } catch (const std::bad_alloc&) {
+        return take_error(FLG_ERROR_OUT_OF_MEMORY, "no memory is left");
+    } catch (const std::exception& error) {
+        return take_error(FLG_ERROR_INTERNAL, error.what());
+    } catch (...) {
+        return take_error(FLG_ERROR_INTERNAL, "unknown exception");
+    }
+}
+
+template <class T>
+T& require(T* pointer, const char* name) {
+    if (!pointer) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
+    return *pointer;
+}
+
+template <class Struct>
+void check_size(uint32_t struct_size, const char* name) {
+    if (struct_size < sizeof(Struct)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: struct_size is %u, must be at least %zu", name, struct_size,
+                      sizeof(Struct));
+    }
+}
+
+void check_finite(const float* values, uint32_t count, const char* name, uint32_t index) {
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!std::isfinite(values[i])) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] holds %g, must be finite", name, index,
+                          static_cast<double>(values[i]));
+        }
+    }
+}
+
+bool has_positions(const FlgColumn* columns, uint32_t count) {
+    for (uint32_t i = 0; columns && i < count; ++i) {
+        if (columns[i].attribute == FLG_ATTRIBUTE_POSITION) return columns[i].components == 3 && columns[i].data;
+    }
+    return false;
+}
+
+void check_surface(const FlgSurfaceView* surface, const uint32_t* changed, uint32_t changed_count) {
+    check_size<FlgSurfaceView>(require(surface, "surface").struct_size, "surface");
+    const FlgMeshView& mesh = surface->mesh;
+    if (!has_positions(mesh.columns, mesh.column_count)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.columns has no FLG_ATTRIBUTE_POSITION");
+    }
+    require(mesh.triangles, "surface.mesh.triangles");
+    for (size_t i = 0; i < size_t{3} * mesh.triangle_count; ++i) {
+        if (mesh.triangles[i] >= mesh.vertex_count) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.triangles[%zu] is %u, but there are %u vertices", i,
+                          mesh.triangles[i], mesh.vertex_count);
+        }
+    }
+    for (uint32_t i = 0; changed && i < changed_count; ++i) {
+        if (changed[i] >= mesh.triangle_count) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "changed[%u] is %u, but there are %u triangles", i, changed[i],
+                          mesh.triangle_count);
+        }
+    }
+}
+
+void check_curves(const FlgCurveSetView* curves, float least_radius) {
+    check_size<FlgCurveSetView>(require(curves, "curves").struct_size, "curves");
+    if (!has_positions(curves->columns, curves->column_count)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curves.columns has no FLG_ATTRIBUTE_POSITION");
+    }
+    require(curves->curve_offsets, "curves.curve_offsets");
+    if (!(least_radius > 0 && std::isfinite(least_radius))) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "least_radius is %g, must be finite and above 0",
+                      static_cast<double>(least_radius));
+    }
+}
+
+void check_rays(const FlgRay* rays, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        check_finite(rays[i].origin, 3, "the origin of rays", i);
+        check_finite(rays[i].direction, 3, "the direction of rays", i);
+        const float* d = rays[i].direction;
+        if (d[0] == 0 && d[1] == 0 && d[2] == 0) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the direction of rays[%u] is 0", i);
+        }
+        if (!(rays[i].nearest >= 0 && rays[i].furthest >= rays[i].nearest)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "rays[%u] goes from %g to %g, must be 0 or above and rising", i,
+                          static_cast<double>(rays[i].nearest), static_cast<double>(rays[i].furthest));
+        }
+    }
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* flgPickLastError(void) {
+    return last_error;
+}
+
+FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        require(desc, "desc");
+        check_size<FlgPickSceneDesc>(struct_size, "desc");
+        std::memset(static_cast<void*>(desc), 0, struct_size);
+        *desc = {.struct_size = struct_size, .threads = 1};
+    });
+}
+
+FlgResult flgPickSceneCreate(const FlgPickSceneDesc* desc, FlgPickScene* out_scene) {
+    return guarded([&] {
+        require(out_scene, "out_scene") = nullptr;
+        if (desc) check_size<FlgPickSceneDesc>(desc->struct_size, "desc");
+        *out_scene = new FlgPickSceneT(desc ? desc->threads : 1);
+    });
+}
+
+void flgPickSceneDestroy(FlgPickScene scene) {
+    delete scene;
+}
+
+FlgResult flgPickSceneSetSurface(FlgPickScene scene, uint32_t object, const FlgSurfaceView* surface,
+                                 const uint32_t* changed, uint32_t changed_count) {
+    return guarded([&] {
+        check_surface(surface, changed, changed_count);
+        require(scene, "scene").scene.set_surface(object, *surface, changed, changed_count);
+    });
+}
+
+FlgResult flgPickSceneSetCurves(FlgPickScene scene, uint32_t object, const FlgCurveSetView* curves,
+                                float least_radius) {
+    return guarded([&] {
+        check_curves(curves, least_radius);
+        require(scene, "scene").scene.set_curves(object, *curves, least_radius);
+    });
+}
+
+FlgResult flgPickSceneRemove(FlgPickScene scene, uint32_t object) {
+    return guarded([&] { require(scene, "scene").scene.remove(object); });
+}
+
+FlgResult flgPickSceneCommit(FlgPickScene scene) {
+    return guarded([&] { require(scene, "scene").scene.commit(); });
+}
+
+FlgResult flgPickRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits) {
+    return guarded([&] {
+        require(scene, "scene");
+        if (ray_count == 0) return;
+        require(rays, "rays");
+        require(out_hits, "out_hits");
+        check_rays(rays, ray_count);
+        scene->scene.pick(rays, ray_count, out_hits);
+    });
+}
+
+FlgResult flgPickNearest(FlgPickScene scene, const float point[3], float max_distance, FlgHit* out_hit) {
+    return guarded([&] {
+        require(scene, "scene");
+        require(point, "point");
+        require(out_hit, "out_hit");
+        check_finite(point, 3, "point", 0);
+        if (!(max_distance > 0)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "max_distance is %g, must be above 0",
+                          static_cast<double>(max_distance));
+        }
+        *out_hit = scene->scene.nearest(flg::pick::load(point), max_distance);
+    });
+}
+
+}  // extern "C"

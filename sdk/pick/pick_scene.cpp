@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "pick/pick_scene.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "pick/curve_target.h"
+
+namespace flg::pick {
+
+namespace {
+
+constexpr uint32_t packet = 8;  // rays that go through the scene together
+
+constexpr FlgHit no_hit = {.object = FLG_NO_INDEX,
+                           .element = FLG_NO_INDEX,
+                           .u = 0,
+                           .v = 0,
+                           .position = {},
+                           .distance = HUGE_VALF,
+                           .normal = {},
+                           .region = FLG_NO_INDEX};
+
+Device make_device(uint32_t threads) {
+    char config[32];
+    std::snprintf(config, sizeof config, "threads=%u", threads);
+    Device device(rtcNewDevice(config));
+    if (!device) check(nullptr, "start");
+    return device;
+}
+
+}  // namespace
+
+PickScene::PickScene(uint32_t threads)
+    : device_(make_device(threads)), scene_(rtcNewScene(device_.get())), boxes_(rtcNewScene(device_.get())) {
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
+    commit();
+}
+
+void PickScene::set_surface(uint32_t object, const FlgSurfaceView& surface, const uint32_t* changed,
+                            uint32_t changed_count) {
+    const auto there = objects_.find(object);
+    if (changed && there != objects_.end() && there->second.surface &&
+        there->second.surface->update(surface, changed, changed_count)) {
+        return;
+    }
+    auto made = std::make_unique<SurfaceTarget>(device_.get(), scene_.get(), surface);
+    SurfaceTarget* const target = made.get();
+    objects_[object] = {std::move(made), target};
+}
+
+void PickScene::set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius) {
+    objects_[object] = {std::make_unique<CurveTarget>(device_.get(), scene_.get(), boxes_.get(), curves, least_radius),
+                        nullptr};
+}
+
+void PickScene::remove(uint32_t object) {
+    if (objects_.erase(object) == 0)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "object is %u, nothing in the scene", object);
+}
+
+void PickScene::commit() {
+    parts_.clear();
+    box_parts_.clear();
+    const auto enter = [](Parts& parts, uint32_t id, const Part& part) {
+        if (id == RTC_INVALID_GEOMETRY_ID) return;
+        if (id >= parts.size()) parts.resize(id + 1);
+        parts[id] = part;
+    };
+    for (const auto& [number, object] : objects_) {
+        const Target& target = *object.target;
+        for (uint32_t part = 0; part < target.part_count(); ++part) {
+            enter(parts_, target.geometry_id(part), {number, part, &target});
+        }
+        enter(box_parts_, target.box_id(), {number, 0, &target});
+    }
+    rtcCommitScene(scene_.get());
+    rtcCommitScene(boxes_.get());
+    check(device_.get(), "build the scene");
+}
+
+void PickScene::pick(const FlgRay* rays, uint32_t count, FlgHit* hits) const {
+    for (uint32_t first = 0; first < count; first += packet) {
+        pick_eight(rays + first, std::min(packet, count - first), hits + first);
+    }
+}
+
+void PickScene::pick_eight(const FlgRay* rays, uint32_t count, FlgHit* hits) const {
+    alignas(32) RTCRayHit8 packet_of_rays{};
+    alignas(32) int valid[packet] = {};
+    RTCRay8& ray = packet_of_rays.ray;
+    RTCHit8& hit = packet_of_rays.hit;
+    for (uint32_t i = 0; i < count; ++i) {
+        valid[i] = -1;
+        ray.org_x[i] = rays[i].origin[0];
+        ray.org_y[i] = rays[i].origin[1];
+        ray.org_z[i] = rays[i].origin[2];
+        ray.dir_x[i] = rays[i].direction[0];
+        ray.dir_y[i] = rays[i].direction[1];
+        ray.dir_z[i] = rays[i].direction[2];
+        ray.tnear[i] = rays[i].nearest;
+        ray.tfar[i] = rays[i].furthest;
+        ray.mask[i] = UINT32_MAX;
+        hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect8(valid, scene_.get(), &context, &packet_of_rays);
+    for (uint32_t i = 0; i < count; ++i) {
+        hits[i] = no_hit;
+        if (hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+        const Part& part = parts_[hit.geomID[i]];
+        hits[i].object = part.object;
+        hits[i].distance = ray.tfar[i];
+        const Vec3f position = load(rays[i].origin) + ray.tfar[i] * load(rays[i].direction);
+        part.target->describe(
+            {part.part, hit.primID[i], hit.u[i], hit.v[i], position, Vec3f(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i])},
+            hits[i]);
+    }
+}
+
+struct PickScene::NearestSearch {
+    const Parts* parts;
+    const Part* part = nullptr;
+    Nearest best{HUGE_VALF, {}};
+};
+
+bool PickScene::visit_nearest(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<NearestSearch*>(arguments->userPtr);
+    const Part& part = (*search.parts)[arguments->geomID];
+    RTCPointQuery& query = *arguments->query;
+    const Nearest found = part.target->nearest(part.part, arguments->primID, Vec3f(query.x, query.y, query.z));
+    if (!(found.distance <= query.radius) || !(found.distance < search.best.distance)) return false;
+    search.best = found;
+    search.part = &part;
+    query.radius = found.distance;
+    return true;
+}
+
+FlgHit PickScene::nearest(const Vec3f& point, float max_distance) const {
+    NearestSearch search{.parts = &parts_};
+    RTCPointQuery query{point.x(), point.y(), point.z(), 0, max_distance};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_.get(), &query, &context, visit_nearest, &search);
+    search.parts = &box_parts_;
+    rtcPointQuery(boxes_.get(), &query, &context, visit_nearest, &search);
+    FlgHit hit = no_hit;
+    if (!search.part) return hit;
+    hit.object = search.part->object;
+    hit.distance = search.best.distance;
+    search.part->target->describe(search.best.meeting, hit);
+    return hit;
+}
+
+}  // namespace flg::pick
