@@ -126,6 +126,22 @@ Vec3 LiveKernel::first_normal(const Vec3& tangent) const {
     return across(Vec3::Unit(furthest), tangent);
 }
 
+void LiveKernel::begin_walk() {
+    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
+    state_.blend = SeamBlend(settings_.style->graph.patch);
+}
+
+void LiveKernel::advance_walk() {
+    const uint32_t from = state_.walk.node();
+    if (!state_.walk.advance()) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
+    state_.blend.step(from, state_.walk.node(), [this](uint32_t node) { return displacement_of(node); });
+}
+
+Vec3 LiveKernel::displacement_of(uint32_t node) const {
+    const Displacement& d = settings_.style->displacement;
+    return Vec3(d.along_tangent[node], d.along_normal[node], d.along_binormal[node]);
+}
+
 // As FramedSampler has it.
 void LiveKernel::take_supplied_normal(const Vec3& up) {
     const Vec3& tangent = state_.frame.tangent();
@@ -143,10 +159,10 @@ void LiveKernel::make_point(double t) {
     const Vec3 position = segment.position(t), tangent = segment.tangent(t);
     if (state_.points == 0) {
         state_.frame = RotationMinimizingFrame(position, tangent, first_normal(tangent));
-        state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
+        begin_walk();
     } else {
         state_.frame.step(position, tangent);
-        if (!state_.walk.advance()) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
+        advance_walk();
     }
     const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, t);
     if (settings_.frame == FLG_FRAME_SUPPLIED) take_supplied_normal(hand.up);
@@ -159,7 +175,7 @@ void LiveKernel::make_lone_point() {
         ++state_.points;
         return;
     }
-    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
+    begin_walk();
     const Vec3 tangent = Vec3::UnitX();
     write(state_.curve.last_place(), tangent, first_normal(tangent), state_.curve.last_hand(), 0.0);
 }
@@ -167,9 +183,8 @@ void LiveKernel::make_lone_point() {
 void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
                        double factor) {
     const uint32_t node = state_.walk.node();
-    const Displacement& d = settings_.style->displacement;
     const Vec3 binormal = tangent.cross(frame_normal);
-    const Vec3 along = basis_ * Vec3(d.along_tangent[node], d.along_normal[node], d.along_binormal[node]);
+    const Vec3 along = basis_ * (displacement_of(node) + state_.blend.offset());
     const Vec3 displaced = position + factor * (along.x() * tangent + along.y() * frame_normal + along.z() * binormal);
     Vec3 normal = frame_normal;
     write_attributes(node, tangent, normal);

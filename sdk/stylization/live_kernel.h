@@ -57,6 +57,7 @@ struct LiveState {
     double motion_s = 0;   // TIME of the last point, if the style has SPEED
     RotationMinimizingFrame frame;
     StyleWalk walk;
+    SeamBlend blend;
 };
 
 class LiveKernel {
@@ -81,6 +82,9 @@ private:
     void take_segment();
     void make_point(double t);
     void make_lone_point();
+    void begin_walk();
+    void advance_walk();
+    Vec3 displacement_of(uint32_t node) const;
     Vec3 first_normal(const Vec3& tangent) const;
     void take_supplied_normal(const Vec3& up);
     void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,

@@ -3,7 +3,7 @@
 //
 // What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order guide_flow,
 // guide_matching (or guide_discrete_matching), displacement, style_attributes, patch_rows, patch_costs and patch_graph,
-// path_tree, applied_style, synthesis, finishing; and the two jobs that drive them, prepare_style and apply_style. What
+// path_tree, applied_style, synthesis, seam_blend, finishing; and the two jobs that drive them, prepare_style and apply_style. What
 // does not: curves as such (curves/), scheduling (runtime/).
 #pragma once
 
@@ -40,7 +40,7 @@ struct PreparedStyle {
     double spacing() const { return guide_length / (point_count() - guide->curve_count()); }
 };
 
-class Style final : public Output {
+class Style final : public Product {
 public:
     explicit Style(Memory* memory) : prepared(memory), memory_(memory), trees_(memory) {}
 
@@ -50,24 +50,16 @@ public:
     // few temperatures are kept. Only once the style is prepared.
     std::shared_ptr<PathTrees> trees(float asked_temperature);
 
-    // What the host sees.
-    void publish_partial() noexcept override {}
-    void publish(const Job& job) noexcept override;
-    // For styles that are loaded, on the host's thread.
-    void publish_complete() noexcept;
-    FlgResult visible_result() const { return result_; }
-    const char* error() const { return error_; }
     FlgStyleInfo info() const;
-    std::weak_ptr<Job> producer;
 
 private:
+    void show() noexcept override { prepared.guide->publish_complete(); }
+
     static constexpr size_t temperatures_kept = 4;
 
     Memory* memory_;
     std::mutex mutex_;
     std::pmr::vector<std::shared_ptr<PathTrees>> trees_;  // the one used last at the end
-    FlgResult result_ = FLG_NOT_READY;
-    char error_[256] = "";
 };
 
 }  // namespace flg

@@ -70,6 +70,7 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     finishing_.reset();
     // On closed curves one more than samples: where the style is when the curve has come around.
     walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key, stroke.plan.steps + 1);
+    blend_ = SeamBlend(input_.trees->graph().patch);
 }
 
 bool SynthesisKernel::run(uint32_t n) {
@@ -94,10 +95,18 @@ bool SynthesisKernel::run(uint32_t n) {
     return finish(n);
 }
 
+// To the next node, unless its path tree is missing.
+bool SynthesisKernel::advance() {
+    const uint32_t from = walk_.node();
+    if (!walk_.advance()) return false;
+    blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
+    return true;
+}
+
 // Stands on the node of the sample to come, unless the units do not suffice for the path tree that is missing.
 bool SynthesisKernel::find_node(uint32_t& units) {
     while (!node_known_) {
-        if (walk_.advance()) {
+        if (advance()) {
             node_known_ = true;
             // Another thread was faster with the tree.
             if (tree_ != nullptr) input_.trees->discard(std::exchange(tree_, nullptr));
@@ -147,7 +156,7 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
 // A target without length has no frame to be displaced in.
 Vec3 SynthesisKernel::displacement_at(const FramedSample& sample) const {
     if (stroke_.plan.steps == 0) return Vec3::Zero();
-    const Vec3& d = input_.style->displacement[walk_.node()];
+    const Vec3 d = input_.style->displacement[walk_.node()] + blend_.offset();
     return d.x() * sample.tangent + d.y() * sample.normal + d.z() * sample.tangent.cross(sample.normal);
 }
 

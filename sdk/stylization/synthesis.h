@@ -3,6 +3,7 @@
 //   result = target + magnitude * (d_t t + d_n n + d_b b),
 // with the target's moving frame and displacements read along shortest paths between random destinations of the patch
 // graph; attributes (sec. 5) are read along with them. Every sample is one table look-up, once the path trees are there.
+// Between two runs displacements are blended (seam_blend); attributes are not.
 //
 // Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come than
 // the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble where
@@ -15,6 +16,7 @@
 #include "stylization/applied_style.h"
 #include "stylization/finishing.h"
 #include "stylization/path_trees.h"
+#include "stylization/seam_blend.h"
 
 namespace flg {
 
@@ -87,6 +89,7 @@ public:
 
 private:
     bool find_node(uint32_t& units);
+    bool advance();
     bool make_tree(uint32_t& units);
     void write(const FramedSample& sample);
     void write_columns(uint32_t first);
@@ -101,6 +104,7 @@ private:
     uint32_t block_at_ = 0;  // the sample to come
     uint32_t block_count_ = 0;
     StyleWalk walk_;
+    SeamBlend blend_;
     StrokeInput stroke_;
     uint32_t count_ = 0;
     uint32_t written_ = 0;

@@ -36,11 +36,26 @@ std::vector<int> style_indices(const Graph& graph, const Walk& walk, int samples
     return indices;
 }
 
+std::vector<Vec3> copied_displacement(const std::vector<Vec3>& displacement, const std::vector<int>& indices,
+                                      int patch) {
+    const size_t count = indices.size();
+    std::vector<Vec3> offsets(count + static_cast<size_t>(patch), Vec3(0, 0, 0));
+    std::vector<Vec3> out;
+    for (size_t i = 0; i < count; ++i) {
+        if (i > 0 && indices[i] != indices[i - 1] + 1) {
+            const Vec3 gap = displacement[indices[i - 1] + 1] + offsets[i] - displacement[indices[i]];
+            for (int k = 0; k < patch; ++k) offsets[i + static_cast<size_t>(k)] = gap * (patch - k) / (patch + 1.0);
+        }
+        out.push_back(displacement[indices[i]] + offsets[i]);
+    }
+    return out;
+}
+
 std::vector<Vec3> displace(const std::vector<FramedPoint>& target, const std::vector<Vec3>& displacement,
-                           const std::vector<int>& indices, double factor) {
+                           double factor) {
     std::vector<Vec3> out;
     for (size_t i = 0; i < target.size(); ++i) {
-        const Vec3& d = displacement[indices[i]];
+        const Vec3& d = displacement[i];
         const Vec3 binormal = target[i].tangent.cross(target[i].normal);
         out.push_back(target[i].position +
                       factor * (d.x() * target[i].tangent + d.y() * target[i].normal + d.z() * binormal));

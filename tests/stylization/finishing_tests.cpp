@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "curves/moving_frame.h"
+#include "reference/literal_synthesis.h"
 #include "stylization/synthesis_inputs.h"
 
 namespace flg {
@@ -31,8 +32,12 @@ Points ring() {
         400, true);
 }
 
-Vec3 displacement_of_node(const TestStyle& style, double node, const test::Resampled& frames, size_t i) {
-    const Vec3& d = style.vectors[static_cast<size_t>(node)];
+// What a walk copies, in its targets' frames.
+std::vector<Vec3> copied_by(const TestStyle& style, const std::vector<float>& indices) {
+    return literal::copied_displacement(style.vectors, {indices.begin(), indices.end()}, 10);
+}
+
+Vec3 in_frame(const Vec3& d, const test::Resampled& frames, size_t i) {
     return d.x() * frames.tangent(i) + d.y() * frames.normal(i) + d.z() * frames.tangent(i).cross(frames.normal(i));
 }
 
@@ -53,7 +58,8 @@ TEST(Finishing, PinnedResultsBeginAndEndWhereTheirTargetsDo) {
     }
     // The paper's formula, with the target's arc length.
     const StylizedCurve r = stylize(style, 0.3, plan, {.magnitude = 0.7, .pin_ends = true});
-    const auto d = [&](size_t i) { return displacement_of_node(style, r.indices[i], plain, i); };
+    const std::vector<Vec3> copied = copied_by(style, r.indices);
+    const auto d = [&](size_t i) { return in_frame(copied[i], plain, i); };
     for (size_t i = 0; i <= steps; ++i) {
         const double u = static_cast<double>(i) / steps;
         const Vec3 expected = d(i) - (1 - u) * d(0) - u * d(steps);
@@ -73,13 +79,13 @@ TEST(Finishing, ClosedResultsCloseByTheLinearCorrection) {
     const StylizedCurve walk = stylize(style, 0.3, test::plan_of(line, steps), options);
     const StylizedCurve r = stylize(style, 0.3, plan, options);
     ASSERT_EQ(r.size(), steps);
-    const Vec3 gap = displacement_of_node(style, walk.indices[steps], plain, 0) -
-                     displacement_of_node(style, walk.indices[0], plain, 0);
+    const std::vector<Vec3> copied = copied_by(style, walk.indices);
+    const Vec3 gap = in_frame(copied[steps], plain, 0) - in_frame(copied[0], plain, 0);
     EXPECT_GT(gap.norm(), 0.05);  // there is something to close
     for (size_t i = 0; i < steps; ++i) {
         ASSERT_EQ(r.indices[i], walk.indices[i]);
         const double u = static_cast<double>(i) / steps;
-        const Vec3 expected = displacement_of_node(style, r.indices[i], plain, i) - u * gap;
+        const Vec3 expected = in_frame(copied[i], plain, i) - u * gap;
         ASSERT_LT((r.displacement(i) - expected).norm(), 1e-5) << i;
         ASSERT_LT((r.curve.position(i) - plain.position(i) - 0.7 * expected).norm(), 1e-5) << i;
     }

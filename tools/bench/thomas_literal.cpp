@@ -59,14 +59,15 @@ LiteralTimes literal_stylize(Host& host, FlgStyle style, const char* name, const
     std::vector<int> indices;
     LiteralTimes times = {};
     times.paths_ms = time_ms([&] { indices = literal::style_indices(graph, walk, static_cast<int>(count)); });
-    times.all_ms = times.paths_ms + time_ms([&] {
-                       std::vector<Vec3> points;
-                       for (const scenes::Point& p : target.points) points.emplace_back(p.x, p.y, p.z);
-                       const auto framed =
-                           literal::resample(points, target.closed, static_cast<int>(count) - 1, Vec3::UnitY());
-                       const double factor = scale_for(info, length_of(target), count);
-                       literal::displace(framed, displacement, indices, factor);
-                   });
+    times.all_ms =
+        times.paths_ms + time_ms([&] {
+            std::vector<Vec3> points;
+            for (const scenes::Point& p : target.points) points.emplace_back(p.x, p.y, p.z);
+            const auto framed = literal::resample(points, target.closed, static_cast<int>(count) - 1, Vec3::UnitY());
+            const double factor = scale_for(info, length_of(target), count);
+            literal::displace(framed, literal::copied_displacement(displacement, indices, static_cast<int>(patch)),
+                              factor);
+        });
     return times;
 }
 

@@ -504,7 +504,8 @@ typedef struct FlgStylizeDesc {
     /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 long runs of the style
      * are copied, at 1 a dozen points at a time, at 10 and above it jumps nearly always. In units of
      * FlgStyleInfo::temperature_unit (a tenth of the median distance of a patch to the one most like it), so that it
-     * does not depend on the style's size. Default 0. */
+     * does not depend on the style's size. Where one run ends and the next begins, displacements are blended
+     * over p points (see flgStylize). Default 0. */
     float temperature;
     /* Size of the style on the target, > 0: 1 = as drawn. Default 1. */
     float scale;
@@ -539,6 +540,8 @@ FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size)
  * Closed targets come out closed: the displacement is corrected in proportion to the arc length so that it comes back to
  * where it began (sec. 4.5.1), ANGLE and other angles likewise, the shorter way; so frames and ribbons turn over the seam
  * as evenly as elsewhere.
+ * Displacements are those of the style at STYLE_INDEX; behind a jump from point i to point j of the style, the gap d[i + 1] - d[j]
+ * is added, fading linearly to nothing over p points, so that results have no steps that the style hasn't.
  * Attributes have the values of the style at STYLE_INDEX, RADIUS, WIDTH and the half axes of RADII times scale. ANGLE also
  * turns the result's NORMAL about its tangent. With SPEED the result has TIME: from the target's first TIME value, or 0,
  * on; each step takes its length by the mean speed of its ends.
