@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an option or a step of the method does, side by side.
+// What an option does, side by side.
 #include <cmath>
 
 #include "gallery/looks.h"
@@ -13,15 +13,6 @@ using scenes::make_target;
 
 constexpr uint32_t kLowHeight = 360;
 
-Panel panel_of(const filigree::CurveSet& curves, const render::CurveLook& look,
-               glm::vec3 sight = {-0.2f, -0.12f, -1.0f}) {
-    Panel panel;
-    panel.layers = {{Columns(curves.view()).without(FLG_ATTRIBUTE_COLOR).without(FLG_ATTRIBUTE_RADIUS), look}};
-    panel.sight = sight;
-    panel.nearer = 0.88f;
-    return panel;
-}
-
 // Fig. 5.
 void temperature(Workshop& workshop, Studio& studio) {
     const filigree::CurveSet target = workshop.curve(make_target("s_curve"));
@@ -32,7 +23,7 @@ void temperature(Workshop& workshop, Studio& studio) {
         FlgStylizeDesc desc = sized(style, 0.040f);
         desc.temperature = tau;
         results.push_back(workshop.stylize(style, target, desc));
-        panels.push_back(panel_of(results.back(), tube(kRed, 0.008f)));
+        panels.push_back(panel_of(results.back().view(), tube(kRed, 0.008f)));
     }
     studio.take("temperature", panels, 3, kWidth, kHeight);
 }
@@ -54,7 +45,8 @@ void frames(Workshop& workshop, Studio& studio) {
         FlgStylizeDesc desc = sized(style, 0.055f);
         desc.frame = frame;
         results.push_back(workshop.stylize(style, target, desc));
-        Panel panel = panel_of(results.back(), tube(frame == FLG_FRAME_FRENET ? kRed : kTeal, 0.008f), kFromAbove);
+        Panel panel =
+            panel_of(results.back().view(), tube(frame == FLG_FRAME_FRENET ? kRed : kTeal, 0.008f), kFromAbove);
         panel.layers.push_back({target.view(), tube(kGrey, 0.003f)});
         panel.layers.back().curves = panel.layers.back().curves.without(FLG_ATTRIBUTE_COLOR);
         panels.push_back(panel);
@@ -77,7 +69,7 @@ void planes(Workshop& workshop, Studio& studio) {
         const float basis[9] = {1.0f, 0.0f, 0.0f, 0.0f, c, -s, 0.0f, s, c};
         std::copy(basis, basis + 9, desc.basis);
         results.push_back(workshop.stylize(style, target, desc));
-        panels.push_back(panel_of(results.back(), tube(kColors[k], 0.010f)));
+        panels.push_back(panel_of(results.back().view(), tube(kColors[k], 0.010f)));
         all.layers.push_back(panels.back().layers[0]);
     }
     all.sight = panels[0].sight, all.nearer = panels[0].nearer;
@@ -95,61 +87,9 @@ void attributes(Workshop& workshop, Studio& studio) {
     prepare.attribute_count = 2;
     const filigree::Style beads = workshop.style(make_style("beads"), prepare);
     const filigree::CurveSet shape = workshop.stylize(plain, target), all = workshop.stylize(beads, target);
-    Panel before = panel_of(shape, tube(kLeaf, 0.006f)), after = before;
+    Panel before = panel_of(shape.view(), tube(kLeaf, 0.006f)), after = before;
     after.layers = {{all.view(), tube()}};
     studio.take("attributes", {before, after}, 2, kWidth, kLowHeight);
-}
-
-// Fig. 14: places on the style anywhere, or at its points only.
-void matching(Workshop& workshop, Studio& studio) {
-    const filigree::CurveSet target = workshop.curve(make_target("s_curve"));
-    std::vector<filigree::CurveSet> results;
-    std::vector<Panel> panels;
-    for (FlgMatching kind : {FLG_MATCHING_DISCRETE, FLG_MATCHING_SEMI_DISCRETE}) {
-        FlgStyleDesc prepare = flgStyleDefaults();
-        prepare.matching = kind;
-        prepare.point_count = 300;
-        const filigree::Style style = workshop.style(make_style("loops"), prepare);
-        std::printf("%s matching: E' = %.3g mm^2\n", kind == FLG_MATCHING_DISCRETE ? "discrete" : "semi-discrete",
-                    1e6 * static_cast<double>(style.info().matching_energy));
-        results.push_back(workshop.stylize(style, target, sized(style, 0.050f)));
-        panels.push_back(panel_of(results.back(), tube(kind == FLG_MATCHING_DISCRETE ? kRed : kTeal, 0.008f)));
-    }
-    studio.take("matching", panels, 2, kWidth, kHeight);
-}
-
-// Fig. 15. Above: the style with its guide; below: the result.
-void ablations(Workshop& workshop, Studio& studio) {
-    const scenes::Curve example = make_style("zigzag");
-    const filigree::CurveSet drawn = workshop.curve(example), target = workshop.curve(make_target("s_curve"));
-    std::vector<filigree::CurveSet> results, guides;
-    std::vector<Panel> above, below;
-    const auto show = [&](const filigree::Style& style, float scale, glm::vec3 color) {
-        guides.push_back(style.guide());
-        FlgStylizeDesc desc = flgStylizeDefaults();
-        desc.scale = scale;
-        results.push_back(workshop.stylize(style, target, desc));
-        Panel panel = panel_of(drawn, tube(kGrey, 0.004f), {0.0f, 0.0f, -1.0f});
-        panel.layers.push_back({Columns(guides.back().view()), tube(color, 0.009f)});
-        above.push_back(panel);
-        below.push_back(panel_of(results.back(), tube(color, 0.009f)));
-    };
-    FlgStyleDesc prepare = flgStyleDefaults();
-    const filigree::Style full = workshop.style(example, prepare);
-    const float scale = sized(full, 0.045f).scale;
-    show(full, scale, kTeal);
-
-    prepare = flgStyleDefaults();
-    prepare.alpha = 0.0f;
-    show(workshop.style(example, prepare), scale, kRed);
-
-    // Evenness alone: each guide point has its equal share of the style.
-    prepare = flgStyleDefaults();
-    prepare.beta = 1e-4f;
-    show(workshop.style(example, prepare), scale, kRed);
-
-    above.insert(above.end(), below.begin(), below.end());
-    studio.take("ablations", above, 3, kWidth, kHeight);
 }
 
 constexpr Picture kPictures[] = {
@@ -157,8 +97,6 @@ constexpr Picture kPictures[] = {
     {"frames", "Fig. 12: Frenet frames flip at inflections, rotation-minimizing ones don't", true, frames},
     {"planes", "Fig. 16: a style drawn in a plane, in three planes, and all at once", true, planes},
     {"attributes", "Sec. 5: the shape alone; with radius and colour", true, attributes},
-    {"matching", "Fig. 14: discrete and semi-discrete matching", true, matching},
-    {"ablations", "Fig. 15: all of it; without length preservation; without matching", true, ablations},
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ using namespace flg::gallery;
 
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
-    for (const auto pictures : {showpieces(), scene_pictures(), comparisons()}) {
+    for (const auto pictures : {showpieces(), scene_pictures(), comparisons(), steps()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
     return list;

@@ -18,6 +18,7 @@ struct Picture {
 
 std::span<const Picture> showpieces();      // what a README opens with
 std::span<const Picture> scene_pictures();  // each built-in scene, stylized
-std::span<const Picture> comparisons();     // what an option or a step of the method does
+std::span<const Picture> comparisons();     // what an option does
+std::span<const Picture> steps();           // what a step of the method does
 
 }  // namespace flg::gallery

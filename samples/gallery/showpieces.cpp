@@ -18,22 +18,22 @@ void strokes(Workshop& workshop, Studio& studio) {
     studio.take("strokes", {before, after}, 2, kWidth, kHeight);
 }
 
+// Stylized once; the magnitude is changed on the device.
 void magnitude(Workshop& workshop, Studio& studio) {
     constexpr float kMagnitudes[] = {0.0f, 0.5f, 1.0f};
     const filigree::CurveSet target = workshop.curve(scenes::make_target("spiral"));
     const filigree::Style style = workshop.style(scenes::make_style("curls"));
-    std::vector<filigree::CurveSet> results;
+    FlgStylizeDesc desc = sized(style, 0.040f);
+    desc.keep_displacement = 1;
+    const filigree::CurveSet result = workshop.stylize(style, target, desc);
     std::vector<Panel> panels;
     for (float sigma : kMagnitudes) {
-        FlgStylizeDesc desc = sized(style, 0.040f);
-        desc.magnitude = sigma;
-        results.push_back(workshop.stylize(style, target, desc));
-        Panel panel;
-        panel.layers = {{Columns(results.back().view()).without(FLG_ATTRIBUTE_COLOR), tube(kTeal, 0.009f)}};
+        Panel& panel = panels.emplace_back();
+        panel.layers = {
+            {Columns(result.view()).without(FLG_ATTRIBUTE_COLOR), tube(kTeal, 0.009f), sigma - desc.magnitude}};
         panel.sight = {-0.3f, -0.45f, -1.0f};
         panel.nearer = 0.80f;
         panel.shift = {0.03f, 0.0f};
-        panels.push_back(panel);
     }
     studio.take("magnitude", panels, 3, kWidth, 360);
 }
@@ -56,7 +56,7 @@ void thomas(Workshop& workshop, Studio& studio) {
 
 constexpr Picture kPictures[] = {
     {"strokes", "Strokes before and after", true, strokes},
-    {"magnitude", "One style, at three magnitudes", true, magnitude},
+    {"magnitude", "One style, uploaded once and shown at three magnitudes", true, magnitude},
     {"thomas", "A style on the Thomas attractor", true, thomas},
 };
 

@@ -59,9 +59,20 @@ void paste(const render::Image& from, render::Image& into, uint32_t left, uint32
 
 }  // namespace
 
+Panel panel_of(const FlgCurveSetView& curves, const render::CurveLook& look, glm::vec3 sight) {
+    Panel panel;
+    panel.layers = {{Columns(curves).without(FLG_ATTRIBUTE_COLOR).without(FLG_ATTRIBUTE_RADIUS), look}};
+    panel.sight = sight;
+    panel.nearer = 0.88f;
+    return panel;
+}
+
 render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) {
     renderer_.clear();
-    for (const Layer& layer : panel.layers) renderer_.upload(layer.curves.view(), layer.look);
+    for (const Layer& layer : panel.layers) {
+        const render::CurvesId id = renderer_.upload(layer.curves.view(), layer.look);
+        if (layer.magnitude_offset != 0.0f) renderer_.set_magnitude_offset(id, layer.magnitude_offset);
+    }
     render::Scene scene;
     scene.ground = panel.ground;
     renderer_.set_scene(scene);

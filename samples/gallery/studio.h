@@ -13,6 +13,7 @@ namespace flg::gallery {
 struct Layer {
     Columns curves;  // whose data is alive until the picture is taken
     render::CurveLook look;
+    float magnitude_offset = 0.0f;  // of curves with displacements
 };
 
 struct Panel {
@@ -24,6 +25,9 @@ struct Panel {
     // The box that the camera is aimed at; empty: of the layers.
     render::Box box;
 };
+
+// The shape alone, without colours and radii that the curves may have.
+Panel panel_of(const FlgCurveSetView& curves, const render::CurveLook& look, glm::vec3 sight = {-0.2f, -0.12f, -1.0f});
 
 class Studio {
 public:

@@ -13,7 +13,8 @@ double polyline_length(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-LiteralFlow literal_guide_flow(const std::vector<Vec3>& curve, double alpha, double step_time, uint32_t steps) {
+LiteralFlow literal_guide_flow(const std::vector<Vec3>& curve, double alpha, double step_time, uint32_t steps,
+                               bool redistribution) {
     LiteralFlow flow;
     flow.points = curve;
     flow.predicted_length = polyline_length(curve);
@@ -46,7 +47,7 @@ LiteralFlow literal_guide_flow(const std::vector<Vec3>& curve, double alpha, dou
             const double turning = kappa * kappa * (1.0 - alpha * kappa * force) * dual_length[i];  // kappa theta_n ds
             theta += half + 0.5 * turning + length_rate / length * (points[i] - points[i - 1]).norm();
             half = 0.5 * turning;
-            tangential[i] = theta;
+            if (redistribution) tangential[i] = theta;
         }
         std::vector<Vec3> moved = points;
         for (size_t i = 1; i + 1 < count; ++i) {

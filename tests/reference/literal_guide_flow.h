@@ -21,7 +21,9 @@ struct LiteralFlow {
     double predicted_length = 0.0;  // the first length plus the integral of (alpha - 1) int kappa^2 over time
 };
 
-// `steps` steps of `step_time` from the evenly spaced `curve`.
-LiteralFlow literal_guide_flow(const std::vector<Vec3>& curve, double alpha, double step_time, uint32_t steps);
+// `steps` steps of `step_time` from the evenly spaced `curve`. Without `redistribution` theta_t = 0: the same shapes as long as
+// the points, which gather where the curve bends, allow (Fig. 13 of the paper).
+LiteralFlow literal_guide_flow(const std::vector<Vec3>& curve, double alpha, double step_time, uint32_t steps,
+                               bool redistribution = true);
 
 }  // namespace flg::reference
