@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/cut_triangulation.h"
+
+#include <cmath>
+
+namespace flg {
+
+namespace {
+
+using Point = CutTriangulation::Point;
+
+// Lengths as if the triangle were equilateral with edges of length `scale`.
+double dot(const Point& a, const Point& b, const Point& c) {
+    const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
+    return ux * vx + uy * vy + 0.5 * (ux * vy + uy * vx);
+}
+
+}  // namespace
+
+void CutTriangulation::reset(const Vec3& to_1, const Vec3& to_2) {
+    points_.assign({{0, 0}, {scale, 0}, {0, scale}});
+    constexpr uint32_t outer = Pieces::outer_edge;
+    triangles_.assign({{{0, 1, 2}, {outer, outer | 1, outer | 2}, {}}});
+    splits_.clear();
+    metric_xx_ = to_1.squaredNorm();
+    metric_xy_ = to_1.dot(to_2);
+    metric_yy_ = to_2.squaredNorm();
+}
+
+int64_t CutTriangulation::turn(const Point& a, const Point& b, const Point& c) const {
+    return int64_t{b.x - a.x} * (c.y - a.y) - int64_t{b.y - a.y} * (c.x - a.x);
+}
+
+bool CutTriangulation::crosses(uint32_t from, uint32_t to, uint32_t a, uint32_t b) const {
+    if (a == from || a == to || b == from || b == to) return false;
+    return (turn(from, to, a) > 0) != (turn(from, to, b) > 0) && (turn(a, b, from) > 0) != (turn(a, b, to) > 0);
+}
+
+CutTriangulation::Edge CutTriangulation::find(uint32_t a, uint32_t b) const {
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+        const Triple& vertices = triangles_[t].vertices;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t start = vertices[k], end = vertices[(k + 1) % 3];
+            if ((start == a && end == b) || (start == b && end == a)) return {t, k};
+        }
+    }
+    return no_edge;
+}
+
+// The edge seen from the other side; none at the border.
+CutTriangulation::Edge CutTriangulation::across(const Edge& edge) const {
+    const Triangle& triangle = triangles_[edge.triangle];
+    const uint32_t neighbour = triangle.neighbours[edge.k], start = triangle.vertices[(edge.k + 1) % 3];
+    if (neighbour >= Pieces::outer_edge) return no_edge;
+    const Triple& vertices = triangles_[neighbour].vertices;
+    return {neighbour, vertices[0] == start ? 0u : vertices[1] == start ? 1u : 2u};
+}
+
+void CutTriangulation::redirect(uint32_t triangle, uint32_t old, uint32_t now) {
+    if (triangle >= Pieces::outer_edge) return;
+    for (uint32_t& neighbour : triangles_[triangle].neighbours) {
+        if (neighbour == old) neighbour = now;
+    }
+}
+
+// False, and nothing changed, if a part would not turn counter-clockwise.
+bool CutTriangulation::split_edge(const Edge& edge, uint32_t vertex) {
+    const uint32_t t = edge.triangle, k = edge.k;
+    const Triangle here = triangles_[t];
+    const uint32_t a = here.vertices[k], b = here.vertices[(k + 1) % 3], c = here.vertices[(k + 2) % 3];
+    const Edge other = across(edge);
+    if (turn(a, vertex, c) <= 0 || turn(vertex, b, c) <= 0) return false;
+    const bool inner = other.triangle != no_index;
+    const uint32_t n = other.triangle, j = other.k, first_new = static_cast<uint32_t>(triangles_.size());
+    uint32_t d = no_index;
+    if (inner) {
+        d = triangles_[n].vertices[(j + 2) % 3];
+        if (turn(b, vertex, d) <= 0 || turn(vertex, a, d) <= 0) return false;
+    }
+    const uint32_t t2 = first_new, n2 = first_new + 1, outer = here.neighbours[k];
+    const bool segment = here.is_segment[k];
+    triangles_[t] = {{a, vertex, c},
+                     {inner ? n2 : outer, t2, here.neighbours[(k + 2) % 3]},
+                     {segment, false, here.is_segment[(k + 2) % 3]}};
+    triangles_.push_back({{vertex, b, c},
+                          {inner ? n : outer, here.neighbours[(k + 1) % 3], t},
+                          {segment, here.is_segment[(k + 1) % 3], false}});
+    redirect(here.neighbours[(k + 1) % 3], t, t2);
+    if (inner) {
+        const Triangle there = triangles_[n];
+        triangles_[n] = {
+            {b, vertex, d}, {t2, n2, there.neighbours[(j + 2) % 3]}, {segment, false, there.is_segment[(j + 2) % 3]}};
+        triangles_.push_back(
+            {{vertex, a, d}, {t, there.neighbours[(j + 1) % 3], n}, {segment, there.is_segment[(j + 1) % 3], false}});
+        redirect(there.neighbours[(j + 1) % 3], n, n2);
+    }
+    if (segment) splits_.push_back({a, b, vertex});
+    return true;
+}
+
+void CutTriangulation::split_triangle(uint32_t triangle, uint32_t vertex) {
+    const Triangle here = triangles_[triangle];
+    const auto first_new = static_cast<uint32_t>(triangles_.size());
+    const std::array<uint32_t, 3> places = {triangle, first_new, first_new + 1};
+    triangles_.resize(triangles_.size() + 2);
+    for (uint32_t k = 0; k < 3; ++k) {
+        triangles_[places[k]] = {{here.vertices[k], here.vertices[(k + 1) % 3], vertex},
+                                 {here.neighbours[k], places[(k + 1) % 3], places[(k + 2) % 3]},
+                                 {here.is_segment[k], false, false}};
+        redirect(here.neighbours[k], triangle, places[k]);
+    }
+}
+
+// False if the two triangles do not form a strictly convex quad.
+bool CutTriangulation::flip(const Edge& edge) {
+    const Edge other = across(edge);
+    const uint32_t t = edge.triangle, k = edge.k, n = other.triangle, j = other.k;
+    const Triangle here = triangles_[t], there = triangles_[n];
+    const uint32_t a = here.vertices[k], b = here.vertices[(k + 1) % 3], c = here.vertices[(k + 2) % 3];
+    const uint32_t d = there.vertices[(j + 2) % 3];
+    if (turn(a, d, c) <= 0 || turn(d, b, c) <= 0) return false;
+    triangles_[t] = {{a, d, c},
+                     {there.neighbours[(j + 1) % 3], n, here.neighbours[(k + 2) % 3]},
+                     {there.is_segment[(j + 1) % 3], false, here.is_segment[(k + 2) % 3]}};
+    triangles_[n] = {{d, b, c},
+                     {there.neighbours[(j + 2) % 3], here.neighbours[(k + 1) % 3], t},
+                     {there.is_segment[(j + 2) % 3], here.is_segment[(k + 1) % 3], false}};
+    redirect(there.neighbours[(j + 1) % 3], n, t);
+    redirect(here.neighbours[(k + 1) % 3], t, n);
+    return true;
+}
+
+uint32_t CutTriangulation::add_on_edge(uint32_t k, int32_t along) {
+    const auto vertex = static_cast<uint32_t>(points_.size());
+    points_.push_back(k == 0 ? Point{along, 0} : k == 1 ? Point{scale - along, along} : Point{0, scale - along});
+    // The last part of the edge is the one that ends at the corner.
+    const uint32_t end = (k + 1) % 3;
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+        for (uint32_t i = 0; i < 3; ++i) {
+            const Triangle& triangle = triangles_[t];
+            if (triangle.neighbours[i] == (Pieces::outer_edge | k) && triangle.vertices[(i + 1) % 3] == end) {
+                split_edge({t, i}, vertex);
+                return vertex;
+            }
+        }
+    }
+    return vertex;
+}
+
+uint32_t CutTriangulation::add(const Point& point) {
+    for (uint32_t v = 0; v < points_.size(); ++v) {
+        if (dot(points_[v], point, point) <= double{tolerance} * tolerance) return v;
+    }
+    const auto vertex = static_cast<uint32_t>(points_.size());
+    points_.push_back(point);
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+        const Triple& corners = triangles_[t].vertices;
+        std::array<int64_t, 3> turns;
+        for (uint32_t k = 0; k < 3; ++k) turns[k] = turn(corners[k], corners[(k + 1) % 3], vertex);
+        if (turns[0] < 0 || turns[1] < 0 || turns[2] < 0) continue;
+        for (uint32_t k = 0; k < 3; ++k) {
+            if (turns[k] == 0 && split_edge({t, k}, vertex)) return vertex;
+        }
+        split_triangle(t, vertex);
+        return vertex;
+    }
+    return vertex;
+}
+
+// The vertex nearest to the segment among those beside it; no_index if all keep off.
+uint32_t CutTriangulation::vertex_near(uint32_t from, uint32_t to) const {
+    const Point &a = points_[from], &b = points_[to];
+    const double length = dot(a, b, b);
+    // Distance = area / length; an equilateral triangle has the root of 3/4 of the area it has on the lattice.
+    double nearest = 4.0 / 3 * length * tolerance * tolerance;
+    uint32_t found = no_index;
+    for (uint32_t v = 0; v < points_.size(); ++v) {
+        const double along = dot(a, b, points_[v]);
+        if (v == from || v == to || along <= 0 || along >= length) continue;
+        const auto area = static_cast<double>(turn(a, b, points_[v]));
+        if (area * area > nearest) continue;
+        nearest = area * area;
+        found = v;
+    }
+    return found;
+}
+
+CutTriangulation::Edge CutTriangulation::first_segment_across(uint32_t from, uint32_t to) const {
+    Edge first = no_edge;
+    double least = 2;
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            if (!triangles_[t].is_segment[k]) continue;
+            const uint32_t a = triangles_[t].vertices[k], b = triangles_[t].vertices[(k + 1) % 3];
+            if (!crosses(from, to, a, b)) continue;
+            const auto before = static_cast<double>(turn(a, b, from)), after = static_cast<double>(turn(a, b, to));
+            const double at = before / (before - after);
+            if (at >= least) continue;
+            least = at;
+            first = {t, k};
+        }
+    }
+    return first;
+}
+
+// The vertex through which the way from `from` to `to` goes on across a segment: a new one, or where rounding leaves no
+// room for it, an end of the segment.
+uint32_t CutTriangulation::cross_segment(uint32_t from, uint32_t to, const Edge& edge) {
+    const Triple& vertices = triangles_[edge.triangle].vertices;
+    const uint32_t a = vertices[edge.k], b = vertices[(edge.k + 1) % 3];
+    const Point start = points_[a], end = points_[b];
+    const auto before = static_cast<double>(turn(from, to, a)), after = static_cast<double>(turn(from, to, b));
+    const double at = before / (before - after);
+    const auto vertex = static_cast<uint32_t>(points_.size());
+    points_.push_back({static_cast<int32_t>(std::lround(start.x + at * (end.x - start.x))),
+                       static_cast<int32_t>(std::lround(start.y + at * (end.y - start.y)))});
+    if (split_edge(edge, vertex)) return vertex;
+    points_.pop_back();
+    return at < 0.5 ? a : b;
+}
+
+// Flips until no edge crosses the way; false if that takes too long.
+bool CutTriangulation::clear_way(uint32_t from, uint32_t to) {
+    way_.clear();
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t a = triangles_[t].vertices[k], b = triangles_[t].vertices[(k + 1) % 3];
+            if (a < b && crosses(from, to, a, b)) way_.push_back({a, b});
+        }
+    }
+    const size_t limit = 16 * (way_.size() + 1) * (way_.size() + 1);
+    for (size_t i = 0; i < way_.size(); ++i) {
+        if (i == limit) return false;
+        const auto [a, b] = way_[i];
+        const Edge edge = find(a, b);
+        const Edge other = across(edge);
+        const uint32_t c = triangles_[edge.triangle].vertices[(edge.k + 2) % 3];
+        const uint32_t d = triangles_[other.triangle].vertices[(other.k + 2) % 3];
+        if (!flip(edge)) {
+            way_.push_back({a, b});
+        } else if (crosses(from, to, c, d)) {
+            way_.push_back({c, d});
+        }
+    }
+    return true;
+}
+
+void CutTriangulation::aim_at(uint32_t vertex) {
+    const auto found = std::find(targets_.begin(), targets_.end(), vertex);
+    targets_.erase(found, targets_.end());
+    targets_.push_back(vertex);
+}
+
+void CutTriangulation::go_along(const Edge& edge, uint32_t to) {
+    triangles_[edge.triangle].is_segment[edge.k] = true;
+    const Edge other = across(edge);
+    if (other.triangle != no_index) triangles_[other.triangle].is_segment[other.k] = true;
+    path_.push_back(to);
+}
+
+// The fewest edges there are between two vertices: the way out where rounding leaves no straight one.
+void CutTriangulation::go_along_edges(uint32_t from, uint32_t to) {
+    way_.clear();
+    way_.push_back({to, no_index});  // from the end, so that the way back is the way there
+    const auto reached = [&](uint32_t vertex) {
+        return std::find_if(way_.begin(), way_.end(), [&](const auto& step) { return step.first == vertex; });
+    };
+    for (size_t i = 0; i < way_.size() && way_[i].first != from; ++i) {
+        for (const Triangle& triangle : triangles_) {
+            const Triple& vertices = triangle.vertices;
+            if (std::find(vertices.begin(), vertices.end(), way_[i].first) == vertices.end()) continue;
+            for (uint32_t vertex : vertices) {
+                if (reached(vertex) == way_.end()) way_.push_back({vertex, way_[i].first});
+            }
+        }
+    }
+    for (uint32_t here = from; here != to;) {
+        const uint32_t next = reached(here)->second;
+        go_along(find(here, next), next);
+        here = next;
+    }
+}
+
+void CutTriangulation::connect(uint32_t from, uint32_t to) {
+    path_.assign(1, from);
+    targets_.assign(1, to);
+    uint32_t here = from;
+    // Each step comes nearer or adds a crossing; the bound is for what rounding might do.
+    for (size_t steps = 16 + 8 * points_.size(); !targets_.empty(); --steps) {
+        const uint32_t target = targets_.back();
+        if (here == target) {
+            targets_.pop_back();
+            continue;
+        }
+        if (steps == 0) return go_along_edges(here, to);
+        if (const Edge edge = find(here, target); edge.triangle != no_index) {
+            go_along(edge, target);
+            here = target;
+        } else if (const uint32_t near = vertex_near(here, target); near != no_index) {
+            aim_at(near);
+        } else if (const Edge segment = first_segment_across(here, target); segment.triangle != no_index) {
+            aim_at(cross_segment(here, target, segment));
+        } else if (!clear_way(here, target)) {
+            return go_along_edges(here, to);
+        }
+    }
+}
+
+// By the angles opposite to the edge, in space: their cotangents must not sum to less than nothing.
+bool CutTriangulation::is_delaunay(const Edge& edge) const {
+    const Edge other = across(edge);
+    const auto& here = triangles_[edge.triangle].vertices;
+    const auto& there = triangles_[other.triangle].vertices;
+    const Point &a = points_[here[edge.k]], &b = points_[here[(edge.k + 1) % 3]];
+    const auto cotangent = [&](const Point& apex) {
+        const double ux = a.x - apex.x, uy = a.y - apex.y, vx = b.x - apex.x, vy = b.y - apex.y;
+        const double inner = metric_xx_ * ux * vx + metric_xy_ * (ux * vy + uy * vx) + metric_yy_ * uy * vy;
+        return inner / static_cast<double>(std::abs(turn(apex, a, b)));
+    };
+    const double one = cotangent(points_[here[(edge.k + 2) % 3]]);
+    const double two = cotangent(points_[there[(other.k + 2) % 3]]);
+    return one + two >= -1e-6 * (std::abs(one) + std::abs(two));
+}
+
+void CutTriangulation::improve() {
+    bool changed = true;
+    for (uint32_t pass = 0; changed && pass < 8; ++pass) {
+        changed = false;
+        for (uint32_t t = 0; t < triangles_.size(); ++t) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const Edge edge{t, k};
+                if (triangles_[t].is_segment[k] || triangles_[t].neighbours[k] >= Pieces::outer_edge) continue;
+                changed |= !is_delaunay(edge) && flip(edge);
+            }
+        }
+    }
+}
+
+}  // namespace flg

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A constrained triangulation of one triangle: points on its edges and inside, straight segments between them that become
+// edges, and new points where they cross. Segments come in one by one; edges in their way are flipped (Sloan: A fast
+// algorithm for generating constrained Delaunay triangulations, 1993).
+//
+// Invariants
+// - Coordinates are weights of the triangle's corners 1 and 2 in whole numbers, so orientations are exact: all triangles
+//   turn counter-clockwise at all times, however flat the triangle is in space.
+// - Points closer than `tolerance` are one; a segment that passes a vertex at most that far away goes through it. So curves
+//   move by about the tolerance, and crossings keep off vertices.
+// - Each point, crossing and flip takes time linear in the vertices: made for triangles with a few dozen of them.
+#pragma once
+
+#include "surfaces/cut_pieces.h"
+
+namespace flg {
+
+class CutTriangulation {
+public:
+    static constexpr int32_t scale = 1 << 24;  // the weight of a corner where it is
+    static constexpr int32_t tolerance = static_cast<int32_t>(cut_tolerance * scale);
+
+    struct Point {
+        int32_t x, y;  // weights of the corners 1 and 2
+    };
+    struct Triangle {
+        Triple vertices, neighbours;  // neighbours as in Pieces
+        std::array<bool, 3> is_segment;
+    };
+
+    explicit CutTriangulation(Memory* memory)
+        : points_(memory), triangles_(memory), splits_(memory), path_(memory), targets_(memory), way_(memory) {}
+
+    // Begins anew: vertices 0, 1, 2 are the corners, `to_1` and `to_2` the edges from corner 0 to the others in space.
+    void reset(const Vec3& to_1, const Vec3& to_2);
+    // On edge k, before all other points, those of an edge in the order they have along it; 0 < along < scale.
+    uint32_t add_on_edge(uint32_t k, int32_t along);
+    uint32_t add(const Point& point);
+    // Joins two vertices. Afterwards path() holds the vertices on the way, both included.
+    void connect(uint32_t from, uint32_t to);
+    const std::pmr::vector<uint32_t>& path() const { return path_; }
+    // Flips edges that belong to no segment until all are Delaunay in space.
+    void improve();
+
+    // Visits the vertices after `from` up to `to`, two that followed each other on a path, with the crossings of later
+    // segments.
+    template <class Visit>
+    void follow(uint32_t from, uint32_t to, const Visit& visit) const {
+        for (const Split& split : splits_) {
+            if ((split.a == from && split.b == to) || (split.a == to && split.b == from)) {
+                follow(from, split.middle, visit);
+                follow(split.middle, to, visit);
+                return;
+            }
+        }
+        visit(to);
+    }
+
+    const std::pmr::vector<Point>& points() const { return points_; }
+    const std::pmr::vector<Triangle>& triangles() const { return triangles_; }
+
+private:
+    struct Edge {
+        uint32_t triangle, k;
+    };
+    struct Split {
+        uint32_t a, b, middle;  // a segment's edge that was split
+    };
+
+    static constexpr Edge no_edge{no_index, 0};
+
+    int64_t turn(const Point& a, const Point& b, const Point& c) const;
+    int64_t turn(uint32_t a, uint32_t b, uint32_t c) const { return turn(points_[a], points_[b], points_[c]); }
+    bool crosses(uint32_t from, uint32_t to, uint32_t a, uint32_t b) const;
+    Edge find(uint32_t a, uint32_t b) const;
+    uint32_t vertex_near(uint32_t from, uint32_t to) const;
+    Edge first_segment_across(uint32_t from, uint32_t to) const;
+    Edge across(const Edge& edge) const;
+    void redirect(uint32_t triangle, uint32_t old, uint32_t now);
+    bool split_edge(const Edge& edge, uint32_t vertex);
+    void split_triangle(uint32_t triangle, uint32_t vertex);
+    bool flip(const Edge& edge);
+    bool is_delaunay(const Edge& edge) const;
+    uint32_t cross_segment(uint32_t from, uint32_t to, const Edge& edge);
+    bool clear_way(uint32_t from, uint32_t to);
+    void aim_at(uint32_t vertex);
+    void go_along(const Edge& edge, uint32_t to);
+    void go_along_edges(uint32_t from, uint32_t to);
+
+    std::pmr::vector<Point> points_;
+    std::pmr::vector<Triangle> triangles_;
+    std::pmr::vector<Split> splits_;
+    std::pmr::vector<uint32_t> path_;
+    std::pmr::vector<uint32_t> targets_;                   // of connect, the nearest last
+    std::pmr::vector<std::pair<uint32_t, uint32_t>> way_;  // edges to clear; vertices reached and where from
+    double metric_xx_ = 1, metric_xy_ = 0, metric_yy_ = 1;
+};
+
+}  // namespace flg
