@@ -71,6 +71,15 @@ TEST(LiteralGuideFlow, ObeysTheLengthLawAndKeepsPointsEven) {
     EXPECT_LT(unevenness(flowed.points), 1.02);
 }
 
+// Fig. 13 of the paper.
+TEST(LiteralGuideFlow, LetsPointsGatherWithoutRedistribution) {
+    const Curve style = gentle(80);
+    const reference::LiteralFlow even = reference::literal_guide_flow(style, 0.25, 1e-4, 2000);
+    const reference::LiteralFlow uneven = reference::literal_guide_flow(style, 0.25, 1e-4, 2000, false);
+    EXPECT_GT(unevenness(uneven.points) - 1.0, 4.0 * (unevenness(even.points) - 1.0));
+    EXPECT_NEAR(test::polyline_length(uneven.points), test::polyline_length(even.points), 1e-3);
+}
+
 TEST(GuideFlow, AgreesWithTheLiteralFlowWhereThatIsWellPosed) {
     for (const double alpha : {0.0, 0.25}) {
         const Curve style = gentle(80);
