@@ -95,7 +95,7 @@ Task<void> align_windings(Pace& pace, Repair& repair) {
 Task<bool> make_edges_distinct(Pace& pace, Repair& repair) {
     GrowingBuffer<Triple> scratch(repair.out.mesh.triangles.size(), pace.memory());
     const Buffer<Corner> sorted = co_await sort_edges(pace, repair, scratch);
-    DistinctEdgesKernel distinct(repair.out.mesh.triangles, sorted, repair.mates);
+    DistinctEdgesKernel distinct(repair.out.mesh.triangles, sorted, repair.mates, pace.memory());
     while (!distinct.run(repair_chunk)) co_await pace;
     repair.out.report.cut_edges += distinct.cut_count();
     co_return distinct.detached();

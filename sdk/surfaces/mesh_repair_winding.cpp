@@ -4,7 +4,11 @@
 namespace flg {
 
 WindingKernel::WindingKernel(GrowingBuffer<Triple>& triangles, Mates& mates, Memory* memory)
-    : triangles_(triangles), mates_(mates), states_(triangles.size(), memory), flood_(triangles.size(), memory) {}
+    : triangles_(triangles),
+      mates_(mates),
+      states_(triangles.size(), memory),
+      flood_(triangles.size(), memory),
+      crossings_(memory) {}
 
 void WindingKernel::begin_component() {
     states_[first_] = State::kept;
@@ -14,22 +18,35 @@ void WindingKernel::begin_component() {
     at_ = 0;
 }
 
+bool WindingKernel::agrees(Corner corner) const {
+    const Corner mate = mates_[corner];
+    return triangles_[mate / 3][mate % 3] != triangles_[corner / 3][corner % 3];
+}
+
 void WindingKernel::spread(uint32_t triangle) {
     for (Corner corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {
-        const Corner mate = mates_[corner];
-        if (mate == no_index) continue;
-        const uint32_t other = triangle_of(mate);
-        const bool opposed = triangles_[mate / 3][mate % 3] != triangles_[triangle][corner % 3];
-        const bool keep = (states_[triangle] == State::kept) == opposed;
-        const State wanted = keep ? State::kept : State::turned;
-        if (states_[other] == State::unseen) {
-            states_[other] = wanted;
+        if (mates_[corner] == no_index) continue;
+        const uint32_t other = triangle_of(mates_[corner]);
+        if (!agrees(corner)) {
+            crossings_.push_back(corner);
+        } else if (states_[other] == State::unseen) {
+            states_[other] = states_[triangle];
             flood_[flood_size_++] = other;
-            turned_size_ += !keep;
-        } else if (states_[other] != wanted) {
-            mates_.cut(corner);
-            ++cut_count_;
+            turned_size_ += states_[other] == State::turned;
         }
+    }
+}
+
+void WindingKernel::cross(Corner corner) {
+    if (mates_[corner] == no_index) return;  // cut from the other side
+    const uint32_t triangle = triangle_of(corner), other = triangle_of(mates_[corner]);
+    if (states_[other] == State::unseen) {
+        states_[other] = states_[triangle] == State::kept ? State::turned : State::kept;
+        flood_[flood_size_++] = other;
+        turned_size_ += states_[other] == State::turned;
+    } else if (states_[other] == states_[triangle]) {
+        mates_.cut(corner);
+        ++cut_count_;
     }
 }
 
@@ -56,10 +73,15 @@ bool WindingKernel::run(uint32_t count) {
                 pass_ = Pass::flood;
                 break;
             case Pass::flood:
-                spread(flood_[at_++]);
-                if (at_ < flood_size_) break;
-                at_ = 0;
-                pass_ = Pass::flip;
+                if (at_ < flood_size_) {
+                    spread(flood_[at_++]);
+                } else if (!crossings_.empty()) {
+                    cross(crossings_.front());
+                    crossings_.pop_front();
+                } else {
+                    at_ = 0;
+                    pass_ = Pass::flip;
+                }
                 break;
             case Pass::flip: {
                 const State minority = 2 * turned_size_ > flood_size_ ? State::kept : State::turned;

@@ -307,6 +307,19 @@ TEST(MeshRepair, KeepsSolidsThatTouchInAnEdgeClosedAndApart) {
     }
 }
 
+// A leaf goes straight on from one side of a roof's ridge: the other side is left, open along an edge whose ends hang
+// together all around. One of its triangles is detached there, and nothing else.
+TEST(MeshRepair, OpensNoMoreThanTheEdgeThatIsLeft) {
+    Soup soup = grid(4, 4, [](double x, double y) { return Vec3(x, y, -4 * std::abs(x - 0.5)); });
+    soup.triangles.push_back({12, 7, 25});  // on the ridge from (0.5, 0.25) to (0.5, 0.5)
+    soup.positions.push_back({0.75f, 0.375f, 1});
+    const RepairedMesh repaired = repair(soup);
+    EXPECT_EQ(repaired.report.crowded_edges, 1u);
+    EXPECT_EQ(repaired.report.cut_edges, 1u);
+    EXPECT_EQ(repaired.report.split_vertices, 1u);
+    EXPECT_EQ(repaired.report.topology.components, 1u);
+}
+
 // Cubes that fill space share faces as duplicates and edges with up to eight triangles: whatever becomes of it is valid.
 TEST(MeshRepair, HoldsCrowdsOfCubes) {
     for (uint32_t seed = 0; seed < 20; ++seed) {
