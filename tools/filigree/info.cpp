@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // filigree info FILE: what is in a file.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "command.h"
 #include "failure.h"
-#include "report.h"
+#include "info.h"
 #include "support/curve_source.h"
 #include "text_file.h"
 
 namespace flg::cli {
-namespace {
-
-using samples::CurveSource;
 
 const char* attribute_name(FlgAttribute attribute) {
     switch (attribute) {
@@ -32,6 +32,10 @@ const char* attribute_name(FlgAttribute attribute) {
         default: return "user";
     }
 }
+
+namespace {
+
+using samples::CurveSource;
 
 struct Measures {
     uint32_t closed = 0, single_points = 0, without_length = 0;
@@ -93,11 +97,7 @@ void add_brushes(const CurveSource& source, Report& report) {
     std::cout << "\n";
 }
 
-void run_info(const std::string& name, const CommonOptions& common) {
-    require_writable(common.report);
-    Report report("info", common);
-    report.parameters["file"] = name;
-    const CurveSource source(name);
+void describe_curves(const CurveSource& source, Report& report) {
     const FlgCurveSetView& view = source.view();
     Measures m = measure(view);
 
@@ -110,7 +110,7 @@ void run_info(const std::string& name, const CommonOptions& common) {
 
     std::sort(m.lengths.begin(), m.lengths.end());
     const double median = m.lengths[m.lengths.size() / 2];
-    std::cout << name << ": " << info.format << ", units " << info.units << "\n"
+    std::cout << source.name() << ": " << info.format << ", units " << info.units << "\n"
               << "curves: " << view.curve_count << " (" << m.closed << " closed), points: " << source.point_count()
               << " (" << m.fewest_points << " to " << m.most_points << " a curve)\n"
               << "length: " << m.total_length << " m; a curve: " << m.lengths.front() << " to " << m.lengths.back()
@@ -152,6 +152,37 @@ void run_info(const std::string& name, const CommonOptions& common) {
     report.quality["total_length"] = m.total_length;
     report.quality["curve_length"] = {{"min", m.lengths.front()}, {"median", median}, {"max", m.lengths.back()}};
     report.quality["box"] = {{m.low[0], m.low[1], m.low[2]}, {m.high[0], m.high[1], m.high[2]}};
+}
+
+// What a file may hold, by its extension; some formats hold both.
+void run_info(const std::string& name, const CommonOptions& common) {
+    require_writable(common.report);
+    Report report("info", common);
+    report.parameters["file"] = name;
+    std::string extension = std::filesystem::path(name).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    const bool mesh_only = extension == ".ply" || extension == ".off";
+    const bool both = extension == ".obj" || extension == ".gltf" || extension == ".glb";
+    std::optional<MeshFile> mesh;
+    std::string why_no_mesh;
+    if (mesh_only || both) {
+        try {
+            mesh.emplace(name);
+        } catch (const InputError& error) {
+            if (mesh_only) throw;
+            why_no_mesh = error.what();
+        }
+    }
+    if (!mesh_only) {
+        try {
+            describe_curves(CurveSource(name), report);
+        } catch (const samples::SourceError& error) {
+            if (!both) throw;
+            if (!mesh) throw InputError(why_no_mesh + "; as curves: " + error.what());
+        }
+    }
+    if (mesh) describe_mesh(*mesh, report);
     report.write();
 }
 
@@ -160,7 +191,7 @@ void run_info(const std::string& name, const CommonOptions& common) {
 Command add_info(CLI::App& program, const CommonOptions& common) {
     CLI::App* app = program.add_subcommand("info", "What is in a file: counts, sizes, units, oddities");
     const auto file = std::make_shared<std::string>();
-    app->add_option("FILE", *file, "Curves: a file or builtin:NAME")->required();
+    app->add_option("FILE", *file, "Curves or a mesh: a file or builtin:NAME")->required();
     return {app, [file, &common] { run_info(*file, common); }};
 }
 

@@ -72,7 +72,8 @@ void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
 int main(int argc, char** argv) {
     CLI::App program(
         "Filigree: real-time expressive curves. Curves are read from .xyz, .obj, .gltf, .glb and .tilt files,\n"
-        "or made: builtin:NAME or builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...).",
+        "or made: builtin:NAME or builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...).\n"
+        "Meshes are read from .ply, .obj, .off, .gltf and .glb files.",
         "filigree");
     flg::cli::CommonOptions common;
     common.workers = std::clamp(std::thread::hardware_concurrency(), 1u, kMaxWorkers);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "mesh_file.h"
+
+#include "failure.h"
+
+namespace flg::cli {
+
+namespace {
+
+void check_io(FlgResult result) {
+    if (result != FLG_OK) throw InputError(flgIoLastError());
+}
+
+}  // namespace
+
+MeshFile::MeshFile(const std::string& name) : name_(name) {
+    FlgMeshFile file = nullptr;
+    check_io(flgMeshFileRead(name.c_str(), &file));
+    file_.reset(file);
+    view_.struct_size = sizeof view_;
+    check_io(flgMeshFileGetView(file, &view_));
+    info_.struct_size = sizeof info_;
+    check_io(flgMeshFileGetInfo(file, &info_));
+}
+
+std::vector<FlgMeshFaceColumn> MeshFile::face_columns() const {
+    const FlgMeshFaceColumn* columns = nullptr;
+    uint32_t count = 0;
+    check_io(flgMeshFileGetFaceColumns(file_.get(), &columns, &count));
+    return {columns, columns + count};
+}
+
+}  // namespace flg::cli
