@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace flg {
 
@@ -13,17 +14,15 @@ namespace {
 constexpr uint32_t digit_bits = 10;
 constexpr uint32_t digit_mask = (1u << digit_bits) - 1;
 
+constexpr double tangent_max = 1e6;  // of angles near a half turn
+constexpr float no_length = 1e30f;   // of lanes that are not there
+
 // Every third bit of the result is a bit of x < 1024.
 uint32_t spread_bits(uint32_t x) {
     x = (x | x << 16) & 0x030000ff;
     x = (x | x << 8) & 0x0300f00f;
     x = (x | x << 4) & 0x030c30c3;
     return (x | x << 2) & 0x09249249;
-}
-
-float length_between(const RankedPosition& a, const RankedPosition& b) {
-    const float x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
-    return std::sqrt(x * x + y * y + z * z);
 }
 
 // Room for cuts to come, so that not every one has to move the arrays.
@@ -56,24 +55,110 @@ float EdgeScale::mean() const {
     return mean > 0 ? mean : 1.0f;
 }
 
+void AngleSum::add(double cosine, double sine) {
+    const double next = sine_ * cosine + cosine_ * sine;
+    cosine_ = cosine_ * cosine - sine_ * sine;
+    half_turns_ += (next < 0) != (sine_ < 0);
+    sine_ = next;
+}
+
+double AngleSum::value() const {
+    const double side = half_turns_ % 2 == 0 ? 1 : -1;
+    return std::numbers::pi * half_turns_ + std::atan2(side * sine_, side * cosine_);
+}
+
+// In double: curvature is what remains of differences of nearly equal numbers.
+void FanBuilder::build(uint32_t rank) {
+    blocks_.overflow_of_rank[rank] = static_cast<uint32_t>(blocks_.overflow.size());
+    block_ = &blocks_.blocks[rank];
+    used_ = 0;
+    const uint32_t vertex = blocks_.vertex_of_rank[rank];
+    const Vec3 centre = load_vec3(positions_[vertex].data());
+    uint32_t first = no_index, last = no_index;
+    Vec3 before;
+    double length_before = 0, twice_area = 0;
+    float tangent = 0;
+    AngleSum angle;
+    visit_fan(mesh_, vertex, [&](uint32_t neighbour) {
+        const Vec3 edge = load_vec3(positions_[neighbour].data()) - centre;
+        const double length = edge.norm();
+        if (last == no_index) {
+            first = neighbour;
+        } else {
+            const double dot = before.dot(edge), cross = before.cross(edge).norm(), product = length * length_before;
+            if (product > 0) angle.add(dot / product, cross / product);
+            twice_area += cross;
+            tangent = cross > 0 ? static_cast<float>(std::min(cross / (product + dot), tangent_max)) : 0.0f;
+        }
+        add(blocks_.rank_of_vertex[neighbour], static_cast<float>(length), tangent);
+        last = neighbour;
+        before = edge;
+        length_before = length;
+    });
+    for (uint32_t lane = used_; lane < lane_count; ++lane) {
+        block_->lanes[lane] = nowhere;
+        block_->lengths[lane] = no_length;
+    }
+    std::fill(block_->tangents.begin() + used_ - 1, block_->tangents.end(), 0.0f);
+    const double lacking = 2 * std::numbers::pi - angle.value();
+    blocks_.curvatures[rank] = first == last && twice_area > 0 ? static_cast<float>(6 * lacking / twice_area) : 0.0f;
+}
+
+// `tangent` is that of the triangle before the neighbour.
+void FanBuilder::add(uint32_t neighbour, float length, float tangent) {
+    if (used_ == lane_count) {
+        const GeodesicBlock* const full = block_;
+        block_->lanes[lane_count - 1] |= block_continues;
+        block_->tangents[lane_count - 1] = 0;
+        block_ = &blocks_.overflow.emplace_back();
+        block_->lanes[0] = full->lanes[lane_count - 1] & ~block_continues;
+        block_->lengths[0] = full->lengths[lane_count - 1];
+        used_ = 1;
+    }
+    if (used_ > 0) block_->tangents[used_ - 1] = tangent;
+    block_->lanes[used_] = neighbour;
+    block_->lengths[used_++] = length;
+    blocks_.edges.add(length);
+}
+
+void FanBuilder::finish(uint32_t rank) {
+    GeodesicBlock* block = &blocks_.blocks[rank];
+    for (size_t more = blocks_.overflow_of_rank[rank];; ++more) {
+        finish(blocks_.curvatures[rank], *block);
+        if (!block->continues()) return;
+        block = &blocks_.overflow[more];
+    }
+}
+
+// Where there is no triangle, the edge's.
+void FanBuilder::finish(float own, GeodesicBlock& block) {
+    float at_lane = blocks_.curvatures[block.lanes[0]];
+    for (uint32_t lane = 0; lane < lane_count; ++lane) {
+        const float at_next =
+            lane + 1 < lane_count ? blocks_.curvatures[block.lanes[lane + 1] & ~block_continues] : 0.0f;
+        block.curvatures[lane] = block.tangents[lane] > 0 ? (own + at_lane + at_next) / 3 : (own + at_lane) / 2;
+        at_lane = at_next;
+    }
+}
+
 GeodesicBlocksKernel::GeodesicBlocksKernel(const Mesh& mesh, const GrowingBuffer<Position>& positions,
                                            GeodesicBlocks& blocks, Memory* memory)
     : mesh_(mesh),
       positions_(positions),
       blocks_(blocks),
+      fans_(mesh, positions, blocks),
       keys_(mesh.vertex_count(), memory),
       sorted_(mesh.vertex_count(), memory) {
     const uint32_t vertices = mesh.vertex_count();
     blocks.blocks = growing_buffer<GeodesicBlock>(vertices + 1, memory);
     blocks.overflow_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
-    blocks.positions = growing_buffer<RankedPosition>(vertices + 1, memory);
+    blocks.curvatures = growing_buffer<float>(vertices + 1, memory);
     blocks.vertex_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
     blocks.rank_of_vertex = growing_buffer<uint32_t>(vertices, memory);
     blocks.overflow.clear();
     blocks.edges = {};
-    const float none = std::numeric_limits<float>::quiet_NaN();
-    blocks.blocks[nowhere].lanes.fill(nowhere);
-    blocks.positions[nowhere] = {none, none, none, none};
+    blocks.blocks[nowhere] = {};
+    blocks.curvatures[nowhere] = 0;
     blocks.vertex_of_rank[nowhere] = no_index;
     low_.fill(std::numeric_limits<float>::max());
     high_.fill(std::numeric_limits<float>::lowest());
@@ -117,21 +202,8 @@ void GeodesicBlocksKernel::sort(uint32_t pass, uint32_t i) {
 
 void GeodesicBlocksKernel::place(uint32_t i) {
     const uint32_t vertex = sorted_[i].vertex, rank = i + 1;
-    const Position& p = positions_[vertex];
     blocks_.vertex_of_rank[rank] = vertex;
     blocks_.rank_of_vertex[vertex] = rank;
-    blocks_.positions[rank] = {p[0], p[1], p[2], 0};
-}
-
-void GeodesicBlocksKernel::make_fan(uint32_t rank) {
-    blocks_.overflow_of_rank[rank] = static_cast<uint32_t>(blocks_.overflow.size());
-    FanWriter fan(blocks_.blocks[rank], blocks_.overflow);
-    visit_fan(mesh_, blocks_.vertex_of_rank[rank], [&](uint32_t neighbour) {
-        const uint32_t lane = blocks_.rank_of_vertex[neighbour];
-        blocks_.edges.add(length_between(blocks_.positions[rank], blocks_.positions[lane]));
-        fan.add(lane);
-    });
-    fan.finish();
 }
 
 bool GeodesicBlocksKernel::run(uint32_t count) {
@@ -145,7 +217,8 @@ bool GeodesicBlocksKernel::run(uint32_t count) {
             case Pass::sort_middle: sort(1, i); break;
             case Pass::sort_high: sort(2, i); break;
             case Pass::place: place(i); break;
-            case Pass::fans: make_fan(i + 1); break;
+            case Pass::fans: fans_.build(i + 1); break;
+            case Pass::curvatures: fans_.finish(i + 1); break;
             case Pass::done: break;
         }
         if (at_ < vertices) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the refined solver walks on: for each vertex the fan of its neighbours in blocks of eight lanes, which one step of
-// the solver takes at a time, and the positions beside them. Vertices stand in Morton order (along a space-filling curve:
-// near in space is near in memory); a vertex's place in that order is its rank, and solvers count in ranks inside.
+// What the refined solver walks on: for each vertex the fan of its triangles, unfolded, in blocks of eight lanes, which one
+// step of the solver takes at a time. Vertices stand in Morton order (along a space-filling curve: near in space is near in
+// memory); a vertex's place in that order is its rank, and solvers count in ranks inside.
 //
 // Invariants
 // - The lanes of a vertex are its neighbours counter-clockwise; lanes l and l + 1 span a triangle with it. A closed fan
@@ -9,9 +9,8 @@
 // - Fans of more than eight lanes go on in the overflow: each further block begins with the last lane of the one before.
 //   The top bit of a block's last lane says that another follows: the first overflow block of a vertex is at
 //   overflow_of_rank, further ones are behind it.
-// - Rank 0 is `nowhere`: not a number in position, so that any test it takes part in fails.
-// - Nothing here depends on the order in which blocks were made, but the ranks; and no distance depends on ranks. So blocks
-//   that are updated give the distances of blocks built anew.
+// - No distance depends on ranks, nor on which blocks were made first. So blocks that are updated give the distances of
+//   blocks built anew.
 #pragma once
 
 #include <array>
@@ -25,13 +24,14 @@ constexpr uint32_t lane_count = 8;
 constexpr uint32_t nowhere = 0;                 // a rank
 constexpr uint32_t block_continues = 1u << 31;  // in the last lane
 
-struct alignas(32) GeodesicBlock {
+struct alignas(64) GeodesicBlock {
     std::array<uint32_t, lane_count> lanes;  // ranks
-};
+    std::array<float, lane_count> lengths;   // metres, of the edges to them
+    std::array<float, lane_count>
+        tangents;  // of half the angle between lanes l and l + 1; 0 where there is no triangle
+    std::array<float, lane_count> curvatures;  // of that triangle, 1/metres^2: the mean of its vertices'
 
-// A position in memory as vector registers take it.
-struct alignas(16) RankedPosition {
-    float x, y, z, unused;
+    bool continues() const { return (lanes[lane_count - 1] & block_continues) != 0; }
 };
 
 // The lengths of edges, summed up so that sums do not depend on the order and edges can be taken out again: as the integers
@@ -51,28 +51,40 @@ private:
     float longest_ = 0;
 };
 
-// Mesh + 44 bytes a vertex, and 32 for every seven neighbours beyond eight.
-class GeodesicBlocks {
-public:
+// 144 bytes a vertex, and 128 for every seven neighbours beyond eight.
+struct GeodesicBlocks {
     explicit GeodesicBlocks(Memory* memory)
         : blocks(memory),
           overflow(memory),
           overflow_of_rank(memory),
-          positions(memory),
+          curvatures(memory),
           rank_of_vertex(memory),
           vertex_of_rank(memory) {}
 
     // Ranks run from 1 to rank_count() - 1.
     uint32_t rank_count() const { return static_cast<uint32_t>(blocks.size()); }
-    uint32_t vertex_count() const { return static_cast<uint32_t>(rank_of_vertex.size()); }
 
     GrowingBuffer<GeodesicBlock> blocks;       // by rank
     std::pmr::deque<GeodesicBlock> overflow;   // grows without moving what is there
     GrowingBuffer<uint32_t> overflow_of_rank;  // set only where the block continues
-    GrowingBuffer<RankedPosition> positions;   // by rank
+    // By rank, 1/metres^2: Gaussian curvature, what the angles lack to a full turn over a third of the triangles' area; 0 at
+    // borders.
+    GrowingBuffer<float> curvatures;
     GrowingBuffer<uint32_t> rank_of_vertex;
     GrowingBuffer<uint32_t> vertex_of_rank;
-    EdgeScale edges;  // each inner edge counts twice
+    EdgeScale edges;  // each inner edge counts at least twice
+};
+
+// Angles below a half turn added up without their values: as a point on the unit circle, and how often it has passed half a
+// turn.
+class AngleSum {
+public:
+    void add(double cosine, double sine);
+    double value() const;
+
+private:
+    double cosine_ = 1, sine_ = 0;
+    uint32_t half_turns_ = 0;
 };
 
 // The neighbours of a vertex counter-clockwise, of a closed fan the first again at the end.
@@ -88,35 +100,30 @@ void visit_fan(const Mesh& mesh, uint32_t vertex, Take take) {
     take(mesh.vertex_at(previous_corner(last)));
 }
 
-// Fills the blocks of one vertex, lane by lane.
-class FanWriter {
+// Makes the blocks of one vertex after the other.
+class FanBuilder {
 public:
-    // `first` is the vertex's block; further ones are added at the end of `overflow`.
-    FanWriter(GeodesicBlock& first, std::pmr::deque<GeodesicBlock>& overflow) : block_(&first), overflow_(overflow) {}
+    // Positions, a value a vertex of the mesh, need not be the mesh's own.
+    FanBuilder(const Mesh& mesh, const GrowingBuffer<Position>& positions, GeodesicBlocks& blocks)
+        : mesh_(mesh), positions_(positions), blocks_(blocks) {}
 
-    void add(uint32_t rank) {
-        if (used_ == lane_count) continue_block();
-        block_->lanes[used_++] = rank;
-    }
-    void finish() {
-        for (uint32_t lane = used_; lane < lane_count; ++lane) block_->lanes[lane] = nowhere;
-    }
+    // All of the vertex but the triangles' curvatures, which want its neighbours'.
+    void build(uint32_t rank);
+    // The triangles' curvatures.
+    void finish(uint32_t rank);
 
 private:
-    void continue_block() {
-        const uint32_t shared = block_->lanes[lane_count - 1];
-        block_->lanes[lane_count - 1] |= block_continues;
-        block_ = &overflow_.emplace_back();
-        block_->lanes[0] = shared;
-        used_ = 1;
-    }
+    void add(uint32_t neighbour, float length, float tangent);
+    void finish(float own, GeodesicBlock& block);
 
-    GeodesicBlock* block_;
-    std::pmr::deque<GeodesicBlock>& overflow_;
-    uint32_t used_ = 0;
+    const Mesh& mesh_;
+    const GrowingBuffer<Position>& positions_;
+    GeodesicBlocks& blocks_;
+    GeodesicBlock* block_ = nullptr;  // that is being filled
+    uint32_t used_ = 0;               // lanes of it
 };
 
-// Builds blocks in slices; the mesh has adjacency. A unit is a vertex in one of seven passes, 10 to 60 ns.
+// Builds blocks in slices; the mesh has adjacency. A unit is a vertex in one of eight passes, 10 to 200 ns.
 class GeodesicBlocksKernel {
 public:
     // `positions` in place of the mesh's, a value a vertex, make another metric on the same surface.
@@ -128,7 +135,7 @@ public:
     bool run(uint32_t count);
 
 private:
-    enum class Pass { bounds, keys, sort_low, sort_middle, sort_high, place, fans, done };
+    enum class Pass { bounds, keys, sort_low, sort_middle, sort_high, place, fans, curvatures, done };
 
     struct Key {
         uint32_t code;  // Morton: ten bits an axis, interleaved
@@ -140,11 +147,11 @@ private:
     void begin_sort();
     void sort(uint32_t pass, uint32_t i);
     void place(uint32_t i);
-    void make_fan(uint32_t rank);
 
     const Mesh& mesh_;
     const GrowingBuffer<Position>& positions_;
     GeodesicBlocks& blocks_;
+    FanBuilder fans_;
     Buffer<Key> keys_, sorted_;
     std::array<std::array<uint32_t, 1024>, 3> starts_{};  // of each digit; counts at first
     std::array<float, 3> low_, high_;

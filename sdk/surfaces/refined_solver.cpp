@@ -10,6 +10,8 @@ namespace {
 
 // Of the mean edge; narrower buckets are nearer to the order of distances and hold less work for one after the other.
 constexpr float bucket_width = 1.0f;
+// Of a front, times the mean edge: sharper ones are noise.
+constexpr float sharpest_bend = 1.0f;
 // So that a few long edges do not ask for a ring without end.
 constexpr float most_buckets = 4000.0f;
 
@@ -28,6 +30,7 @@ void RefinedSolver::begin(std::span<const Seed> seeds, const SolveLimits& limits
     labelled_ = labelled;
     const float width = std::max(bucket_width * blocks_.edges.mean(), blocks_.edges.longest() / most_buckets);
     buckets_per_metre_ = 1 / width;
+    bend_max_ = sharpest_bend / blocks_.edges.mean();
     queue_.reset(static_cast<uint32_t>(blocks_.edges.longest() * buckets_per_metre_) + 3);
     extend(seeds, limits);
     pass_ = Pass::clear;
@@ -38,6 +41,7 @@ void RefinedSolver::extend(std::span<const Seed> seeds, const SolveLimits& limit
     limits_ = &limits;
     reach_ = limits.distance;
     bucket_ = no_index;
+    batches_[0].size = batches_[1].size = 0;
     targets_met_ = 0;
     furthest_target_ = 0;
     at_ = 0;
@@ -59,7 +63,7 @@ bool RefinedSolver::run(uint32_t count) {
                 if (at_ < seeds_.size()) place(seeds_[at_]);
                 advance(seeds_.size());
                 break;
-            case Pass::solve: solve_pair(); break;
+            case Pass::solve: solve_batch(); break;
             case Pass::drain: drain(); break;
             case Pass::done: break;
         }
@@ -75,13 +79,13 @@ void RefinedSolver::advance(size_t size) {
 }
 
 void RefinedSolver::clear(uint32_t rank) {
-    states_[rank] = {rank == nowhere ? -unreachable : unreachable, 0, 0, 0};
+    states_[rank] = {rank == nowhere ? -unreachable : unreachable, 0};
     waiting_[rank] = no_index;
 }
 
 void RefinedSolver::place(const Seed& seed) {
     const uint32_t rank = blocks_.rank_of_vertex[seed.vertex];
-    if (seed.distance < states_[rank].distance) improve(rank, {seed.distance, 0, 0, 0}, seed.label);
+    if (seed.distance < states_[rank].distance) improve(rank, {seed.distance, 0}, seed.label);
 }
 
 uint32_t RefinedSolver::bucket_of(float distance) const {
@@ -102,49 +106,68 @@ void RefinedSolver::improve(uint32_t rank, const WaveState& state, uint32_t labe
     wait(rank);
 }
 
+// Memory is slow: what the vertices that come next will read is asked for ahead. (Inlined: GCC drops calls of functions that
+// do nothing but prefetch.)
+[[gnu::always_inline]] inline void RefinedSolver::prefetch() const {
+    const uint32_t later = queue_.upcoming(bucket_, 8);
+    const char* block = reinterpret_cast<const char*>(&blocks_.blocks[later]);
+    __builtin_prefetch(block);
+    __builtin_prefetch(block + 64);
+    __builtin_prefetch(&states_[later]);
+    for (uint32_t lane : blocks_.blocks[queue_.upcoming(bucket_, 4)].lanes) {
+        __builtin_prefetch(&states_[lane & ~block_continues]);
+    }
+}
+
 // The next vertex of the bucket that still waits there.
 bool RefinedSolver::take(uint32_t& rank) {
-    while (queue_.pop(bucket_, rank)) {
+    for (;;) {
+        prefetch();
+        if (!queue_.pop(bucket_, rank)) return false;
         if (waiting_[rank] != bucket_) continue;
         waiting_[rank] = no_index;
         if (bucket_of(states_[rank].distance) <= bucket_) return true;
         wait(rank);
     }
-    return false;
 }
 
-// Two vertices at a time: the processor works on both steps at once.
-void RefinedSolver::solve_pair() {
-    uint32_t first, second;
-    if (!take(first)) {
-        next_bucket();
-        return;
+// The steps of some vertices at a time, and what the ones before them found: so the processor works on many steps at once,
+// and a branch that it guessed wrong never waits for one.
+void RefinedSolver::solve_batch() {
+    Batch& batch = batches_[turn_];
+    const Batch& before = batches_[1 - turn_];
+    turn_ = 1 - turn_;
+    batch.size = 0;
+    while (batch.size < batch_size && take(batch.ranks[batch.size])) ++batch.size;
+    for (uint32_t i = 0; i < batch.size; ++i) {
+        const uint32_t rank = batch.ranks[i];
+        step_(blocks_.blocks[rank], states_.data(), states_[rank], bend_max_, batch.steps[i]);
     }
-    spread(first);
-    if (take(second)) spread(second);
+    for (uint32_t i = 0; i < before.size; ++i) apply(before.ranks[i], blocks_.blocks[before.ranks[i]], before.steps[i]);
+    for (uint32_t i = 0; i < before.size; ++i) {
+        if (blocks_.blocks[before.ranks[i]].continues()) spread_on(before.ranks[i]);
+    }
+    if (batch.size + before.size == 0) next_bucket();
 }
 
-void RefinedSolver::spread(uint32_t rank) {
-    const GeodesicBlock* block = &blocks_.blocks[rank];
+// The further blocks of a vertex.
+void RefinedSolver::spread_on(uint32_t rank) {
     for (size_t more = blocks_.overflow_of_rank[rank];; ++more) {
-        std::array<uint32_t, lane_count> lanes = block->lanes;
-        const bool continues = (lanes[lane_count - 1] & block_continues) != 0;
-        lanes[lane_count - 1] &= ~block_continues;
+        const GeodesicBlock& block = blocks_.overflow[more];
         WaveStep step;
-        step_(lanes.data(), blocks_.positions.data(), states_.data(), rank, step);
-        apply(rank, lanes, step);
-        if (!continues) return;
-        block = &blocks_.overflow[more];
+        step_(block, states_.data(), states_[rank], bend_max_, step);
+        apply(rank, block, step);
+        if (!block.continues()) return;
     }
 }
 
-void RefinedSolver::apply(uint32_t rank, const std::array<uint32_t, lane_count>& lanes, const WaveStep& step) {
+void RefinedSolver::apply(uint32_t rank, const GeodesicBlock& block, const WaveStep& step) {
     for (uint32_t improved = step.improved; improved != 0; improved &= improved - 1) {
         const uint32_t lane = static_cast<uint32_t>(std::countr_zero(improved));
+        const uint32_t neighbour = block.lanes[lane] & ~block_continues;
         const WaveState& state = step.states[lane];
-        if (state.distance < states_[lanes[lane]].distance) {
-            improve(lanes[lane], state, labelled_ ? labels_[rank] : no_index);
-        }
+        if (state.distance < states_[neighbour].distance)
+            improve(neighbour, state, labelled_ ? labels_[rank] : no_index);
     }
 }
 

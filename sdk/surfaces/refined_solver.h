@@ -16,7 +16,7 @@
 
 namespace flg {
 
-// A solver is scratch memory (20 bytes a vertex, 24 with labels) that serves one field after the other; one for each thread.
+// A solver is scratch memory (12 bytes a vertex, 16 with labels) that serves one field after the other; one for each thread.
 class RefinedSolver {
 public:
     // The blocks must outlive the solver; they may be updated between fields.
@@ -34,6 +34,12 @@ public:
     uint32_t label(uint32_t vertex) const;
 
 private:
+    static constexpr uint32_t batch_size = 2;
+    struct Batch {
+        uint32_t size = 0;
+        std::array<uint32_t, batch_size> ranks;
+        std::array<WaveStep, batch_size> steps;
+    };
     enum class Pass { clear, find_first, seed, solve, drain, done };
 
     void advance(size_t size);
@@ -43,9 +49,10 @@ private:
     void wait(uint32_t rank);
     void improve(uint32_t rank, const WaveState& state, uint32_t label);
     bool take(uint32_t& rank);
-    void solve_pair();
-    void spread(uint32_t rank);
-    void apply(uint32_t rank, const std::array<uint32_t, lane_count>& lanes, const WaveStep& step);
+    void solve_batch();
+    void spread_on(uint32_t rank);
+    void prefetch() const;
+    void apply(uint32_t rank, const GeodesicBlock& block, const WaveStep& step);
     void next_bucket();
     bool targets_are_nearer_than(float distance);
     void drain();
@@ -61,6 +68,9 @@ private:
     const SolveLimits* limits_ = nullptr;
     bool labelled_ = false;
     float buckets_per_metre_ = 1;
+    float bend_max_ = 0;
+    std::array<Batch, 2> batches_;  // the one that is made and the one before it
+    uint32_t turn_ = 0;
     uint32_t bucket_ = 0;        // that is being emptied
     uint32_t targets_met_ = 0;   // the first targets that have a distance
     float furthest_target_ = 0;  // of them

@@ -10,9 +10,9 @@ namespace portable {
 #include "surfaces/refined_solver_step.inl"
 }  // namespace portable
 
-void wave_step_portable(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states, uint32_t rank,
+void wave_step_portable(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
                         WaveStep& step) {
-    portable::wave_step(lanes, &positions->x, &states->distance, rank, step);
+    portable::wave_step(block, states, own, bend_max, step);
 }
 
 #ifdef __x86_64__
@@ -28,9 +28,9 @@ namespace avx2 {
 #include "surfaces/refined_solver_step.inl"
 }  // namespace avx2
 
-void wave_step_avx2(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states, uint32_t rank,
+void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
                     WaveStep& step) {
-    avx2::wave_step(lanes, &positions->x, &states->distance, rank, step);
+    avx2::wave_step(block, states, own, bend_max, step);
 }
 
 #ifdef __clang__

@@ -7,12 +7,15 @@
 //   f = sqrt(V^2 + |vt|^2 - 2 V |vt| cos(phi + theta))
 // from it, if the straight way crosses the edge; else the way to t goes along the edge, V + |vt|.
 //
-// Curvature. The waves of a curved surface are not circles about one point: distances along the edge differ from those in
-// the plane. Of the true distance we know more than its values at both ends: its gradients there, since every vertex keeps
-// the direction in which the wave came to it. The cubic that has the same values as the plane's distances and the slopes of
-// the gradients differs from them, at x of the edge's length L from v, by
-//   x (1 - x/L) (a (1 - x/L) - b x/L)
-// where a and b are the slopes by the gradients less those in the plane, at v and n. They are clamped to +-1/2.
+// Curvature. On a curved surface a wave is not the circle about one point that unfolding takes it for. Let 1/d + delta be the
+// curvature of its front at the distance d; delta, its `bend`, is 0 in the plane. Then
+// - along the edge, between its ends, the distance differs from the plane's by a parabola:
+//     -1/2 delta sin^2(phi) x (L - x)      at x of the edge's length L;
+// - on the way on, by the Riccati equation of geodesic deviation, (1/d + delta)' = -(1/d + delta)^2 - K, where K is the
+//   Gaussian curvature, constant in a triangle: from d to e = d / q, h = e - d further on,
+//     delta_e = q^2 delta / (1 + delta h q) - K h (1 + q + q^2) / 3.
+// (The second term is exact where delta is small.) So each vertex keeps, beside its distance, one number; flat meshes keep
+// it at 0, however irregular they are. No paper has this that we know of.
 //
 // The same bits on every machine: only correctly rounded operations, in the order written, no fused ones.
 #pragma once
@@ -24,9 +27,9 @@
 namespace flg {
 
 // The wave at a vertex.
-struct alignas(16) WaveState {
+struct alignas(8) WaveState {
     float distance;  // metres, from the source; infinite where no wave has come yet
-    float x, y, z;   // where it goes: a unit vector, or 0
+    float bend;      // 1/metres: the curvature of its front less 1/distance
 };
 
 // Changes of a distance below this part of it are not worth to go on with.
@@ -37,14 +40,16 @@ struct WaveStep {
     uint32_t improved;             // a bit for each lane that is improved by it
 };
 
-// `lanes` is a block of the vertex `rank`, its top bit cleared; states of rank 0 are -infinity.
-using WaveStepFunction = void (*)(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states,
-                                  uint32_t rank, WaveStep& step);
+// Of the states by rank, that of rank 0 is -infinity. Bends are kept within +-bend_max.
+using WaveStepFunction = void (*)(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
+                                  float bend_max, WaveStep& step);
 
-void wave_step_portable(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states, uint32_t rank,
+void wave_step_portable(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
                         WaveStep& step);
-void wave_step_avx2(const uint32_t* lanes, const RankedPosition* positions, const WaveState* states, uint32_t rank,
+#ifdef __x86_64__
+void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
                     WaveStep& step);
+#endif
 
 // The fastest for this machine.
 WaveStepFunction choose_wave_step();
