@@ -54,10 +54,11 @@ void IntegralCurveKernel::end_curve(IntegralCurveStop stop) {
 
 // Ends the curve if the vertex it has come to is a target.
 void IntegralCurveKernel::arrive() {
-    if (place_.on != SurfacePlace::On::vertex) return;
-    if (std::binary_search(options_.targets.begin(), options_.targets.end(), place_.index)) {
-        end_curve(IntegralCurveStop::target);
-    }
+    if (place_.on == SurfacePlace::On::vertex && is_target(place_.index)) end_curve(IntegralCurveStop::target);
+}
+
+bool IntegralCurveKernel::is_target(uint32_t vertex) const {
+    return std::binary_search(options_.targets.begin(), options_.targets.end(), vertex);
 }
 
 void IntegralCurveKernel::move_to(uint32_t triangle, const SurfacePlace& to) {
@@ -145,7 +146,7 @@ uint32_t IntegralCurveKernel::search_plateau() {
     const Mesh& mesh = field_.mesh();
     const uint32_t vertex = plateau_[plateau_at_].vertex;
     const IntegralCurveStep step = next_step(field_, place_at_vertex(vertex));
-    if (step.rises) {
+    if (step.rises || is_target(vertex)) {
         cross_plateau(plateau_at_);
         return step.cost;
     }

@@ -8,7 +8,7 @@
 // - Straight in each triangle along its gradient; along an edge where the gradients of both sides lead to it; at a vertex
 //   along the steepest edge or triangle of its fan. integral_curve_step.h takes these steps.
 // - Where nothing near is higher, but vertices of exactly this value lie around (flat triangles, level ridges), the curve
-//   goes along edges between them to the nearest, by edges, that has something higher; among at most plateau_limit.
+//   goes along edges between them to the nearest, by edges, that has something higher or is a target; among at most plateau_limit.
 #pragma once
 
 #include <optional>
@@ -65,6 +65,7 @@ private:
     void begin_curve();
     void end_curve(IntegralCurveStop stop);
     void arrive();
+    bool is_target(uint32_t vertex) const;
     uint32_t advance();
     void move_to(uint32_t triangle, const SurfacePlace& to);
     void begin_plateau(IntegralCurveStop if_none);
