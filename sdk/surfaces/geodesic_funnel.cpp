@@ -69,7 +69,11 @@ uint32_t GeodesicFunnel::add(bool left, const PathBend& point) {
         own.pop_back();
     }
     for (; own.empty() && !other.empty(); ++looked) {
-        if (sign * cross(other.front().at - apex_.at, point.at - apex_.at) >= 0) break;
+        const Vec2 wall = other.front().at - apex_.at;
+        const double side = sign * cross(wall, point.at - apex_.at);
+        // Behind a gate without length the unfolded sleeve may come straight back.
+        const bool comes_back = side == 0 && wall.dot(point.at - other.front().at) < 0;
+        if (side >= 0 && !comes_back) break;
         apex_ = other.front();
         bends_.push_back(apex_);
         other.pop_front();

@@ -186,8 +186,10 @@ void GeodesicPathKernel::test_bend() {
         return;
     }
     at_ = item_at_ = 0;
-    if (flips_.size() > 0 && rounds_ < max_rounds) {
-        ++rounds_;
+    length_ = funnel_.length();
+    idle_rounds_ = length_ < shortest_ ? 0 : idle_rounds_ + 1;
+    shortest_ = std::min(shortest_, length_);
+    if (flips_.size() > 0 && idle_rounds_ < max_idle_rounds) {
         flipped_->clear();
         pass_ = Pass::flip;
         return;
@@ -196,7 +198,6 @@ void GeodesicPathKernel::test_bend() {
         pass_ = Pass::done;
         return;
     }
-    length_ = funnel_.length();
     straight_from_ = funnel_.start();
     drawn_ = from_;
     drawn_triangle_ = (*sleeve_)[0];

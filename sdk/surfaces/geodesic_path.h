@@ -10,11 +10,13 @@
 //   pi - angle_tolerance, but for sides on which the mesh or the regions end. Then points are rounded on their edges:
 //   to 2^-24 of them, and onto a vertex nearer than 1e-6.
 // - Every round shortens the path: those flips of a round whose triangles do not overlap are made at once, and the path
-//   before them lies in the sleeve after them. Rounds are bounded by max_rounds.
+//   before them lies in the sleeve after them. Where there is no more to gain than rounding (at triangles without area
+//   angles mean nothing) max_idle_rounds end the search.
 // - The same from either end up to rounding where there is one shortest path; among several locally shortest the field's
 //   first guess decides.
 #pragma once
 
+#include "surfaces/distance_field.h"
 #include "surfaces/geodesic_funnel.h"
 #include "surfaces/integral_curves.h"
 
@@ -23,7 +25,7 @@ namespace flg {
 class GeodesicPathKernel {
 public:
     static constexpr double angle_tolerance = 1e-6;  // radians
-    static constexpr uint32_t max_rounds = 1000;
+    static constexpr uint32_t max_idle_rounds = 8;
 
     // `distances`: one a vertex, metres, from `to`: as a geodesic solver gives them, in the whole neighbourhood of the
     // path. Both points are moved by less than 1e-6 of their triangle onto an edge or a vertex that is so near. Keeps to
@@ -40,9 +42,9 @@ public:
 
     // When done. False: `to` can't be reached, and nothing was appended.
     bool found() const { return found_; }
-    double length() const { return length_; }  // metres
-    // How often the sleeve was changed; max_rounds if the path isn't yet locally shortest.
-    uint32_t rounds() const { return rounds_; }
+    double length() const { return found_ ? length_ : unreachable; }  // metres
+    // Whether it is locally shortest: no more rounds were left to do.
+    bool is_straight() const { return found_ && flips_.size() == 0; }
 
 private:
     enum class Pass { trace, follow, unfold, test_bends, flip, draw, done };
@@ -88,9 +90,10 @@ private:
     Vec2 straight_from_{};
     SurfacePlace drawn_{};  // the place drawn last, and the triangle the path enters from there
     uint32_t drawn_triangle_ = 0;
-    uint32_t rounds_ = 0;
+    uint32_t idle_rounds_ = 0;  // without gain
     bool found_ = false;
     double length_ = 0;
+    double shortest_ = std::numeric_limits<double>::infinity();  // of all rounds
 };
 
 // Ends the curve that paths were appended to; `closed`: the last path ended where the first began. Value: `length`. A

@@ -50,19 +50,19 @@ SurfacePlace exit_of(const Mesh& mesh, uint32_t triangle, const Weights& weights
     return place_on_edge(mesh, 3 * triangle + from, at_to / (at_from + at_to));
 }
 
-// Straight uphill through a triangle from a place in it; if rounding leaves nothing of the rise, to its highest corner.
-// Leaves the step as it is if that isn't higher either.
+// Straight uphill through a triangle from a place in it; to its highest corner if rounding leaves nothing of the rise, or
+// if it has no area and so no direction. Leaves the step as it is if that isn't higher either.
 void cross(const SlopedField& field, const SurfacePlace& from, uint32_t triangle, const Slope& slope,
            IntegralCurveStep& step) {
     const Mesh& mesh = field.mesh();
-    SurfacePoint point;
-    if (!find_in(mesh, from, triangle, point)) return;
     const double height = field.height(from);
-    SurfacePlace to = exit_of(mesh, triangle, weights_of(point), slope.rates);
-    if (!(field.height(to) > height)) {
-        const Triple& t = mesh.triangles[triangle];
-        to = place_at_vertex(*std::max_element(
-            t.begin(), t.end(), [&](uint32_t a, uint32_t b) { return field.height(a) < field.height(b); }));
+    const Triple& t = mesh.triangles[triangle];
+    SurfacePlace to = place_at_vertex(*std::max_element(
+        t.begin(), t.end(), [&](uint32_t a, uint32_t b) { return field.height(a) < field.height(b); }));
+    SurfacePoint point;
+    if (!slope.is_flat() && find_in(mesh, from, triangle, point)) {
+        const SurfacePlace exit = exit_of(mesh, triangle, weights_of(point), slope.rates);
+        if (field.height(exit) > height) to = exit;
     }
     if (!(field.height(to) > height)) return;
     step.rises = true;
@@ -153,8 +153,7 @@ IntegralCurveStep step_from_triangle(const SlopedField& field, const SurfacePlac
     IntegralCurveStep step;
     step.at_border = !field.is_open(from.index);
     if (step.at_border) return step;
-    const Slope slope = slope_of(field, from.index);
-    if (!slope.is_flat()) cross(field, from, from.index, slope, step);
+    cross(field, from, from.index, slope_of(field, from.index), step);
     return step;
 }
 
