@@ -23,7 +23,7 @@ GeodesicGraph geodesic_graph(const Mesh& mesh);
 std::vector<float> graph_distances(const GeodesicGraph& graph, const std::vector<Seed>& seeds);
 
 // The lengths of the shortest paths over the triangles from a vertex to all others, by Mitchell, Mount, Papadimitriou:
-// The discrete geodesic problem (1987), but for the search in sorted lists: good for some thousand triangles, which must
+// The discrete geodesic problem (1987), but for the search in sorted lists: good for some ten thousand triangles, which must
 // not be degenerate. Infinite where no path leads.
 std::vector<double> exact_distances(const Mesh& mesh, uint32_t source);
 
