@@ -124,19 +124,6 @@ void CurveCutter::number(uint32_t slot) {
     }
 }
 
-void CurveCutter::add_edge_points(const CutTriangle& cut) {
-    for (uint32_t k = 0; k < 3; ++k) {
-        const CutTriangle::Edge& edge = cut.edges[k];
-        first_local_[k] = static_cast<uint32_t>(triangulation_.points().size());
-        const uint32_t first = edge.first_vertex - edit_.before().vertices;
-        for (uint32_t i = 0; i < edge.points; ++i) {
-            const bool owner = edge.twin == no_index;
-            const int32_t along = along_[first + (owner ? i : edge.points - 1 - i)];
-            triangulation_.add_on_edge(k, owner ? along : scale - along);
-        }
-    }
-}
-
 uint32_t CurveCutter::local_vertex(const CutTriangle& cut, const CutPlace& place) {
     if (place.kind == CutPlace::Kind::inside) return triangulation_.add(place.point);
     const uint32_t k = corner_in(mesh_, place, cut.triangle) % 3;
@@ -158,58 +145,54 @@ uint32_t CurveCutter::vertex_of(const CutTriangle& cut, const Work& work, uint32
     return work.first_inner + (local - first_local_[2] - cut.edges[2].points);
 }
 
-void CurveCutter::embed_stretches(const CutTriangle& cut, const Work& work) {
-    // Points first, so that segments see all that they might pass.
-    paths_.clear();
-    for (uint32_t point = work.first_stretch; point != no_index; point = next_stretch_[point]) {
-        curve_ = static_cast<uint32_t>(std::upper_bound(curves_.offsets.begin(), curves_.offsets.end(), point) -
-                                       curves_.offsets.begin() - 1);
-        const uint32_t from = local_vertex(cut, places_[point]);
-        const uint32_t to = local_vertex(cut, places_[end_of_stretch(point)]);
-        paths_.insert(paths_.end(), {from, to});
-    }
-    const size_t ends = paths_.size();
-    for (size_t i = 0; i < ends; i += 2) {
-        triangulation_.connect(paths_[i], paths_[i + 1]);
-        const auto& path = triangulation_.path();
-        paths_.push_back(static_cast<uint32_t>(path.size()));
-        paths_.insert(paths_.end(), path.begin(), path.end());
-    }
-    size_t at = ends;
-    for (uint32_t point = work.first_stretch; point != no_index; point = next_stretch_[point]) {
-        Way& way = ways_[point];
-        way = {paths_[at + 1], static_cast<uint32_t>(way_vertices_.size()), 0};
-        for (size_t i = 1; i < paths_[at]; ++i) {
-            triangulation_.follow(paths_[at + i], paths_[at + i + 1],
-                                  [&](uint32_t local) { way_vertices_.push_back(local); });
-        }
-        way.count = static_cast<uint32_t>(way_vertices_.size()) - way.first;
-        at += 1 + paths_[at];
-    }
-}
-
-void CurveCutter::divide(uint32_t slot) {
-    CutTriangle& cut = slots_[slot];
-    Work& work = works_[slot];
+void CurveCutter::begin_division(const CutTriangle& cut, const Work& work) {
     const Triple& corners = mesh_.triangles[cut.triangle];
     const Vec3 origin = mesh_.position(corners[0]);
     triangulation_.reset(mesh_.position(corners[1]) - origin, mesh_.position(corners[2]) - origin);
-    add_edge_points(cut);
-    const size_t on_border = triangulation_.points().size(), first_way = way_vertices_.size();
-    embed_stretches(cut, work);
-    triangulation_.improve();
+    for (uint32_t k = 0; k < 3; ++k) {
+        const CutTriangle::Edge& edge = cut.edges[k];
+        const bool owner = edge.twin == no_index;
+        first_local_[k] = static_cast<uint32_t>(triangulation_.points().size());
+        const uint32_t first = edge.first_vertex - edit_.before().vertices;
+        for (uint32_t i = 0; i < edge.points; ++i) {
+            const int32_t along = along_[first + (owner ? i : edge.points - 1 - i)];
+            triangulation_.add_on_edge(k, owner ? along : scale - along);
+        }
+    }
+    paths_.clear();
+    stretch_ = work.first_stretch;
+    passes_ = 0;
+}
 
+// Points come before all segments, so that segments see each that they might pass.
+void CurveCutter::add_ends(const CutTriangle& cut) {
+    curve_ = static_cast<uint32_t>(std::upper_bound(curves_.offsets.begin(), curves_.offsets.end(), stretch_) -
+                                   curves_.offsets.begin() - 1);
+    const uint32_t from = local_vertex(cut, places_[stretch_]);
+    const uint32_t to = local_vertex(cut, places_[end_of_stretch(stretch_)]);
+    paths_.insert(paths_.end(), {from, to});
+}
+
+void CurveCutter::follow_way(const CutTriangle& cut, const Work& work) {
+    const uint32_t size = paths_[path_];
+    const uint32_t* path = paths_.data() + path_ + 1;
+    Way& way = ways_[stretch_];
+    way = {vertex_of(cut, work, path[0]), static_cast<uint32_t>(way_vertices_.size()), 0};
+    for (uint32_t i = 0; i + 1 < size; ++i) {
+        triangulation_.follow(path[i], path[i + 1], [&](uint32_t local) {
+            way_vertices_.push_back(vertex_of(cut, work, local));
+            ++way.count;
+        });
+    }
+    path_ += 1 + size;
+}
+
+void CurveCutter::end_division(CutTriangle& cut, Work& work) {
     const auto& points = triangulation_.points();
-    work.first_inner = static_cast<uint32_t>(vertices_);
-    work.inner_count = static_cast<uint32_t>(points.size() - on_border);
-    inner_.insert(inner_.end(), points.begin() + static_cast<ptrdiff_t>(on_border), points.end());
+    const uint32_t on_border = first_local_[2] + cut.edges[2].points;
+    inner_.insert(inner_.end(), points.begin() + on_border, points.end());
+    work.inner_count = static_cast<uint32_t>(points.size()) - on_border;
     vertices_ += work.inner_count;
-    for (size_t i = first_way; i < way_vertices_.size(); ++i) {
-        way_vertices_[i] = vertex_of(cut, work, way_vertices_[i]);
-    }
-    for (uint32_t point = work.first_stretch; point != no_index; point = next_stretch_[point]) {
-        ways_[point].start = vertex_of(cut, work, ways_[point].start);
-    }
     work.first_piece = static_cast<uint32_t>(pieces_.size());
     work.piece_count = static_cast<uint32_t>(triangulation_.triangles().size());
     for (CutTriangulation::Triangle piece : triangulation_.triangles()) {
@@ -222,6 +205,61 @@ void CurveCutter::divide(uint32_t slot) {
         throw Failure(FLG_ERROR_LIMIT, "the mesh would have more than 2^32 corners after a cut along %u curves",
                       curves_.curve_count());
     }
+}
+
+// One step of the triangle's division; true when it is divided.
+bool CurveCutter::divide(uint32_t slot) {
+    CutTriangle& cut = slots_[slot];
+    Work& work = works_[slot];
+    const auto enter_stage = [&](Stage stage, size_t path) {
+        stage_ = stage;
+        stretch_ = work.first_stretch;
+        path_ = path;
+    };
+    switch (stage_) {
+        case Stage::begin:
+            begin_division(cut, work);
+            enter_stage(Stage::points, 0);
+            break;
+        case Stage::points:
+            if (stretch_ != no_index) {
+                add_ends(cut);
+                stretch_ = next_stretch_[stretch_];
+            } else {
+                work.first_inner = static_cast<uint32_t>(vertices_);
+                ends_ = paths_.size();
+                enter_stage(Stage::segments, 0);
+                if (ends_ != 0) triangulation_.begin_segment(paths_[0], paths_[1]);
+            }
+            break;
+        case Stage::segments:
+            if (path_ == ends_) {
+                enter_stage(Stage::improve, ends_);
+            } else if (triangulation_.step()) {
+                const auto& path = triangulation_.path();
+                paths_.push_back(static_cast<uint32_t>(path.size()));
+                paths_.insert(paths_.end(), path.begin(), path.end());
+                path_ += 2;
+                if (path_ != ends_) triangulation_.begin_segment(paths_[path_], paths_[path_ + 1]);
+            }
+            break;
+        case Stage::improve:
+            if (triangulation_.improve() || ++passes_ == 8) enter_stage(Stage::ways, ends_);
+            break;
+        case Stage::ways:
+            if (stretch_ != no_index) {
+                follow_way(cut, work);
+                stretch_ = next_stretch_[stretch_];
+            } else {
+                stage_ = Stage::end;
+            }
+            break;
+        case Stage::end:
+            end_division(cut, work);
+            stage_ = Stage::begin;
+            return true;
+    }
+    return false;
 }
 
 void CurveCutter::place(uint32_t slot) {
@@ -313,6 +351,11 @@ bool CurveCutter::run(uint32_t count) {
             if (growth_->run(64 * count)) enter(Pass::place);
             break;
         }
+        if (pass_ == Pass::divide) {
+            for (; count > 0 && at_ < slots_.size(); --count) at_ += divide(at_);
+            if (at_ == slots_.size()) enter(Pass::grow);
+            continue;
+        }
         const uint32_t end = static_cast<uint32_t>(std::min<uint64_t>(size_of(pass_), uint64_t{at_} + count));
         count -= end - at_;
         for (; at_ < end; ++at_) {
@@ -323,10 +366,10 @@ bool CurveCutter::run(uint32_t count) {
                 case Pass::collect: collect(at_); break;
                 case Pass::gather: gather(at_); break;
                 case Pass::number: number(at_); break;
-                case Pass::divide: divide(at_); break;
                 case Pass::place: place(at_); break;
                 case Pass::write: write(at_); break;
                 case Pass::chain: chain(at_); break;
+                case Pass::divide:
                 case Pass::grow:
                 case Pass::done: break;
             }

@@ -36,11 +36,13 @@ public:
     CurveCutter(Mesh& mesh, MeshColumns& columns, const SurfaceCurves& curves, MeshEdit& edit, EmbeddedCurves& out,
                 Memory* memory);
 
-    // Spends `count` units of up to 1 us; true when done. 64 triangles, a point or a cut triangle take one in each of
-    // several passes. A triangle with more than a few dozen points takes longer.
+    // Spends `count` units of about 0.2 us; true when done. 64 triangles, a point or a cut triangle take one in each of
+    // several passes, a segment within a triangle two and more. Where hundreds of segments meet in one triangle, a unit
+    // grows with their number.
     bool run(uint32_t count);
 
 private:
+    enum class Stage { begin, points, segments, improve, ways, end };
     enum class Pass { clear, mark, sum, collect, gather, number, divide, grow, place, write, chain, done };
     // What else a triangle to divide has. Its points and stretches are lists threaded through the points.
     struct Work {
@@ -62,9 +64,11 @@ private:
     void gather(uint32_t point);
     void number(uint32_t slot);
     void number_edge(uint32_t first_point, CutTriangle::Edge& edge);
-    void divide(uint32_t slot);
-    void add_edge_points(const CutTriangle& cut);
-    void embed_stretches(const CutTriangle& cut, const Work& work);
+    bool divide(uint32_t slot);
+    void begin_division(const CutTriangle& cut, const Work& work);
+    void add_ends(const CutTriangle& cut);
+    void follow_way(const CutTriangle& cut, const Work& work);
+    void end_division(CutTriangle& cut, Work& work);
     uint32_t local_vertex(const CutTriangle& cut, const CutPlace& place);
     uint32_t vertex_of(const CutTriangle& cut, const Work& work, uint32_t local) const;
     void place(uint32_t slot);
@@ -92,9 +96,15 @@ private:
     PieceWriter writer_;
     CutTriangulation triangulation_;
     Pieces writing_;
-    std::pmr::vector<uint32_t> sorted_;      // points of an edge
-    std::pmr::vector<uint32_t> paths_;       // of the stretches of a triangle: how many vertices, and these
-    std::array<uint32_t, 3> first_local_{};  // vertex of each edge's points, in the triangle being divided
+    std::pmr::vector<uint32_t> sorted_;  // points of an edge
+    std::pmr::vector<uint32_t> paths_;  // of the stretches of a triangle: their ends; then how many vertices, and these
+    // The triangle being divided.
+    Stage stage_ = Stage::begin;
+    std::array<uint32_t, 3> first_local_{};  // vertex of each edge's points
+    uint32_t stretch_ = no_index;            // the one that comes next
+    size_t path_ = 0;                        // and where its ends, then its path, are in paths_
+    size_t ends_ = 0;                        // how much of paths_ are ends
+    uint32_t passes_ = 0;                    // of improvement
     uint32_t filled_ = 0;                    // slots
     uint64_t vertices_, triangles_;          // numbered so far
     uint32_t curve_ = 0;

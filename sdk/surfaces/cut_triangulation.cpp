@@ -256,16 +256,18 @@ void CutTriangulation::go_along(const Edge& edge, uint32_t to) {
     const Edge other = across(edge);
     if (other.triangle != no_index) triangles_[other.triangle].is_segment[other.k] = true;
     path_.push_back(to);
+    here_ = to;
 }
 
-// The fewest edges there are between two vertices: the way out where rounding leaves no straight one.
-void CutTriangulation::go_along_edges(uint32_t from, uint32_t to) {
+// The fewest edges there are to the end: the way out where rounding leaves no straight one.
+bool CutTriangulation::go_along_edges() {
+    const uint32_t to = targets_.front();
     way_.clear();
     way_.push_back({to, no_index});  // from the end, so that the way back is the way there
     const auto reached = [&](uint32_t vertex) {
         return std::find_if(way_.begin(), way_.end(), [&](const auto& step) { return step.first == vertex; });
     };
-    for (size_t i = 0; i < way_.size() && way_[i].first != from; ++i) {
+    for (size_t i = 0; i < way_.size() && way_[i].first != here_; ++i) {
         for (const Triangle& triangle : triangles_) {
             const Triple& vertices = triangle.vertices;
             if (std::find(vertices.begin(), vertices.end(), way_[i].first) == vertices.end()) continue;
@@ -274,36 +276,36 @@ void CutTriangulation::go_along_edges(uint32_t from, uint32_t to) {
             }
         }
     }
-    for (uint32_t here = from; here != to;) {
-        const uint32_t next = reached(here)->second;
-        go_along(find(here, next), next);
-        here = next;
+    while (here_ != to) {
+        const uint32_t next = reached(here_)->second;
+        go_along(find(here_, next), next);
     }
+    return true;
 }
 
-void CutTriangulation::connect(uint32_t from, uint32_t to) {
+void CutTriangulation::begin_segment(uint32_t from, uint32_t to) {
     path_.assign(1, from);
     targets_.assign(1, to);
-    uint32_t here = from;
+    here_ = from;
     // Each step comes nearer or adds a crossing; the bound is for what rounding might do.
-    for (size_t steps = 16 + 8 * points_.size(); !targets_.empty(); --steps) {
-        const uint32_t target = targets_.back();
-        if (here == target) {
-            targets_.pop_back();
-            continue;
-        }
-        if (steps == 0) return go_along_edges(here, to);
-        if (const Edge edge = find(here, target); edge.triangle != no_index) {
-            go_along(edge, target);
-            here = target;
-        } else if (const uint32_t near = vertex_near(here, target); near != no_index) {
-            aim_at(near);
-        } else if (const Edge segment = first_segment_across(here, target); segment.triangle != no_index) {
-            aim_at(cross_segment(here, target, segment));
-        } else if (!clear_way(here, target)) {
-            return go_along_edges(here, to);
-        }
+    steps_left_ = 16 + 8 * points_.size();
+}
+
+bool CutTriangulation::step() {
+    while (!targets_.empty() && targets_.back() == here_) targets_.pop_back();
+    if (targets_.empty()) return true;
+    if (steps_left_-- == 0) return go_along_edges();
+    const uint32_t target = targets_.back();
+    if (const Edge edge = find(here_, target); edge.triangle != no_index) {
+        go_along(edge, target);
+    } else if (const uint32_t near = vertex_near(here_, target); near != no_index) {
+        aim_at(near);
+    } else if (const Edge segment = first_segment_across(here_, target); segment.triangle != no_index) {
+        aim_at(cross_segment(here_, target, segment));
+    } else if (!clear_way(here_, target)) {
+        return go_along_edges();
     }
+    return false;
 }
 
 // By the angles opposite to the edge, in space: their cotangents must not sum to less than nothing.
@@ -322,18 +324,15 @@ bool CutTriangulation::is_delaunay(const Edge& edge) const {
     return one + two >= -1e-6 * (std::abs(one) + std::abs(two));
 }
 
-void CutTriangulation::improve() {
-    bool changed = true;
-    for (uint32_t pass = 0; changed && pass < 8; ++pass) {
-        changed = false;
-        for (uint32_t t = 0; t < triangles_.size(); ++t) {
-            for (uint32_t k = 0; k < 3; ++k) {
-                const Edge edge{t, k};
-                if (triangles_[t].is_segment[k] || triangles_[t].neighbours[k] >= Pieces::outer_edge) continue;
-                changed |= !is_delaunay(edge) && flip(edge);
-            }
+bool CutTriangulation::improve() {
+    bool all = true;
+    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            if (triangles_[t].is_segment[k] || triangles_[t].neighbours[k] >= Pieces::outer_edge) continue;
+            if (!is_delaunay({t, k}) && flip({t, k})) all = false;
         }
     }
+    return all;
 }
 
 }  // namespace flg

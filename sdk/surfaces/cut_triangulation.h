@@ -36,11 +36,12 @@ public:
     // On edge k, before all other points, those of an edge in the order they have along it; 0 < along < scale.
     uint32_t add_on_edge(uint32_t k, int32_t along);
     uint32_t add(const Point& point);
-    // Joins two vertices. Afterwards path() holds the vertices on the way, both included.
-    void connect(uint32_t from, uint32_t to);
+    // Joins two vertices, step by step until one returns true. Then path() holds the vertices on the way, both included.
+    void begin_segment(uint32_t from, uint32_t to);
+    bool step();
     const std::pmr::vector<uint32_t>& path() const { return path_; }
-    // Flips edges that belong to no segment until all are Delaunay in space.
-    void improve();
+    // Flips edges that belong to no segment and are not Delaunay in space; true if there was none.
+    bool improve();
 
     // Visits the vertices after `from` up to `to`, two that followed each other on a path, with the crossings of later
     // segments.
@@ -85,13 +86,15 @@ private:
     bool clear_way(uint32_t from, uint32_t to);
     void aim_at(uint32_t vertex);
     void go_along(const Edge& edge, uint32_t to);
-    void go_along_edges(uint32_t from, uint32_t to);
+    bool go_along_edges();
 
     std::pmr::vector<Point> points_;
     std::pmr::vector<Triangle> triangles_;
     std::pmr::vector<Split> splits_;
     std::pmr::vector<uint32_t> path_;
-    std::pmr::vector<uint32_t> targets_;                   // of connect, the nearest last
+    uint32_t here_ = 0;  // where the segment has come to
+    size_t steps_left_ = 0;
+    std::pmr::vector<uint32_t> targets_;                   // of the segment, the nearest last
     std::pmr::vector<std::pair<uint32_t, uint32_t>> way_;  // edges to clear; vertices reached and where from
     double metric_xx_ = 1, metric_xy_ = 0, metric_yy_ = 1;
 };

@@ -48,6 +48,7 @@ public:
     }
     void set_neighbour(Mesh& mesh, Corner edge, uint32_t neighbour) {
         uint32_t& word = mesh.neighbours[edge / 3][edge % 3];
+        if (word == neighbour) return;
         remember(array_neighbours, edge, word);
         word = neighbour;
     }
