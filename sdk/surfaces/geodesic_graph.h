@@ -56,9 +56,10 @@ struct GeodesicGraph {
 constexpr uint32_t row_capacity(uint32_t arcs) {
     return (arcs + GeodesicGraph::row_step - 1) / GeodesicGraph::row_step * GeodesicGraph::row_step;
 }
-// The room that rows of so many corners in all may need: an arc an edge, one across each triangle.
+// The room that rows of so many corners in all may need: an arc an edge, of which an open fan has one more, and one across
+// each triangle.
 constexpr uint64_t row_room(uint64_t corners, uint64_t rows) {
-    return 2 * corners + (1 + GeodesicGraph::row_step - 1) * rows;
+    return 2 * corners + GeodesicGraph::row_step * rows;
 }
 
 // Length of the straight way between two vertices across the edge a-b of their triangles; negative if it leaves them. The
