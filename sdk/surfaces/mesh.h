@@ -2,7 +2,7 @@
 // A triangle mesh in flat arrays, sec. 4.1 of Nazzaro, Puppo, Pellacini: geoTangle (2021): positions, triangles and, as
 // three indices a triangle, the neighbours across its edges.
 //
-// Invariants of a mesh that is built (mesh_builder.h makes them, cutting keeps them)
+// Invariants of a mesh that is built (mesh_repair.h makes them, cutting keeps them)
 // - Manifold: an edge has one triangle (border) or two, which name its ends in opposite order; the triangles of a vertex
 //   form one fan, closed or open. No triangle names a vertex twice, every vertex has a triangle.
 // - Edge k of a triangle runs from its corner k to its corner k + 1; corner k is opposite to edge k + 1.

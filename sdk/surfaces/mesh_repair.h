@@ -31,7 +31,7 @@ struct RepairedMesh {
 
 // The arrays of `input` and `repaired`, which is new, outlive the task. Columns other than the position are not read; with
 // repaired.vertices they can be carried over. Memory beside the result: 12 bytes a triangle and 8 a vertex, twice as much
-// for meshes with defects. Time: about 250 ns a triangle.
+// for meshes with defects. Time: about 120 ns a triangle, 60 more to weld at distance 0.
 // Fails: an empty mesh, or one of which nothing is left; positions not finite or above 1e30 in size; vertices that do not
 // exist; a weld distance out of range; more than 2^31 corners or 1000 triangles at an edge.
 Task<void> repair_mesh(Pace& pace, const FlgMeshView& input, RepairOptions options, RepairedMesh& repaired);
