@@ -167,7 +167,8 @@ uint32_t CutTriangulation::add(const Point& point) {
     return vertex;
 }
 
-// The vertex nearest to the segment among those beside it; no_index if all keep off.
+// The vertex nearest to the segment among those beside it; no_index if all keep off. It is nearer to both ends than they
+// are to each other, so that ways through such vertices come to an end.
 uint32_t CutTriangulation::vertex_near(uint32_t from, uint32_t to) const {
     const Point &a = points_[from], &b = points_[to];
     const double length = dot(a, b, b);
@@ -175,10 +176,10 @@ uint32_t CutTriangulation::vertex_near(uint32_t from, uint32_t to) const {
     double nearest = 4.0 / 3 * length * tolerance * tolerance;
     uint32_t found = no_index;
     for (uint32_t v = 0; v < points_.size(); ++v) {
-        const double along = dot(a, b, points_[v]);
-        if (v == from || v == to || along <= 0 || along >= length) continue;
-        const auto area = static_cast<double>(turn(a, b, points_[v]));
-        if (area * area > nearest) continue;
+        const Point& point = points_[v];
+        const auto area = static_cast<double>(turn(a, b, point));
+        if (area * area > nearest || v == from || v == to) continue;
+        if (dot(a, point, point) >= length || dot(b, point, point) >= length) continue;
         nearest = area * area;
         found = v;
     }
@@ -296,10 +297,10 @@ bool CutTriangulation::step() {
     if (targets_.empty()) return true;
     if (steps_left_-- == 0) return go_along_edges();
     const uint32_t target = targets_.back();
-    if (const Edge edge = find(here_, target); edge.triangle != no_index) {
-        go_along(edge, target);
-    } else if (const uint32_t near = vertex_near(here_, target); near != no_index) {
+    if (const uint32_t near = vertex_near(here_, target); near != no_index) {
         aim_at(near);
+    } else if (const Edge edge = find(here_, target); edge.triangle != no_index) {
+        go_along(edge, target);
     } else if (const Edge segment = first_segment_across(here_, target); segment.triangle != no_index) {
         aim_at(cross_segment(here_, target, segment));
     } else if (!clear_way(here_, target)) {

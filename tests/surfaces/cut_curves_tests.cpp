@@ -6,6 +6,7 @@
 #include "core/failure.h"
 #include "surfaces/cut_meshes.h"
 #include "surfaces/cut_regions.h"
+#include "surfaces/isolines.h"
 
 namespace flg::test {
 namespace {
@@ -283,6 +284,44 @@ TEST(CurveCutter, ManyCutsKeepTheMeshWhole) {
             replay(cut.mesh, cut.columns, edits[n], MeshEditReplay::Direction::redo);
         }
         EXPECT_EQ(bits_of(cut.mesh, cut.columns), states.back());
+    }
+}
+
+// Isolines traced and then embedded divide the surface as the cut along them does.
+TEST(CurveCutter, AgreesWithTheCutAlongIsolines) {
+    for (const Soup& soup : {sphere(4), torus(40, 24)}) {
+        Cut traced(soup);
+        Mesh sliced = make_mesh(soup);
+        const auto height = [](const Vec3& p) { return p.z() + 0.2 * std::sin(3 * p.x()) * p.y(); };
+        const std::vector<float> levels = {-0.21f, 0.13f};
+        const MeshColumn column = make_column(traced.mesh, height);
+        IsolineKernel kernel(traced.mesh, {column.values.data(), column.values.size()}, levels,
+                             RegionSet(test_memory()), traced.curves, test_memory());
+        while (!kernel.run(1000)) {}
+        traced.run(10);
+        expect_valid(traced.mesh);
+        expect_chains(traced);
+        MeshColumns columns{test_memory()};
+        columns.push_back(make_column(sliced, height));
+        MeshEdit edit(test_memory());
+        cut_isolines(sliced, columns, 0, levels, edit);
+
+        // Each part lies in one interval.
+        const MeshColumn after = make_column(traced.mesh, height);
+        std::array<double, 3> areas{};
+        for (const RegionPart& part : traced.parts) {
+            float low = 1, high = -1;
+            for (uint32_t t = 0; t < traced.mesh.triangle_count(); ++t) {
+                if (traced.mesh.regions[t] != part.label) continue;
+                for (uint32_t vertex : traced.mesh.triangles[t]) {
+                    low = std::min(low, after.values[vertex]);
+                    high = std::max(high, after.values[vertex]);
+                }
+            }
+            const auto middle = 0.5f * (low + high);
+            areas[static_cast<size_t>((middle > levels[0]) + (middle > levels[1]))] += area_of(traced.mesh, part.label);
+        }
+        for (uint32_t i = 0; i < 3; ++i) EXPECT_NEAR(areas[i], area_of(sliced, i), 0.01) << "interval " << i;
     }
 }
 
