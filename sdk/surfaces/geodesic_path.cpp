@@ -265,7 +265,7 @@ bool GeodesicPathKernel::run(uint32_t count) {
         switch (pass_) {
             case Pass::trace: {
                 // A step there costs as much as a few here.
-                const uint32_t steps = units_ / 2 + 1;
+                const uint32_t steps = units_ / 6 + 1;
                 if (trace_.run(steps)) begin_follow();
                 units_ = 0;
                 break;

@@ -54,9 +54,9 @@ public:
     // where it holds the end it is complete, and further triangles are ignored.
     void enter(uint32_t triangle);
     // Goes on about a vertex of the last triangle to another of its triangles, over as few as possible. False if the
-    // mesh or the regions end on both ways. Returns through `cost` how many triangles were looked at.
+    // mesh or the regions end on both ways. `cost` rises by the triangles looked at.
     bool turn_to(uint32_t vertex, uint32_t triangle, uint32_t& cost);
-    // Goes on about a vertex: counter-clockwise or clockwise until `triangle`, as can_turn() found possible.
+    // Goes on about a vertex: counter-clockwise or clockwise until `triangle`: the mesh and the regions go on that far.
     void turn(uint32_t vertex, bool counter_clockwise, uint32_t triangle);
 
 private:

@@ -79,7 +79,7 @@ IntegralCurveStep step_from_vertex(const SlopedField& field, const SurfacePlace&
     uint32_t through = no_index;
     const auto try_edge = [&](uint32_t triangle, uint32_t end) {
         const double rise = field.height(end) - height;
-        if (!(rise > 0)) return;
+        if (!(rise > 0) || !std::isfinite(rise)) return;
         const double length_squared = (mesh.position(end) - mesh.position(from.index)).squaredNorm();
         const double squared =
             length_squared > 0 ? rise * rise / length_squared : std::numeric_limits<double>::infinity();
@@ -90,6 +90,10 @@ IntegralCurveStep step_from_vertex(const SlopedField& field, const SurfacePlace&
         step.triangle = triangle;
         step.to = place_at_vertex(end);
     };
+    const auto try_edges = [&](Corner corner) {
+        try_edge(triangle_of(corner), mesh.vertex_at(next_corner(corner)));
+        try_edge(triangle_of(corner), mesh.vertex_at(previous_corner(corner)));
+    };
     const Corner first = mesh.corner_of_vertex[from.index];
     Corner corner = first;
     step.cost = 0;
@@ -99,8 +103,7 @@ IntegralCurveStep step_from_vertex(const SlopedField& field, const SurfacePlace&
         if (!field.is_open(triangle)) {
             step.at_border = true;
         } else {
-            try_edge(triangle, mesh.vertex_at(next_corner(corner)));
-            try_edge(triangle, mesh.vertex_at(previous_corner(corner)));
+            try_edges(corner);
             const Slope slope = slope_of(field, triangle);
             if (slope.rates[next_corner(corner) % 3] > 0 && slope.rates[previous_corner(corner) % 3] > 0 &&
                 slope.steepness_squared > steepest_squared && std::isfinite(slope.steepness_squared)) {
@@ -113,6 +116,15 @@ IntegralCurveStep step_from_vertex(const SlopedField& field, const SurfacePlace&
     } while (corner != first && corner != no_index);
     if (corner == no_index) step.at_border = true;
     if (through != no_index) cross(field, from, through, slope_through, step);
+    if (step.rises || !step.at_border) return step;
+    // A solver that stopped early may leave nothing finite beside an edge but its ends.
+    corner = first;
+    do {
+        if (field.is_in_regions(triangle_of(corner))) try_edges(corner);
+        corner = mesh.turn(corner);
+    } while (corner != first && corner != no_index);
+    step.leaves = step.rises;
+    step.cost *= 2;
     return step;
 }
 

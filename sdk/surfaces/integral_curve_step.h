@@ -23,6 +23,7 @@ public:
     const Mesh& mesh() const { return mesh_; }
     double height(uint32_t vertex) const { return sign_ * double{values_[vertex]}; }
     double height(const SurfacePlace& place) const;
+    bool is_in_regions(uint32_t triangle) const { return regions_.contains(mesh_.regions[triangle]); }
     // Of the regions, and all of its values finite.
     bool is_open(uint32_t triangle) const;
 

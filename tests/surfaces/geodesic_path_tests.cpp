@@ -257,6 +257,25 @@ TEST(GeodesicPath, OnASphereIsAnArc) {
     }
 }
 
+// As solvers leave it that stop once the start has its distance: all that is further is infinite.
+TEST(GeodesicPath, NeedsDistancesOnlyOnItsWay) {
+    const Mesh mesh = make_mesh(plane(16, 0.2));
+    for (uint64_t seed = 2; seed < 90; seed += 3) {
+        const SurfacePoint from = random_point(mesh, seed), to = random_point(mesh, seed + 600);
+        auto distances = distances_to(mesh, to);
+        const float start = distances[mesh.triangles[from.triangle][2]];
+        for (float& distance : distances) {
+            if (distance > start) distance = std::numeric_limits<float>::infinity();
+        }
+        SurfaceCurves curves(test_memory());
+        const RegionSet all(test_memory());
+        GeodesicPathKernel kernel(mesh, from, to, distances, all, curves, test_memory());
+        while (!kernel.run(50)) {}
+        EXPECT_TRUE(kernel.found());
+        EXPECT_NEAR(kernel.length(), (position_of(mesh, from) - position_of(mesh, to)).norm(), 2e-6);
+    }
+}
+
 // Saddles are where paths go through vertices: many locally shortest ones, and each test is in find_path().
 TEST(GeodesicPath, IsLocallyShortestOnRoughGround) {
     for (double height : {0.02, 0.1, 0.4}) {
