@@ -276,6 +276,20 @@ TEST(GeodesicPath, NeedsDistancesOnlyOnItsWay) {
     }
 }
 
+// Even where that is a single row of edges, with no finite triangle.
+TEST(GeodesicPath, FollowsARowOfFiniteDistances) {
+    const Mesh mesh = make_mesh(plane(6));
+    std::vector<float> distances(mesh.vertex_count(), std::numeric_limits<float>::infinity());
+    for (uint32_t i = 0; i <= 6; ++i) distances[3 * 7 + i] = float(i) / 6;
+    SurfaceCurves curves(test_memory());
+    const RegionSet all(test_memory());
+    GeodesicPathKernel kernel(mesh, at_vertex(mesh, 3 * 7 + 6), at_vertex(mesh, 3 * 7), distances, all, curves,
+                              test_memory());
+    while (!kernel.run(50)) {}
+    EXPECT_TRUE(kernel.found());
+    EXPECT_NEAR(kernel.length(), 1, 1e-6);
+}
+
 // Saddles are where paths go through vertices: many locally shortest ones, and each test is in find_path().
 TEST(GeodesicPath, IsLocallyShortestOnRoughGround) {
     for (double height : {0.02, 0.1, 0.4}) {
