@@ -18,6 +18,8 @@ struct Seed {
     uint32_t vertex;
     float distance;  // metres, >= 0
     uint32_t label;  // of its source
+    // What is nearest of the source is the inside of a line, not a point: the wave comes straight. (The refined solver asks.)
+    bool straight = false;
 };
 
 // When a solver may stop, and what it may enter.

@@ -15,7 +15,6 @@ constexpr uint32_t digit_bits = 10;
 constexpr uint32_t digit_mask = (1u << digit_bits) - 1;
 
 constexpr double tangent_max = 1e6;  // of angles near a half turn
-constexpr float no_length = 1e30f;   // of lanes that are not there
 
 // Every third bit of the result is a bit of x < 1024.
 uint32_t spread_bits(uint32_t x) {
@@ -69,8 +68,10 @@ double AngleSum::value() const {
 
 // In double: curvature is what remains of differences of nearly equal numbers.
 void FanBuilder::build(uint32_t rank) {
-    blocks_.overflow_of_rank[rank] = static_cast<uint32_t>(blocks_.overflow.size());
     block_ = &blocks_.blocks[rank];
+    overflow_begin_ = block_->continues() ? blocks_.overflow_of_rank[rank] : blocks_.overflow.size();
+    overflow_size_ = overflow_used_ = 0;
+    visit_blocks(blocks_, rank, [&](const GeodesicBlock&, uint32_t first_lane) { overflow_size_ += first_lane; });
     used_ = 0;
     const uint32_t vertex = blocks_.vertex_of_rank[rank];
     const Vec3 centre = load_vec3(positions_[vertex].data());
@@ -100,19 +101,36 @@ void FanBuilder::build(uint32_t rank) {
         block_->lengths[lane] = no_length;
     }
     std::fill(block_->tangents.begin() + used_ - 1, block_->tangents.end(), 0.0f);
+    blocks_.overflow_of_rank[rank] = static_cast<uint32_t>(overflow_begin_);
     const double lacking = 2 * std::numbers::pi - angle.value();
     blocks_.curvatures[rank] = first == last && twice_area > 0 ? static_cast<float>(6 * lacking / twice_area) : 0.0f;
+}
+
+// The stretch grows at the overflow's end: if it lies elsewhere, it moves there.
+GeodesicBlock& FanBuilder::next_block() {
+    auto& overflow = blocks_.overflow;
+    if (overflow_used_ == overflow_size_) {
+        if (overflow_begin_ + overflow_size_ != overflow.size()) {
+            const size_t begin = overflow.size();
+            for (size_t i = 0; i < overflow_used_; ++i) overflow.push_back(overflow[overflow_begin_ + i]);
+            overflow_begin_ = begin;
+        }
+        overflow.emplace_back();
+        ++overflow_size_;
+    }
+    return overflow[overflow_begin_ + overflow_used_++];
 }
 
 // `tangent` is that of the triangle before the neighbour.
 void FanBuilder::add(uint32_t neighbour, float length, float tangent) {
     if (used_ == lane_count) {
-        const GeodesicBlock* const full = block_;
+        const uint32_t shared = block_->lanes[lane_count - 1];
+        const float shared_length = block_->lengths[lane_count - 1];
         block_->lanes[lane_count - 1] |= block_continues;
         block_->tangents[lane_count - 1] = 0;
-        block_ = &blocks_.overflow.emplace_back();
-        block_->lanes[0] = full->lanes[lane_count - 1] & ~block_continues;
-        block_->lengths[0] = full->lengths[lane_count - 1];
+        block_ = &next_block();
+        block_->lanes[0] = shared;
+        block_->lengths[0] = shared_length;
         used_ = 1;
     }
     if (used_ > 0) block_->tangents[used_ - 1] = tangent;
@@ -122,20 +140,20 @@ void FanBuilder::add(uint32_t neighbour, float length, float tangent) {
 }
 
 void FanBuilder::finish(uint32_t rank) {
-    GeodesicBlock* block = &blocks_.blocks[rank];
-    for (size_t more = blocks_.overflow_of_rank[rank];; ++more) {
-        finish(blocks_.curvatures[rank], *block);
-        if (!block->continues()) return;
-        block = &blocks_.overflow[more];
+    const float own = blocks_.curvatures[rank];
+    finish(own, blocks_.blocks[rank]);
+    if (!blocks_.blocks[rank].continues()) return;
+    for (size_t i = blocks_.overflow_of_rank[rank];; ++i) {
+        finish(own, blocks_.overflow[i]);
+        if (!blocks_.overflow[i].continues()) return;
     }
 }
 
 // Where there is no triangle, the edge's.
 void FanBuilder::finish(float own, GeodesicBlock& block) {
-    float at_lane = blocks_.curvatures[block.lanes[0]];
+    float at_lane = blocks_.curvatures[block.rank(0)];
     for (uint32_t lane = 0; lane < lane_count; ++lane) {
-        const float at_next =
-            lane + 1 < lane_count ? blocks_.curvatures[block.lanes[lane + 1] & ~block_continues] : 0.0f;
+        const float at_next = lane + 1 < lane_count ? blocks_.curvatures[block.rank(lane + 1)] : 0.0f;
         block.curvatures[lane] = block.tangents[lane] > 0 ? (own + at_lane + at_next) / 3 : (own + at_lane) / 2;
         at_lane = at_next;
     }
@@ -154,7 +172,8 @@ GeodesicBlocksKernel::GeodesicBlocksKernel(const Mesh& mesh, const GrowingBuffer
     blocks.overflow_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
     blocks.curvatures = growing_buffer<float>(vertices + 1, memory);
     blocks.vertex_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
-    blocks.rank_of_vertex = growing_buffer<uint32_t>(vertices, memory);
+    blocks.rank_of_vertex = growing_buffer<uint32_t>(vertices + 1, memory);
+    blocks.rank_of_vertex.resize(vertices);
     blocks.overflow.clear();
     blocks.edges = {};
     blocks.blocks[nowhere] = {};
@@ -204,6 +223,7 @@ void GeodesicBlocksKernel::place(uint32_t i) {
     const uint32_t vertex = sorted_[i].vertex, rank = i + 1;
     blocks_.vertex_of_rank[rank] = vertex;
     blocks_.rank_of_vertex[vertex] = rank;
+    blocks_.blocks[rank].lanes[lane_count - 1] = nowhere;
 }
 
 bool GeodesicBlocksKernel::run(uint32_t count) {

@@ -24,6 +24,8 @@ constexpr uint32_t lane_count = 8;
 constexpr uint32_t nowhere = 0;                 // a rank
 constexpr uint32_t block_continues = 1u << 31;  // in the last lane
 
+constexpr float no_length = 1e15f;  // metres, of lanes that are `nowhere`
+
 struct alignas(64) GeodesicBlock {
     std::array<uint32_t, lane_count> lanes;  // ranks
     std::array<float, lane_count> lengths;   // metres, of the edges to them
@@ -32,6 +34,12 @@ struct alignas(64) GeodesicBlock {
     std::array<float, lane_count> curvatures;  // of that triangle, 1/metres^2: the mean of its vertices'
 
     bool continues() const { return (lanes[lane_count - 1] & block_continues) != 0; }
+    uint32_t rank(uint32_t lane) const { return lanes[lane] & ~block_continues; }
+    // Nobody is reached through the lane any more.
+    void close(uint32_t lane) {
+        lanes[lane] = nowhere | (lanes[lane] & block_continues);
+        lengths[lane] = no_length;
+    }
 };
 
 // The lengths of edges, summed up so that sums do not depend on the order and edges can be taken out again: as the integers
@@ -61,8 +69,9 @@ struct GeodesicBlocks {
           rank_of_vertex(memory),
           vertex_of_rank(memory) {}
 
-    // Ranks run from 1 to rank_count() - 1.
+    // Ranks run from 1 to rank_count() - 1. (Vertices that were taken back leave theirs unused.)
     uint32_t rank_count() const { return static_cast<uint32_t>(blocks.size()); }
+    uint32_t vertex_count() const { return static_cast<uint32_t>(rank_of_vertex.size()); }
 
     GrowingBuffer<GeodesicBlock> blocks;       // by rank
     std::pmr::deque<GeodesicBlock> overflow;   // grows without moving what is there
@@ -74,6 +83,17 @@ struct GeodesicBlocks {
     GrowingBuffer<uint32_t> vertex_of_rank;
     EdgeScale edges;  // each inner edge counts at least twice
 };
+
+// The blocks of a vertex, each with its first lane that no block before it has.
+template <class Visit>
+void visit_blocks(const GeodesicBlocks& blocks, uint32_t rank, Visit visit) {
+    visit(blocks.blocks[rank], 0);
+    if (!blocks.blocks[rank].continues()) return;
+    for (size_t i = blocks.overflow_of_rank[rank];; ++i) {
+        visit(blocks.overflow[i], 1);
+        if (!blocks.overflow[i].continues()) return;
+    }
+}
 
 // Angles below a half turn added up without their values: as a point on the unit circle, and how often it has passed half a
 // turn.
@@ -107,13 +127,15 @@ public:
     FanBuilder(const Mesh& mesh, const GrowingBuffer<Position>& positions, GeodesicBlocks& blocks)
         : mesh_(mesh), positions_(positions), blocks_(blocks) {}
 
-    // All of the vertex but the triangles' curvatures, which want its neighbours'.
+    // All of the vertex but the triangles' curvatures, which want its neighbours'. Its block is zero, or what was built
+    // before: then the overflow it has is used again.
     void build(uint32_t rank);
     // The triangles' curvatures.
     void finish(uint32_t rank);
 
 private:
     void add(uint32_t neighbour, float length, float tangent);
+    GeodesicBlock& next_block();
     void finish(float own, GeodesicBlock& block);
 
     const Mesh& mesh_;
@@ -121,6 +143,8 @@ private:
     GeodesicBlocks& blocks_;
     GeodesicBlock* block_ = nullptr;  // that is being filled
     uint32_t used_ = 0;               // lanes of it
+    // The vertex's stretch of the overflow, and how many blocks of it are filled.
+    size_t overflow_begin_ = 0, overflow_size_ = 0, overflow_used_ = 0;
 };
 
 // Builds blocks in slices; the mesh has adjacency. A unit is a vertex in one of eight passes, 10 to 200 ns.

@@ -20,7 +20,9 @@ constexpr float most_buckets = 4000.0f;
 RefinedSolver::RefinedSolver(const GeodesicBlocks& blocks, Memory* memory)
     : blocks_(blocks), memory_(memory), step_(choose_wave_step()), queue_(memory) {}
 
-void RefinedSolver::begin(std::span<const Seed> seeds, const SolveLimits& limits, bool labelled) {
+void RefinedSolver::begin(std::span<const Seed> seeds, const SolveLimits& limits, bool labelled,
+                          const GeodesicRegion* region) {
+    region_ = region;
     const uint32_t ranks = blocks_.rank_count();
     if (states_.size() < ranks) {
         states_ = Buffer<WaveState>(blocks_.blocks.capacity(), memory_);
@@ -85,7 +87,10 @@ void RefinedSolver::clear(uint32_t rank) {
 
 void RefinedSolver::place(const Seed& seed) {
     const uint32_t rank = blocks_.rank_of_vertex[seed.vertex];
-    if (seed.distance < states_[rank].distance) improve(rank, {seed.distance, 0}, seed.label);
+    if (!(seed.distance < states_[rank].distance)) return;
+    const float bend = seed.straight && seed.distance > 0 ? std::max(-1 / seed.distance, -bend_max_) : 0.0f;
+    if (labelled_) labels_[rank] = seed.label;
+    improve(rank, {seed.distance, bend});
 }
 
 uint32_t RefinedSolver::bucket_of(float distance) const {
@@ -100,9 +105,8 @@ void RefinedSolver::wait(uint32_t rank) {
     queue_.push(bucket, rank);
 }
 
-void RefinedSolver::improve(uint32_t rank, const WaveState& state, uint32_t label) {
+void RefinedSolver::improve(uint32_t rank, const WaveState& state) {
     states_[rank] = state;
-    if (labelled_) labels_[rank] = label;
     wait(rank);
 }
 
@@ -141,19 +145,23 @@ void RefinedSolver::solve_batch() {
     while (batch.size < batch_size && take(batch.ranks[batch.size])) ++batch.size;
     for (uint32_t i = 0; i < batch.size; ++i) {
         const uint32_t rank = batch.ranks[i];
-        step_(blocks_.blocks[rank], states_.data(), states_[rank], bend_max_, batch.steps[i]);
+        const GeodesicBlock* bounded = region_ != nullptr ? region_->find(rank) : nullptr;
+        batch.blocks[i] = bounded != nullptr ? bounded : &blocks_.blocks[rank];
+        step_(*batch.blocks[i], states_.data(), states_[rank], bend_max_, batch.steps[i]);
     }
-    for (uint32_t i = 0; i < before.size; ++i) apply(before.ranks[i], blocks_.blocks[before.ranks[i]], before.steps[i]);
+    for (uint32_t i = 0; i < before.size; ++i) apply(before.ranks[i], *before.blocks[i], before.steps[i]);
     for (uint32_t i = 0; i < before.size; ++i) {
-        if (blocks_.blocks[before.ranks[i]].continues()) spread_on(before.ranks[i]);
+        if (before.blocks[i]->continues()) spread_on(before.ranks[i]);
     }
     if (batch.size + before.size == 0) next_bucket();
 }
 
 // The further blocks of a vertex.
 void RefinedSolver::spread_on(uint32_t rank) {
-    for (size_t more = blocks_.overflow_of_rank[rank];; ++more) {
-        const GeodesicBlock& block = blocks_.overflow[more];
+    const bool bounded = region_ != nullptr && region_->find(rank) != nullptr;
+    for (uint32_t i = 0;; ++i) {
+        const GeodesicBlock& block =
+            bounded ? region_->block(rank, i + 1) : blocks_.overflow[size_t{blocks_.overflow_of_rank[rank]} + i];
         WaveStep step;
         step_(block, states_.data(), states_[rank], bend_max_, step);
         apply(rank, block, step);
@@ -164,10 +172,14 @@ void RefinedSolver::spread_on(uint32_t rank) {
 void RefinedSolver::apply(uint32_t rank, const GeodesicBlock& block, const WaveStep& step) {
     for (uint32_t improved = step.improved; improved != 0; improved &= improved - 1) {
         const uint32_t lane = static_cast<uint32_t>(std::countr_zero(improved));
-        const uint32_t neighbour = block.lanes[lane] & ~block_continues;
+        const uint32_t neighbour = block.rank(lane);
         const WaveState& state = step.states[lane];
-        if (state.distance < states_[neighbour].distance)
-            improve(neighbour, state, labelled_ ? labels_[rank] : no_index);
+        if (!(state.distance < states_[neighbour].distance)) continue;
+        if (labelled_) {
+            const int32_t side = step.sides[lane];
+            labels_[neighbour] = labels_[side == 0 ? rank : block.rank(lane + static_cast<uint32_t>(side))];
+        }
+        improve(neighbour, state);
     }
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "surfaces/distance_field.h"
+#include "surfaces/geodesic_blocks_region.h"
 #include "surfaces/refined_solver_queue.h"
 #include "surfaces/refined_solver_step.h"
 
@@ -23,7 +24,9 @@ public:
     RefinedSolver(const GeodesicBlocks& blocks, Memory* memory);
 
     // Starts a field. Seeds and limits must outlive the run. Labels are kept if `labelled`.
-    void begin(std::span<const Seed> seeds, const SolveLimits& limits, bool labelled);
+    // A region keeps the field to it, until the next begin; seeds must lie inside.
+    void begin(std::span<const Seed> seeds, const SolveLimits& limits, bool labelled,
+               const GeodesicRegion* region = nullptr);
     // Adds sources to the field that was made last: what is nearer to them changes, nothing else is visited.
     void extend(std::span<const Seed> seeds, const SolveLimits& limits);
     // Advances by `count` vertices (about 0.1 us); true when the field is complete.
@@ -38,6 +41,7 @@ private:
     struct Batch {
         uint32_t size = 0;
         std::array<uint32_t, batch_size> ranks;
+        std::array<const GeodesicBlock*, batch_size> blocks;
         std::array<WaveStep, batch_size> steps;
     };
     enum class Pass { clear, find_first, seed, solve, drain, done };
@@ -47,7 +51,7 @@ private:
     void place(const Seed& seed);
     uint32_t bucket_of(float distance) const;
     void wait(uint32_t rank);
-    void improve(uint32_t rank, const WaveState& state, uint32_t label);
+    void improve(uint32_t rank, const WaveState& state);
     bool take(uint32_t& rank);
     void solve_batch();
     void spread_on(uint32_t rank);
@@ -66,6 +70,7 @@ private:
     BucketQueue queue_;
     std::span<const Seed> seeds_;
     const SolveLimits* limits_ = nullptr;
+    const GeodesicRegion* region_ = nullptr;
     bool labelled_ = false;
     float buckets_per_metre_ = 1;
     float bend_max_ = 0;

@@ -37,7 +37,8 @@ constexpr float least_improvement = 1e-5f;
 
 struct WaveStep {
     WaveState states[lane_count];  // for each lane the least distance on the ways through the vertex
-    uint32_t improved;             // a bit for each lane that is improved by it
+    int32_t sides[lane_count];  // which lane the way passes nearest to: the next one, the one before, or 0: the vertex
+    uint32_t improved;          // a bit for each lane that is improved by it
 };
 
 // Of the states by rank, that of rank 0 is -infinity. Bends are kept within +-bend_max.

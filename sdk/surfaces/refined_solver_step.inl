@@ -45,10 +45,12 @@ constexpr float huge = 3e38f;
     return bits;
 }
 // Each lane gets the next one's value, the last its own.
-[[gnu::always_inline]] inline Float8 from_next(Float8 a) {
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes from_next(Lanes a) {
     return __builtin_shufflevector(a, a, 1, 2, 3, 4, 5, 6, 7, 7);
 }
-[[gnu::always_inline]] inline Float8 from_previous(Float8 a) {
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes from_previous(Lanes a) {
     return __builtin_shufflevector(a, a, 0, 0, 1, 2, 3, 4, 5, 6);
 }
 
@@ -58,10 +60,11 @@ constexpr float huge = 3e38f;
 
 // What is known along the edge from the vertex to a neighbour.
 struct WaveEdge {
-    Float8 length, inverse_length;
+    Float8 length, inverse_length;  // length: -1 if nothing crosses
     Float8 cosine, sine;  // of phi
     Float8 own_bend, far_bend;
     Float8 least_end;  // the lesser distance of its ends
+    Int8 late;         // the far end is reached along the edge
 };
 
 struct Triangle {
@@ -72,6 +75,7 @@ struct Triangle {
 struct Arrival {
     Float8 distance;  // huge where the way does not cross the edge
     Float8 bend;
+    Int8 beyond;  // it crosses nearer to the far end
 };
 
 // The way to the triangle's third corner, `length` from the vertex, across `edge`.
@@ -101,7 +105,7 @@ struct Arrival {
 
     const Int8 crosses =
         (triangle.sine > zero) & (sine >= zero) & (rest >= zero) & (reached < FLG_LANES(huge));
-    return {crosses ? reached : FLG_LANES(huge), carried - gained};
+    return {crosses ? reached : FLG_LANES(huge), carried - gained, (crossing > rest) & ~edge.late};
 }
 
 [[gnu::always_inline]] inline void wave_step(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
@@ -128,17 +132,20 @@ struct Arrival {
     const Float8 far = late ? along : far_distance;
 
     WaveEdge edge;
-    edge.length = length;
     edge.inverse_length = inverse_length;
-    edge.cosine = clamped((length * length + (distance - far) * (distance + far)) * inverse_length *
-                              FLG_LANES(0.5f / own.distance), -one, one);
+    const Float8 cosine = (length * length + (distance - far) * (distance + far)) * inverse_length *
+                          FLG_LANES(0.5f / own.distance);
+    edge.cosine = clamped(cosine, -one, one);
     edge.sine = root((one - edge.cosine) * (one + edge.cosine));
     edge.own_bend = own_bend;
     edge.far_bend = late ? along_bend : far_bend;
+    // No one point is so near to both ends: next to a line that is the source. Then nothing crosses.
+    edge.length = cosine < FLG_LANES(1.001f) ? length : -one;
     edge.least_end = least(distance, far);
-    const WaveEdge next = {from_next(length),      from_next(inverse_length), from_next(edge.cosine),
+    edge.late = late;
+    const WaveEdge next = {from_next(edge.length),      from_next(inverse_length), from_next(edge.cosine),
                            from_next(edge.sine),   own_bend,                  from_next(edge.far_bend),
-                           from_next(edge.least_end)};
+                           from_next(edge.least_end), from_next(late)};
 
     // From lane l across edge l to lane l + 1, and from lane l + 1 across edge l + 1 to lane l. At the source no angle is
     // known, and none needed.
@@ -147,7 +154,7 @@ struct Arrival {
     triangle.cosine = (one - tangent * tangent) * inverse_secant;
     triangle.sine = own.distance > 0 ? (tangent + tangent) * inverse_secant : zero;
     triangle.curvature = curvature;
-    Arrival ahead = cross(edge, triangle, distance, next.length);
+    Arrival ahead = cross(edge, triangle, distance, from_next(length));
     const Arrival back = cross(next, triangle, distance, length);
     ahead.distance = from_previous(ahead.distance);
     ahead.distance[0] = huge;
@@ -158,6 +165,9 @@ struct Arrival {
     const Int8 takes_edge = ~(across < along);
     const Float8 best = takes_edge ? along : across;
     const Float8 bend = clamped(takes_edge ? along_bend : takes_back ? back.bend : ahead.bend, -bend_limit, bend_limit);
+    const Int8 forth = {1, 1, 1, 1, 1, 1, 1, 1};
+    const Int8 side = takes_edge ? Int8{} : takes_back ? (back.beyond & forth) : (from_previous(ahead.beyond) & -forth);
+    __builtin_memcpy(step.sides, &side, sizeof side);
     step.improved = mask(best < improvable);
     store_states(best, bend, step.states);
 }

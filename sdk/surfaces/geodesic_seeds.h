@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// From sources to seeds. A source is a vertex, a point on a face, a curve on the surface, or an edge; what solvers start from
+// are vertices and how far they are from it. Distances are straight ones within the triangle that holds the source and, where
+// the straight line leads there, across one edge of it into the neighbour: exact where no shorter way leads around a vertex.
+#pragma once
+
+#include <deque>
+#include <span>
+
+#include "surfaces/distance_field.h"
+#include "surfaces/region_set.h"
+#include "surfaces/surface_curves.h"
+
+namespace flg {
+
+// Collects seeds, in any order and more than one a vertex. Sources outside of `within` add nothing, others nothing outside.
+class GeodesicSeeds {
+public:
+    // `positions`, one a vertex, may be others than the mesh's: those of the metric to measure in. All outlive this.
+    GeodesicSeeds(const Mesh& mesh, const GrowingBuffer<Position>& positions, const RegionSet& within, Memory* memory)
+        : mesh_(mesh), positions_(positions), within_(within), found_(memory) {}
+
+    // Each costs less than 1 us. A vertex must have a triangle within the regions: that is not checked.
+    void add_vertex(uint32_t vertex, uint32_t label) { found_.push_back({vertex, 0, label}); }
+    void add_point(const SurfacePoint& point, uint32_t label) { add_segment(point, point, label); }
+    // From `begin` to `end` in begin's triangle; `end` may name another triangle that it lies on the border of.
+    void add_segment(const SurfacePoint& begin, const SurfacePoint& end, uint32_t label);
+    // The edge that starts at `corner`, seen from its triangle.
+    void add_edge(Corner corner, uint32_t label);
+
+    const std::pmr::deque<Seed>& found() const { return found_; }
+
+private:
+    void add_from_triangle(uint32_t triangle, const Vec3& begin, const Vec3& end, uint32_t label);
+
+    const Mesh& mesh_;
+    const GrowingBuffer<Position>& positions_;
+    const RegionSet& within_;
+    std::pmr::deque<Seed> found_;
+};
+
+// Adds a curve of a set, segment by segment.
+class CurveSeedsKernel {
+public:
+    CurveSeedsKernel(const SurfaceCurves& curves, uint32_t curve, uint32_t label, GeodesicSeeds& seeds)
+        : curves_(curves), curve_(curve), label_(label), seeds_(seeds), at_(curves.offsets[curve]) {}
+    bool run(uint32_t count);
+
+private:
+    const SurfaceCurves& curves_;
+    uint32_t curve_, label_;
+    GeodesicSeeds& seeds_;
+    uint32_t at_;
+};
+
+// Adds the border of a set of regions: the edges of their triangles that lie towards others, or at the mesh's border. Of all
+// regions: the mesh's border. A unit is a triangle.
+class BorderSeedsKernel {
+public:
+    BorderSeedsKernel(const Mesh& mesh, const RegionSet& regions, uint32_t label, GeodesicSeeds& seeds)
+        : mesh_(mesh), regions_(regions), label_(label), seeds_(seeds) {}
+    bool run(uint32_t count);
+
+private:
+    const Mesh& mesh_;
+    const RegionSet& regions_;
+    uint32_t label_;
+    GeodesicSeeds& seeds_;
+    uint32_t at_ = 0;
+};
+
+// Sorts seeds by vertex and keeps of each vertex the nearest, of equally near ones the first added. A unit is a seed in one of
+// nine passes: bytes of the vertex are counted and sorted by, from the lowest to the highest.
+class SeedMergeKernel {
+public:
+    SeedMergeKernel(const std::pmr::deque<Seed>& found, Memory* memory);
+    bool run(uint32_t count);
+    // After run() returned true.
+    std::span<const Seed> seeds() const { return {sorted_.data(), kept_}; }
+
+private:
+    static constexpr uint32_t byte_count = 4;
+
+    void keep(const Seed& seed);
+
+    const std::pmr::deque<Seed>& found_;
+    Buffer<Seed> sorted_, scratch_;
+    std::array<std::array<uint32_t, 256>, byte_count> starts_{};
+    uint32_t pass_ = 0;
+    uint32_t at_ = 0;
+    uint32_t kept_ = 0;
+};
+
+}  // namespace flg
