@@ -67,7 +67,7 @@ void check_attribute(const FlgStyleAttribute& wanted, uint32_t index) {
     check_enum(wanted.metric, FLG_METRIC_AUTO, FLG_METRIC_PROJECTIVE, argument, "FLG_METRIC_");
     const bool circular = wanted.metric == FLG_METRIC_CIRCLE || wanted.metric == FLG_METRIC_PROJECTIVE;
     if (circular && !metric_fits(wanted.attribute, 1, wanted.metric)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %d, which is for single angles: ANGLE and USER columns",
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %d, which is for angles: ANGLE, RADII and USER columns",
                       argument, number_of(wanted.metric));
     }
     if (!(wanted.weight >= 0 && std::isfinite(wanted.weight))) {
@@ -136,6 +136,12 @@ FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle*
         Submission submission(self, read.job);
         request.example = self.curve_sets.get(read.style.id, "desc.style");
         submission.read(*request.example, "desc.style");
+        // If the curves are there already: else the job finds out.
+        if (request.example->visible_result() == FLG_OK) {
+            for (uint32_t k = 0; k < request.attribute_count; ++k) {
+                check_attribute_column(*request.example, request.attributes[k], k);
+            }
+        }
         if (read.guide.id != 0) {
             request.guide = self.curve_sets.get(read.guide.id, "desc.guide");
             submission.read(*request.guide, "desc.guide");

@@ -81,7 +81,7 @@ Task<void> take_attributes(Pace& pace, const StyleRequest& request, const Matche
     prepared.attributes.reserve(request.attribute_count);
     for (uint32_t a = 0; a < request.attribute_count; ++a) {
         prepared.attributes.push_back(
-            make_attribute(*request.example, request.attributes[a], a, guides.point_count(), pace.memory()));
+            make_attribute(*request.example, request.attributes[a], guides.point_count(), pace.memory()));
     }
     if (prepared.attributes.empty()) co_return;
     for (uint32_t c = 0; c < guides.curve_count(); ++c) {
@@ -124,6 +124,9 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
     PreparedStyle& prepared = request.style->prepared;
 
     pace.stage("resample");
+    for (uint32_t a = 0; a < request.attribute_count; ++a) {
+        check_attribute_column(*request.example, request.attributes[a], a);
+    }
     StyleCurves curves(pace.memory());
     co_await measure_curves(pace, request, curves);
     uint32_t count = request.point_count;

@@ -45,7 +45,10 @@ FlgMetric resolved_metric(const FlgStyleAttribute& wanted) {
 }  // namespace
 
 double StyleAttribute::period(uint32_t component) const {
-    if (attribute == FLG_ATTRIBUTE_RADII && component == turn_component) return 2 * std::numbers::pi;
+    if (attribute == FLG_ATTRIBUTE_RADII) {
+        if (component != turn_component) return 0.0;
+        return metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 2 * std::numbers::pi;
+    }
     if (metric == FLG_METRIC_CIRCLE) return 2 * std::numbers::pi;
     return metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 0.0;
 }
@@ -63,12 +66,11 @@ bool can_transfer(int32_t attribute) {
 }
 
 bool metric_fits(FlgAttribute attribute, uint32_t components, FlgMetric metric) {
-    if (metric == FLG_METRIC_EUCLIDEAN) return true;
+    if (metric == FLG_METRIC_EUCLIDEAN || attribute == FLG_ATTRIBUTE_RADII) return true;
     return components == 1 && (attribute == FLG_ATTRIBUTE_ANGLE || attribute >= FLG_ATTRIBUTE_USER);
 }
 
-StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index, uint32_t points,
-                              Memory* memory) {
+void check_attribute_column(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index) {
     const Column* column = example.find(wanted.attribute);
     if (!column) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.style has no column for desc.attributes[%u]: %s", index,
@@ -81,8 +83,13 @@ StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& 
                       index, static_cast<int>(metric), AttributeName(wanted.attribute).text, column->components,
                       column->components == 1 ? "" : "s");
     }
-    return {wanted.attribute, column->components, metric, wanted.weight,
-            Buffer<float>(size_t{points} * column->components, memory)};
+}
+
+StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t points,
+                              Memory* memory) {
+    const uint32_t components = example.find(wanted.attribute)->components;
+    return {wanted.attribute, components, resolved_metric(wanted), wanted.weight,
+            Buffer<float>(size_t{points} * components, memory)};
 }
 
 AttributeKernel::AttributeKernel(const CurveSet& example, uint32_t curve, std::span<const double> places,

@@ -20,8 +20,9 @@ namespace flg {
 struct StyleAttribute {
     FlgAttribute attribute = FLG_ATTRIBUTE_USER;
     uint32_t components = 0;
-    FlgMetric metric = FLG_METRIC_EUCLIDEAN;  // never AUTO; of RADII's third component CIRCLE, of its others EUCLIDEAN
-    double weight = 0;                        // metres for a difference of 1
+    FlgMetric metric =
+        FLG_METRIC_EUCLIDEAN;  // never AUTO; of RADII it is the third component's, on a circle unless PROJECTIVE
+    double weight = 0;         // metres for a difference of 1
     // One value a point of the guide, `components` floats each: what the style has at the place matched to that point.
     // Angles are not reduced: they may be any finite number of turns.
     Buffer<float> values;
@@ -35,9 +36,12 @@ bool can_transfer(int32_t attribute);
 // Whether values of so many components can be measured so; `metric` is not AUTO.
 bool metric_fits(FlgAttribute attribute, uint32_t components, FlgMetric metric);
 
-// Attribute number `index` of the request, with memory for the values of `points` points; throws
-// FLG_ERROR_INVALID_ARGUMENT if the example has no such column, or one that the metric does not fit.
-StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index, uint32_t points,
+// Throws FLG_ERROR_INVALID_ARGUMENT if the example has no column for attribute number `index` of a request, or one that the
+// metric does not fit.
+void check_attribute_column(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index);
+
+// An attribute whose column has been checked, with memory for the values of `points` points.
+StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t points,
                               Memory* memory);
 
 // Takes the values of all attributes along one style curve. A unit is a point of the example or of the guide, about

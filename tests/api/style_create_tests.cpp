@@ -55,7 +55,7 @@ TEST(StyleCreate, RefusesEachBadArgument) {
     refused([](auto&, auto&, auto& a) { a[0].metric = FLG_METRIC_CIRCLE; }, "desc.attributes[0].metric is 2");
     refused(
         [](auto&, auto&, auto& a) {
-            a[0] = {FLG_ATTRIBUTE_RADII, FLG_METRIC_PROJECTIVE, 1, 0};
+            a[0] = {FLG_ATTRIBUTE_COLOR, FLG_METRIC_PROJECTIVE, 1, 0};
         },
         "desc.attributes[0].metric is 3");
     refused([](auto&, auto&, auto& a) { a[0].weight = -1; }, "desc.attributes[0].weight is -1");
@@ -63,20 +63,33 @@ TEST(StyleCreate, RefusesEachBadArgument) {
     refused([](auto&, auto&, auto& a) { a[1].weight = INFINITY; }, "desc.attributes[1].weight is inf");
 }
 
-TEST(StyleCreate, AttributesThatTheStyleLacksFailItsJob) {
+TEST(StyleCreate, AttributesThatTheStyleLacksAreRefused) {
     Host host;
+    const auto expect_refused = [&](const FlgStyleDesc& desc, const char* words) {
+        FlgStyle style{5};
+        FlgJob job{5};
+        expect_failure(flgStyleCreate(host.context, &desc, &style, &job), invalid, words);
+        EXPECT_EQ(style.id, 0u);
+        EXPECT_EQ(job.id, 0u);
+    };
     FlgStyleAttribute attribute{FLG_ATTRIBUTE_ANGLE, FLG_METRIC_AUTO, 1, 0};
     FlgStyleDesc desc = flgStyleDefaults();
     desc.style = host.create(coil());
     desc.attributes = &attribute;
     desc.attribute_count = 1;
-    expect_failing_job(host, desc, invalid, "desc.style has no column for desc.attributes[0]: ANGLE");
+    expect_refused(desc, "desc.style has no column for desc.attributes[0]: ANGLE");
     const auto user = static_cast<FlgAttribute>(FLG_ATTRIBUTE_USER + 3);
     attribute.attribute = user;
+    expect_refused(desc, "desc.style has no column for desc.attributes[0]: USER + 3");
+    // Curves that a job still makes: the job finds out.
+    FlgResampleDesc resample = flgResampleDefaults();
+    resample.curves = desc.style;
+    resample.spacing = 0.1f;
+    ASSERT_EQ(flgResample(host.context, &resample, &desc.style, nullptr), FLG_OK) << flgLastError();
     expect_failing_job(host, desc, invalid, "desc.style has no column for desc.attributes[0]: USER + 3");
     desc.style = Columns{coil()}.with(user, 2, [](auto i, auto) { return i; }).create(host);
     attribute.metric = FLG_METRIC_CIRCLE;
-    expect_failing_job(host, desc, invalid, "desc.attributes[0]: metric 2 does not fit USER + 3 of 2 components");
+    expect_refused(desc, "desc.attributes[0]: metric 2 does not fit USER + 3 of 2 components");
 }
 
 TEST(StyleCreate, WeightsSteerTheGraphAndNoneLeavesItAlone) {

@@ -90,7 +90,7 @@ struct Example {
 
     std::vector<float> at(const std::vector<double>& places, FlgMetric metric, uint32_t slice = 1u << 30) {
         std::vector<StyleAttribute> attributes;
-        attributes.push_back(make_attribute(set, {set.columns()[1].attribute, metric, 1, 0}, 0,
+        attributes.push_back(make_attribute(set, {set.columns()[1].attribute, metric, 1, 0},
                                             static_cast<uint32_t>(places.size()), test::memory()));
         AttributeKernel kernel(set, 0, places, 0, attributes);
         while (!kernel.run(slice)) {}
@@ -126,7 +126,13 @@ TEST(Attributes, AnglesGoTheShorterWay) {
     expect_near(one_sided.at({0, 0.5, 1, 1.5, 2, 2.5, 3}, FLG_METRIC_PROJECTIVE), {0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2});
     // Only the third component of elliptic cross-sections is an angle.
     Example radii({0, 1}, FLG_ATTRIBUTE_RADII, 3, {1, 5, 0.1f, 9, 5, 0.1f - cut});
-    expect_near(radii.at({0, 0.5, 1}, FLG_METRIC_AUTO), {1, 5, 0.1, 5, 5, 0.1, 9, 5, 0.1});
+    for (FlgMetric metric : {FLG_METRIC_AUTO, FLG_METRIC_CIRCLE}) {
+        expect_near(radii.at({0, 0.5, 1}, metric), {1, 5, 0.1, 5, 5, 0.1, 9, 5, 0.1});
+    }
+    // And if a half turn is nothing to an ellipse: half axes don't wrap even so.
+    const float half_turn = static_cast<float>(M_PI);
+    Example ellipse({0, 1}, FLG_ATTRIBUTE_RADII, 3, {1, 5, 0.1f, 9, 5, 0.3f + half_turn});
+    expect_near(ellipse.at({0, 0.5, 1}, FLG_METRIC_PROJECTIVE), {1, 5, 0.1, 5, 5, 0.2, 9, 5, 0.3});
 }
 
 TEST(Attributes, ManyTurnsAreKept) {
@@ -161,6 +167,10 @@ TEST(Attributes, ChannelsCarryWeightAndPeriod) {
     EXPECT_DOUBLE_EQ(channels[2].period, 4 * M_PI);
     EXPECT_NEAR(channels[2].values[0], 4 * M_PI - 2, 1e-12);
     EXPECT_NEAR(channels[2].values[1], 14 - 4 * M_PI, 1e-12);
+    attribute.metric = FLG_METRIC_PROJECTIVE;
+    EXPECT_EQ(attribute.period(0), 0);
+    EXPECT_EQ(attribute.period(1), 0);
+    EXPECT_EQ(attribute.period(2), M_PI);
 }
 
 }  // namespace

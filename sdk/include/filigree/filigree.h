@@ -374,12 +374,15 @@ FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, F
 typedef enum FlgMetric {
     FLG_METRIC_AUTO = 0,       /* CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else */
     FLG_METRIC_EUCLIDEAN = 1,
-    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE and USER columns of one float */
-    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), which a half turn doesn't change. Likewise */
+    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and the third
+                                  component of RADII, whose others are EUCLIDEAN always */
+    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn doesn't
+                                  change. Likewise */
     FLG_METRIC_FORCE_32BIT = 0x7fffffff
 } FlgMetric;
 
-/* An attribute that a style transfers along with its shape. The style curves need a column for it; values are taken where
+/* An attribute that a style transfers along with its shape. The style curves need a column for it, or flgStyleCreate refuses
+ * them (its job, if another job still makes them); values are taken where
  * the matching leads, angles between points by the shorter way and unwrapped along the curve. A SPEED must be above 0. */
 typedef struct FlgStyleAttribute {
     FlgAttribute attribute; /* RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER and above */
