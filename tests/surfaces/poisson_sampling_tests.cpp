@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/poisson_sampling.h"
+
+#include <gtest/gtest.h>
+
+#include "surfaces/graph_checks.h"
+
+namespace flg::test {
+namespace {
+
+struct Sampling {
+    std::vector<uint32_t> samples;
+    GraphField field;
+};
+
+struct Question {
+    float radius = 0.2f;
+    uint32_t max_count = no_index;
+    uint64_t seed = 1;
+    std::vector<Seed> away_from = {};
+    RegionSet regions{test_memory()};
+    uint32_t slice = 1000;
+};
+
+Sampling sample(const Mesh& mesh, const Question& question) {
+    const GeodesicGraph graph = make_graph(mesh);
+    GraphSolver solver(mesh, mesh.positions, graph, test_memory());
+    const SolveLimits limits;
+    solver.begin(question.away_from, limits, question.regions, true);
+    while (!solver.run(question.slice)) {}
+    PoissonSamplingKernel kernel(mesh, question.regions, solver, question.radius, question.max_count, question.seed,
+                                 test_memory());
+    while (!kernel.run(question.slice)) {}
+    return {{kernel.samples().begin(), kernel.samples().end()}, read_field(solver, mesh, true)};
+}
+
+// Sums of lengths along a path and its reverse are rounded differently.
+constexpr float rounding = 1e-5f;
+
+void expect_apart(const Mesh& mesh, const Sampling& sampling, const Question& question) {
+    const GeodesicGraph graph = make_graph(mesh);
+    for (size_t i = 0; i < sampling.samples.size(); ++i) {
+        const GraphField from = solve_graph(mesh, graph, {{sampling.samples[i], 0, 0}}, {}, question.regions);
+        for (size_t j = 0; j < sampling.samples.size(); ++j) {
+            if (i == j) continue;
+            EXPECT_GE(from.distances[sampling.samples[j]], question.radius * (1 - rounding));
+        }
+    }
+}
+
+TEST(PoissonSampling, PointsAreApartAndCoverAll) {
+    for (const Soup& soup : {sphere(3), torus(40, 20), plane(20, 0.3)}) {
+        const Mesh mesh = make_mesh(soup);
+        const Question question;
+        const Sampling sampling = sample(mesh, question);
+        expect_apart(mesh, sampling, question);
+        for (float distance : sampling.field.distances) EXPECT_LT(distance, question.radius);
+    }
+}
+
+// The graph's distances are up to 1 / cos(22.5 degrees) too long. Discs of half the radius do not overlap, those of the whole
+// one cover the sphere; a disc of radius r has the area 2 pi (1 - cos r).
+TEST(PoissonSampling, HasAsManyPointsAsThereIsAreaFor) {
+    const Mesh mesh = make_mesh(sphere(4));
+    for (float radius : {0.15f, 0.3f, 0.6f}) {
+        const Sampling sampling = sample(mesh, {.radius = radius});
+        const double apart = radius * std::cos(std::numbers::pi / 8);
+        EXPECT_LE(sampling.samples.size(), 2 / (1 - std::cos(apart / 2)));
+        EXPECT_GE(sampling.samples.size(), 2 / (1 - std::cos(radius)));
+    }
+}
+
+TEST(PoissonSampling, LabelsAreTheCellsOfTheNearestPoints) {
+    const Mesh mesh = make_mesh(torus(40, 20));
+    const Sampling sampling = sample(mesh, {});
+    std::vector<Seed> seeds;
+    for (uint32_t i = 0; i < sampling.samples.size(); ++i) seeds.push_back({sampling.samples[i], 0, i});
+    const GraphField anew = solve_graph(mesh, make_graph(mesh), seeds);
+    EXPECT_EQ(sampling.field.distances, anew.distances);
+    EXPECT_EQ(sampling.field.labels, anew.labels);
+}
+
+// Each point is the furthest from those before it, among all vertices.
+TEST(PoissonSampling, TakesTheFurthestVertex) {
+    const Mesh mesh = make_mesh(plane(24, 0.3));
+    const GeodesicGraph graph = make_graph(mesh);
+    const Sampling sampling = sample(mesh, {.max_count = 20});
+    ASSERT_EQ(sampling.samples.size(), 20u);
+    std::vector<Seed> seeds;
+    for (uint32_t i = 0; i < 20; ++i) {
+        const std::vector<float> distances = solve_graph(mesh, graph, seeds).distances;
+        EXPECT_EQ(distances[sampling.samples[i]], *std::max_element(distances.begin(), distances.end()));
+        seeds.push_back({sampling.samples[i], 0, i});
+    }
+}
+
+TEST(PoissonSampling, DependsOnItsSeedAndNotOnSlices) {
+    const Mesh mesh = make_mesh(torus(30, 16));
+    const Sampling first = sample(mesh, {.seed = 1}), again = sample(mesh, {.seed = 1, .slice = 1}),
+                   other = sample(mesh, {.seed = 2});
+    EXPECT_EQ(first.samples, again.samples);
+    EXPECT_EQ(first.field.labels, again.field.labels);
+    EXPECT_NE(first.samples[0], other.samples[0]);
+}
+
+TEST(PoissonSampling, ReachesEveryComponent) {
+    Soup soup = sphere(2);
+    const uint32_t first = static_cast<uint32_t>(soup.positions.size());
+    for (const Position& p : tetrahedron().positions) soup.positions.push_back(p);
+    for (const Triple& t : tetrahedron().triangles)
+        soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    const Sampling sampling = sample(make_mesh(soup), {.radius = 100});
+    ASSERT_EQ(sampling.samples.size(), 2u);
+    EXPECT_NE(sampling.samples[0] < first, sampling.samples[1] < first);
+}
+
+TEST(PoissonSampling, KeepsToTheRegionsAndAwayFromTheirBorders) {
+    Mesh mesh = make_mesh(plane(30));
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t)
+        mesh.regions[t] = mesh.position(mesh.triangles[t][0]).x() < 0.5 ? 1 : 2;
+    const uint32_t label = 1;
+    Question question{.radius = 0.15f, .regions = RegionSet(&label, 1, test_memory())};
+    const auto distance_to_border = [](const Vec3& p) { return std::min({p.x(), 0.5 - p.x(), p.y(), 1 - p.y()}); };
+    const auto is_inside = [](const Vec3& p) { return p.x() < 0.5 + 1e-6; };
+    const Sampling sampling = sample(mesh, question);
+    expect_apart(mesh, sampling, question);
+    for (uint32_t v : sampling.samples) EXPECT_TRUE(is_inside(mesh.position(v)));
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        EXPECT_EQ(sampling.field.distances[v] < question.radius, is_inside(mesh.position(v)));
+    }
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        const Vec3 p = mesh.position(v);
+        if (is_inside(p) && distance_to_border(p) < 1e-6)
+            question.away_from.push_back({v, question.radius / 2, no_index});
+    }
+    const Sampling away = sample(mesh, question);
+    ASSERT_GT(away.samples.size(), 3u);
+    for (uint32_t v : away.samples) {
+        EXPECT_GE(distance_to_border(mesh.position(v)), question.radius / 2 * std::cos(std::numbers::pi / 8) - 1e-6);
+    }
+}
+
+TEST(PoissonSampling, OfNothingIsEmpty) {
+    const uint32_t label = 5;
+    const Mesh mesh = make_mesh(tetrahedron());
+    EXPECT_TRUE(sample(mesh, {.regions = RegionSet(&label, 1, test_memory())}).samples.empty());
+    EXPECT_TRUE(sample(mesh, {.max_count = 0}).samples.empty());
+}
+
+}  // namespace
+}  // namespace flg::test
