@@ -11,7 +11,7 @@ RegionDivider::RegionDivider(Mesh& mesh, const std::pmr::deque<Corner>& edges, u
       edit_(edit),
       parts_(parts),
       cells_(mesh.triangle_count(), memory),
-      queue_(mesh.triangle_count(), memory),
+      waiting_(mesh.triangle_count(), memory),
       components_(memory) {}
 
 void RegionDivider::mark(Corner edge) {
@@ -23,14 +23,14 @@ void RegionDivider::mark(Corner edge) {
 // Takes a triangle into the last component.
 void RegionDivider::visit(uint32_t triangle) {
     cells_[triangle] |= static_cast<uint32_t>(8 * components_.size());
-    queue_[queue_end_++] = triangle;
+    waiting_[waiting_count_++] = triangle;
 }
 
 // From the edges' sides, one after the other; at_ counts sides.
 bool RegionDivider::flood(uint32_t& count) {
     for (; count > 0; --count) {
-        if (queue_begin_ < queue_end_) {
-            const uint32_t triangle = queue_[queue_begin_++];
+        if (waiting_count_ > 0) {
+            const uint32_t triangle = waiting_[--waiting_count_];
             for (uint32_t k = 0; k < 3; ++k) {
                 const uint32_t other = mesh_.neighbours[triangle][k];
                 if (other == no_index || (cells_[triangle] >> k & 1) != 0 || cells_[other] >= 8) continue;

@@ -52,9 +52,9 @@ private:
     uint32_t next_label_;
     MeshEdit& edit_;
     std::pmr::deque<RegionPart>& parts_;
-    Buffer<uint32_t> cells_;  // bits 0 to 2: the edge is of a chain; above: 1 + component, 0 before it is flooded
-    Buffer<uint32_t> queue_;  // triangles flooded, in order
-    uint32_t queue_begin_ = 0, queue_end_ = 0;
+    Buffer<uint32_t> cells_;    // bits 0 to 2: the edge is of a chain; above: 1 + component, 0 before it is flooded
+    Buffer<uint32_t> waiting_;  // triangles whose neighbours are to be looked at; the last one next
+    uint32_t waiting_count_ = 0;
     std::pmr::deque<Component> components_;
     Pass pass_ = Pass::clear;
     uint32_t at_ = 0;

@@ -5,18 +5,6 @@
 
 namespace flg {
 
-namespace {
-
-using Point = CutTriangulation::Point;
-
-// Lengths as if the triangle were equilateral with edges of length `scale`.
-double dot(const Point& a, const Point& b, const Point& c) {
-    const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
-    return ux * vx + uy * vy + 0.5 * (ux * vy + uy * vx);
-}
-
-}  // namespace
-
 void CutTriangulation::reset(const Vec3& to_1, const Vec3& to_2) {
     points_.assign({{0, 0}, {scale, 0}, {0, scale}});
     constexpr uint32_t outer = Pieces::outer_edge;
@@ -27,13 +15,13 @@ void CutTriangulation::reset(const Vec3& to_1, const Vec3& to_2) {
     metric_yy_ = to_2.squaredNorm();
 }
 
-int64_t CutTriangulation::turn(const Point& a, const Point& b, const Point& c) const {
-    return int64_t{b.x - a.x} * (c.y - a.y) - int64_t{b.y - a.y} * (c.x - a.x);
+double CutTriangulation::dot(const Point& a, const Point& b, const Point& c) {
+    const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
+    return ux * vx + uy * vy + 0.5 * (ux * vy + uy * vx);
 }
 
-bool CutTriangulation::crosses(uint32_t from, uint32_t to, uint32_t a, uint32_t b) const {
-    if (a == from || a == to || b == from || b == to) return false;
-    return (turn(from, to, a) > 0) != (turn(from, to, b) > 0) && (turn(a, b, from) > 0) != (turn(a, b, to) > 0);
+int64_t CutTriangulation::turn(const Point& a, const Point& b, const Point& c) {
+    return int64_t{b.x - a.x} * (c.y - a.y) - int64_t{b.y - a.y} * (c.x - a.x);
 }
 
 CutTriangulation::Edge CutTriangulation::find(uint32_t a, uint32_t b) const {
@@ -165,148 +153,6 @@ uint32_t CutTriangulation::add(const Point& point) {
         return vertex;
     }
     return vertex;
-}
-
-// The vertex nearest to the segment among those beside it; no_index if all keep off. It is nearer to both ends than they
-// are to each other, so that ways through such vertices come to an end.
-uint32_t CutTriangulation::vertex_near(uint32_t from, uint32_t to) const {
-    const Point &a = points_[from], &b = points_[to];
-    const double length = dot(a, b, b);
-    // Distance = area / length; an equilateral triangle has the root of 3/4 of the area it has on the lattice.
-    double nearest = 4.0 / 3 * length * tolerance * tolerance;
-    uint32_t found = no_index;
-    for (uint32_t v = 0; v < points_.size(); ++v) {
-        const Point& point = points_[v];
-        const auto area = static_cast<double>(turn(a, b, point));
-        if (area * area > nearest || v == from || v == to) continue;
-        if (dot(a, point, point) >= length || dot(b, point, point) >= length) continue;
-        nearest = area * area;
-        found = v;
-    }
-    return found;
-}
-
-CutTriangulation::Edge CutTriangulation::first_segment_across(uint32_t from, uint32_t to) const {
-    Edge first = no_edge;
-    double least = 2;
-    for (uint32_t t = 0; t < triangles_.size(); ++t) {
-        for (uint32_t k = 0; k < 3; ++k) {
-            if (!triangles_[t].is_segment[k]) continue;
-            const uint32_t a = triangles_[t].vertices[k], b = triangles_[t].vertices[(k + 1) % 3];
-            if (!crosses(from, to, a, b)) continue;
-            const auto before = static_cast<double>(turn(a, b, from)), after = static_cast<double>(turn(a, b, to));
-            const double at = before / (before - after);
-            if (at >= least) continue;
-            least = at;
-            first = {t, k};
-        }
-    }
-    return first;
-}
-
-// The vertex through which the way from `from` to `to` goes on across a segment: a new one, or where rounding leaves no
-// room for it, an end of the segment.
-uint32_t CutTriangulation::cross_segment(uint32_t from, uint32_t to, const Edge& edge) {
-    const Triple& vertices = triangles_[edge.triangle].vertices;
-    const uint32_t a = vertices[edge.k], b = vertices[(edge.k + 1) % 3];
-    const Point start = points_[a], end = points_[b];
-    const auto before = static_cast<double>(turn(from, to, a)), after = static_cast<double>(turn(from, to, b));
-    const double at = before / (before - after);
-    const auto vertex = static_cast<uint32_t>(points_.size());
-    points_.push_back({static_cast<int32_t>(std::lround(start.x + at * (end.x - start.x))),
-                       static_cast<int32_t>(std::lround(start.y + at * (end.y - start.y)))});
-    if (split_edge(edge, vertex)) return vertex;
-    points_.pop_back();
-    return at < 0.5 ? a : b;
-}
-
-// Flips until no edge crosses the way; false if that takes too long.
-bool CutTriangulation::clear_way(uint32_t from, uint32_t to) {
-    way_.clear();
-    for (uint32_t t = 0; t < triangles_.size(); ++t) {
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t a = triangles_[t].vertices[k], b = triangles_[t].vertices[(k + 1) % 3];
-            if (a < b && crosses(from, to, a, b)) way_.push_back({a, b});
-        }
-    }
-    const size_t limit = 16 * (way_.size() + 1) * (way_.size() + 1);
-    for (size_t i = 0; i < way_.size(); ++i) {
-        if (i == limit) return false;
-        const auto [a, b] = way_[i];
-        const Edge edge = find(a, b);
-        const Edge other = across(edge);
-        const uint32_t c = triangles_[edge.triangle].vertices[(edge.k + 2) % 3];
-        const uint32_t d = triangles_[other.triangle].vertices[(other.k + 2) % 3];
-        if (!flip(edge)) {
-            way_.push_back({a, b});
-        } else if (crosses(from, to, c, d)) {
-            way_.push_back({c, d});
-        }
-    }
-    return true;
-}
-
-void CutTriangulation::aim_at(uint32_t vertex) {
-    const auto found = std::find(targets_.begin(), targets_.end(), vertex);
-    targets_.erase(found, targets_.end());
-    targets_.push_back(vertex);
-}
-
-void CutTriangulation::go_along(const Edge& edge, uint32_t to) {
-    triangles_[edge.triangle].is_segment[edge.k] = true;
-    const Edge other = across(edge);
-    if (other.triangle != no_index) triangles_[other.triangle].is_segment[other.k] = true;
-    path_.push_back(to);
-    here_ = to;
-}
-
-// The fewest edges there are to the end: the way out where rounding leaves no straight one.
-bool CutTriangulation::go_along_edges() {
-    const uint32_t to = targets_.front();
-    way_.clear();
-    way_.push_back({to, no_index});  // from the end, so that the way back is the way there
-    const auto reached = [&](uint32_t vertex) {
-        return std::find_if(way_.begin(), way_.end(), [&](const auto& step) { return step.first == vertex; });
-    };
-    for (size_t i = 0; i < way_.size() && way_[i].first != here_; ++i) {
-        for (const Triangle& triangle : triangles_) {
-            const Triple& vertices = triangle.vertices;
-            if (std::find(vertices.begin(), vertices.end(), way_[i].first) == vertices.end()) continue;
-            for (uint32_t vertex : vertices) {
-                if (reached(vertex) == way_.end()) way_.push_back({vertex, way_[i].first});
-            }
-        }
-    }
-    while (here_ != to) {
-        const uint32_t next = reached(here_)->second;
-        go_along(find(here_, next), next);
-    }
-    return true;
-}
-
-void CutTriangulation::begin_segment(uint32_t from, uint32_t to) {
-    path_.assign(1, from);
-    targets_.assign(1, to);
-    here_ = from;
-    // Each step comes nearer or adds a crossing; the bound is for what rounding might do.
-    steps_left_ = 16 + 8 * points_.size();
-}
-
-bool CutTriangulation::step() {
-    while (!targets_.empty() && targets_.back() == here_) targets_.pop_back();
-    if (targets_.empty()) return true;
-    if (steps_left_-- == 0) return go_along_edges();
-    const uint32_t target = targets_.back();
-    if (const uint32_t near = vertex_near(here_, target); near != no_index) {
-        aim_at(near);
-    } else if (const Edge edge = find(here_, target); edge.triangle != no_index) {
-        go_along(edge, target);
-    } else if (const Edge segment = first_segment_across(here_, target); segment.triangle != no_index) {
-        aim_at(cross_segment(here_, target, segment));
-    } else if (!clear_way(here_, target)) {
-        return go_along_edges();
-    }
-    return false;
 }
 
 // By the angles opposite to the edge, in space: their cotangents must not sum to less than nothing.

@@ -70,7 +70,10 @@ private:
 
     static constexpr Edge no_edge{no_index, 0};
 
-    int64_t turn(const Point& a, const Point& b, const Point& c) const;
+    // Of the vectors from a to b and c, as if the triangle were equilateral with edges of length `scale`.
+    static double dot(const Point& a, const Point& b, const Point& c);
+    // Twice the area, on the lattice; positive if counter-clockwise.
+    static int64_t turn(const Point& a, const Point& b, const Point& c);
     int64_t turn(uint32_t a, uint32_t b, uint32_t c) const { return turn(points_[a], points_[b], points_[c]); }
     bool crosses(uint32_t from, uint32_t to, uint32_t a, uint32_t b) const;
     Edge find(uint32_t a, uint32_t b) const;

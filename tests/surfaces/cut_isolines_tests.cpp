@@ -204,6 +204,32 @@ TEST(IsolineCutter, ManyLevelsInOneTriangle) {
     EXPECT_NEAR(area_of(cut.mesh), 0.5, 1e-6);
 }
 
+// Triangles without area or length, a vertex with a thousand of them, values as close as floats can be.
+TEST(IsolineCutter, HoldsUpOnDegenerateTriangles) {
+    Soup flat = plane(8);
+    for (uint32_t v = 0; v < flat.positions.size(); ++v) {
+        if (v % 3 != 0) flat.positions[v] = flat.positions[v / 2];
+    }
+    Soup fan{{{0, 0, 0}}, {}};
+    for (uint32_t i = 0; i < 1000; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 1000;
+        fan.positions.push_back(to_position({std::cos(angle), std::sin(angle), 0}));
+        fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % 1000});
+    }
+    for (const Soup& soup : {flat, fan}) {
+        uint64_t item = 0;
+        Cut cut(soup);
+        cut.add([&](const Vec3&) { return 1 + std::floor(8 * random_unit(5, item++, 0)) * 0x1p-23; });
+        const std::vector<float> levels = {1 + 0x1p-23f, 1 + 0x3p-23f, 1 + 0x4p-23f};
+        const int64_t euler = euler_number(cut.mesh);
+        cut.along(levels);
+        expect_valid(cut.mesh);
+        expect_between_levels(cut, levels);
+        EXPECT_EQ(euler_number(cut.mesh), euler);
+        EXPECT_GT(cut.mesh.triangle_count(), soup.triangles.size());
+    }
+}
+
 TEST(IsolineCutter, CarriesColumnsLinearly) {
     Cut cut(sphere(3));
     cut.add([](const Vec3& p) { return p.z() + 0.5 * p.x(); });
