@@ -9,6 +9,8 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "core/random.h"
+#include "surfaces/field.h"
+#include "surfaces/traced_curves.h"
 
 namespace flg {
 

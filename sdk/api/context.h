@@ -8,6 +8,12 @@
 #include "stylization/live_stroke.h"
 #include "stylization/style.h"
 
+namespace flg {
+class Surface;
+class Field;
+class TracedCurves;
+}  // namespace flg
+
 // In the global namespace because the C header declares it.
 struct FlgContextT {
     FlgContextT(const FlgContextDesc& desc, const flg::HostMemory& host_memory, uint32_t salt)
@@ -16,6 +22,9 @@ struct FlgContextT {
           curve_sets(flg::HandleKind::curve_set, salt, &memory),
           styles(flg::HandleKind::style, salt, &memory),
           live_strokes(flg::HandleKind::live_stroke, salt, &memory),
+          surfaces(flg::HandleKind::surface, salt, &memory),
+          fields(flg::HandleKind::field, salt, &memory),
+          surface_curves(flg::HandleKind::surface_curves, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -25,6 +34,9 @@ struct FlgContextT {
     flg::HandleTable<flg::CurveSet> curve_sets;
     flg::HandleTable<flg::Style> styles;
     flg::HandleTable<flg::LiveStroke> live_strokes;
+    flg::HandleTable<flg::Surface> surfaces;
+    flg::HandleTable<flg::Field> fields;
+    flg::HandleTable<flg::TracedCurves> surface_curves;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };
@@ -64,11 +76,30 @@ public:
         if (std::shared_ptr<Job> producer = input.producer.lock()) dependencies_.push_back(std::move(producer));
     }
 
+    // The job waits for another, which may be null: done already.
+    void wait_for(std::shared_ptr<Job> job) {
+        if (job) dependencies_.push_back(std::move(job));
+    }
+    // The job waits for its turn on a surface, and for the job that makes it.
+    void read_surface(const std::shared_ptr<Surface>& surface, const char* argument) {
+        use_surface(surface, false, argument);
+    }
+    // Likewise a job that changes it.
+    void change_surface(const std::shared_ptr<Surface>& surface, const char* argument) {
+        use_surface(surface, true, argument);
+    }
+
     // Queues the job. Writes handles for the output and, unless out_job is null, for the job.
     template <class T>
     uint64_t commit(HandleTable<T>& table, std::shared_ptr<T> output, FlgJob* out_job) {
+        return commit(table, output, output, out_job);
+    }
+
+    // Likewise a job that makes more than what the handle is for: `whole` publishes it all.
+    template <class T>
+    uint64_t commit(HandleTable<T>& table, std::shared_ptr<T> output, std::shared_ptr<Output> whole, FlgJob* out_job) {
         output->producer = job_;
-        job_->output = output;
+        job_->output = std::move(whole);
         const uint64_t id = table.add(std::move(output));
         try {
             queue(out_job);
@@ -86,11 +117,14 @@ public:
     }
 
 private:
+    void use_surface(const std::shared_ptr<Surface>& surface, bool changes, const char* argument);
     void queue(FlgJob* out_job);
 
     Context& context_;
     std::shared_ptr<Job> job_;
     std::pmr::vector<Prerequisite> dependencies_;
+    std::shared_ptr<Surface> surface_;
+    bool changes_surface_ = false;
 };
 
 // Defaults of the job part of descriptors.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "api/context.h"
 #include "api/inputs.h"
+#include "surfaces/surface.h"
 
 namespace flg {
 
@@ -28,6 +29,13 @@ Submission::Submission(Context& context, const FlgJobOptions& options)
     job_->user_data = options.user_data;
 }
 
+void Submission::use_surface(const std::shared_ptr<Surface>& surface, bool changes, const char* argument) {
+    read(*surface, argument);
+    surface->order.add_prerequisites(changes, dependencies_);
+    surface_ = surface;
+    changes_surface_ = changes;
+}
+
 void Submission::queue(FlgJob* out_job) {
     if (out_job) job_->handle = {context_.jobs.add(job_)};
     try {
@@ -36,6 +44,7 @@ void Submission::queue(FlgJob* out_job) {
         if (out_job) context_.jobs.remove(job_->handle.id, "job");
         throw;
     }
+    if (surface_) surface_->order.enter(job_, changes_surface_);
     if (out_job) *out_job = job_->handle;
 }
 

@@ -2,7 +2,6 @@
 #include "curves/curve_set.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <new>
 
 namespace flg {
@@ -26,18 +25,13 @@ void CurveSet::allocate_columns(const std::pmr::vector<ColumnLayout>& layout) {
     laid_out_.store(true, std::memory_order_release);
 }
 
-void CurveSet::publish_complete() {
-    show(curve_count_);
-}
-
 const Column* CurveSet::find(FlgAttribute attribute) const {
     const auto place = std::find_if(columns_.begin(), columns_.end(),
                                     [&](const Column& column) { return column.attribute == attribute; });
     return place == columns_.end() ? nullptr : &*place;
 }
 
-void CurveSet::show(uint32_t curves) noexcept {
-    result_ = FLG_OK;
+void CurveSet::show_curves(uint32_t curves) noexcept {
     visible_curves_ = curves;
     view_ = {.struct_size = sizeof(FlgCurveSetView),
              .curve_count = curves,
@@ -54,16 +48,9 @@ void CurveSet::publish_partial() noexcept {
     uint32_t curves = visible_curves_;
     const uint32_t end = std::min(curve_count_, curves + most_at_a_time);
     while (curves < end && complete_[curves].load(std::memory_order_acquire)) ++curves;
-    if (curves > 0) show(curves);
-}
-
-void CurveSet::publish(const Job& job) noexcept {
-    if (job.result == FLG_OK) {
-        show(curve_count_);
-    } else {
-        result_ = job.result;
-        std::snprintf(error_, sizeof error_, "%s", job.error);
-    }
+    if (curves == 0) return;
+    show_early();
+    show_curves(curves);
 }
 
 }  // namespace flg

@@ -9,7 +9,7 @@
 
 #include "core/memory.h"
 #include "filigree/filigree.h"
-#include "runtime/job.h"
+#include "runtime/product.h"
 
 namespace flg {
 
@@ -21,7 +21,7 @@ struct Column {
 
 // A set never changes once it is complete; until then only the job that makes it touches its data, and curve by curve it
 // says what is complete. What the host sees of it (view) changes on the host's thread only.
-class CurveSet final : public Output {
+class CurveSet final : public Product {
 public:
     explicit CurveSet(Memory* memory) : memory_(memory), columns_(memory), view_columns_(memory) {}
 
@@ -37,8 +37,6 @@ public:
     void allocate_columns(const std::pmr::vector<ColumnLayout>& layout);
     // Curve `curve` will not change any more. Any thread.
     void complete_curve(uint32_t curve) { complete_[curve].store(true, std::memory_order_release); }
-    // For sets made in one go on the host's thread.
-    void publish_complete();
 
     // ---- reading ----
 
@@ -59,16 +57,11 @@ public:
     // ---- what the host sees ----
 
     void publish_partial() noexcept override;
-    void publish(const Job& job) noexcept override;
-    // FLG_NOT_READY until something can be seen, the job's error if it failed.
-    FlgResult visible_result() const { return result_; }
-    const char* error() const { return error_; }
     const FlgCurveSetView& view() const { return view_; }
-    // The job that makes it, if there is one that may not be done.
-    std::weak_ptr<Job> producer;
 
 private:
-    void show(uint32_t curves) noexcept;
+    void show() noexcept override { show_curves(curve_count_); }
+    void show_curves(uint32_t curves) noexcept;
 
     Memory* memory_;
     uint32_t curve_count_ = 0;
@@ -78,8 +71,6 @@ private:
     Buffer<std::atomic<bool>> complete_;
     std::atomic<bool> laid_out_{false};  // all arrays are there, though not their values
 
-    FlgResult result_ = FLG_NOT_READY;
-    char error_[256] = "";
     uint32_t visible_curves_ = 0;
     std::pmr::vector<FlgColumn> view_columns_;
     FlgCurveSetView view_{};

@@ -9,6 +9,9 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::curve_set: return "curve set";
         case HandleKind::style: return "style";
         case HandleKind::live_stroke: return "live stroke";
+        case HandleKind::surface: return "surface";
+        case HandleKind::field: return "field";
+        case HandleKind::surface_curves: return "set of surface curves";
     }
     return "handle";
 }

@@ -2,7 +2,6 @@
 #include "stylization/style.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace flg {
 
@@ -19,17 +18,6 @@ std::shared_ptr<PathTrees> Style::trees(float asked_temperature) {
                                                          prepared.graph, temperature, memory_));
     }
     return trees_.back();
-}
-
-void Style::publish(const Job& job) noexcept {
-    result_ = job.result;
-    std::snprintf(error_, sizeof error_, "%s", job.error);
-    if (result_ == FLG_OK) publish_complete();
-}
-
-void Style::publish_complete() noexcept {
-    result_ = FLG_OK;
-    prepared.guide->publish_complete();
 }
 
 FlgStyleInfo Style::info() const {

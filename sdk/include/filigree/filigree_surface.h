@@ -71,22 +71,24 @@ typedef struct FlgSurfaceReport {
     uint32_t degenerate_triangles;    /* dropped: they name a vertex twice */
     uint32_t duplicate_triangles;     /* dropped: the same three vertices as another, in any order */
     uint32_t flipped_triangles;       /* turned over, to be of one winding with their neighbours */
-    uint32_t split_edges;             /* had more than two triangles, or no consistent winding was possible */
+    uint32_t crowded_edges;           /* had more than two triangles: joined in pairs, the rest apart */
+    uint32_t cut_edges;               /* opened because both sides could not be kept (Moebius strips, crowded edges) */
     uint32_t split_vertices;          /* vertices added for those whose triangles formed several fans */
-    uint32_t flat_triangles;          /* kept: without area, though of three different vertices */
+    uint32_t flat_triangles;          /* kept: lower than 1e-6 of their longest edge */
     uint32_t vertex_count;
     uint32_t triangle_count;
     uint32_t component_count;
     uint32_t border_count;            /* closed chains of border edges */
     uint32_t border_edges;
-    int32_t euler_number;             /* vertices - edges + triangles */
-    uint32_t reserved;
+    uint32_t genus;                   /* handles, of all components together */
+    int64_t euler_number;             /* vertices - edges + triangles */
     double area;                      /* square metres */
     float box_min[3], box_max[3];
-    const uint32_t* vertex_of_input;  /* one a vertex of the input: where it is now, FLG_NO_INDEX if dropped. (One that was
-                                         split is named where its first fan is.) Lives until the surface is released */
+    const uint32_t* vertex_of_input;  /* one a vertex of the input: where it is now, FLG_NO_INDEX if dropped (one that was
+                                         split is named where its first fan is); null if all are where they were. Lives
+                                         until the surface is released */
     uint32_t input_vertex_count;
-    uint32_t reserved2;
+    uint32_t reserved;
 } FlgSurfaceReport;
 
 /* The report of the job that made the surface; FLG_NOT_READY before it is published, its error if it failed. Cuts don't
@@ -106,10 +108,10 @@ FLG_API FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint32_t struct_size)
  * or the one that makes the surface, isn't published. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceView* out_view);
 
-/* Triangles that are new or not the same as they were at an earlier revision (0: when the surface was made): those to
- * upload again, or to put into a picking scene. Triangles from the old count on are all new and not listed. Writes at
- * most `capacity` indices, each once, rising, and their whole number; `out_triangles` may be null when capacity is 0. Not ready when the
- * view isn't. Cost: about 10 ns a triangle listed. */
+/* Triangles that are new or whose vertices are others than at an earlier revision (0: when the surface was made): those to
+ * upload again, or to put into a picking scene. Regions may have changed anywhere. Writes at most `capacity` indices, each
+ * once, rising, and their whole number; `out_triangles` may be null when capacity is 0. Not ready when the view isn't.
+ * Cost: about 0.5 ns a triangle of the surface. */
 FLG_API FlgResult flgSurfaceGetChanges(FlgContext context, FlgSurface surface, uint32_t since_revision,
                                        uint32_t* out_triangles, uint32_t capacity, uint32_t* out_count);
 
@@ -168,14 +170,13 @@ typedef struct FlgLiftDesc {
     uint32_t struct_size;
     float height; /* metres above the surface along its normal; any finite number, default 0 */
     FlgJobOptions job;
-    FlgSurface surface;
     FlgSurfaceCurves curves;
 } FlgLiftDesc;
 
 FLG_API FlgResult flgLiftDescInit(FlgLiftDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes curves in space of curves on a surface: POSITION and, from the surface's smooth normals, NORMAL, so
- * that flgStylize with FLG_FRAME_SUPPLIED decorates them in the surface's frame. Curves of one point are left out. */
+ * that flgStylize with FLG_FRAME_SUPPLIED decorates them in the surface's frame. Fails if there are no curves. */
 FLG_API FlgResult flgLiftCurves(FlgContext context, const FlgLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
 /* ---- Geodesic distances ------------------------------------------------------------------------------------------ */
@@ -213,6 +214,9 @@ typedef struct FlgGeodesicDesc {
     /* Waves a metre of that noise, > 0; default 1. */
     float frequency;
     uint64_t seed; /* of the noise; default 1 */
+    /* Nonzero: the field has labels, the numbers of the nearest sources. Default 0. */
+    uint32_t labels;
+    uint32_t reserved;
 } FlgGeodesicDesc;
 
 FLG_API FlgResult flgGeodesicDescInit(FlgGeodesicDesc* desc, uint32_t struct_size);
@@ -369,7 +373,8 @@ typedef struct FlgCutIsolinesDesc {
     FlgField field; /* its surface is cut */
     const uint32_t* regions;
     FlgLevels levels;
-    /* Triangles above k levels get the label first_label + k; default FLG_NO_INDEX: labels stay as they are. */
+    /* Triangles of regions[i] above k of n levels get the label first_label + i * (n + 1) + k; with `regions` null all get
+     * first_label + k. Default FLG_NO_INDEX: labels stay as they are. At most 256 levels. */
     uint32_t first_label;
     uint32_t reserved;
 } FlgCutIsolinesDesc;
@@ -385,12 +390,11 @@ FLG_API FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* d
 
 typedef struct FlgCutCurvesDesc {
     uint32_t struct_size;
-    /* Pieces that a region falls into get labels from here on, the largest piece keeps its own; default FLG_NO_INDEX: labels
-     * stay as they are. */
+    /* The parts of a region that falls apart get labels from here on, in the order in which the curves meet them; a region
+     * that doesn't keeps its own. Default FLG_NO_INDEX: labels stay as they are. */
     uint32_t first_label;
     FlgJobOptions job;
-    FlgSurface surface;
-    FlgSurfaceCurves curves;
+    FlgSurfaceCurves curves; /* their surface is cut */
 } FlgCutCurvesDesc;
 
 FLG_API FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_size);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Surfaces cut along isolines and curves.
+#include <algorithm>
+
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "api/surface_inputs.h"
+#include "surfaces/cutting_jobs.h"
+
+namespace flg {
+
+namespace {
+
+FlgCutIsolinesDesc default_cut_isolines_desc() {
+    FlgCutIsolinesDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.first_label = FLG_NO_INDEX;
+    return desc;
+}
+
+FlgCutCurvesDesc default_cut_curves_desc() {
+    FlgCutCurvesDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.first_label = FLG_NO_INDEX;
+    return desc;
+}
+
+void check_first_label(uint32_t label) {
+    if (label > FLG_REGION_MAX && label != FLG_NO_INDEX) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.first_label is %u, the largest label is %u", label,
+                      FLG_REGION_MAX);
+    }
+}
+
+// A host's list of labels, each once; empty: all regions.
+std::pmr::vector<uint32_t> list_regions(const uint32_t* regions, uint32_t count, Memory* memory) {
+    read_regions(regions, count, memory);
+    std::pmr::vector<uint32_t> list(memory);
+    if (!regions) return list;
+    check_range(count > 0, "desc.region_count", count, "above 0 with regions");
+    list.assign(regions, regions + count);
+    for (uint32_t i = 1; i < count; ++i) {
+        if (list[i] <= list[i - 1]) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.regions[%u] is %u after %u, must rise", i, list[i],
+                          list[i - 1]);
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgCutIsolinesDescInit(FlgCutIsolinesDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_cut_isolines_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, FlgField* out_field, FlgJob* out_job) {
+    return guarded([&] {
+        if (out_field) *out_field = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgCutIsolinesDesc read = read_struct(desc, default_cut_isolines_desc(), "desc");
+        check_first_label(read.first_label);
+        Submission submission(self, read.job);
+        const auto field = self.fields.get(read.field.id, "desc.field");
+        check_revision(*field, "desc.field");
+        submission.read(*field, "desc.field");
+        const auto surface = field->surface;
+        submission.change_surface(surface, "the surface of desc.field");
+        const std::shared_ptr<Field> out = out_field ? make_object<Field>(self, surface, &self.memory) : nullptr;
+        CutIsolinesRequest request{.surface = surface,
+                                   .revision = surface->order.revision() + 1,
+                                   .field = field,
+                                   .regions = list_regions(read.regions, read.region_count, &self.memory),
+                                   .levels = read_levels(read.levels, &self.memory),
+                                   .first_label = read.first_label,
+                                   .out = out};
+        const auto change = make_object<SurfaceChange>(self, surface, out);
+        submission.job().strand.start(cut_isolines(submission.pace(), std::move(request)));
+        if (out) {
+            // It belongs to the surface as it will be.
+            ++out->revision;
+            *out_field = {submission.commit(self.fields, out, change, out_job)};
+        } else {
+            submission.commit(change, out_job);
+        }
+        return FLG_OK;
+    });
+}
+
+FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_cut_curves_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob* out_job) {
+    return guarded([&] {
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgCutCurvesDesc read = read_struct(desc, default_cut_curves_desc(), "desc");
+        check_first_label(read.first_label);
+        Submission submission(self, read.job);
+        const auto curves = self.surface_curves.get(read.curves.id, "desc.curves");
+        check_revision(*curves, "desc.curves");
+        submission.read(*curves, "desc.curves");
+        const auto surface = curves->surface;
+        submission.change_surface(surface, "the surface of desc.curves");
+        CutCurvesRequest request{.surface = surface,
+                                 .revision = surface->order.revision() + 1,
+                                 .curves = curves,
+                                 .first_label = read.first_label};
+        submission.job().strand.start(cut_curves(submission.pace(), std::move(request)));
+        submission.commit(make_object<SurfaceChange>(self, surface, nullptr), out_job);
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

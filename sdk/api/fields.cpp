@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Fields on surfaces: distances, blends and the host's own; shown and released.
+#include <algorithm>
+#include <cmath>
+
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "api/surface_inputs.h"
+#include "surfaces/geodesic_jobs.h"
+
+namespace flg {
+
+namespace {
+
+FlgFieldView default_field_view() {
+    FlgFieldView view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+FlgGeodesicDesc default_geodesic_desc() {
+    FlgGeodesicDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.max_distance = HUGE_VALF;
+    desc.frequency = 1;
+    desc.seed = 1;
+    return desc;
+}
+
+FlgBlendDesc default_blend_desc() {
+    FlgBlendDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    return desc;
+}
+
+void check(const FlgGeodesicDesc& desc) {
+    check_enum(desc.accuracy, FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH, "desc.accuracy", "FLG_ACCURACY_");
+    check_range(desc.max_distance > 0, "desc.max_distance", desc.max_distance, "above 0");
+    check_range(desc.perturbation >= 0 && std::isfinite(desc.perturbation), "desc.perturbation", desc.perturbation,
+                "finite and at least 0");
+    check_range(desc.frequency > 0 && std::isfinite(desc.frequency), "desc.frequency", desc.frequency,
+                "finite and above 0");
+    if (desc.vertex_count == 0 && desc.point_count == 0 && desc.curves.id == 0 && desc.border_region_count == 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc has no sources: no vertices, no points, no curves and no border_regions");
+    }
+}
+
+GeodesicRequest read_request(Context& context, const FlgGeodesicDesc& desc, Submission& submission) {
+    Memory* memory = &context.memory;
+    const auto surface = context.surfaces.get(desc.surface.id, "desc.surface");
+    GeodesicRequest request{
+        .surface = surface,
+        .accuracy = desc.accuracy,
+        .sources = {.vertices = read_indices(desc.vertices, desc.vertex_count, "desc.vertices", memory),
+                    .points = read_points(desc.points, desc.point_count, "desc.points", memory),
+                    .curves = nullptr,
+                    .border_regions =
+                        read_indices(desc.border_regions, desc.border_region_count, "desc.border_regions", memory)},
+        .regions = read_regions(desc.regions, desc.region_count, memory),
+        .max_distance = desc.max_distance,
+        .targets = read_indices(desc.targets, desc.target_count, "desc.targets", memory),
+        .labelled = desc.labels != 0,
+        .perturbation = {desc.perturbation, desc.frequency, desc.seed},
+        .out = make_object<Field>(context, surface, memory)};
+    if (desc.curves.id != 0) {
+        request.sources.curves = context.surface_curves.get(desc.curves.id, "desc.curves");
+        check_same_surface(*request.out, *request.sources.curves, "desc.curves");
+        submission.read(*request.sources.curves, "desc.curves");
+    }
+    return request;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgGeodesicDescInit(FlgGeodesicDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_geodesic_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgFieldViewInit(FlgFieldView* view, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(view, struct_size, default_field_view(), "view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgBlendDescInit(FlgBlendDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_blend_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_field, "out_field") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgGeodesicDesc read = read_struct(desc, default_geodesic_desc(), "desc");
+        check(read);
+        Submission submission(self, read.job);
+        GeodesicRequest request = read_request(self, read, submission);
+        const auto out = request.out;
+        // In a perturbed metric the solver builds its own.
+        if (read.perturbation == 0) {
+            submission.wait_for(read.accuracy == FLG_ACCURACY_GRAPH ? start_graph(self, request.surface)
+                                                                    : start_blocks(self, request.surface));
+        }
+        submission.read_surface(request.surface, "desc.surface");
+        submission.job().strand.start(solve_geodesic(submission.pace(), std::move(request)));
+        *out_field = {submission.commit(self.fields, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgFieldGetView(FlgContext context, FlgField field, FlgFieldView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, default_field_view(), "out_view");
+        const Field& self = *get_context(context).fields.get(field.id, "field");
+        const FlgResult result = self.visible_result();
+        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
+        return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* values, uint32_t value_count,
+                         FlgField* out_field) {
+    return guarded([&] {
+        require(out_field, "out_field") = {};
+        Context& self = get_context(context);
+        const auto of_surface = self.surfaces.get(surface.id, "surface");
+        const FlgResult result = visible_result_now(*of_surface);
+        if (result != FLG_OK) return result;
+        require(values, "values");
+        if (value_count != of_surface->mesh().vertex_count()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "value_count is %u, but the surface has %u vertices", value_count,
+                          of_surface->mesh().vertex_count());
+        }
+        const auto field = make_object<Field>(self, of_surface, &self.memory);
+        field->data.distances = Buffer<float>(value_count, &self.memory);
+        for (uint32_t v = 0; v < value_count; ++v) {
+            if (std::isnan(values[v])) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "values[%u] is nan, must be a number or infinite", v);
+            }
+            field->data.distances[v] = values[v];
+        }
+        field->publish_complete();
+        *out_field = {self.fields.add(field)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgFieldRelease(FlgContext context, FlgField field) {
+    return guarded([&] {
+        get_context(context).fields.remove(field.id, "field");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgFieldBlend(FlgContext context, const FlgBlendDesc* desc, FlgField* out_field, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_field, "out_field") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgBlendDesc read = read_struct(desc, default_blend_desc(), "desc");
+        Submission submission(self, read.job);
+        const auto from = self.fields.get(read.from.id, "desc.from");
+        const auto to = self.fields.get(read.to.id, "desc.to");
+        check_same_surface(*from, *to, "desc.to");
+        submission.read(*from, "desc.from");
+        submission.read(*to, "desc.to");
+        const auto out = make_object<Field>(self, from->surface, &self.memory);
+        out->revision = from->revision;
+        submission.job().strand.start(blend_fields(submission.pace(), from, to, out));
+        *out_field = {submission.commit(self.fields, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "api/surface_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "surfaces/geodesic_jobs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr float weight_slack = 1e-5f;  // rounding of weights that is clipped
+
+}  // namespace
+
+namespace {
+
+using Builder = Task<void> (*)(Pace&, std::shared_ptr<Surface>);
+
+// Its job is hidden from the host. If it fails, so do those that wait for it, and the next one that asks starts another.
+std::shared_ptr<Job> start_build(Context& context, const std::shared_ptr<Surface>& surface, Builder build,
+                                 std::shared_ptr<SolverBuild>& made) {
+    if (made && made->visible_result() == FLG_OK) return nullptr;
+    if (made && made->visible_result() == FLG_NOT_READY) return made->producer.lock();
+    auto product = make_object<SolverBuild>(context);
+    Submission submission(context, default_job_options());
+    submission.read_surface(surface, "desc.surface");
+    submission.job().priority = FLG_PRIORITY_HIGH;
+    submission.job().strand.start(build(submission.pace(), surface));
+    product->producer = submission.job().shared_from_this();
+    submission.commit(product, nullptr);
+    made = product;
+    return product->producer.lock();
+}
+
+}  // namespace
+
+std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surface>& surface) {
+    return start_build(context, surface, build_blocks, surface->solvers.blocks_build);
+}
+
+std::shared_ptr<Job> start_graph(Context& context, const std::shared_ptr<Surface>& surface) {
+    return start_build(context, surface, build_graph, surface->solvers.graph_build);
+}
+
+Buffer<uint32_t> read_indices(const uint32_t* indices, uint32_t count, const char* argument, Memory* memory) {
+    if (count > 0) require(indices, argument);
+    Buffer<uint32_t> copy(count, memory);
+    std::copy_n(indices, count, copy.data());
+    return copy;
+}
+
+Buffer<uint32_t> read_path_offsets(const FlgPathsDesc& desc, Memory* memory) {
+    check_range(desc.path_count > 0, "desc.path_count", desc.path_count, "at least 1");
+    const uint32_t* offsets = &require(desc.path_offsets, "desc.path_offsets");
+    Buffer<uint32_t> copy(size_t{desc.path_count} + 1, memory);
+    if (offsets[0] != 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.path_offsets[0] is %u, must be 0", offsets[0]);
+    copy[0] = 0;
+    for (uint32_t p = 0; p < desc.path_count; ++p) {
+        if (offsets[p + 1] < uint64_t{offsets[p]} + 2) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.path_offsets[%u] is %u after %u; every path needs at least two points", p + 1,
+                          offsets[p + 1], offsets[p]);
+        }
+        copy[p + 1] = offsets[p + 1];
+    }
+    return copy;
+}
+
+LevelRequest read_levels(const FlgLevels& levels, Memory* memory) {
+    constexpr uint32_t most = 65536;
+    check_range(levels.count <= most, "desc.levels.count", levels.count, "at most 65536");
+    LevelRequest request;
+    request.count = levels.count;
+    if (levels.values) {
+        check_range(levels.count >= 1, "desc.levels.count", levels.count, "at least 1 with values");
+        request.values = Buffer<float>(levels.count, memory);
+        for (uint32_t k = 0; k < levels.count; ++k) {
+            const bool rises = k == 0 || levels.values[k] > levels.values[k - 1];
+            if (!std::isfinite(levels.values[k]) || !rises) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.levels.values[%u] is %g, must be finite and rise", k,
+                              static_cast<double>(levels.values[k]));
+            }
+            request.values[k] = levels.values[k];
+        }
+        return request;
+    }
+    check_range(std::isfinite(levels.first), "desc.levels.first", levels.first, "finite");
+    check_range(levels.every > 0 && std::isfinite(levels.every), "desc.levels.every", levels.every,
+                "finite and above 0");
+    request.first = levels.first;
+    request.every = levels.every;
+    return request;
+}
+
+RegionSet read_regions(const uint32_t* regions, uint32_t count, Memory* memory) {
+    if (!regions) {
+        if (count > 0) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.regions is null, but region_count is %u", count);
+        }
+        return RegionSet(memory);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (regions[i] > FLG_REGION_MAX) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.regions[%u] is %u, the largest label is %u", i, regions[i],
+                          FLG_REGION_MAX);
+        }
+    }
+    return RegionSet(regions, count, memory);
+}
+
+Buffer<SurfacePoint> read_points(const FlgSurfacePoint* points, uint32_t count, const char* argument, Memory* memory) {
+    if (count > 0) require(points, argument);
+    Buffer<SurfacePoint> copy(count, memory);
+    for (uint32_t i = 0; i < count; ++i) {
+        const auto [triangle, u, v] = points[i];
+        if (!(u >= -weight_slack && v >= -weight_slack && u + v <= 1 + weight_slack)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] has the weights u = %g, v = %g, outside its triangle",
+                          argument, i, static_cast<double>(u), static_cast<double>(v));
+        }
+        const float clipped_u = std::clamp(u, 0.0f, 1.0f);
+        copy[i] = {triangle, clipped_u, std::clamp(v, 0.0f, 1 - clipped_u)};
+    }
+    return copy;
+}
+
+}  // namespace flg

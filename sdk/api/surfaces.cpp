@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Surfaces: made, refined, shown, released.
+#include <algorithm>
+#include <cmath>
+
+#include "api/columns.h"
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "api/surface_inputs.h"
+#include "surfaces/surface_jobs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t max_levels = 8;
+
+FlgMeshView default_mesh_view() {
+    FlgMeshView view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+FlgSurfaceDesc default_surface_desc() {
+    FlgSurfaceDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.mesh = default_mesh_view();
+    return desc;
+}
+
+FlgSurfaceReport default_report() {
+    FlgSurfaceReport report{};
+    report.struct_size = sizeof report;
+    return report;
+}
+
+FlgSurfaceView default_surface_view() {
+    FlgSurfaceView view{};
+    view.struct_size = sizeof view;
+    view.mesh = default_mesh_view();
+    return view;
+}
+
+FlgRefineDesc default_refine_desc() {
+    FlgRefineDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.levels = 1;
+    return desc;
+}
+
+Buffer<uint32_t> copy_words(const uint32_t* words, size_t count, Memory* memory) {
+    Buffer<uint32_t> copy(count, memory);
+    std::copy_n(words, count, copy.data());
+    return copy;
+}
+
+// The host's arrays, checked as far as one pass can and packed. The job checks indices and positions.
+std::shared_ptr<MeshInput> copy_mesh(Context& context, const FlgMeshView& mesh) {
+    if (mesh.triangle_count > 0) require(mesh.triangles, "desc.mesh.triangles");
+    check_columns(mesh.columns, mesh.column_count, "desc.mesh");
+    Memory* memory = &context.memory;
+    auto input = make_object<MeshInput>(context, memory);
+    input->view = mesh;
+    input->triangles = copy_words(mesh.triangles, size_t{3} * mesh.triangle_count, memory);
+    input->view.triangles = input->triangles.data();
+    if (mesh.regions) {
+        input->regions = copy_words(mesh.regions, mesh.triangle_count, memory);
+        input->view.regions = input->regions.data();
+        const uint32_t* largest = std::max_element(input->regions.begin(), input->regions.end());
+        if (largest != input->regions.end() && *largest > FLG_REGION_MAX) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.regions[%td] is %u, the largest label is %u",
+                          largest - input->regions.begin(), *largest, FLG_REGION_MAX);
+        }
+    }
+    for (uint32_t c = 0; c < mesh.column_count; ++c) {
+        FlgColumn column = mesh.columns[c];
+        input->values.emplace_back(size_t{mesh.vertex_count} * column.components, memory);
+        const BadValue bad = copy_column(column, 0, mesh.vertex_count, input->values.back().data());
+        if (bad.rule) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.columns[%u] holds %g at vertex %u, %s", c,
+                          static_cast<double>(bad.value), bad.row, bad.rule);
+        }
+        column.data = input->values.back().data();
+        column.stride = 0;
+        input->columns.push_back(column);
+    }
+    input->view.columns = input->columns.data();
+    return input;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgMeshViewInit(FlgMeshView* view, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(view, struct_size, default_mesh_view(), "view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_surface_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(view, struct_size, default_surface_view(), "view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgRefineDescInit(FlgRefineDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_refine_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_surface, "out_surface") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgSurfaceDesc read = read_struct(desc, default_surface_desc(), "desc");
+        check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
+        Submission submission(self, read.job);
+        auto input = copy_mesh(self, read_struct(&read.mesh, default_mesh_view(), "desc.mesh"));
+        const auto surface = make_object<Surface>(self, &self.memory);
+        submission.job().strand.start(make_surface(submission.pace(), surface, std::move(input), read.weld_distance));
+        *out_surface = {submission.commit(self.surfaces, surface, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceRefine(FlgContext context, const FlgRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_surface, "out_surface") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgRefineDesc read = read_struct(desc, default_refine_desc(), "desc");
+        check_enum(read.scheme, FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP, "desc.scheme", "FLG_SUBDIVISION_");
+        check_range(read.levels >= 1 && read.levels <= max_levels, "desc.levels", read.levels, "1 to 8");
+        Submission submission(self, read.job);
+        const auto coarse = self.surfaces.get(read.surface.id, "desc.surface");
+        submission.read_surface(coarse, "desc.surface");
+        const auto fine = make_object<Surface>(self, &self.memory);
+        const RefineRule rule = read.scheme == FLG_SUBDIVISION_LOOP ? RefineRule::loop : RefineRule::midpoint;
+        submission.job().strand.start(refine_surface(submission.pace(), coarse, fine, rule, read.levels));
+        *out_surface = {submission.commit(self.surfaces, fine, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceGetReport(FlgContext context, FlgSurface surface, FlgSurfaceReport* out_report) {
+    return guarded([&] {
+        write_struct(out_report, default_report(), "out_report");
+        const Surface& self = *get_context(context).surfaces.get(surface.id, "surface");
+        const FlgResult result = self.visible_result();
+        if (result == FLG_OK) write_struct(out_report, self.report(), "out_report");
+        return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, default_surface_view(), "out_view");
+        const Surface& self = *get_context(context).surfaces.get(surface.id, "surface");
+        const FlgResult result = visible_result_now(self);
+        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
+        return result;
+    });
+}
+
+FlgResult flgSurfaceGetChanges(FlgContext context, FlgSurface surface, uint32_t since_revision, uint32_t* out_triangles,
+                               uint32_t capacity, uint32_t* out_count) {
+    return guarded([&] {
+        require(out_count, "out_count") = 0;
+        if (capacity > 0) require(out_triangles, "out_triangles");
+        const Surface& self = *get_context(context).surfaces.get(surface.id, "surface");
+        const FlgResult result = visible_result_now(self);
+        if (result != FLG_OK) return result;
+        check_range(since_revision <= self.order.revision(), "since_revision", since_revision,
+                    "at most that of the surface");
+        uint32_t count = 0;
+        for (uint32_t t = 0; t < self.mesh().triangle_count(); ++t) {
+            if (self.shape_revision(t) <= since_revision) continue;
+            if (count < capacity) out_triangles[count] = t;
+            ++count;
+        }
+        *out_count = count;
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceRelease(FlgContext context, FlgSurface surface) {
+    return guarded([&] {
+        get_context(context).surfaces.remove(surface.id, "surface");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/cutting_jobs.h"
+
+#include <algorithm>
+#include <bit>
+#include <new>
+
+#include "core/failure.h"
+#include "surfaces/cut_curves.h"
+#include "surfaces/cut_isolines.h"
+#include "surfaces/cut_regions.h"
+#include "surfaces/surface_update.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t cut_chunk = 50;        // about 10 us
+constexpr uint32_t divide_chunk = 100;    // about 10 us
+constexpr uint32_t copy_chunk = 4000;     // values, about 10 us
+constexpr uint32_t label_chunk = 10'000;  // triangles, about 10 us
+
+Task<GrowingBuffer<float>> copy_values(Pace& pace, const Buffer<float>& from) {
+    GrowingBuffer<float> copy(from.size(), pace.memory());
+    for (size_t i = 0; i < from.size(); i += copy_chunk) {
+        std::copy_n(from.data() + i, std::min<size_t>(copy_chunk, from.size() - i), copy.data() + i);
+        co_await pace;
+    }
+    co_return copy;
+}
+
+// The labels that are there, rising.
+Task<std::pmr::vector<uint32_t>> list_regions(Pace& pace, const Mesh& mesh) {
+    std::pmr::vector<uint64_t> bits(pace.memory());
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        const uint32_t region = mesh.regions[t];
+        if (region / 64 >= bits.size()) bits.resize(region / 64 + 1);
+        bits[region / 64] |= uint64_t{1} << region % 64;
+        if (t % label_chunk == 0) co_await pace;
+    }
+    std::pmr::vector<uint32_t> regions(pace.memory());
+    for (size_t word = 0; word < bits.size(); ++word) {
+        for (uint64_t left = bits[word]; left != 0; left &= left - 1) {
+            regions.push_back(static_cast<uint32_t>(64 * word + static_cast<size_t>(std::countr_zero(left))));
+        }
+        if (word % label_chunk == 0) co_await pace;
+    }
+    co_return regions;
+}
+
+// What each region's triangles are labelled with.
+Task<std::pmr::vector<RegionLevels>> list_labels(Pace& pace, const CutIsolinesRequest& request, uint32_t level_count) {
+    const bool all = request.regions.empty();
+    const std::pmr::vector<uint32_t> regions = all ? co_await list_regions(pace, request.surface->mesh())
+                                                   : std::pmr::vector<uint32_t>(request.regions, pace.memory());
+    std::pmr::vector<RegionLevels> labels(pace.memory());
+    for (const uint32_t region : regions) {
+        const uint64_t first = request.first_label + (all ? 0 : uint64_t{level_count + 1} * labels.size());
+        if (request.first_label != no_index && first + level_count > FLG_REGION_MAX) {
+            throw Failure(FLG_ERROR_LIMIT, "labels up to %llu would be needed, the largest is %u",
+                          static_cast<unsigned long long>(first + level_count), FLG_REGION_MAX);
+        }
+        labels.push_back({region, request.first_label == no_index ? no_index : static_cast<uint32_t>(first)});
+        if (labels.size() % label_chunk == 0) co_await pace;
+    }
+    co_return labels;
+}
+
+// A column that a cut carries along, taken away again at the end, however it ends.
+class ExtraColumn {
+public:
+    ExtraColumn(MeshColumns& columns, GrowingBuffer<float> values) : columns_(columns) {
+        columns_.push_back({1, std::move(values)});
+    }
+    ~ExtraColumn() { columns_.pop_back(); }
+    ExtraColumn(const ExtraColumn&) = delete;
+    ExtraColumn& operator=(const ExtraColumn&) = delete;
+
+    uint32_t index() const { return static_cast<uint32_t>(columns_.size() - 1); }
+    const GrowingBuffer<float>& values() const { return columns_.back().values; }
+
+private:
+    MeshColumns& columns_;
+};
+
+Task<Buffer<float>> copy_out(Pace& pace, const GrowingBuffer<float>& from) {
+    Buffer<float> copy(from.size(), pace.memory());
+    for (size_t i = 0; i < from.size(); i += copy_chunk) {
+        std::copy_n(from.data() + i, std::min<size_t>(copy_chunk, from.size() - i), copy.data() + i);
+        co_await pace;
+    }
+    co_return copy;
+}
+
+}  // namespace
+
+Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
+    Surface& surface = *request.surface;
+    pace.stage("levels");
+    const Buffer<float> levels = co_await list_levels(pace, *request.field, request.levels, IsolineCutter::max_levels);
+    const std::pmr::vector<RegionLevels> labels =
+        co_await list_labels(pace, request, static_cast<uint32_t>(levels.size()));
+    GrowingBuffer<float> values = co_await copy_values(pace, request.field->data.distances);
+
+    pace.stage("cut");
+    pace.commit();
+    MeshEdit edit(pace.memory());
+    const ExtraColumn field(surface.columns, std::move(values));
+    IsolineCutter cutter(surface.mesh(), surface.columns, field.index(),
+                         CutLevels({levels.data(), levels.size()}, labels), edit, pace.memory());
+    while (!cutter.run(cut_chunk)) co_await pace;
+    co_await update_after_edit(pace, surface, edit, request.revision);
+    if (request.out) request.out->data.distances = co_await copy_out(pace, field.values());
+}
+
+Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
+    Surface& surface = *request.surface;
+    pace.stage("cut");
+    pace.commit();
+    MeshEdit edit(pace.memory());
+    EmbeddedCurves embedded(pace.memory());
+    CurveCutter cutter(surface.mesh(), surface.columns, request.curves->curves, edit, embedded, pace.memory());
+    while (!cutter.run(cut_chunk)) co_await pace;
+    if (request.first_label != no_index) {
+        pace.stage("label");
+        std::pmr::deque<RegionPart> parts(pace.memory());
+        RegionDivider divider(surface.mesh(), embedded.edges, request.first_label, edit, parts, pace.memory());
+        while (!divider.run(divide_chunk)) co_await pace;
+    }
+    co_await update_after_edit(pace, surface, edit, request.revision);
+}
+
+}  // namespace flg

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The jobs that cut surfaces. They are the ones that change them: from the first change on they can't be cancelled, and if
+// memory runs out the change is taken back.
+#pragma once
+
+#include "surfaces/field_levels.h"
+#include "surfaces/region_set.h"
+#include "surfaces/traced_curves.h"
+
+namespace flg {
+
+struct CutIsolinesRequest {
+    std::shared_ptr<Surface> surface;
+    uint32_t revision;  // of the surface after the cut
+    std::shared_ptr<const Field> field;
+    std::pmr::vector<uint32_t> regions;  // rising; empty: all
+    LevelRequest levels;
+    uint32_t first_label;        // no_index: labels stay
+    std::shared_ptr<Field> out;  // the field on the cut surface, or null
+};
+
+// The whole of flgCutIsolines.
+Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request);
+
+struct CutCurvesRequest {
+    std::shared_ptr<Surface> surface;
+    uint32_t revision;  // of the surface after the cut
+    std::shared_ptr<const TracedCurves> curves;
+    uint32_t first_label;  // no_index: labels stay
+};
+
+// The whole of flgCutCurves.
+Task<void> cut_curves(Pace& pace, CutCurvesRequest request);
+
+}  // namespace flg

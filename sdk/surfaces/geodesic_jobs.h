@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The jobs that compute distances on surfaces.
+#pragma once
+
+#include "surfaces/field.h"
+#include "surfaces/region_set.h"
+#include "surfaces/traced_curves.h"
+
+namespace flg {
+
+// Build what a surface's solvers work on, once. Jobs of their own, so that those that need it wait for it and go on side by
+// side.
+Task<void> build_blocks(Pace& pace, std::shared_ptr<Surface> surface);
+Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface);
+
+struct GeodesicSources {
+    Buffer<uint32_t> vertices;
+    Buffer<SurfacePoint> points;
+    std::shared_ptr<const TracedCurves> curves;  // or null
+    Buffer<uint32_t> border_regions;
+};
+
+// Perlin noise along the normals, sec. 3.4.
+struct Perturbation {
+    float amount = 0;     // metres; 0: none
+    float frequency = 1;  // 1 / metre
+    uint64_t seed = 1;
+};
+
+struct GeodesicRequest {
+    std::shared_ptr<Surface> surface;
+    FlgAccuracy accuracy;
+    GeodesicSources sources;
+    RegionSet regions;
+    float max_distance;
+    Buffer<uint32_t> targets;
+    bool labelled;
+    Perturbation perturbation;
+    std::shared_ptr<Field> out;
+};
+
+// The whole of flgGeodesic. Fails if a source or a target names what does not exist.
+Task<void> solve_geodesic(Pace& pace, GeodesicRequest request);
+
+// Distances from one point, right at least on the way to another: what paths between them are traced on. The surface's blocks
+// are built.
+Task<void> solve_between(Pace& pace, Surface& surface, const RegionSet& regions, SurfacePoint source,
+                         SurfacePoint target, DistanceField& out);
+
+// The whole of flgFieldBlend.
+Task<void> blend_fields(Pace& pace, std::shared_ptr<const Field> from, std::shared_ptr<const Field> to,
+                        std::shared_ptr<Field> out);
+
+}  // namespace flg

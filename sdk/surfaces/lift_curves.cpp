@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/lift_curves.h"
+
+#include "core/failure.h"
+#include "surfaces/mesh_measures_normals.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t curve_chunk = 1000;
+constexpr uint32_t point_chunk = 200;    // about 10 us
+constexpr uint32_t normals_chunk = 200;  // corners, about 10 us
+
+Vec3 smooth_normal(const Mesh& mesh, const Buffer<Position>& normals, const SurfacePoint& point) {
+    const Triple& corners = mesh.triangles[point.triangle];
+    const double weights[] = {1.0 - point.u - point.v, point.u, point.v};
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) sum += weights[k] * load_vec3(normals[corners[k]].data());
+    return sum.stableNormalized();
+}
+
+}  // namespace
+
+Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, float height,
+                       std::shared_ptr<CurveSet> out) {
+    const SurfaceCurves& curves = traced->curves;
+    const Mesh& mesh = traced->surface->mesh();
+    if (curves.curve_count() == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "there are no curves to lift");
+    pace.stage("normals");
+    VertexNormalsKernel normals_kernel(mesh, pace.memory());
+    while (!normals_kernel.run(normals_chunk)) co_await pace;
+    const Buffer<Position> normals = normals_kernel.take();
+
+    pace.stage("lift");
+    out->allocate_curves(curves.curve_count());
+    out->offsets()[0] = 0;
+    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
+        out->offsets()[c + 1] = curves.offsets[c + 1];
+        out->flags()[c] = curves.closed[c] ? FLG_CURVE_CLOSED : 0;
+        if (c % curve_chunk == 0) co_await pace;
+    }
+    out->allocate_columns({{{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory()});
+    float* positions = out->find(FLG_ATTRIBUTE_POSITION)->values.data();
+    float* frames = out->find(FLG_ATTRIBUTE_NORMAL)->values.data();
+    for (size_t p = 0; p < curves.points.size(); ++p) {
+        const Vec3 normal = smooth_normal(mesh, normals, curves.points[p]);
+        store_vec3(position_of(mesh, curves.points[p]) + height * normal, positions + 3 * p);
+        store_vec3(normal, frames + 3 * p);
+        if (p % point_chunk == 0) co_await pace;
+    }
+    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
+        out->complete_curve(c);
+        if (c % curve_chunk == 0) co_await pace;
+    }
+}
+
+}  // namespace flg

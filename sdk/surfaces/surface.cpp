@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/surface.h"
+
+#include <algorithm>
+
+namespace flg {
+
+// ---- order -------------------------------------------------------------------------------------------------------
+
+void SurfaceOrder::add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites) const {
+    if (auto change = last_change_.lock()) prerequisites.push_back({std::move(change), true});
+    if (!changes) return;
+    for (const auto& reader : readers_) {
+        if (auto job = reader.lock()) prerequisites.push_back({std::move(job), true});
+    }
+}
+
+void SurfaceOrder::enter(const std::shared_ptr<Job>& job, bool changes) {
+    if (changes) {
+        readers_.clear();
+        last_change_ = job;
+        ++revision_;
+        ++pending_changes_;
+        return;
+    }
+    if (readers_.size() == readers_.capacity()) {
+        std::erase_if(readers_, [](const auto& reader) { return reader.expired(); });
+        readers_.reserve(std::max(size_t{8}, 2 * readers_.size()));
+    }
+    readers_.push_back(job);
+}
+
+// ---- what the host sees --------------------------------------------------------------------------------------------
+
+void Surface::show() noexcept {
+    const MeshReport& found = repaired.report;
+    report_ = {.struct_size = sizeof report_,
+               .welded_vertices = found.welded_vertices,
+               .unused_vertices = found.unused_vertices,
+               .degenerate_triangles = found.degenerate_triangles,
+               .duplicate_triangles = found.duplicate_triangles,
+               .flipped_triangles = found.flipped_triangles,
+               .crowded_edges = found.crowded_edges,
+               .cut_edges = found.cut_edges,
+               .split_vertices = found.split_vertices,
+               .flat_triangles = found.flat_triangles,
+               .vertex_count = mesh().vertex_count(),
+               .triangle_count = mesh().triangle_count(),
+               .component_count = found.topology.components,
+               .border_count = found.topology.border_loops,
+               .border_edges = found.topology.border_edges,
+               .genus = found.topology.genus,
+               .euler_number = found.topology.euler_number,
+               .area = extent.area,
+               .box_min = {},
+               .box_max = {},
+               .vertex_of_input = repaired.vertices.of_input.data(),
+               .input_vertex_count = static_cast<uint32_t>(repaired.vertices.of_input.size()),
+               .reserved = 0};
+    store_vec3(extent.lower, report_.box_min);
+    store_vec3(extent.upper, report_.box_max);
+    show_changed();
+}
+
+void Surface::show_changed() noexcept {
+    const Mesh& shown = mesh();
+    const auto column_count = static_cast<uint32_t>(columns.size() + 1);
+    view_columns_[0] = {FLG_ATTRIBUTE_POSITION, 3, shown.positions.data()->data(), 0, 0};
+    for (uint32_t c = 1; c < column_count; ++c) {
+        const MeshColumn& column = columns[c - 1];
+        view_columns_[c] = {attributes[c - 1], column.components, column.values.data(), 0, 0};
+    }
+    view_ = {.struct_size = sizeof view_,
+             .revision = order.revision(),
+             .mesh = {.struct_size = sizeof view_.mesh,
+                      .vertex_count = shown.vertex_count(),
+                      .triangle_count = shown.triangle_count(),
+                      .column_count = column_count,
+                      .columns = view_columns_,
+                      .triangles = shown.triangles.data()->data(),
+                      .regions = shown.regions.data()},
+             .neighbours = shown.neighbours.data()->data()};
+}
+
+}  // namespace flg

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A surface as hosts hold it: a mesh, what geodesics need on it, and who uses it when.
+//
+// What lives in this room: meshes in flat arrays, their repair and refinement, geodesic distances, tracing, cutting and
+// sampling, each a kernel that can be used and tested by itself; and the jobs that drive them (surface_jobs.h and its
+// neighbours). What does not: picking (pick/), patterns (tangles/), files (io/).
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "filigree/filigree_surface.h"
+#include "runtime/product.h"
+#include "surfaces/geodesic_solvers.h"
+#include "surfaces/mesh_growth.h"
+#include "surfaces/mesh_repair.h"
+
+namespace flg {
+
+// Jobs in the order in which they were started: readers side by side, those that change the surface alone. Host's thread
+// only.
+class SurfaceOrder {
+public:
+    explicit SurfaceOrder(Memory* memory) : readers_(memory) {}
+
+    // What a job that is about to be started has to wait for.
+    void add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites) const;
+    // It was started.
+    void enter(const std::shared_ptr<Job>& job, bool changes);
+    // A job that changes the surface was published.
+    void leave() { --pending_changes_; }
+
+    // Changes that were started.
+    uint32_t revision() const { return revision_; }
+    bool is_changing() const { return pending_changes_ > 0; }
+
+private:
+    std::weak_ptr<Job> last_change_;
+    std::pmr::vector<std::weak_ptr<Job>> readers_;  // since that
+    uint32_t revision_ = 0;
+    uint32_t pending_changes_ = 0;
+};
+
+class Surface final : public Product {
+public:
+    explicit Surface(Memory* memory)
+        : order(memory), repaired(memory), columns(memory), attributes(memory), shaped_at(memory), solvers(memory) {}
+
+    // Host's thread.
+    SurfaceOrder order;
+
+    // Jobs, as the order lets them.
+    RepairedMesh repaired;
+    MeshExtent extent;
+    MeshColumns columns;                        // beside the position
+    std::pmr::vector<FlgAttribute> attributes;  // of the columns
+    // The revision at which a triangle got its vertices; those behind the end have the present one.
+    GrowingBuffer<uint32_t> shaped_at;
+    uint32_t shape_revision(uint32_t triangle) const {
+        return triangle < shaped_at.size() ? shaped_at[triangle] : order.revision();
+    }
+    GeodesicSolvers solvers;
+
+    Mesh& mesh() { return repaired.mesh; }
+    const Mesh& mesh() const { return repaired.mesh; }
+
+    // What the host sees; the view only while no change is pending.
+    const FlgSurfaceView& view() const { return view_; }
+    FlgSurfaceReport report() const { return report_; }
+    // A change was published: the arrays may have moved.
+    void show_changed() noexcept;
+
+private:
+    void show() noexcept override;
+
+    FlgColumn view_columns_[17];  // the position and 16 others
+    FlgSurfaceView view_{};
+    FlgSurfaceReport report_{};
+};
+
+// A job that changes a surface: what the host sees of it, and of a product that comes with it, changes when it is published.
+class SurfaceChange final : public Output {
+public:
+    SurfaceChange(std::shared_ptr<Surface> surface, std::shared_ptr<Product> product)
+        : surface_(std::move(surface)), product_(std::move(product)) {}
+    void publish_partial() noexcept override {}
+    void publish(const Job& job) noexcept override {
+        surface_->order.leave();
+        surface_->show_changed();
+        if (product_) product_->publish(job);
+    }
+
+private:
+    std::shared_ptr<Surface> surface_;
+    std::shared_ptr<Product> product_;
+};
+
+}  // namespace flg

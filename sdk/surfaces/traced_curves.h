@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Curves on a surface as hosts hold them.
+#pragma once
+
+#include "surfaces/surface.h"
+#include "surfaces/surface_curves.h"
+
+namespace flg {
+
+class TracedCurves final : public Product {
+public:
+    TracedCurves(std::shared_ptr<Surface> of_surface, Memory* memory)
+        : surface(std::move(of_surface)), revision(surface->order.revision()), curves(memory) {}
+
+    std::shared_ptr<Surface> surface;
+    uint32_t revision;
+    SurfaceCurves curves;
+
+    // The same in flat arrays, for the host.
+    struct Flat {
+        Buffer<FlgSurfacePoint> points;
+        Buffer<uint32_t> offsets;
+        Buffer<uint8_t> flags;
+        Buffer<float> values;
+    } flat;
+
+    const FlgSurfaceCurvesView& view() const { return view_; }
+
+private:
+    void show() noexcept override {
+        view_ = {.struct_size = sizeof view_,
+                 .curve_count = curves.curve_count(),
+                 .curve_offsets = flat.offsets.data(),
+                 .curve_flags = flat.flags.data(),
+                 .curve_values = flat.values.data(),
+                 .points = flat.points.data(),
+                 .revision = revision,
+                 .reserved = 0};
+    }
+
+    FlgSurfaceCurvesView view_{};
+};
+
+// Fills the flat arrays of curves that are complete. A unit is a point or a curve: a few nanoseconds.
+class FlattenCurvesKernel {
+public:
+    FlattenCurvesKernel(TracedCurves& traced, Memory* memory);
+    bool run(uint32_t count);
+
+private:
+    TracedCurves& traced_;
+    uint32_t points_ = 0, curves_ = 0;
+};
+
+}  // namespace flg

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The jobs that trace curves on surfaces.
+#pragma once
+
+#include "surfaces/field_levels.h"
+#include "surfaces/region_set.h"
+#include "surfaces/traced_curves.h"
+
+namespace flg {
+
+struct IsolinesRequest {
+    std::shared_ptr<const Field> field;
+    RegionSet regions;
+    LevelRequest levels;
+    std::shared_ptr<TracedCurves> out;
+};
+
+// The whole of flgTraceIsolines.
+Task<void> trace_isolines(Pace& pace, IsolinesRequest request);
+
+struct StreamsRequest {
+    std::shared_ptr<const Field> field;
+    RegionSet regions;
+    Buffer<SurfacePoint> starts;
+    std::shared_ptr<const TracedCurves> further_starts;  // or null
+    bool downhill;
+    float end_value;  // infinite: none
+    std::shared_ptr<TracedCurves> out;
+};
+
+// The whole of flgTraceStreams. Fails if a start names a triangle that does not exist.
+Task<void> trace_streams(Pace& pace, StreamsRequest request);
+
+struct PathsRequest {
+    Buffer<uint32_t> offsets;  // path p goes through points offsets[p] to offsets[p + 1] - 1, two at least
+    Buffer<SurfacePoint> points;
+    bool closed;
+    RegionSet regions;
+    std::shared_ptr<TracedCurves> out;
+};
+
+// The whole of flgTracePaths. Fails if a point does not exist or can't be reached from the one before it. Paths without
+// length are left out.
+Task<void> trace_paths(Pace& pace, PathsRequest request);
+
+}  // namespace flg
