@@ -52,7 +52,7 @@ void IsolineCutter::scan(uint32_t word) {
             region_ = region;
             listed_ = levels_.find(region);
         }
-        if (listed_ != nullptr) edit_.set_region(mesh_, triangle, listed_->first_label + interval_);
+        if (listed_ != nullptr) edit_.set_region(mesh_, triangle, listed_->label_above(interval_));
     }
     crossed_.set_word(word, crossed);
 }

@@ -19,11 +19,11 @@ uint32_t IsolineCutter::label_of(uint32_t triangle, const Triple& vertices) cons
     if (listed == nullptr) return mesh_.regions[triangle];
     float low = infinity, high = -infinity;
     for (uint32_t vertex : vertices) {
-        if (!std::isfinite(value(vertex))) return listed->first_label + levels_.count();
+        if (!std::isfinite(value(vertex))) return listed->label_above(levels_.count());
         low = std::min(low, value(vertex));
         high = std::max(high, value(vertex));
     }
-    return listed->first_label + levels_.interval(low, high);
+    return listed->label_above(levels_.interval(low, high));
 }
 
 // Appends the corner `to` and the points on the way to it from the corner `from`.

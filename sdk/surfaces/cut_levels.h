@@ -9,10 +9,12 @@
 
 namespace flg {
 
-// Triangles of `region` that lie above k levels get the label first_label + k.
+// Triangles of `region` that lie above k levels get the label first_label + k; with no_index they keep theirs.
 struct RegionLevels {
     uint32_t region;
     uint32_t first_label;
+
+    uint32_t label_above(uint32_t levels) const { return first_label == no_index ? region : first_label + levels; }
 };
 
 class CutLevels {

@@ -6,6 +6,7 @@
 #include "surfaces/geodesic_seeds.h"
 #include "surfaces/mesh_measures_normals.h"
 #include "surfaces/perturbed_metric.h"
+#include "surfaces/solve_field.h"
 #include "surfaces/surface_inputs.h"
 
 namespace flg {
@@ -14,7 +15,6 @@ namespace {
 
 // Each about 10 us.
 constexpr uint32_t build_chunk = 100;
-constexpr uint32_t region_chunk = 500;
 constexpr uint32_t solve_chunk = 100;
 constexpr uint32_t source_chunk = 20;
 constexpr uint32_t border_chunk = 1000;
@@ -58,17 +58,6 @@ Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, GeodesicSee
     }
 }
 
-template <class Solver>
-Task<void> take_field(Pace& pace, const Solver& solver, uint32_t vertex_count, bool labelled, DistanceField& field) {
-    field.distances = Buffer<float>(vertex_count, pace.memory());
-    if (labelled) field.labels = Buffer<uint32_t>(vertex_count, pace.memory());
-    for (uint32_t v = 0; v < vertex_count; ++v) {
-        field.distances[v] = solver.distance(v);
-        if (labelled) field.labels[v] = solver.label(v);
-        if (v % copy_chunk == 0) co_await pace;
-    }
-}
-
 // A question without its accuracy.
 struct Query {
     const Mesh& mesh;
@@ -81,12 +70,8 @@ struct Query {
 
 Task<void> solve_refined(Pace& pace, const Query& query, const GeodesicBlocks& blocks, RefinedSolver& solver) {
     GeodesicRegion region(pace.memory());
-    const bool bounded = !query.regions.all();
-    if (bounded) {
-        GeodesicRegionKernel kernel(query.mesh, blocks, query.regions, region, pace.memory());
-        while (!kernel.run(region_chunk)) co_await pace;
-    }
-    solver.begin(query.seeds, query.limits, query.labelled, bounded ? &region : nullptr);
+    const GeodesicRegion* bound = co_await bound_region(pace, query.mesh, blocks, query.regions, region);
+    solver.begin(query.seeds, query.limits, query.labelled, bound);
     while (!solver.run(solve_chunk)) co_await pace;
     co_await take_field(pace, solver, query.mesh.vertex_count(), query.labelled, query.out);
 }
@@ -118,19 +103,15 @@ Task<GrowingBuffer<Position>> perturb_positions(Pace& pace, const Mesh& mesh, co
     co_return positions;
 }
 
-[[noreturn]] void refuse_lost() {
-    throw Failure(FLG_ERROR_OUT_OF_MEMORY, "what the solver needs was lost when memory ran out in a cut");
-}
-
-Task<void> solve_on_surface(Pace& pace, const Query& query, FlgAccuracy accuracy, GeodesicSolvers& solvers) {
+Task<void> solve_on_surface(Pace& pace, const Query& query, FlgAccuracy accuracy, Surface& surface) {
+    GeodesicSolvers& solvers = surface.solvers;
     if (accuracy == FLG_ACCURACY_GRAPH) {
-        if (!solvers.graph) refuse_lost();
-        auto solver = solvers.graphs.lend(query.mesh, query.mesh.positions, *solvers.graph, pace.memory());
+        auto solver = solvers.graphs.lend(query.mesh, query.mesh.positions, graph_of(surface), pace.memory());
         co_await solve_graph(pace, query, *solver);
     } else {
-        if (!solvers.blocks) refuse_lost();
-        auto solver = solvers.refined.lend(*solvers.blocks, pace.memory());
-        co_await solve_refined(pace, query, *solvers.blocks, *solver);
+        const GeodesicBlocks& blocks = blocks_of(surface);
+        auto solver = solvers.refined.lend(blocks, pace.memory());
+        co_await solve_refined(pace, query, blocks, *solver);
     }
 }
 
@@ -185,7 +166,7 @@ Task<void> solve_geodesic(Pace& pace, GeodesicRequest request) {
     if (perturbed) {
         co_await solve_perturbed(pace, query, request.accuracy, moved);
     } else {
-        co_await solve_on_surface(pace, query, request.accuracy, request.surface->solvers);
+        co_await solve_on_surface(pace, query, request.accuracy, *request.surface);
     }
 }
 
@@ -201,7 +182,7 @@ Task<void> solve_between(Pace& pace, Surface& surface, const RegionSet& regions,
         .distance = unreachable,
         .targets = {around.begin(), around.end(), std::pmr::polymorphic_allocator<>(pace.memory())}};
     const Query query{mesh, regions, merge.seeds(), limits, false, out};
-    co_await solve_on_surface(pace, query, FLG_ACCURACY_REFINED, surface.solvers);
+    co_await solve_on_surface(pace, query, FLG_ACCURACY_REFINED, surface);
 }
 
 Task<void> blend_fields(Pace& pace, std::shared_ptr<const Field> from, std::shared_ptr<const Field> to,

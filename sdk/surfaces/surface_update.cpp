@@ -6,6 +6,7 @@
 #include "surfaces/geodesic_blocks_update.h"
 #include "surfaces/geodesic_graph_update.h"
 #include "surfaces/mesh_edit_touched.h"
+#include "surfaces/solve_field.h"
 
 namespace flg {
 
@@ -16,7 +17,6 @@ constexpr uint32_t growth_chunk = 4000;  // triangles, about 10 us
 constexpr uint32_t mark_chunk = 4000;    // words, about 10 us
 constexpr uint32_t blocks_chunk = 20;    // vertices, about 10 us
 constexpr uint32_t graph_chunk = 20;     // vertices, about 10 us
-constexpr uint32_t copy_chunk = 4000;    // vertices, about 10 us
 
 // The triangles that got their vertices now.
 Task<void> mark_shapes(Pace& pace, Surface& surface, const MeshEdit& edit, uint32_t revision) {
@@ -36,15 +36,6 @@ Task<void> mark_shapes(Pace& pace, Surface& surface, const MeshEdit& edit, uint3
         if (word.array == array_triangles) shaped_at[word.index / 3] = revision;
         if (++done % mark_chunk == 0) co_await pace;
     }
-}
-
-Task<Buffer<uint32_t>> flatten(Pace& pace, const std::pmr::deque<uint32_t>& vertices) {
-    Buffer<uint32_t> flat(vertices.size(), pace.memory());
-    for (size_t i = 0; i < flat.size(); ++i) {
-        flat[i] = vertices[i];
-        if (i % copy_chunk == 0) co_await pace;
-    }
-    co_return flat;
 }
 
 Task<void> update_solvers(Pace& pace, Surface& surface, const MeshEdit& edit) {

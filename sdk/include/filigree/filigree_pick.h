@@ -6,6 +6,8 @@
  *
  * Threads   Functions that change a scene must not overlap with any other on it, and no query may run from a change to the
  *           commit after it; queries may run side by side on any threads.
+ * Brushes   What lies within a geodesic radius of a hit is a field: flgGeodesic from the hit's triangle, u and v, with
+ *           max_distance.
  * Waiting   Setting up a surface of 2 million triangles takes seconds: call it where your engine loads assets. After a
  *           cut only what changed is taken in: well below a millisecond for each thousand changed triangles.
  */

@@ -402,6 +402,104 @@ FLG_API FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_s
 /* Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. */
 FLG_API FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob* out_job);
 
+/* ---- Defaults by value --------------------------------------------------------------------------------------- */
+
+static inline FlgMeshView flgMeshViewDefaults(void) {
+    FlgMeshView view;
+    flgMeshViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgSurfaceDesc flgSurfaceDefaults(void) {
+    FlgSurfaceDesc desc;
+    flgSurfaceDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSurfaceView flgSurfaceViewDefaults(void) {
+    FlgSurfaceView view;
+    flgSurfaceViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgRefineDesc flgRefineDefaults(void) {
+    FlgRefineDesc desc;
+    flgRefineDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSurfaceCurvesView flgSurfaceCurvesViewDefaults(void) {
+    FlgSurfaceCurvesView view;
+    flgSurfaceCurvesViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgLiftDesc flgLiftDefaults(void) {
+    FlgLiftDesc desc;
+    flgLiftDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgGeodesicDesc flgGeodesicDefaults(void) {
+    FlgGeodesicDesc desc;
+    flgGeodesicDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgFieldView flgFieldViewDefaults(void) {
+    FlgFieldView view;
+    flgFieldViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgBlendDesc flgBlendDefaults(void) {
+    FlgBlendDesc desc;
+    flgBlendDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSamplingDesc flgSamplingDefaults(void) {
+    FlgSamplingDesc desc;
+    flgSamplingDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgBorderSamplingDesc flgBorderSamplingDefaults(void) {
+    FlgBorderSamplingDesc desc;
+    flgBorderSamplingDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgIsolinesDesc flgIsolinesDefaults(void) {
+    FlgIsolinesDesc desc;
+    flgIsolinesDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgStreamsDesc flgStreamsDefaults(void) {
+    FlgStreamsDesc desc;
+    flgStreamsDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgPathsDesc flgPathsDefaults(void) {
+    FlgPathsDesc desc;
+    flgPathsDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCutIsolinesDesc flgCutIsolinesDefaults(void) {
+    FlgCutIsolinesDesc desc;
+    flgCutIsolinesDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCutCurvesDesc flgCutCurvesDefaults(void) {
+    FlgCutCurvesDesc desc;
+    flgCutCurvesDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Points placed on surfaces.
+#include <cmath>
+
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "api/surface_inputs.h"
+#include "surfaces/sampling_jobs.h"
+
+namespace flg {
+
+namespace {
+
+FlgSamplingDesc default_sampling_desc() {
+    FlgSamplingDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.seed = 1;
+    return desc;
+}
+
+FlgBorderSamplingDesc default_border_sampling_desc() {
+    FlgBorderSamplingDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    return desc;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_sampling_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgField* out_field, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_field, "out_field") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgSamplingDesc read = read_struct(desc, default_sampling_desc(), "desc");
+        check_range(read.radius > 0 && std::isfinite(read.radius), "desc.radius", read.radius, "finite and above 0");
+        Submission submission(self, read.job);
+        const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
+        const auto out = make_object<Field>(self, surface, &self.memory);
+        SamplingRequest request{.surface = surface,
+                                .regions = read_regions(read.regions, read.region_count, &self.memory),
+                                .radius = read.radius,
+                                .max_count = read.max_count == 0 ? UINT32_MAX : read.max_count,
+                                .seed = read.seed,
+                                .out = out};
+        submission.wait_for(start_blocks(self, surface));
+        submission.read_surface(surface, "desc.surface");
+        submission.job().strand.start(sample_surface(submission.pace(), std::move(request)));
+        *out_field = {submission.commit(self.fields, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgBorderSamplingDescInit(FlgBorderSamplingDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_border_sampling_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDesc* desc, FlgSurfaceCurves* out_curves,
+                          FlgJob* out_job) {
+    return guarded([&] {
+        require(out_curves, "out_curves") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgBorderSamplingDesc read = read_struct(desc, default_border_sampling_desc(), "desc");
+        check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
+                    "finite and above 0");
+        check_range(read.region <= FLG_REGION_MAX, "desc.region", read.region, "at most FLG_REGION_MAX");
+        Submission submission(self, read.job);
+        const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
+        submission.read_surface(surface, "desc.surface");
+        const auto out = make_object<TracedCurves>(self, surface, &self.memory);
+        submission.job().strand.start(sample_border(submission.pace(), read.region, read.spacing, out));
+        *out_curves = {submission.commit(self.surface_curves, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Steps that jobs share which solve distances on a surface.
+#pragma once
+
+#include <deque>
+
+#include "runtime/pace.h"
+#include "runtime/task.h"
+#include "surfaces/field.h"
+#include "surfaces/geodesic_blocks_region.h"
+
+namespace flg {
+
+// What a surface's solvers work on. Fails with FLG_ERROR_OUT_OF_MEMORY if it was lost when memory ran out in a cut.
+const GeodesicBlocks& blocks_of(const Surface& surface);
+const GeodesicGraph& graph_of(const Surface& surface);
+
+// Fills in `region` unless the regions are all; returns what solvers take: it, or null.
+Task<const GeodesicRegion*> bound_region(Pace& pace, const Mesh& mesh, const GeodesicBlocks& blocks,
+                                         const RegionSet& regions, GeodesicRegion& region);
+
+// Copies a solver's field out.
+template <class Solver>
+Task<void> take_field(Pace& pace, const Solver& solver, uint32_t vertex_count, bool labelled, DistanceField& field) {
+    constexpr uint32_t chunk = 2000;  // vertices, about 10 us
+    field.distances = Buffer<float>(vertex_count, pace.memory());
+    if (labelled) field.labels = Buffer<uint32_t>(vertex_count, pace.memory());
+    for (uint32_t v = 0; v < vertex_count; ++v) {
+        field.distances[v] = solver.distance(v);
+        if (labelled) field.labels[v] = solver.label(v);
+        if (v % chunk == 0) co_await pace;
+    }
+}
+
+Task<Buffer<uint32_t>> flatten(Pace& pace, const std::pmr::deque<uint32_t>& indices);
+
+}  // namespace flg
