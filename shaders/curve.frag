@@ -11,11 +11,6 @@ layout(push_constant) uniform Draw {
     layout(offset = 20) float gloss;
 } draw;
 
-const float inverse_pi = 0.3183;
-const float sky_share = 0.58;
-const float shadowed_sky = 0.75;
-const float shadow_spread = 1.6;  // texels
-
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 albedo;

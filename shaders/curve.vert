@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
+#include "packing.glsl"
 #include "curve_frame.glsl"
 
 // Expands ribbons, tubes and lines from points. An instance is a chunk of a curve, up to 64 segments of it; a vertex is
@@ -27,11 +28,6 @@ layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_color;
 layout(location = 3) out vec3 out_crown;
-
-vec3 unpack_color(uint bits) {
-    vec3 c = unpackUnorm4x8(bits).rgb;
-    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to linear within 0.2 %
-}
 
 // Metres that a pixel covers at the point.
 float pixel_size(vec3 position) {
@@ -123,6 +119,6 @@ void main() {
     out_position = position;
     out_normal = shading;
     out_crown = crown;
-    out_color = unpack_color(attributes[here].y);
+    out_color = linear_color(unpackUnorm4x8(attributes[here].y).rgb);
     gl_Position = view.clip_from_world * vec4(position, 1.0);
 }

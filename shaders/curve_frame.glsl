@@ -34,10 +34,7 @@ const uint segment_mask = 0xffffu;
 const float least_said = 0.1;  // sine of a given normal's angle to the tangent below which it says too little
 
 vec3 unpack_normal(uint bits) {
-    vec2 p = unpackSnorm2x16(bits);
-    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xy, vec2(0.0)));
-    return normalize(n);
+    return octahedral_normal(unpackSnorm2x16(bits));
 }
 
 vec3 unit_or(vec3 v, vec3 otherwise) {

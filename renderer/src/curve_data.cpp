@@ -3,42 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
+#include "packing.h"
 #include "vk.h"
 
 namespace flg::render {
 namespace {
 
-constexpr float largest_coordinate = 1e30f;  // as in filigree.h
 constexpr uint32_t most_points = 1u << 28;
-
-struct Column {
-    const char* data = nullptr;
-    size_t stride = 0;
-    explicit operator bool() const { return data != nullptr; }
-    template <class T>
-    T at(uint32_t point) const {
-        T value;
-        std::memcpy(&value, data + stride * point, sizeof value);
-        return value;
-    }
-};
-
-Column find_column(const FlgCurveSetView& view, FlgAttribute attribute, uint32_t components, const char* name) {
-    for (uint32_t i = 0; i < view.column_count; ++i) {
-        const FlgColumn& column = view.columns[i];
-        if (column.attribute != attribute) continue;
-        if (!column.data) fail("The column %s has no data.", name);
-        if (column.components != components)
-            fail("The column %s has %u floats a point instead of %u.", name, column.components, components);
-        if (column.stride % sizeof(float) != 0)
-            fail("The column %s has a stride of %u bytes, which is no multiple of 4.", name, column.stride);
-        return {reinterpret_cast<const char*>(column.data), column.stride ? column.stride : components * sizeof(float)};
-    }
-    return {};
-}
 
 void check_view(const FlgCurveSetView& view) {
     if (view.curve_count == 0) return;
@@ -54,48 +27,18 @@ void check_view(const FlgCurveSetView& view) {
     if (view.column_count == 0 || !view.columns) fail("The view has no columns.");
 }
 
-void check_in(float value, float low, float high, const char* name) {
-    if (!(value >= low && value <= high)) fail("The look's %s is %g; it must be in %g to %g.", name, value, low, high);
-}
-
 void check_look(const CurveLook& look) {
     check_in(look.radius, 0.0f, largest_coordinate, "radius");
     check_in(look.radius_scale, 0.0f, largest_coordinate, "radius_scale");
     check_in(static_cast<float>(look.sides), 3.0f, 32.0f, "sides");
     check_in(look.line_width_px, 0.5f, 64.0f, "line_width_px");
     check_in(look.gloss, 0.0f, 1.0f, "gloss");
-    for (const glm::vec3& color : {look.color, look.color_end})
-        for (int i = 0; i < 3; ++i) check_in(color[i], 0.0f, 1.0f, "color");
+    check_color(look.color, "color");
+    check_color(look.color_end, "color_end");
 }
 
-uint32_t pack_normal(glm::vec3 n) {
-    n /= std::max(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), 1e-30f);
-    glm::vec2 p(n.x, n.y);
-    if (n.z < 0.0f)
-        p = {(1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f),
-             (1.0f - std::abs(n.x)) * (n.y >= 0.0f ? 1.0f : -1.0f)};
-    const auto snorm = [](float v) {
-        return static_cast<uint32_t>(static_cast<uint16_t>(static_cast<int16_t>(std::lround(v * 32767.0f))));
-    };
-    return snorm(p.x) | snorm(p.y) << 16;
-}
-
-// The inverse, to 0.2 %, of the polynomial in curve.vert; cheaper than pow, a million times a second.
-uint32_t srgb_byte(float linear) {
-    const float v = std::clamp(linear, 0.0f, 1.0f);
-    const float s1 = std::sqrt(v), s2 = std::sqrt(s1), s3 = std::sqrt(s2);
-    const float srgb = 0.585122381f * s1 + 0.783140355f * s2 - 0.368262736f * s3;
-    return static_cast<uint32_t>(std::lround(std::clamp(srgb, 0.0f, 1.0f) * 255.0f));
-}
-
-uint32_t pack_color(glm::vec3 c) {
-    return srgb_byte(c.x) | srgb_byte(c.y) << 8 | srgb_byte(c.z) << 16 | 0xff000000u;
-}
-
-bool is_usable(glm::vec3 p) {
-    for (int i = 0; i < 3; ++i)
-        if (!(std::abs(p[i]) <= largest_coordinate)) return false;
-    return true;
+std::span<const FlgColumn> columns_of(const FlgCurveSetView& view) {
+    return {view.columns, view.column_count};
 }
 
 class Builder {
@@ -103,11 +46,11 @@ public:
     Builder(const FlgCurveSetView& view, const CurveLook& look)
         : view_(view),
           look_(look),
-          position_(find_column(view, FLG_ATTRIBUTE_POSITION, 3, "POSITION")),
-          radius_(find_column(view, FLG_ATTRIBUTE_RADIUS, 1, "RADIUS")),
-          color_(find_column(view, FLG_ATTRIBUTE_COLOR, 4, "COLOR")),
-          normal_(find_column(view, FLG_ATTRIBUTE_NORMAL, 3, "NORMAL")),
-          displacement_(find_column(view, FLG_ATTRIBUTE_DISPLACEMENT, 3, "DISPLACEMENT")) {
+          position_(find_column(columns_of(view), FLG_ATTRIBUTE_POSITION, 3, "POSITION")),
+          radius_(find_column(columns_of(view), FLG_ATTRIBUTE_RADIUS, 1, "RADIUS")),
+          color_(find_column(columns_of(view), FLG_ATTRIBUTE_COLOR, 4, "COLOR")),
+          normal_(find_column(columns_of(view), FLG_ATTRIBUTE_NORMAL, 3, "NORMAL")),
+          displacement_(find_column(columns_of(view), FLG_ATTRIBUTE_DISPLACEMENT, 3, "DISPLACEMENT")) {
         if (!position_) fail("The view has no POSITION column.");
     }
 

@@ -8,21 +8,11 @@ namespace flg::render {
 namespace {
 
 constexpr uint32_t most_columns = 32;
-constexpr VkDeviceSize least_bytes = 16;  // of a buffer of an upload in which nothing is to draw
 constexpr float largest_magnitude_offset = 1e6f;
-
-template <class T>
-Buffer make_filled(DeviceMemory& memory, UploadRing& ring, const std::vector<T>& values, VkBufferUsageFlags usage) {
-    const VkDeviceSize bytes = values.size() * sizeof(T);
-    Buffer buffer(memory, std::max(bytes, least_bytes), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                  DeviceMemory::Place::device);
-    ring.upload(buffer, values.data(), bytes);
-    return buffer;
-}
 
 }  // namespace
 
-IndexPatterns::IndexPatterns(DeviceMemory& memory, UploadRing& ring) {
+IndexPatterns::IndexPatterns(UploadRing& ring) {
     std::vector<uint16_t> indices;
     for (uint32_t columns = 2; columns <= most_columns; ++columns) {
         first_[columns] = static_cast<uint32_t>(indices.size());
@@ -37,7 +27,7 @@ IndexPatterns::IndexPatterns(DeviceMemory& memory, UploadRing& ring) {
             }
         }
     }
-    buffer_ = make_filled(memory, ring, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    buffer_ = ring.make_filled(indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 
 DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines,
@@ -61,10 +51,10 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelin
         set_info.descriptorSetCount = 1;
         set_info.pSetLayouts = &layout;
         check(vkAllocateDescriptorSets(device, &set_info, &set), "make a descriptor set");
-        centers = Buffer(make_filled(memory, ring, data.centers, usage));
-        looks = Buffer(make_filled(memory, ring, data.looks, usage));
-        chunks = Buffer(make_filled(memory, ring, data.chunks, usage));
-        if (data.has_displacements) displacements = Buffer(make_filled(memory, ring, data.displacements, usage));
+        centers = ring.make_filled(data.centers, usage);
+        looks = ring.make_filled(data.looks, usage);
+        chunks = ring.make_filled(data.chunks, usage);
+        if (data.has_displacements) displacements = ring.make_filled(data.displacements, usage);
     } catch (...) {
         vkDestroyDescriptorPool(device, pool, nullptr);
         throw;
@@ -90,19 +80,8 @@ DeviceCurves::~DeviceCurves() {
     vkDestroyDescriptorPool(device, pool, nullptr);
 }
 
-CurvesId CurveStore::add(std::unique_ptr<DeviceCurves> curves) {
-    curves_[++last_id_] = std::move(curves);
-    return {last_id_};
-}
-
-void CurveStore::check_id(CurvesId id) const {
-    if (!curves_.contains(id.value))
-        fail("There are no curves with the id %llu.", static_cast<unsigned long long>(id.value));
-}
-
 void CurveStore::set_magnitude_offset(CurvesId id, float offset) {
-    check_id(id);
-    DeviceCurves& curves = *curves_[id.value];
+    DeviceCurves& curves = at(id.value);
     if (!curves.data.has_displacements)
         fail("The curves %llu were uploaded without a DISPLACEMENT column.", static_cast<unsigned long long>(id.value));
     if (!(std::abs(offset) <= largest_magnitude_offset))
@@ -111,36 +90,15 @@ void CurveStore::set_magnitude_offset(CurvesId id, float offset) {
     curves.magnitude_offset = offset;
 }
 
-void CurveStore::replace(CurvesId id, std::unique_ptr<DeviceCurves> curves, uint64_t frame) {
-    check_id(id);
-    std::swap(curves_[id.value], curves);
-    retired_.push_back({frame, std::move(curves)});
-}
-
-void CurveStore::remove(CurvesId id, uint64_t frame) {
-    check_id(id);
-    retired_.push_back({frame, std::move(curves_[id.value])});
-    curves_.erase(id.value);
-}
-
-void CurveStore::remove_all(uint64_t frame) {
-    for (auto& [id, curves] : curves_) retired_.push_back({frame, std::move(curves)});
-    curves_.clear();
-}
-
-void CurveStore::recycle(uint64_t finished_frame) {
-    std::erase_if(retired_, [=](const Retired& retired) { return retired.frame <= finished_frame; });
-}
-
 Box CurveStore::bounds() const {
     Box box;
-    for (const auto& [id, curves] : curves_) box.add(curves->data.box_at(curves->magnitude_offset));
+    for (const auto& [id, curves] : items()) box.add(curves->data.box_at(curves->magnitude_offset));
     return box;
 }
 
 void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const {
     ChunkSelector selector(view);
-    for (const auto& [id, curves] : curves_) {
+    for (const auto& [id, curves] : items()) {
         if (shadow && (!curves->look.casts_shadow || curves->look.shape == Shape::line)) continue;
         const auto first_bin = static_cast<uint32_t>(list.bins.size());
         selector.select(curves->data, curves->look, curves->magnitude_offset, instances, list.bins);

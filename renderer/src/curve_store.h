@@ -2,10 +2,10 @@
 // Everything uploaded, on the device; and drawing it.
 #pragma once
 
-#include <map>
 #include <memory>
 
 #include "chunk_select.h"
+#include "device_store.h"
 #include "frame.h"
 #include "upload_ring.h"
 
@@ -14,7 +14,7 @@ namespace flg::render {
 // The index lists of all numbers of columns, for the longest chunk; a shorter one uses the beginning of its list.
 class IndexPatterns {
 public:
-    IndexPatterns(DeviceMemory& memory, UploadRing& ring);
+    IndexPatterns(UploadRing& ring);
     VkBuffer buffer() const { return buffer_.handle(); }
     uint32_t first_index(uint32_t columns) const { return first_[columns]; }
     static uint32_t index_count(uint32_t columns, uint32_t segments) {
@@ -58,31 +58,13 @@ struct DrawList {
     }
 };
 
-class CurveStore {
+class CurveStore : public DeviceStore<DeviceCurves> {
 public:
-    explicit CurveStore(DeviceMemory& memory) : memory_(memory) {}
+    CurveStore() : DeviceStore("curves") {}
 
-    CurvesId add(std::unique_ptr<DeviceCurves> curves);
-    // `frame`: the next to be submitted; what is replaced stays until that one is done.
-    void replace(CurvesId id, std::unique_ptr<DeviceCurves> curves, uint64_t frame);
-    void remove(CurvesId id, uint64_t frame);
-    void remove_all(uint64_t frame);
-    void check_id(CurvesId id) const;
     void set_magnitude_offset(CurvesId id, float offset);
-    void recycle(uint64_t finished_frame);
     Box bounds() const;
-
     void select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const;
-
-private:
-    struct Retired {
-        uint64_t frame;
-        std::unique_ptr<DeviceCurves> curves;
-    };
-    DeviceMemory& memory_;
-    std::map<uint64_t, std::unique_ptr<DeviceCurves>> curves_;
-    std::vector<Retired> retired_;
-    uint64_t last_id_ = 0;
 };
 
 // Records a list into a render pass; returns the triangles drawn.

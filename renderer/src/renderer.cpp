@@ -34,8 +34,8 @@ Renderer::State::State(const Options& wanted)
       samples(device.supported_samples(options.samples)),
       main_pass{device.handle(), make_main_pass(device.handle(), samples)},
       pipelines(device, main_pass.handle, samples, shadow_map.pass()),
-      patterns(memory, ring),
-      curves(memory) {
+      surface_pipelines(device, main_pass.handle, samples, shadow_map.pass(), pipelines.view_layout()),
+      patterns(ring) {
     for (auto& slot : slots) slot = std::make_unique<FrameSlot>(memory, pipelines, shadow_map);
 }
 
@@ -46,6 +46,13 @@ Renderer::State::~State() {
 void Renderer::State::recycle(uint64_t finished_frame) {
     ring.recycle(finished_frame);
     curves.recycle(finished_frame);
+    surfaces.recycle(finished_frame);
+}
+
+Box Renderer::State::bounds() const {
+    Box box = curves.bounds();
+    box.add(surfaces.bounds());
+    return box;
 }
 
 void Renderer::State::read_times(const FrameSlot& slot) {
@@ -63,14 +70,14 @@ CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
     auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
     s.shadow_is_current = false;
-    return s.curves.add(std::move(curves));
+    return {s.curves.add(std::move(curves))};
 }
 
 void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
-    s.curves.check_id(id);
+    s.curves.at(id.value);
     auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
-    s.curves.replace(id, std::move(curves), s.frame + 1);
+    s.curves.replace(id.value, std::move(curves), s.frame + 1);
     s.shadow_is_current = false;
 }
 
@@ -79,14 +86,36 @@ void Renderer::set_magnitude_offset(CurvesId id, float offset) {
     state_->shadow_is_current = false;
 }
 
+SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
+    State& s = *state_;
+    auto surface = std::make_unique<DeviceSurface>(s.ring, mesh, look, field);
+    s.shadow_is_current = false;
+    return {s.surfaces.add(std::move(surface))};
+}
+
+void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
+    State& s = *state_;
+    s.surfaces.at(id.value);
+    auto surface = std::make_unique<DeviceSurface>(s.ring, mesh, look, field);
+    s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
+    s.shadow_is_current = false;
+}
+
 void Renderer::remove(CurvesId id) {
     if (id.value == 0) return;
-    state_->curves.remove(id, state_->frame + 1);
+    state_->curves.remove(id.value, state_->frame + 1);
+    state_->shadow_is_current = false;
+}
+
+void Renderer::remove(SurfaceId id) {
+    if (id.value == 0) return;
+    state_->surfaces.remove(id.value, state_->frame + 1);
     state_->shadow_is_current = false;
 }
 
 void Renderer::clear() {
     state_->curves.remove_all(state_->frame + 1);
+    state_->surfaces.remove_all(state_->frame + 1);
     state_->shadow_is_current = false;
 }
 
@@ -99,7 +128,7 @@ const Scene& Renderer::scene() const {
     return state_->scene;
 }
 Box Renderer::bounds() const {
-    return state_->curves.bounds();
+    return state_->bounds();
 }
 const FrameStats& Renderer::stats() const {
     return state_->stats;
@@ -119,7 +148,7 @@ void Renderer::draw(Target& target, const Camera& camera) {
     if (&target.renderer_ != this) fail("The target belongs to another renderer.");
     const auto start = SteadyClock::now();
     // Before a window's image is taken, which would have to be given back.
-    camera_view(camera, s.scene, s.curves.bounds(), target.width(), target.height(), s.options.shadow_size);
+    camera_view(camera, s.scene, s.bounds(), target.width(), target.height(), s.options.shadow_size);
     const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
     FrameSlot& slot = *s.slots[slot_index];
     slot.wait();
@@ -149,7 +178,7 @@ void Renderer::draw(Target& target, const Camera& camera) {
 
 void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image,
                                    const Camera& camera) {
-    const Box box = curves.bounds();
+    const Box box = bounds();
     const uint32_t shadow_size = options.shadow_size;
     const ViewUniforms view = camera_view(camera, scene, box, image.width(), image.height(), shadow_size);
     const ViewUniforms sun = sun_view(scene, box, shadow_size);
@@ -165,12 +194,14 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
 
     const VkCommandBuffer commands = submission.commands = slot.begin();
     slot.mark(Moment::begin);
+    stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
     stats.uploaded_bytes = ring.record(commands, frame + 1);
     const auto bind_view = [&](VkDescriptorSet set) {
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
     };
     if (draw_shadow) {
         shadow_map.begin(commands);
+        stats.draw_calls += record_surface_shadows(commands, surface_pipelines, slot.sun_view(), surfaces).calls;
         bind_view(slot.sun_view());
         record_curves(commands, pipelines, patterns, shadow_list, instance_buffer, true);
         shadow_map.end(commands);
@@ -190,9 +221,11 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     const VkRect2D scissor{{0, 0}, extent};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
+    const SurfaceDraws surface_draws = record_surfaces(commands, surface_pipelines, slot.main_view(), surfaces);
     bind_view(slot.main_view());
     stats.triangles = record_curves(commands, pipelines, patterns, main_list, instance_buffer, false);
-    stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
+    stats.triangles += surface_draws.triangles;
+    stats.draw_calls += surface_draws.calls;
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop());
     vkCmdDraw(commands, 3, 1, 0, 0);
     vkCmdEndRenderPass(commands);

@@ -9,6 +9,7 @@
 #include "frame.h"
 #include "pipelines.h"
 #include "shadow_map.h"
+#include "surface_store.h"
 #include "target_image.h"
 #include "upload_ring.h"
 
@@ -26,6 +27,7 @@ struct OwnedPass {
 struct Renderer::State {
     explicit State(const Options& wanted);
     ~State();
+    Box bounds() const;
     void recycle(uint64_t finished_frame);
     // Takes the times of a slot's frame, which must be finished, into `stats`.
     void read_times(const FrameSlot& slot);
@@ -39,8 +41,10 @@ struct Renderer::State {
     VkSampleCountFlagBits samples;
     OwnedPass main_pass;
     Pipelines pipelines;
+    SurfacePipelines surface_pipelines;
     IndexPatterns patterns;
     CurveStore curves;
+    SurfaceStore surfaces;
     std::unique_ptr<FrameSlot> slots[frames_in_flight];
 
     Scene scene;

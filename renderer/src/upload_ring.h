@@ -3,6 +3,7 @@
 // next frame's command buffer. Blocks come back when the device has finished that frame.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -16,11 +17,22 @@ public:
 
     // `target` must live until the next recorded frame is done.
     void upload(const Buffer& target, const void* data, VkDeviceSize size);
+    // A buffer on the device that holds these from the next recorded frame on.
+    template <class T>
+    Buffer make_filled(const std::vector<T>& values, VkBufferUsageFlags usage) {
+        const VkDeviceSize bytes = values.size() * sizeof(T);
+        Buffer buffer(memory_, std::max(bytes, least_bytes), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                      DeviceMemory::Place::device);
+        upload(buffer, values.data(), bytes);
+        return buffer;
+    }
     // Records all pending copies, and that shaders wait for them; returns how many bytes.
     VkDeviceSize record(VkCommandBuffer commands, uint64_t frame);
     void recycle(uint64_t finished_frame);
 
 private:
+    static constexpr VkDeviceSize least_bytes = 16;  // of a buffer in which there is nothing
+
     struct Block {
         Buffer buffer;
         VkDeviceSize used = 0;

@@ -99,6 +99,15 @@ protected:
     static void expect_silence(const Renderer& r) {
         for (const std::string& message : r.messages()) ADD_FAILURE() << message;
     }
+    template <class Action>
+    static void expect_error(Action&& action, const char* part) {
+        try {
+            action();
+            ADD_FAILURE() << "no error that says \"" << part << "\"";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
+    }
     void without_ground() {
         Scene scene;
         scene.ground = false;

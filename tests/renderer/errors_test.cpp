@@ -13,15 +13,6 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 class RendererErrors : public RendererTest {
 protected:
-    template <class Action>
-    static void expect_error(Action&& action, const char* part) {
-        try {
-            action();
-            ADD_FAILURE() << "no error that says \"" << part << "\"";
-        } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-        }
-    }
     void expect_refused(const FlgCurveSetView& view, const char* part, const CurveLook& look = {}) {
         expect_error([&] { renderer.upload(view, look); }, part);
     }

@@ -45,7 +45,7 @@ TEST_F(RendererTest, UpdateAndRemove) {
     EXPECT_EQ(differing_pixels(picture(target), empty), 0u);
     EXPECT_THROW(renderer.remove(id), Error);
     EXPECT_THROW(renderer.update(id, knot.view(), tube), Error);
-    EXPECT_NO_THROW(renderer.remove({}));
+    EXPECT_NO_THROW(renderer.remove(CurvesId{}));
 }
 
 TEST_F(RendererTest, ReplacingWithoutDrawingIsHarmless) {

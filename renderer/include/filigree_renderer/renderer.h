@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filigree's renderer: curves as ribbons, tubes and lines, by Vulkan, offscreen or in a window.
+// Filigree's renderer: curves as ribbons, tubes and lines, and surfaces, by Vulkan, offscreen or in a window.
 //
 //     flg::render::Renderer renderer;
 //     renderer.upload(view, {.shape = Shape::tube, .radius = 0.01f});
@@ -14,13 +14,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "filigree/filigree.h"
+#include "filigree/filigree_surface.h"
 #include "filigree_renderer/camera.h"
 #include "filigree_renderer/error.h"
 #include "filigree_renderer/image.h"
+#include "filigree_renderer/surface_look.h"
 
 namespace flg::render {
 
@@ -77,6 +80,10 @@ struct CurvesId {
     uint64_t value = 0;
     bool operator==(const CurvesId&) const = default;
 };
+struct SurfaceId {
+    uint64_t value = 0;
+    bool operator==(const SurfaceId&) const = default;
+};
 
 // The last frame that draw() recorded, but for gpu_*: those are of the newest frame the device has finished.
 struct FrameStats {
@@ -86,8 +93,8 @@ struct FrameStats {
     double gpu_ms = -1;         // of the whole frame on the device; -1: not known
     double gpu_shadow_ms = -1;  // of it, the shadow map; 0 when it could be kept
     uint32_t draw_calls = 0;
-    uint64_t triangles = 0;       // of the main pass, caps included
-    uint64_t uploaded_bytes = 0;  // of curves, on their way to the device with this frame
+    uint64_t triangles = 0;       // of the main pass, caps and border lines included
+    uint64_t uploaded_bytes = 0;  // on their way to the device with this frame
     uint64_t device_bytes = 0;    // of memory held on the device
 };
 
@@ -142,8 +149,20 @@ public:
     // Cost: of the call under a microsecond, whatever the number of points, and nothing is uploaded; the shadow map is drawn
     // anew. A frame's vertices take longer while the offset is not 0: each ring is followed from the start of its chunk.
     void set_magnitude_offset(CurvesId id, float offset);
+    // Copies a surface to the device, in the background of the next frames; of an FlgSurfaceView its `mesh`. Needs a
+    // POSITION column; takes NORMAL and COLOR where there are, and regions. `field`: one value a vertex, as of an
+    // FlgFieldView, infinite where there is none; empty for no field. Both sides are drawn, triangles without an area are
+    // not. None of the arrays is needed afterwards. Shadows fall from curves on surfaces and the other way round.
+    // Throws for a mesh without triangles, indices out of range, positions that are not finite, NaN in the field, more than
+    // 2^24 - 1 vertices (those between regions counted once a region) or 2^26 triangles.
+    // Cost: of the call about 50 ns a triangle, no wait for the device; 28 bytes a vertex and 12 a triangle are held there.
+    SurfaceId upload(const FlgMeshView& mesh, const SurfaceLook& look = {}, std::span<const float> field = {});
+    // Replaces what `id` shows, after a cut or for another look. All of it is uploaded again. On error nothing changes.
+    void update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look = {}, std::span<const float> field = {});
     // Zero does nothing. Throws for an id that was removed or never given.
     void remove(CurvesId id);
+    void remove(SurfaceId id);
+    // Removes all curves and surfaces.
     void clear();
 
     void set_scene(const Scene& scene);

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "surface_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "packing.h"
+#include "surface_normals.h"
+#include "surface_regions.h"
+#include "vk.h"
+
+namespace flg::render {
+namespace {
+
+constexpr uint32_t most_vertices = (1u << 24) - 1;  // indices of devices without fullDrawIndexUint32
+constexpr uint32_t most_triangles = 1u << 26;
+constexpr uint32_t field_known = 0xff0000u;  // in a material's bits
+
+void check_material(const Material& material) {
+    check_color(material.color, "color");
+    check_in(material.metallic, 0.0f, 1.0f, "metallic");
+    check_in(material.roughness, 0.0f, 1.0f, "roughness");
+}
+
+void check_look(const SurfaceLook& look) {
+    check_material(look.material);
+    for (const Material& material : look.regions) check_material(material);
+    check_in(look.field_low, -largest_coordinate, largest_coordinate, "field_low");
+    check_in(look.field_high, -largest_coordinate, largest_coordinate, "field_high");
+    check_in(look.isoline_spacing, 0.0f, largest_coordinate, "isoline_spacing");
+    check_in(look.isoline_width_px, 0.5f, 64.0f, "isoline_width_px");
+    check_color(look.isoline_color, "isoline_color");
+    if (look.border_width_px != 0.0f) check_in(look.border_width_px, 0.5f, 64.0f, "border_width_px");
+    check_color(look.border_color, "border_color");
+}
+
+void check_mesh(const FlgMeshView& mesh) {
+    if (mesh.triangle_count == 0 || !mesh.triangles) fail("The mesh has no triangles.");
+    if (mesh.column_count == 0 || !mesh.columns) fail("The mesh has no columns.");
+    if (mesh.vertex_count > most_vertices)
+        fail("The mesh has %u vertices; the renderer takes at most %u.", mesh.vertex_count, most_vertices);
+    if (mesh.triangle_count > most_triangles)
+        fail("The mesh has %u triangles; the renderer takes at most %u.", mesh.triangle_count, most_triangles);
+    for (uint32_t corner = 0; corner < 3 * mesh.triangle_count; ++corner)
+        if (mesh.triangles[corner] >= mesh.vertex_count)
+            fail("Triangle %u names vertex %u; the mesh has %u vertices.", corner / 3, mesh.triangles[corner],
+                 mesh.vertex_count);
+}
+
+class Builder {
+public:
+    Builder(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field)
+        : mesh_(mesh),
+          look_(look),
+          field_(field),
+          triangles_(mesh.triangles, 3 * size_t{mesh.triangle_count}),
+          normal_(find_column({mesh.columns, mesh.column_count}, FLG_ATTRIBUTE_NORMAL, 3, "NORMAL")),
+          color_(find_column({mesh.columns, mesh.column_count}, FLG_ATTRIBUTE_COLOR, 4, "COLOR")) {}
+
+    SurfaceData build() {
+        read_positions();
+        read_field();
+        std::vector<glm::vec3> normals;
+        if (look_.smooth && !normal_) normals = vertex_normals(data_.positions, triangles_);
+        SplitVertices split = split_regions();
+        data_.indices = std::move(split.indices);
+        const uint32_t count = mesh_.vertex_count + static_cast<uint32_t>(split.copied.size());
+        if (count > most_vertices)
+            fail(
+                "The mesh has %u vertices, those between regions counted once a region; the renderer takes at most %u.",
+                count, most_vertices);
+        data_.vertices.reserve(count);
+        data_.positions.reserve(count);
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t source = i < mesh_.vertex_count ? i : split.copied[i - mesh_.vertex_count];
+            if (i >= mesh_.vertex_count) data_.positions.push_back(data_.positions[source]);
+            add_vertex(source, split.label_of.empty() ? 0 : split.label_of[i], normals);
+        }
+        return std::move(data_);
+    }
+
+private:
+    void read_positions() {
+        const Column position = find_column({mesh_.columns, mesh_.column_count}, FLG_ATTRIBUTE_POSITION, 3, "POSITION");
+        if (!position) fail("The mesh has no POSITION column.");
+        data_.positions.resize(mesh_.vertex_count);
+        for (uint32_t i = 0; i < mesh_.vertex_count; ++i) {
+            const auto p = position.at<glm::vec3>(i);
+            if (!is_usable(p))
+                fail("Vertex %u is at (%g, %g, %g); positions must be finite, at most 1e30.", i, p.x, p.y, p.z);
+            data_.positions[i] = p;
+            data_.box.add({p, p});
+        }
+    }
+
+    void read_field() {
+        if (field_.empty()) return;
+        if (field_.size() != mesh_.vertex_count)
+            fail("The field has %zu values; the mesh has %u vertices.", field_.size(), mesh_.vertex_count);
+        float low = INFINITY, high = -INFINITY;
+        for (uint32_t i = 0; i < mesh_.vertex_count; ++i) {
+            if (std::isnan(field_[i])) fail("The field's value at vertex %u is not a number.", i);
+            if (std::isinf(field_[i])) continue;
+            low = std::min(low, field_[i]);
+            high = std::max(high, field_[i]);
+        }
+        const bool found = look_.field_low == look_.field_high;
+        data_.has_field = true;
+        data_.field_low = found ? low : look_.field_low;
+        data_.field_high = found ? high : look_.field_high;
+    }
+
+    SplitVertices split_regions() {
+        const bool borders = mesh_.regions && look_.border_width_px > 0.0f;
+        const bool colors = mesh_.regions && look_.regions.size() > 1;
+        const std::span<const uint32_t> labels(mesh_.regions, mesh_.regions ? mesh_.triangle_count : 0);
+        if (borders)
+            for (const auto& [from, to] : border_edges(triangles_, labels, mesh_.vertex_count))
+                data_.borders.push_back({data_.positions[from], data_.positions[to]});
+        if (colors) return split_vertices(triangles_, labels, mesh_.vertex_count);
+        return {{triangles_.begin(), triangles_.end()}, {}, {}};
+    }
+
+    void add_vertex(uint32_t source, uint32_t label, const std::vector<glm::vec3>& normals) {
+        const auto normal = normal_ ? normal_.at<glm::vec3>(source) : normals.empty() ? glm::vec3(0) : normals[source];
+        if (!is_usable(normal)) fail("Vertex %u has a normal that is not finite.", source);
+        Material material = look_.material;
+        if (!look_.regions.empty()) {
+            material = look_.regions[label % look_.regions.size()];
+        } else if (color_) {
+            material.color = color_.at<glm::vec4>(source);
+            if (!is_usable(material.color)) fail("Vertex %u has a colour that is not finite.", source);
+        }
+        const bool known = data_.has_field && !std::isinf(field_[source]);
+        const auto byte = [](float share) { return static_cast<uint32_t>(std::lround(255.0f * share)); };
+        data_.vertices.push_back({pack_normal(normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : normal),
+                                  pack_color(material.color),
+                                  byte(material.metallic) | byte(material.roughness) << 8 | (known ? field_known : 0),
+                                  known ? field_[source] : 0.0f});
+    }
+
+    const FlgMeshView& mesh_;
+    const SurfaceLook& look_;
+    const std::span<const float> field_;
+    const std::span<const uint32_t> triangles_;
+    const Column normal_, color_;
+    SurfaceData data_;
+};
+
+}  // namespace
+
+SurfaceData prepare_surface(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
+    check_look(look);
+    check_mesh(mesh);
+    return Builder(mesh, look, field).build();
+}
+
+}  // namespace flg::render

@@ -1,0 +1,13 @@
+#version 450
+// SPDX-License-Identifier: MIT
+#extension GL_GOOGLE_include_directive : require
+#include "view.glsl"
+#include "lighting.glsl"
+#include "surface_draw.glsl"
+
+layout(location = 0) out vec4 out_color;
+
+void main() {
+    // As if it were lit by the sky alone: lines read the same everywhere.
+    out_color = vec4(tone_map(draw.border_color * view.sky_color.rgb), 1.0);
+}
