@@ -43,6 +43,7 @@ void RefinedSolver::extend(std::span<const Seed> seeds, const SolveLimits& limit
     limits_ = &limits;
     reach_ = limits.distance;
     bucket_ = no_index;
+    any_beyond_ring_ = false;
     batches_[0].size = batches_[1].size = 0;
     targets_met_ = 0;
     furthest_target_ = 0;
@@ -99,7 +100,11 @@ uint32_t RefinedSolver::bucket_of(float distance) const {
 
 // Never into a bucket that is behind, nor beyond the ring's end: from there it goes on when its time has come.
 void RefinedSolver::wait(uint32_t rank) {
-    const uint32_t bucket = std::clamp(bucket_of(states_[rank].distance), bucket_, bucket_ + queue_.span() - 1);
+    uint32_t bucket = std::max(bucket_of(states_[rank].distance), bucket_);
+    if (bucket - bucket_ >= queue_.span()) {
+        bucket = bucket_ + queue_.span() - 1;
+        any_beyond_ring_ = true;
+    }
     if (waiting_[rank] == bucket) return;
     waiting_[rank] = bucket;
     queue_.push(bucket, rank);
@@ -130,7 +135,7 @@ bool RefinedSolver::take(uint32_t& rank) {
         if (!queue_.pop(bucket_, rank)) return false;
         if (waiting_[rank] != bucket_) continue;
         waiting_[rank] = no_index;
-        if (bucket_of(states_[rank].distance) <= bucket_) return true;
+        if (!any_beyond_ring_ || bucket_of(states_[rank].distance) <= bucket_) return true;
         wait(rank);
     }
 }
@@ -147,7 +152,7 @@ void RefinedSolver::solve_batch() {
         const uint32_t rank = batch.ranks[i];
         const GeodesicBlock* bounded = region_ != nullptr ? region_->find(rank) : nullptr;
         batch.blocks[i] = bounded != nullptr ? bounded : &blocks_.blocks[rank];
-        step_(*batch.blocks[i], states_.data(), states_[rank], bend_max_, batch.steps[i]);
+        step_(*batch.blocks[i], states_.data(), states_[rank], bend_max_, labelled_, batch.steps[i]);
     }
     for (uint32_t i = 0; i < before.size; ++i) apply(before.ranks[i], *before.blocks[i], before.steps[i]);
     for (uint32_t i = 0; i < before.size; ++i) {
@@ -163,7 +168,7 @@ void RefinedSolver::spread_on(uint32_t rank) {
         const GeodesicBlock& block =
             bounded ? region_->block(rank, i + 1) : blocks_.overflow[size_t{blocks_.overflow_of_rank[rank]} + i];
         WaveStep step;
-        step_(block, states_.data(), states_[rank], bend_max_, step);
+        step_(block, states_.data(), states_[rank], bend_max_, labelled_, step);
         apply(rank, block, step);
         if (!block.continues()) return;
     }

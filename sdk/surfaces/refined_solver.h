@@ -76,10 +76,11 @@ private:
     float bend_max_ = 0;
     std::array<Batch, 2> batches_;  // the one that is made and the one before it
     uint32_t turn_ = 0;
-    uint32_t bucket_ = 0;        // that is being emptied
-    uint32_t targets_met_ = 0;   // the first targets that have a distance
-    float furthest_target_ = 0;  // of them
-    float reach_ = unreachable;  // the last limit
+    bool any_beyond_ring_ = false;  // some wait in a bucket that is too near
+    uint32_t bucket_ = 0;           // that is being emptied
+    uint32_t targets_met_ = 0;      // the first targets that have a distance
+    float furthest_target_ = 0;     // of them
+    float reach_ = unreachable;     // the last limit
     Pass pass_ = Pass::done;
     uint32_t at_ = 0;
 };

@@ -11,8 +11,8 @@ namespace portable {
 }  // namespace portable
 
 void wave_step_portable(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
-                        WaveStep& step) {
-    portable::wave_step(block, states, own, bend_max, step);
+                        bool labelled, WaveStep& step) {
+    portable::wave_step(block, states, own, bend_max, labelled, step);
 }
 
 #ifdef __x86_64__
@@ -24,13 +24,14 @@ void wave_step_portable(const GeodesicBlock& block, const WaveState* states, con
 #pragma GCC target("avx2")
 #endif
 
+#define FLG_MOVE_MASK __builtin_ia32_movmskps256
 namespace avx2 {
 #include "surfaces/refined_solver_step.inl"
 }  // namespace avx2
 
 void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
-                    WaveStep& step) {
-    avx2::wave_step(block, states, own, bend_max, step);
+                    bool labelled, WaveStep& step) {
+    avx2::wave_step(block, states, own, bend_max, labelled, step);
 }
 
 #ifdef __clang__

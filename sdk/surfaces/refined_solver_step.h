@@ -37,19 +37,20 @@ constexpr float least_improvement = 1e-5f;
 
 struct WaveStep {
     WaveState states[lane_count];  // for each lane the least distance on the ways through the vertex
-    int32_t sides[lane_count];  // which lane the way passes nearest to: the next one, the one before, or 0: the vertex
-    uint32_t improved;          // a bit for each lane that is improved by it
+    int32_t sides
+        [lane_count];  // which lane the way passes nearest to: the next one, the one before, or 0: the vertex. If labelled
+    uint32_t improved;  // a bit for each lane that is improved by it
 };
 
 // Of the states by rank, that of rank 0 is -infinity. Bends are kept within +-bend_max.
 using WaveStepFunction = void (*)(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
-                                  float bend_max, WaveStep& step);
+                                  float bend_max, bool labelled, WaveStep& step);
 
 void wave_step_portable(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
-                        WaveStep& step);
+                        bool labelled, WaveStep& step);
 #ifdef __x86_64__
 void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
-                    WaveStep& step);
+                    bool labelled, WaveStep& step);
 #endif
 
 // The fastest for this machine.

@@ -40,136 +40,103 @@ constexpr float huge = 3e38f;
     __builtin_memcpy(states + 4, &high, sizeof high);
 }
 [[gnu::always_inline]] inline uint32_t mask(Int8 lanes) {
+#ifdef FLG_MOVE_MASK
+    return static_cast<uint32_t>(FLG_MOVE_MASK(reinterpret_cast<Float8>(lanes)));
+#else
     uint32_t bits = 0;
     for (int i = 0; i < 8; ++i) bits |= static_cast<uint32_t>(lanes[i] & 1) << i;
     return bits;
+#endif
 }
 // Each lane gets the next one's value, the last its own.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes from_next(Lanes a) {
     return __builtin_shufflevector(a, a, 1, 2, 3, 4, 5, 6, 7, 7);
 }
+// And from the one before, the first the last's: there no triangle is.
 template <class Lanes>
 [[gnu::always_inline]] inline Lanes from_previous(Lanes a) {
-    return __builtin_shufflevector(a, a, 0, 0, 1, 2, 3, 4, 5, 6);
+    return __builtin_shufflevector(a, a, 7, 0, 1, 2, 3, 4, 5, 6);
 }
 
 [[gnu::always_inline]] inline Float8 clamped(Float8 a, Float8 low, Float8 high) {
     return least(greatest(a, low), high);
 }
 
-// What is known along the edge from the vertex to a neighbour.
-struct WaveEdge {
-    Float8 length, inverse_length;  // length: -1 if nothing crosses
-    Float8 cosine, sine;  // of phi
-    Float8 own_bend, far_bend;
-    Float8 least_end;  // the lesser distance of its ends
-    Int8 late;         // the far end is reached along the edge
-};
-
-struct Triangle {
-    Float8 cosine, sine;  // of theta; the sine is 0 where there is none
-    Float8 curvature;
-};
-
-struct Arrival {
-    Float8 distance;  // huge where the way does not cross the edge
-    Float8 bend;
-    Int8 beyond;  // it crosses nearer to the far end
-};
-
-// The way to the triangle's third corner, `length` from the vertex, across `edge`.
-[[gnu::always_inline]] inline Arrival cross(const WaveEdge& edge, const Triangle& triangle, Float8 distance,
-                                            Float8 length) {
-    const Float8 zero = {}, one = FLG_LANES(1.0f), half = FLG_LANES(0.5f);
-    const Float8 cosine = edge.cosine * triangle.cosine - edge.sine * triangle.sine;
-    const Float8 sine = edge.sine * triangle.cosine + edge.cosine * triangle.sine;
-    // Heights above the edge: of the source, on its other side, and of the corner.
-    const Float8 source_height = distance * edge.sine;
-    const Float8 inverse_height = one / (source_height + length * triangle.sine);
-    const Float8 crossing = distance * length * sine * inverse_height;
-    const Float8 rest = edge.length - crossing;
-    const Float8 square = distance * distance + length * (length - (distance + distance) * cosine);
-    const Float8 straight = root(greatest(square, zero));
-
-    const Float8 bend = (rest * edge.own_bend + crossing * edge.far_bend) * edge.inverse_length;
-    const Float8 parabola = half * bend * (edge.sine * edge.sine) * crossing * rest;
-    const Float8 parabola_max = FLG_LANES(0.25f) * least(crossing, rest);
-    const Float8 reached = greatest(straight - clamped(parabola, -parabola_max, parabola_max), edge.least_end);
-
-    const Float8 part = source_height * inverse_height;  // of the way is behind at the crossing
-    const Float8 on = straight * (one - part);
+// How the bend of a front changes over the distance `on` in a triangle, `part` of the whole way being behind before.
+[[gnu::always_inline]] inline Float8 carry(Float8 bend, Float8 part, Float8 on, Float8 curvature) {
+    const Float8 one = FLG_LANES(1.0f), half = FLG_LANES(0.5f);
     const Float8 turned = clamped(bend * on * part, -half, half);
-    const Float8 carried = bend * part * part * (one - turned + turned * turned);
-    const Float8 gained = triangle.curvature * on * (one + part + part * part) * FLG_LANES(1.0f / 3);
-
-    const Int8 crosses =
-        (triangle.sine > zero) & (sine >= zero) & (rest >= zero) & (reached < FLG_LANES(huge));
-    return {crosses ? reached : FLG_LANES(huge), carried - gained, (crossing > rest) & ~edge.late};
+    const Float8 square = part * part;
+    return bend * square * (one - turned + turned * turned) -
+           curvature * on * (one + part + square) * FLG_LANES(1.0f / 3);
 }
 
 [[gnu::always_inline]] inline void wave_step(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
-                                             float bend_max, WaveStep& step) {
-    const Float8 zero = {}, one = FLG_LANES(1.0f), half = FLG_LANES(0.5f);
+                                             float bend_max, bool labelled, WaveStep& step) {
+    const Float8 zero = {}, one = FLG_LANES(1.0f);
     const Float8 length = load(block.lengths.data()), tangent = load(block.tangents.data());
     const Float8 curvature = load(block.curvatures.data());
     const Float8 distance = FLG_LANES(own.distance), own_bend = FLG_LANES(own.bend);
     const Float8 bend_limit = FLG_LANES(bend_max);
+    Float8 far, far_bend;
+    load_states(states, block.lanes.data(), far, far_bend);
 
-    // Along the edges.
-    const Float8 inverse_length = one / length;
-    const Float8 along = distance + length;
-    const Float8 part = distance / along;
-    const Float8 turned = clamped(own_bend * length * part, -half, half);
-    const Float8 along_bend = own_bend * part * part * (one - turned + turned * turned) -
-                              curvature * length * (one + part + part * part) * FLG_LANES(1.0f / 3);
+    // In each triangle, across the edge to its nearer corner, the base, to the one that is further, the target.
+    const Float8 next_length = from_next(length), next_far = from_next(far);
+    const Int8 forth = far < next_far;
+    const Float8 base = forth ? length : next_length, target = forth ? next_length : length;
+    const Float8 base_distance = least(far, next_far);
+    const Float8 base_bend = forth ? far_bend : from_next(far_bend);
 
-    // The wave at the far ends. Neighbours that it has reached late or not at all are reached along the edge.
-    Float8 far_distance, far_bend;
-    load_states(states, block.lanes.data(), far_distance, far_bend);
-    const Float8 improvable = far_distance * (1 - least_improvement);
-    const Int8 late = along < far_distance;
-    const Float8 far = late ? along : far_distance;
-
-    WaveEdge edge;
-    edge.inverse_length = inverse_length;
-    const Float8 cosine = (length * length + (distance - far) * (distance + far)) * inverse_length *
-                          FLG_LANES(0.5f / own.distance);
-    edge.cosine = clamped(cosine, -one, one);
-    edge.sine = root((one - edge.cosine) * (one + edge.cosine));
-    edge.own_bend = own_bend;
-    edge.far_bend = late ? along_bend : far_bend;
-    // No one point is so near to both ends: next to a line that is the source. Then nothing crosses.
-    edge.length = cosine < FLG_LANES(1.001f) ? length : -one;
-    edge.least_end = least(distance, far);
-    edge.late = late;
-    const WaveEdge next = {from_next(edge.length),      from_next(inverse_length), from_next(edge.cosine),
-                           from_next(edge.sine),   own_bend,                  from_next(edge.far_bend),
-                           from_next(edge.least_end), from_next(late)};
-
-    // From lane l across edge l to lane l + 1, and from lane l + 1 across edge l + 1 to lane l. At the source no angle is
-    // known, and none needed.
+    // At the source no angle is known, and none needed. No one point is so near to both ends that the cosine is above 1: next
+    // to a line that is the source.
+    const Float8 inverse_base = one / base;
+    const Float8 quotient = (base * base + (distance - base_distance) * (distance + base_distance)) * inverse_base *
+                            FLG_LANES(0.5f / own.distance);
+    const Float8 cos_phi = clamped(quotient, -one, one);
+    const Float8 sin_phi = root((one - cos_phi) * (one + cos_phi));
     const Float8 inverse_secant = one / (one + tangent * tangent);
-    Triangle triangle;
-    triangle.cosine = (one - tangent * tangent) * inverse_secant;
-    triangle.sine = own.distance > 0 ? (tangent + tangent) * inverse_secant : zero;
-    triangle.curvature = curvature;
-    Arrival ahead = cross(edge, triangle, distance, from_next(length));
-    const Arrival back = cross(next, triangle, distance, length);
-    ahead.distance = from_previous(ahead.distance);
-    ahead.distance[0] = huge;
-    ahead.bend = from_previous(ahead.bend);
+    const Float8 cos_theta = (one - tangent * tangent) * inverse_secant;
+    const Float8 sin_theta = (tangent + tangent) * inverse_secant;
+    const Float8 cosine = cos_phi * cos_theta - sin_phi * sin_theta;
+    const Float8 sine = sin_phi * cos_theta + cos_phi * sin_theta;
 
-    const Int8 takes_back = back.distance < ahead.distance;
-    const Float8 across = takes_back ? back.distance : ahead.distance;
-    const Int8 takes_edge = ~(across < along);
-    const Float8 best = takes_edge ? along : across;
-    const Float8 bend = clamped(takes_edge ? along_bend : takes_back ? back.bend : ahead.bend, -bend_limit, bend_limit);
-    const Int8 forth = {1, 1, 1, 1, 1, 1, 1, 1};
-    const Int8 side = takes_edge ? Int8{} : takes_back ? (back.beyond & forth) : (from_previous(ahead.beyond) & -forth);
-    __builtin_memcpy(step.sides, &side, sizeof side);
-    step.improved = mask(best < improvable);
-    store_states(best, bend, step.states);
+    // Heights above the edge: of the source, on its other side, and of the target.
+    const Float8 source_height = distance * sin_phi;
+    const Float8 inverse_height = one / (source_height + target * sin_theta);
+    const Float8 crossing = distance * target * sine * inverse_height, rest = base - crossing;
+    const Float8 square = distance * distance + target * (target - (distance + distance) * cosine);
+    const Float8 straight = root(greatest(square, zero));
+    const Float8 bend = (rest * own_bend + crossing * base_bend) * inverse_base;
+    const Float8 parabola = FLG_LANES(0.5f) * bend * (sin_phi * sin_phi) * crossing * rest;
+    const Float8 parabola_max = FLG_LANES(0.25f) * least(crossing, rest);
+    const Float8 reached =
+        greatest(straight - clamped(parabola, -parabola_max, parabola_max), least(distance, base_distance));
+    const Float8 part = source_height * inverse_height;
+    const Float8 across_bend = carry(bend, part, straight * (one - part), curvature);
+    const Int8 crosses = (sin_theta > zero) & (distance > zero) & (quotient < FLG_LANES(1.001f)) & (sine >= zero) &
+                         (rest >= zero) & (reached < FLG_LANES(huge));
+    const Float8 across = crosses ? reached : FLG_LANES(huge);
+
+    // To lane l + 1 from triangle l, to lane l from it or along the edge.
+    const Float8 ahead = from_previous(forth ? across : FLG_LANES(huge));
+    const Float8 back = forth ? FLG_LANES(huge) : across;
+    const Float8 along = distance + length;
+    const Int8 takes_back = back < ahead;
+    const Float8 best_across = least(back, ahead);
+    const Int8 takes_edge = ~(best_across < along);
+    const Float8 best = least(best_across, along);
+    const Float8 along_bend = carry(own_bend, distance / along, length, curvature);
+    const Float8 best_bend = takes_edge ? along_bend : takes_back ? across_bend : from_previous(across_bend);
+
+    if (labelled) {
+        const Int8 beyond = crossing > rest, after = {1, 1, 1, 1, 1, 1, 1, 1};
+        const Int8 side = takes_edge ? Int8{} : takes_back ? (beyond & after) : (from_previous(beyond) & -after);
+        __builtin_memcpy(step.sides, &side, sizeof side);
+    }
+    step.improved = mask(best < far * (1 - least_improvement));
+    store_states(best, clamped(best_bend, -bend_limit, bend_limit), step.states);
 }
 
 #undef FLG_LANES

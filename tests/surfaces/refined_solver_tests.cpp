@@ -89,13 +89,14 @@ TEST(RefinedSolver, DoesNotDependOnSlicesOrRegisters) {
     for (uint32_t rank = 1; rank < states.size(); ++rank) {
         WaveStep a, b;
         const GeodesicBlock& block = geodesics.blocks.blocks[rank];
-        fastest(block, states.data(), states[rank], 10, a);
-        wave_step_portable(block, states.data(), states[rank], 10, b);
+        fastest(block, states.data(), states[rank], 10, true, a);
+        wave_step_portable(block, states.data(), states[rank], 10, true, b);
         ASSERT_EQ(a.improved, b.improved);
         for (uint32_t lane = 0; lane < lane_count; ++lane) {
             if (block.rank(lane) == nowhere) continue;
             ASSERT_EQ(a.states[lane].distance, b.states[lane].distance);
             ASSERT_EQ(a.states[lane].bend, b.states[lane].bend);
+            ASSERT_EQ(a.sides[lane], b.sides[lane]);
         }
     }
 }

@@ -10,6 +10,7 @@ const std::vector<Group>& groups() {
         {"patch_graph", run_patch_graph},
 #if defined(FLG_WITH_REFERENCE)
         {"matching", run_matching},
+        {"geodesics", run_geodesics},
 #endif
         {"ticks", run_ticks},
         {"live", run_live},
@@ -19,6 +20,10 @@ const std::vector<Group>& groups() {
         {"fig14", run_matching_kinds},
         {"hair", run_hair},
         {"ribbon", run_ribbon},
+        {"cutting", run_cutting},
+#if defined(FLG_WITH_PICK)
+        {"picking", run_picking},
+#endif
 #if defined(FLG_WITH_RENDERER)
         {"magnitude", run_magnitude},
 #endif

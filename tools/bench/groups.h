@@ -17,12 +17,17 @@ std::vector<Row> run_analogies();
 std::vector<Row> run_matching_kinds();
 std::vector<Row> run_hair();
 std::vector<Row> run_ribbon();
+std::vector<Row> run_cutting();
+#if defined(FLG_WITH_PICK)
+std::vector<Row> run_picking();
+#endif
 #if defined(FLG_WITH_RENDERER)
 std::vector<Row> run_magnitude();
 #endif
 #if defined(FLG_WITH_REFERENCE)
 // Against the literal versions, which are built with the tests.
 std::vector<Row> run_matching();
+std::vector<Row> run_geodesics();
 #endif
 
 }  // namespace flg::bench
