@@ -6,8 +6,8 @@
 // Invariants
 // - Afterwards each curve is a chain of edges. Curves share a vertex where they cross.
 // - Points move by no more than cut_tolerance: of an edge's length to its ends and to each other, of a triangle's height
-//   to its edges. Segments that pass a vertex so near go through it, so
-//   where dozens of them crowd in one triangle a curve may stray by a few tolerances.
+//   to its edges. Segments that pass a vertex so near go through it; where dozens of them crowd in one triangle,
+//   a curve may stray by a few tolerances.
 // - Each triangle is divided by itself (cut_triangulation.h): edges are given their points first, so neighbours agree.
 #pragma once
 
