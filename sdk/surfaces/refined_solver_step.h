@@ -51,6 +51,8 @@ void wave_step_portable(const GeodesicBlock& block, const WaveState* states, con
 #ifdef __x86_64__
 void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
                     bool labelled, WaveStep& step);
+void wave_step_avx512(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
+                      bool labelled, WaveStep& step);
 #endif
 
 // The fastest for this machine.
