@@ -78,12 +78,6 @@ void check_surface(const FlgSurfaceView* surface, const uint32_t* changed, uint3
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.columns has no FLG_ATTRIBUTE_POSITION");
     }
     require(mesh.triangles, "surface.mesh.triangles");
-    for (size_t i = 0; i < size_t{3} * mesh.triangle_count; ++i) {
-        if (mesh.triangles[i] >= mesh.vertex_count) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.triangles[%zu] is %u, but there are %u vertices", i,
-                          mesh.triangles[i], mesh.vertex_count);
-        }
-    }
     for (uint32_t i = 0; changed && i < changed_count; ++i) {
         if (changed[i] >= mesh.triangle_count) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "changed[%u] is %u, but there are %u triangles", i, changed[i],

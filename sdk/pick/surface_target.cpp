@@ -13,12 +13,40 @@ namespace {
 // Beyond this share of the triangles the delta costs more than a new base.
 constexpr uint32_t delta_share = 4;
 
-// Copies `count` rows of three floats, strided, from row `first` on.
-void copy_positions(const FlgMeshView& mesh, uint32_t first, float* out) {
-    const FlgColumn* column = mesh.columns;
-    while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
-    const size_t stride = column->stride ? column->stride / sizeof(float) : 3;
-    for (size_t v = first; v < mesh.vertex_count; ++v) std::memcpy(out + 3 * v, column->data + v * stride, 12);
+// The host's positions.
+class Positions {
+public:
+    explicit Positions(const FlgMeshView& mesh) {
+        const FlgColumn* column = mesh.columns;
+        while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
+        data_ = column->data;
+        stride_ = column->stride ? column->stride / sizeof(float) : 3;
+    }
+    void copy(size_t vertex, std::vector<float>& to) const {
+        std::memcpy(&to[3 * vertex], data_ + vertex * stride_, 3 * sizeof(float));
+    }
+
+private:
+    const float* data_;
+    size_t stride_;
+};
+
+// Room for what cuts add.
+template <class T>
+std::vector<T> with_slack(size_t size) {
+    std::vector<T> made;
+    made.reserve(size + size / delta_share);
+    made.resize(size);
+    return made;
+}
+
+void check_triangle(const FlgMeshView& mesh, uint32_t triangle) {
+    for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
+        if (mesh.triangles[i] >= mesh.vertex_count) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.triangles[%zu] is %u, but there are %u vertices", i,
+                          mesh.triangles[i], mesh.vertex_count);
+        }
+    }
 }
 
 }  // namespace
@@ -26,12 +54,15 @@ void copy_positions(const FlgMeshView& mesh, uint32_t first, float* out) {
 SurfaceTarget::SurfaceTarget(RTCDevice device, RTCScene scene, const FlgSurfaceView& surface)
     : device_(device),
       scene_(scene),
-      positions_(size_t{3} * surface.mesh.vertex_count),
-      triangles_(surface.mesh.triangles, surface.mesh.triangles + size_t{3} * surface.mesh.triangle_count),
-      regions_(surface.mesh.triangle_count),
+      positions_(with_slack<float>(size_t{3} * surface.mesh.vertex_count)),
+      triangles_(with_slack<uint32_t>(size_t{3} * surface.mesh.triangle_count)),
+      regions_(with_slack<uint32_t>(surface.mesh.triangle_count)),
       changed_(surface.mesh.triangle_count) {
     const FlgMeshView& mesh = surface.mesh;
-    copy_positions(mesh, 0, positions_.data());
+    for (uint32_t t = 0; t < mesh.triangle_count; ++t) check_triangle(mesh, t);
+    const Positions positions(mesh);
+    for (size_t v = 0; v < mesh.vertex_count; ++v) positions.copy(v, positions_);
+    std::copy_n(mesh.triangles, triangles_.size(), triangles_.begin());
     if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
     base_id_ = attach(nullptr);
 }
@@ -85,14 +116,19 @@ bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* change
     if (mesh.triangle_count < known || mesh.vertex_count < positions_.size() / 3) return false;
     if (delta_.size() + changed_count + (mesh.triangle_count - known) > changed_.size() / delta_share) return false;
 
-    // Vertices that moved belong to changed triangles.
+    for (uint32_t i = 0; i < changed_count; ++i) check_triangle(mesh, changed[i]);
+    for (uint32_t t = known; t < mesh.triangle_count; ++t) check_triangle(mesh, t);
     positions_.resize(size_t{3} * mesh.vertex_count);
-    copy_positions(mesh, 0, positions_.data());
     triangles_.resize(size_t{3} * mesh.triangle_count);
     regions_.resize(mesh.triangle_count);
+    if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
+    // Vertices that moved belong to changed triangles.
+    const Positions positions(mesh);
     const auto take = [&](uint32_t triangle) {
-        std::copy_n(mesh.triangles + size_t{3} * triangle, 3, triangles_.begin() + ptrdiff_t{3} * triangle);
-        regions_[triangle] = mesh.regions ? mesh.regions[triangle] : 0;
+        for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
+            triangles_[i] = mesh.triangles[i];
+            positions.copy(triangles_[i], positions_);
+        }
     };
     for (uint32_t i = 0; i < changed_count; ++i) {
         const uint32_t triangle = changed[i];

@@ -18,7 +18,9 @@ class GrowingBuffer {
 public:
     GrowingBuffer() = default;
     explicit GrowingBuffer(Memory* memory) : memory_(memory) {}
-    GrowingBuffer(size_t size, Memory* memory) : memory_(memory), values_(size, memory), size_(size) {}
+    // With room for an eighth more, so that the first cuts need not move what is there. (Memory that isn't touched costs
+    // address space only.)
+    GrowingBuffer(size_t size, Memory* memory) : memory_(memory), values_(size + size / 8, memory), size_(size) {}
 
     size_t size() const { return size_; }
     size_t capacity() const { return values_.size(); }

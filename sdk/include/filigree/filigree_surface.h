@@ -382,7 +382,7 @@ typedef struct FlgCutIsolinesDesc {
 FLG_API FlgResult flgCutIsolinesDescInit(FlgCutIsolinesDesc* desc, uint32_t struct_size);
 
 /* Starts a job that cuts a surface along isolines, all levels in one pass: they become chains of edges. Crossings nearer to a vertex
- * than 1/1000 of their edge move to it, so that no slivers come about; else nothing moves, the surface keeps its area and its topology.
+ * than 1/100 of their edge move to it, so that no slivers come about; else nothing moves, the surface keeps its area and its topology.
  * New vertices and triangles are appended, the columns interpolated. `out_field`, which may be null, is the field on the cut surface.
  * Cost: about 10 ns a triangle of the surface and 0.5 us a triangle cut. */
 FLG_API FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, FlgField* out_field,

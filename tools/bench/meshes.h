@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Meshes for measurements: made here, so that no file is needed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "filigree/filigree_surface.h"
+
+namespace flg::bench {
+
+struct MeshArrays {
+    std::vector<float> positions;
+    std::vector<uint32_t> triangles;
+
+    // Of the arrays and of `column`, which must outlive it.
+    FlgMeshView view(FlgColumn& column) const;
+};
+
+// A torus with bumps, of about so many triangles, numbered as scanners do: coherent, not sorted.
+MeshArrays bumpy_torus(uint32_t triangle_count);
+
+}  // namespace flg::bench
