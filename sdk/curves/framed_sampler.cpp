@@ -47,41 +47,52 @@ uint32_t FramedSampler::next(FramedSample* out, uint32_t capacity, uint32_t& uni
 }
 
 bool FramedSampler::next_special(FramedSample& out, uint32_t& units) {
+    if (plan_.curve.closed && !been_around_ && !go_around(units)) return false;
+    return next_by_method(out, units);
+}
+
+bool FramedSampler::next_by_method(FramedSample& out, uint32_t& units) {
     if (plan_.frame == FLG_FRAME_FRENET) return next_frenet(out, units);
     if (plan_.frame == FLG_FRAME_SUPPLIED) return next_supplied(out, units);
-    if (!twist_known_ && !measure_twist(units)) return false;
     return next_twisted(out, units);
 }
 
-// Carries the frame once around.
-bool FramedSampler::measure_twist(uint32_t& units) {
-    CurveSample sample;
-    while (next_ <= plan_.steps) {
-        if (!sampler_.next(sample, units)) return false;
-        if (next_++ == 0) {
-            begin_frame(sample);
-            first_tangent_ = sample.tangent;
-            first_normal_ = frame_.normal();
-        } else {
-            frame_.step(sample.position, sample.tangent);
-        }
+// So that the first sample continues the last.
+bool FramedSampler::go_around(uint32_t& units) {
+    while (next_ < plan_.steps) {
+        FramedSample sample;
+        if (!next_by_method(sample, units)) return false;
+        if (next_ == 1) first_ = sample;
     }
-    // The two tangents of the first point differ if it is a corner.
-    frame_.step(sample.position, first_tangent_);
-    twist_per_step_ = angle_about(first_tangent_, frame_.normal(), first_normal_) / plan_.steps;
-    twist_known_ = true;
+    frame_.step(first_.position, first_.tangent);
+    if (!has_normal_) {
+        plan_.frame = FLG_FRAME_ROTATION_MINIMIZING;
+        twist_per_step_ = angle_about(first_.tangent, frame_.normal(), first_.normal) / plan_.steps;
+    }
     sampler_ = EvenSampler(plan_.curve, plan_.measure.length, plan_.steps);
     next_ = 0;
+    has_ahead_ = false;
+    been_around_ = true;
     return true;
+}
+
+// The first sample has nothing before it, unless normals are carried around.
+void FramedSampler::carry_frame(const CurveSample& to) {
+    if (next_ > 0 || has_normal_) {
+        frame_.step(to.position, to.tangent);
+    } else {
+        begin_frame(to);
+    }
+}
+
+void FramedSampler::take_normal(const Vec3& normal) {
+    frame_.set_normal(normal);
+    has_normal_ = true;
 }
 
 bool FramedSampler::next_twisted(FramedSample& out, uint32_t& units) {
     if (!sampler_.next(out, units)) return false;
-    if (next_ == 0) {
-        begin_frame(out);
-    } else {
-        frame_.step(out.position, out.tangent);
-    }
+    carry_frame(out);
     out.normal = turned_about(out.tangent, frame_.normal(), next_ * twist_per_step_);
     ++next_;
     return true;
@@ -90,18 +101,17 @@ bool FramedSampler::next_twisted(FramedSample& out, uint32_t& units) {
 bool FramedSampler::next_frenet(FramedSample& out, uint32_t& units) {
     if (!has_ahead_) {
         if (!sampler_.next(ahead_, units)) return false;
-        begin_frame(ahead_);
-        before_ = ahead_.tangent;
+        if (!been_around_) before_ = ahead_.tangent;
         has_ahead_ = true;
     }
     const CurveSample current = ahead_;
     if (next_ < plan_.steps && !sampler_.next(ahead_, units)) return false;
     static_cast<CurveSample&>(out) = current;
-    if (next_ > 0) frame_.step(current.position, current.tangent);
+    carry_frame(current);
     const Vec3 turn = ahead_.tangent - before_;
     const Vec3 across = turn - turn.dot(current.tangent) * current.tangent;
     const double size = across.norm();
-    if (size > straight_) frame_.set_normal(across / size);
+    if (size > straight_) take_normal(across / size);
     out.normal = frame_.normal();
     before_ = current.tangent;
     ++next_;
@@ -111,17 +121,13 @@ bool FramedSampler::next_frenet(FramedSample& out, uint32_t& units) {
 bool FramedSampler::next_supplied(FramedSample& out, uint32_t& units) {
     constexpr double parallel_sine = 1e-4;  // well above what float coordinates make of parallel vectors
     if (!sampler_.next(out, units)) return false;
-    if (next_ == 0) {
-        begin_frame(out);
-    } else {
-        frame_.step(out.position, out.tangent);
-    }
+    carry_frame(out);
     const Vec3 a = load_vec3(plan_.normals + size_t{3} * out.segment);
     const Vec3 b = load_vec3(plan_.normals + size_t{3} * plan_.curve.following(out.segment));
     const Vec3 supplied = (1.0 - out.t) * a + out.t * b;
     const Vec3 across = supplied - supplied.dot(out.tangent) * out.tangent;
     const double size = across.norm();
-    if (size > parallel_sine * supplied.norm()) frame_.set_normal(across / size);
+    if (size > parallel_sine * supplied.norm()) take_normal(across / size);
     out.normal = frame_.normal();
     ++next_;
     return true;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Even samples of a curve with a moving frame: the stream that resampling and synthesis are made of.
 //
-// On closed curves the rotation-minimizing frame comes back turned by an angle; a pass ahead measures it, and each
-// sample's normal is turned back by its share. The Frenet normal is the direction in which the tangent turns between the
-// two neighbouring samples. A supplied normal is interpolated between the curve's points and made perpendicular to the
-// tangent. Where the tangent doesn't turn, or a supplied normal points along it, the last normal is carried on (at the
-// start: the initial normal).
+// The Frenet normal is the direction in which the tangent turns between the two neighbouring samples. A supplied normal is
+// interpolated between the curve's points and made perpendicular to the tangent. Where the tangent doesn't turn, or a
+// supplied normal points along it, the last normal is carried on (at the start: the initial normal).
+//
+// Closed curves are gone around twice, so that where they begin makes no difference: Frenet and supplied normals are carried
+// on over the first point; the rotation-minimizing frame comes back turned by an angle, and each sample's normal is turned
+// back by its share. So it is where no sample has a normal of its own.
 #pragma once
 
 #include "curves/arc_length.h"
@@ -43,24 +45,29 @@ public:
 
 private:
     bool next_special(FramedSample& out, uint32_t& units);
-    bool measure_twist(uint32_t& units);
+    bool next_by_method(FramedSample& out, uint32_t& units);
+    bool go_around(uint32_t& units);
     bool next_twisted(FramedSample& out, uint32_t& units);
     bool next_frenet(FramedSample& out, uint32_t& units);
     bool next_supplied(FramedSample& out, uint32_t& units);
     void begin_frame(const CurveSample& first);
+    void carry_frame(const CurveSample& to);
+    void take_normal(const Vec3& normal);
 
     SamplingPlan plan_;
     EvenSampler sampler_;
     RotationMinimizingFrame frame_;
     uint32_t left_;  // samples to come
     bool special_;   // anything but a rotation-minimizing frame on an open curve
-    bool twist_known_ = false;
+    bool been_around_ = false;
+    bool has_normal_ = false;  // a Frenet or supplied one, from some sample before
     bool has_ahead_ = false;
     uint32_t next_ = 0;          // index of the sample to come
     double twist_per_step_ = 0;  // radians
     double straight_ = 0;        // tangents that turn by less than this between samples, radians, do not turn
-    Vec3 first_tangent_, first_normal_, before_;
-    CurveSample ahead_;  // Frenet: the sample to come
+    FramedSample first_;         // closed: as it was at first
+    Vec3 before_;                // Frenet: the last tangent
+    CurveSample ahead_;          // and the sample to come
 };
 
 }  // namespace flg

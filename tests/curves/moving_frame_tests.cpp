@@ -197,6 +197,51 @@ TEST(MovingFrame, SuppliedNormalsThatPointAlongTheCurveAreCarriedOn) {
     expect_orthonormal(test::resample(supplied(line, 40, opposite)));
 }
 
+// In the xy plane but for its far side, which is arched, so that the curve's mean is off the plane; begins on a straight part.
+Points arched_track() {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 10; ++i) points.emplace_back(0.1 * i, 0, 0);
+    for (int i = 0; i < 20; ++i) {
+        const double a = test::two_pi * i / 40;
+        points.emplace_back(1 + std::sin(a), 1 - std::cos(a), 0);
+    }
+    for (int i = 0; i < 20; ++i) points.emplace_back(1 - 0.1 * i, 2, 0.5 * std::sin(test::two_pi * i / 40));
+    for (int i = 0; i < 20; ++i) {
+        const double a = test::two_pi * i / 40;
+        points.emplace_back(-1 - std::sin(a), 1 + std::cos(a), 0);
+    }
+    for (int i = 0; i < 10; ++i) points.emplace_back(-1 + 0.1 * i, 0, 0);
+    return points_of(points, true);
+}
+
+TEST(MovingFrame, FrenetNormalsAreCarriedOverTheFirstPointOfClosedCurves) {
+    const Points track = arched_track();
+    const Resampled r = test::resample(track, 1000, FLG_FRAME_FRENET);
+    expect_orthonormal(r);
+    // The last bend before is in the xy plane.
+    EXPECT_NEAR(std::abs(r.normal(0).y()), 1, 1e-5);
+    for (size_t i = 1; i < 60; ++i) {
+        EXPECT_LT((r.normal(i) - r.normal(0)).norm(), 1e-5) << i;
+        EXPECT_LT((r.normal(1000 - i) - r.normal(0)).norm(), 1e-5) << i;
+    }
+    EXPECT_EQ(test::resample(track, 1000, FLG_FRAME_FRENET, 1).normals, r.normals);
+}
+
+TEST(MovingFrame, SuppliedNormalsAreCarriedOverTheFirstPointOfClosedCurves) {
+    const auto circle = [](double u) { return Vec3(std::cos(test::two_pi * u), std::sin(test::two_pi * u), 0); };
+    const Points points = test::sampled(circle, 50, true);
+    std::vector<float> normals(150, 0.0f);
+    for (size_t i = 10; i < 40; ++i) normals[3 * i + 2] = 1;
+    const Resampled r = test::resample(supplied(points, 200, normals));
+    for (size_t i = 0; i < r.size(); ++i) EXPECT_LT((r.normal(i) - Vec3::UnitZ()).norm(), 1e-6) << i;
+}
+
+TEST(MovingFrame, ClosedCurvesWithoutANormalHaveRotationMinimizingFrames) {
+    const Points track = arched_track();
+    const std::vector<float> none(track.floats.size(), 0.0f);
+    EXPECT_EQ(test::resample(supplied(track, 500, none)).normals, test::resample(track, 500).normals);
+}
+
 TEST(MovingFrame, RigidMotionOfTheCurveMovesTheFrames) {
     const Eigen::Quaterniond rotation = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
     const Vec3 shift(0.3, -1.2, 2.1);

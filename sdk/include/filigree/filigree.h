@@ -341,10 +341,12 @@ typedef enum FlgFrameMethod {
     FLG_FRAME_ROTATION_MINIMIZING = 0, /* double reflection (Wang et al. 2008); the twist of closed curves is spread
                                           evenly. Defined everywhere */
     FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last
-                                          point where it did not. Flips at inflections, as Frenet frames do */
+                                          point where it did not, around closed curves. Flips at inflections, as Frenet
+                                          frames do */
     FLG_FRAME_SUPPLIED = 2,            /* the NORMAL column of the curves, interpolated and made perpendicular to the
                                           tangent; where it points along the tangent or vanishes, carried on from the last
-                                          point where it did not. Without that column the job fails */
+                                          point where it did not, around closed curves. Without that column the job
+                                          fails */
     FLG_FRAME_FORCE_32BIT = 0x7fffffff
 } FlgFrameMethod;
 
@@ -374,16 +376,16 @@ FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, F
 typedef enum FlgMetric {
     FLG_METRIC_AUTO = 0,       /* CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else */
     FLG_METRIC_EUCLIDEAN = 1,
-    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and the third
-                                  component of RADII, whose others are EUCLIDEAN always */
-    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn doesn't
-                                  change. Likewise */
+    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and
+                                  the third component of RADII, whose others are EUCLIDEAN always */
+    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn does not
+                                  change. For the same */
     FLG_METRIC_FORCE_32BIT = 0x7fffffff
 } FlgMetric;
 
-/* An attribute that a style transfers along with its shape. The style curves need a column for it, or flgStyleCreate refuses
- * them (its job, if another job still makes them); values are taken where
- * the matching leads, angles between points by the shorter way and unwrapped along the curve. A SPEED must be above 0. */
+/* An attribute that a style transfers along with its shape. The style curves need a column for it, or
+ * flgStyleCreate refuses them (its job, if another job still makes them); values are taken where the matching leads, angles
+ * between points by the shorter way and unwrapped along the curve. A SPEED must be above 0. */
 typedef struct FlgStyleAttribute {
     FlgAttribute attribute; /* RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER and above */
     FlgMetric metric;
