@@ -79,7 +79,7 @@ FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, Flg
         const auto set = make_object<CurveSet>(self, &self.memory);
         set->allocate_curves(read.curve_count);
         std::memcpy(set->offsets().data(), read.curve_offsets, (size_t{read.curve_count} + 1) * sizeof(uint32_t));
-        for (uint32_t c = 0; c < read.curve_count; ++c) set->flags()[c] = read.curve_flags ? read.curve_flags[c] : 0;
+        for (uint32_t c = 0; c < read.curve_count; ++c) set->begin_curve(c, read.curve_flags ? read.curve_flags[c] : 0);
 
         const auto order = column_order(read, &self.memory);
         std::pmr::vector<CurveSet::ColumnLayout> layout(&self.memory);

@@ -2,7 +2,6 @@
 #include "curves/curve_set.h"
 
 #include <algorithm>
-#include <new>
 
 namespace flg {
 
@@ -10,7 +9,6 @@ void CurveSet::allocate_curves(uint32_t curve_count) {
     offsets_ = Buffer<uint32_t>(size_t{curve_count} + 1, memory_);
     flags_ = Buffer<uint8_t>(curve_count, memory_);
     complete_ = Buffer<std::atomic<bool>>(curve_count, memory_);
-    for (std::atomic<bool>& complete : complete_) new (&complete) std::atomic<bool>(false);
     curve_count_ = curve_count;
 }
 

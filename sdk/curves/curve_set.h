@@ -27,8 +27,14 @@ public:
 
     // ---- making one ----
 
-    // Takes memory for the curves' structure; offsets (curve_count + 1) and flags are to be filled in.
+    // Takes memory for the curves' structure; offsets (curve_count + 1) are to be filled in, and every curve to be begun
+    // before there are columns.
     void allocate_curves(uint32_t curve_count);
+    // Curve `curve` has these flags, and is not complete.
+    void begin_curve(uint32_t curve, uint8_t flags) {
+        flags_[curve] = flags;
+        std::construct_at(&complete_[curve], false);
+    }
     // Takes memory for columns of offsets[curve_count] points, the first one POSITION. The values are not initialized.
     struct ColumnLayout {
         FlgAttribute attribute;
@@ -44,7 +50,6 @@ public:
     uint32_t point_count() const { return curve_count_ == 0 ? 0 : offsets_[curve_count_]; }
     Buffer<uint32_t>& offsets() { return offsets_; }
     const Buffer<uint32_t>& offsets() const { return offsets_; }
-    Buffer<uint8_t>& flags() { return flags_; }
     const Buffer<uint8_t>& flags() const { return flags_; }
     bool closed(uint32_t curve) const { return (flags_[curve] & FLG_CURVE_CLOSED) != 0; }
     std::pmr::vector<Column>& columns() { return columns_; }

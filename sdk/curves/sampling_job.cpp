@@ -56,7 +56,7 @@ Task<void> lay_out_curves(Pace& pace, Sampling& sampling) {
     uint64_t point_count = 0;
     for (uint32_t c = 0; c < curve_count; ++c) {
         out.offsets()[c] = static_cast<uint32_t>(point_count);
-        out.flags()[c] = in.flags()[c / sampling.copies];
+        out.begin_curve(c, in.flags()[c / sampling.copies]);
         point_count += sampling.plans[c / sampling.copies].sample_count();
         if (static_cast<double>(point_count) >= max_points) {
             throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points %g m apart", sampling.spacing);

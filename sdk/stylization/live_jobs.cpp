@@ -59,7 +59,7 @@ void lay_out(CurveSet& set, uint32_t points, const std::pmr::vector<CurveSet::Co
     set.allocate_curves(1);
     set.offsets()[0] = 0;
     set.offsets()[1] = points;
-    set.flags()[0] = 0;
+    set.begin_curve(0, 0);
     set.allocate_columns(layout);
 }
 
@@ -221,7 +221,7 @@ Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
         points += out.offsets()[c + 1];
         if (points > points_max) throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points");
         out.offsets()[c + 1] = static_cast<uint32_t>(points);
-        out.flags()[c] = 0;
+        out.begin_curve(c, 0);
         if ((c + 1) % check_chunk == 0) co_await pace;
     }
     pace.expect(curves);

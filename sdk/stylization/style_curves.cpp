@@ -195,7 +195,7 @@ Task<void> frame_guides(Pace& pace, const StyleCurves& curves, CurveSet& guide) 
     guide.offsets()[0] = 0;
     for (uint32_t c = 0; c < curve_count; ++c) {
         guide.offsets()[c + 1] = guide.offsets()[c] + curves[c].steps + 1;
-        guide.flags()[c] = 0;
+        guide.begin_curve(c, 0);
     }
     guide.allocate_columns(std::pmr::vector<CurveSet::ColumnLayout>(
         {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory()));

@@ -118,7 +118,7 @@ std::shared_ptr<CurveSet> read_guide(Reader& in, const StyleCounts& counts, Memo
     in.check_left(size_t{counts.nodes} * 3 * 3 * sizeof(float));
     guide->allocate_curves(counts.curves);
     guide->offsets() = std::move(offsets);
-    for (uint8_t& flags : guide->flags()) flags = 0;
+    for (uint32_t c = 0; c < counts.curves; ++c) guide->begin_curve(c, 0);
     guide->allocate_columns(std::pmr::vector<CurveSet::ColumnLayout>(
         {{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_TANGENT, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, memory));
     for (Column& column : guide->columns()) {

@@ -37,7 +37,7 @@ Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, f
     out->offsets()[0] = 0;
     for (uint32_t c = 0; c < curves.curve_count(); ++c) {
         out->offsets()[c + 1] = curves.offsets[c + 1];
-        out->flags()[c] = curves.closed[c] ? FLG_CURVE_CLOSED : 0;
+        out->begin_curve(c, curves.closed[c] ? FLG_CURVE_CLOSED : 0);
         if (c % curve_chunk == 0) co_await pace;
     }
     out->allocate_columns({{{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory()});

@@ -79,7 +79,7 @@ struct Example {
         set.allocate_curves(1);
         set.offsets()[0] = 0;
         set.offsets()[1] = count;
-        set.flags()[0] = 0;
+        set.begin_curve(0, 0);
         set.allocate_columns(std::pmr::vector<CurveSet::ColumnLayout>(
             {{FLG_ATTRIBUTE_POSITION, 3}, {attribute, components}}, test::memory()));
         for (uint32_t i = 0; i < count; ++i) {
