@@ -70,7 +70,7 @@ private:
 };
 
 // Sorts seeds by vertex and keeps of each vertex the nearest, of equally near ones the first added. A unit is a seed in one of
-// nine passes: bytes of the vertex are counted and sorted by, from the lowest to the highest.
+// six passes: bytes of the vertex are counted and sorted by, from the lowest to the highest.
 class SeedMergeKernel {
 public:
     SeedMergeKernel(const std::pmr::deque<Seed>& found, Memory* memory);

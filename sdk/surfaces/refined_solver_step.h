@@ -5,7 +5,8 @@
 // D of n is known, the source can be unfolded into the triangle's plane: it lies on the other side of the edge v-n, V from v
 // and D from n, and is seen from v at an angle phi from n (law of cosines). With the triangle's angle theta at v, t is
 //   f = sqrt(V^2 + |vt|^2 - 2 V |vt| cos(phi + theta))
-// from it, if the straight way crosses the edge; else the way to t goes along the edge, V + |vt|.
+// from it, if the straight way crosses the edge; else the way to t goes along the edge, V + |vt|. Of a triangle's two
+// corners the nearer one is n.
 //
 // Curvature. On a curved surface a wave is not the circle about one point that unfolding takes it for. Let 1/d + delta be the
 // curvature of its front at the distance d; delta, its `bend`, is 0 in the plane. Then
