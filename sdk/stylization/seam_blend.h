@@ -9,8 +9,12 @@
 // the patch size; after that the copy is exact again. So a seam's step is spread over as many points as the patches were
 // compared over. It needs the past only: live strokes blend alike.
 // (Over ten built-in styles on the Thomas attractor at temperature 0 this brings the largest step down from up to 9 to the
-// style's own, and patches across seams nearer to the style's on average; p against p / 2 and 2 p, and against smooth fades, is the
-// best of these or next to it.)
+// style's own, and patches across seams nearer to the style's on average; p against p / 2 and 2 p, and against smooth
+// fades, is the best of these or next to it. Where runs are shorter than p, at high temperatures, blends run into each
+// other and shrink the displacement: at temperature 10, with runs of 1.2 points, "loops" to 0.89 of the style's rms and
+// "beads" to 0.40. Unblended copies have 0.97 and 0.73, but steps 2.5 and 14 times the style's mean, and are further from
+// its patches. Fading over no more points than the run before had keeps 0.96 and 0.64, but brings such steps back, from
+// temperature 1 on.)
 #pragma once
 
 #include "core/vec.h"

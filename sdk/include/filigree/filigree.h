@@ -510,7 +510,7 @@ typedef struct FlgStylizeDesc {
      * are copied, at 1 a dozen points at a time, at 10 and above it jumps nearly always. In units of
      * FlgStyleInfo::temperature_unit (a tenth of the median distance of a patch to the one most like it), so that it
      * does not depend on the style's size. Where one run ends and the next begins, displacements are blended
-     * over p points (see flgStylize). Default 0. */
+     * over p points (see flgStylize): runs shorter than that, at high temperatures, get smaller by it. Default 0. */
     float temperature;
     /* Size of the style on the target, > 0: 1 = as drawn. Default 1. */
     float scale;
