@@ -47,10 +47,11 @@ vec3 surface_color() {
     return mix(base, draw.isoline_color, line_strength * line);
 }
 
-// Sky and floor in a mirror of this roughness: the horizon is as blurred as the mirror is rough.
+// Floor, horizon and sky in a mirror: the rougher it is, the more they run into each other.
 vec3 mirrored_light(vec3 direction, float roughness) {
     float blur = mix(0.15, 1.0, roughness);
-    return mix(view.bounce_color.rgb, view.sky_color.rgb, smoothstep(-blur, blur, direction.y));
+    vec3 floor_and_horizon = mix(view.bounce_color.rgb, view.background_bottom.rgb, smoothstep(-blur, 0.1, direction.y));
+    return mix(floor_and_horizon, view.sky_color.rgb, smoothstep(0.0, 0.4 + blur, direction.y));
 }
 
 void main() {

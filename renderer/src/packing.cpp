@@ -14,7 +14,7 @@ uint32_t srgb_byte(float linear) {
     const float v = std::clamp(linear, 0.0f, 1.0f);
     const float s1 = std::sqrt(v), s2 = std::sqrt(s1), s3 = std::sqrt(s2);
     const float srgb = 0.585122381f * s1 + 0.783140355f * s2 - 0.368262736f * s3;
-    return static_cast<uint32_t>(std::lround(std::clamp(srgb, 0.0f, 1.0f) * 255.0f));
+    return static_cast<uint32_t>(std::clamp(srgb, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
 }  // namespace
@@ -53,7 +53,9 @@ uint32_t pack_normal(glm::vec3 n) {
         p = {(1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f),
              (1.0f - std::abs(n.x)) * (n.y >= 0.0f ? 1.0f : -1.0f)};
     const auto snorm = [](float v) {
-        return static_cast<uint32_t>(static_cast<uint16_t>(static_cast<int16_t>(std::lround(v * 32767.0f))));
+        const float scaled = v * 32767.0f;
+        const auto rounded = static_cast<int16_t>(scaled + (scaled < 0.0f ? -0.5f : 0.5f));
+        return static_cast<uint32_t>(static_cast<uint16_t>(rounded));
     };
     return snorm(p.x) | snorm(p.y) << 16;
 }

@@ -47,6 +47,16 @@ void check_mesh(const FlgMeshView& mesh) {
                  mesh.vertex_count);
 }
 
+struct PackedMaterial {
+    uint32_t color;
+    uint32_t metallic_and_roughness;
+};
+
+PackedMaterial pack_material(const Material& material) {
+    const auto byte = [](float share) { return static_cast<uint32_t>(255.0f * share + 0.5f); };
+    return {pack_color(material.color), byte(material.metallic) | byte(material.roughness) << 8};
+}
+
 class Builder {
 public:
     Builder(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field)
@@ -55,7 +65,10 @@ public:
           field_(field),
           triangles_(mesh.triangles, 3 * size_t{mesh.triangle_count}),
           normal_(find_column({mesh.columns, mesh.column_count}, FLG_ATTRIBUTE_NORMAL, 3, "NORMAL")),
-          color_(find_column({mesh.columns, mesh.column_count}, FLG_ATTRIBUTE_COLOR, 4, "COLOR")) {}
+          color_(find_column({mesh.columns, mesh.column_count}, FLG_ATTRIBUTE_COLOR, 4, "COLOR")) {
+        if (look.regions.empty()) materials_.push_back(pack_material(look.material));
+        for (const Material& material : look.regions) materials_.push_back(pack_material(material));
+    }
 
     SurfaceData build() {
         read_positions();
@@ -124,18 +137,15 @@ private:
     void add_vertex(uint32_t source, uint32_t label, const std::vector<glm::vec3>& normals) {
         const auto normal = normal_ ? normal_.at<glm::vec3>(source) : normals.empty() ? glm::vec3(0) : normals[source];
         if (!is_usable(normal)) fail("Vertex %u has a normal that is not finite.", source);
-        Material material = look_.material;
-        if (!look_.regions.empty()) {
-            material = look_.regions[label % look_.regions.size()];
-        } else if (color_) {
-            material.color = color_.at<glm::vec4>(source);
-            if (!is_usable(material.color)) fail("Vertex %u has a colour that is not finite.", source);
+        PackedMaterial material = materials_[label % materials_.size()];
+        if (look_.regions.empty() && color_) {
+            const glm::vec3 color(color_.at<glm::vec4>(source));
+            if (!is_usable(color)) fail("Vertex %u has a colour that is not finite.", source);
+            material.color = pack_color(color);
         }
         const bool known = data_.has_field && !std::isinf(field_[source]);
-        const auto byte = [](float share) { return static_cast<uint32_t>(std::lround(255.0f * share)); };
-        data_.vertices.push_back({pack_normal(normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : normal),
-                                  pack_color(material.color),
-                                  byte(material.metallic) | byte(material.roughness) << 8 | (known ? field_known : 0),
+        data_.vertices.push_back({pack_normal(normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : normal), material.color,
+                                  material.metallic_and_roughness | (known ? field_known : 0),
                                   known ? field_[source] : 0.0f});
     }
 
@@ -144,6 +154,7 @@ private:
     const std::span<const float> field_;
     const std::span<const uint32_t> triangles_;
     const Column normal_, color_;
+    std::vector<PackedMaterial> materials_;  // by label
     SurfaceData data_;
 };
 

@@ -68,6 +68,80 @@ TEST_F(Render, BadUsageIsRefused) {
     EXPECT_TRUE(folder.list().empty());
 }
 
+// A square of two triangles, of different regions.
+const char kSquare[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 2\nproperty list uchar int vertex_indices\nproperty int region\nend_header\n"
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 0\n3 0 2 3 4\n";
+const char kSquareWithoutRegions[] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+
+TEST_F(Render, MeshesAndCurvesComeInOnePicture) {
+    folder.write("square.ply", kSquare);
+    folder.write("plain.obj", kSquareWithoutRegions);
+    folder.write("both.obj", std::string(kSquareWithoutRegions) + "v 0 0 0.3\nv 1 1 0.3\nl 5 6\n");
+    std::set<std::string> pictures;
+    for (const char* mesh : {"square.ply", "plain.obj", "both.obj"}) {
+        done({"render", mesh, "-o", "out.png", "--size", "64x64", "--report", "report.json"});
+        EXPECT_EQ(report().at("counts").at("meshes"), 1);
+        EXPECT_EQ(report().at("counts").at("triangles"), 2);
+        EXPECT_EQ(report().at("counts").at("curves"), mesh == std::string("both.obj") ? 1 : 0);
+        pictures.insert(folder.read("out.png"));
+    }
+    done({"render", "plain.obj", "builtin:spiral", "-o", "out.png", "--size", "64x64", "--report", "report.json"});
+    EXPECT_EQ(report().at("counts").at("curves"), 1);
+    pictures.insert(folder.read("out.png"));
+    EXPECT_EQ(pictures.size(), 4u);
+}
+
+TEST_F(Render, FieldsColourTheMesh) {
+    folder.write("square.ply", kSquare);
+    folder.write("field.txt", "0\n30\ninf\n-7.5e0\n");
+    std::set<std::string> pictures;
+    const std::vector<std::string> plain = {"render", "square.ply", "-o",       "out.png",
+                                            "--size", "64x64",      "--report", "report.json"};
+    const auto picture = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), plain.begin(), plain.end());
+        done(options);
+        pictures.insert(folder.read("out.png"));
+    };
+    picture({});
+    picture({"--field", "field.txt"});
+    const nlohmann::json field = report().at("quality").at("field");
+    EXPECT_EQ(field.at("low"), -7.5);
+    EXPECT_EQ(field.at("high"), 30.0);
+    EXPECT_EQ(field.at("every"), 2.0) << "37.5 in up to 20 steps of 1, 2 or 5 times a power of ten";
+    picture({"--field", "field.txt", "--every", "10"});
+    EXPECT_EQ(report().at("quality").at("field").at("every"), 10.0);
+    EXPECT_EQ(pictures.size(), 3u);
+    folder.write("field.txt", "inf\ninf\ninf\ninf\n");
+    picture({"--field", "field.txt"});
+    EXPECT_FALSE(report().at("quality").contains("field"));
+}
+
+TEST_F(Render, BadFieldsAreRefused) {
+    folder.write("square.ply", kSquare);
+    folder.write("field.txt", "0\n1\n2\n");
+    const std::vector<std::string> files = folder.list();
+    const auto refused = [&](const std::vector<std::string>& meshes, int status,
+                             const std::vector<std::string>& words) {
+        std::vector<std::string> arguments = {"render", "-o", "out.png", "--field", "field.txt"};
+        arguments.insert(arguments.end(), meshes.begin(), meshes.end());
+        expect_refused(arguments, status, words);
+    };
+    refused({"square.ply"}, 1, {"field.txt", "3 values", "square.ply", "4 vertices"});
+    refused({"builtin:spiral"}, 2, {"--field"});
+    refused({"square.ply", "square.ply"}, 2, {"--field"});
+    for (const char* bad : {"x", "", "nan", "1 2", "0x10"}) {
+        folder.write("field.txt", "0\n" + std::string(bad) + "\n2\n3\n");
+        refused({"square.ply"}, 1, {"field.txt:2", std::string("'") + bad + "'"});
+    }
+    expect_refused({"render", "square.ply", "-o", "out.png", "--field", "nosuch.txt"}, 1, {"nosuch.txt"});
+    expect_refused({"render", "square.ply", "-o", "out.png", "--every", "1"}, 2, {"--every"});
+    expect_refused({"render", "square.ply", "-o", "out.png", "--every", "-1"}, 2, {"--every"});
+    expect_refused({"render", "nosuch.ply", "-o", "out.png"}, 1, {"nosuch.ply"});
+    EXPECT_EQ(folder.list(), files);
+}
+
 class Strokes : public ::testing::Test {
 protected:
     Folder folder;

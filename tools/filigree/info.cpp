@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // filigree info FILE: what is in a file.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "command.h"
 #include "failure.h"
+#include "file_contents.h"
 #include "info.h"
-#include "support/curve_source.h"
 #include "text_file.h"
 
 namespace flg::cli {
@@ -154,35 +151,13 @@ void describe_curves(const CurveSource& source, Report& report) {
     report.quality["box"] = {{m.low[0], m.low[1], m.low[2]}, {m.high[0], m.high[1], m.high[2]}};
 }
 
-// What a file may hold, by its extension; some formats hold both.
 void run_info(const std::string& name, const CommonOptions& common) {
     require_writable(common.report);
     Report report("info", common);
     report.parameters["file"] = name;
-    std::string extension = std::filesystem::path(name).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    const bool mesh_only = extension == ".ply" || extension == ".off";
-    const bool both = extension == ".obj" || extension == ".gltf" || extension == ".glb";
-    std::optional<MeshFile> mesh;
-    std::string why_no_mesh;
-    if (mesh_only || both) {
-        try {
-            mesh.emplace(name);
-        } catch (const InputError& error) {
-            if (mesh_only) throw;
-            why_no_mesh = error.what();
-        }
-    }
-    if (!mesh_only) {
-        try {
-            describe_curves(CurveSource(name), report);
-        } catch (const samples::SourceError& error) {
-            if (!both) throw;
-            if (!mesh) throw InputError(why_no_mesh + "; as curves: " + error.what());
-        }
-    }
-    if (mesh) describe_mesh(*mesh, report);
+    const FileContents contents = read_contents(name);
+    if (contents.curves) describe_curves(*contents.curves, report);
+    if (contents.mesh) describe_mesh(*contents.mesh, report);
     report.write();
 }
 

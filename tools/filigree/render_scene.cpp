@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "render_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "failure.h"
+#include "field_file.h"
+
+namespace flg::cli {
+namespace {
+
+// Radius of curves that bring none: this share of the diagonal of the picture's content.
+constexpr float kDefaultRadiusShare = 1.0f / 400.0f;
+constexpr double kUsualLevels = 20.0;
+constexpr float kBorderWidthPx = 1.2f;
+
+// sRGB, as in picture editors. Neighbours in the list differ in lightness and in warmth.
+constexpr uint32_t kRegionColors[] = {0xe9dcc3, 0x2f6f76, 0xd7793f, 0x27395b, 0xa9c3a0, 0xb94a45,
+                                      0xedb95e, 0x6a5282, 0x86b6c9, 0x85563a, 0xe0b9bd, 0x4c7a52};
+
+float linear_of_srgb(uint32_t byte) {
+    const double v = byte / 255.0;
+    return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+}
+
+std::vector<render::Material> region_materials() {
+    std::vector<render::Material> materials;
+    for (const uint32_t color : kRegionColors) {
+        render::Material& material = materials.emplace_back();
+        material.color = {linear_of_srgb(color >> 16), linear_of_srgb(color >> 8 & 255), linear_of_srgb(color & 255)};
+        material.roughness = 0.45f;
+    }
+    return materials;
+}
+
+// 1, 2 or 5 times a power of ten: the one that gives the most levels up to the usual number.
+double round_spacing(double span) {
+    const double least = span / kUsualLevels;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * power >= least * (1.0 - 1e-9)) return step * power;
+    }
+    return 10.0 * power;
+}
+
+}  // namespace
+
+RenderScene::RenderScene(const SceneOptions& options, Report& report) : options_(options) {
+    uint64_t curves = 0, points = 0, vertices = 0, triangles = 0;
+    for (const std::string& name : options.files) {
+        FileContents contents = read_contents(name);
+        if (contents.curves) {
+            const samples::CurveSource& source = curves_.emplace_back(std::move(*contents.curves));
+            for (const std::string& warning : source.warnings()) report.warn(source.name() + ": " + warning);
+            curves += source.view().curve_count;
+            points += source.point_count();
+        }
+        if (contents.mesh) {
+            const MeshFile& mesh = meshes_.emplace_back(std::move(*contents.mesh));
+            const FlgMeshFileInfo& info = mesh.info();
+            for (uint32_t i = 0; i < info.warning_count; ++i) report.warn(name + ": " + info.warnings[i]);
+            vertices += mesh.view().vertex_count;
+            triangles += mesh.view().triangle_count;
+        }
+    }
+    report.counts = {{"files", options.files.size()}, {"curves", curves},     {"points", points},
+                     {"meshes", meshes_.size()},      {"vertices", vertices}, {"triangles", triangles}};
+    if (!options.field.empty()) {
+        read_field(report);
+    } else if (options.every > 0.0) {
+        throw UsageError("--every: there are no isolines without --field");
+    }
+}
+
+void RenderScene::read_field(Report& report) {
+    if (meshes_.size() != 1)
+        throw UsageError("--field: needs exactly one mesh, and there are " + std::to_string(meshes_.size()));
+    field_ = read_field_file(options_.field);
+    const uint32_t vertices = meshes_[0].view().vertex_count;
+    if (field_.size() != vertices) {
+        throw InputError(options_.field + ": " + std::to_string(field_.size()) + " values, but " + meshes_[0].name() +
+                         " has " + std::to_string(vertices) + " vertices");
+    }
+    float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+    for (const float value : field_) {
+        if (std::isinf(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    const double span = double{high} - double{low};
+    spacing_ = options_.every > 0.0 ? options_.every : span > 0.0 ? round_spacing(span) : 0.0;
+    if (span >= 0.0) report.quality["field"] = {{"low", low}, {"high", high}, {"every", spacing_}};
+}
+
+render::SurfaceLook RenderScene::look_of(const MeshFile& mesh) const {
+    render::SurfaceLook look;
+    if (mesh.info().region_count > 1) {
+        look.regions = region_materials();
+        look.border_width_px = kBorderWidthPx;
+    }
+    look.isoline_spacing = static_cast<float>(spacing_);
+    return look;
+}
+
+void RenderScene::upload(render::Renderer& renderer) const {
+    for (const MeshFile& mesh : meshes_) renderer.upload(mesh.view(), look_of(mesh), field_);
+    render::CurveLook look;
+    look.shape = render::Shape::line;
+    std::vector<render::CurvesId> ids;
+    for (const samples::CurveSource& source : curves_) ids.push_back(renderer.upload(source.view(), look));
+    if (options_.as == look.shape) return;
+    // Now that the size of the whole is known, so is a sensible radius.
+    look.shape = options_.as;
+    look.radius = options_.radius > 0.0 ? static_cast<float>(options_.radius)
+                                        : renderer.bounds().diagonal() * kDefaultRadiusShare;
+    for (size_t i = 0; i < ids.size(); ++i) renderer.update(ids[i], curves_[i].view(), look);
+}
+
+std::vector<glm::vec3> RenderScene::points() const {
+    std::vector<glm::vec3> points;
+    const auto add = [&](const float* p) { points.emplace_back(p[0], p[1], p[2]); };
+    for (const samples::CurveSource& source : curves_) {
+        const FlgColumn& column = *samples::find_column(source.view(), FLG_ATTRIBUTE_POSITION);
+        for (size_t i = 0; i < source.point_count(); ++i) add(samples::value_at(column, i));
+    }
+    for (const MeshFile& mesh : meshes_) {
+        const FlgMeshView& view = mesh.view();
+        for (uint32_t i = 0; i < view.column_count; ++i) {
+            if (view.columns[i].attribute != FLG_ATTRIBUTE_POSITION) continue;
+            for (size_t v = 0; v < view.vertex_count; ++v) add(samples::value_at(view.columns[i], v));
+        }
+    }
+    return points;
+}
+
+}  // namespace flg::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What `filigree render` draws: the curves and meshes of its files, and how they look.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "file_contents.h"
+#include "filigree_renderer/renderer.h"
+#include "report.h"
+
+namespace flg::cli {
+
+struct SceneOptions {
+    std::vector<std::string> files;
+    render::Shape as = render::Shape::tube;
+    double radius = 0.0;  // of curves that bring none, metres; 0 = from the size of the whole
+    std::string field;    // a file, or empty
+    double every = 0.0;   // between isolines; 0 = a round number that gives about 20
+};
+
+class RenderScene {
+public:
+    // Reads the files and notes in the report what is in them; throws InputError, UsageError, SourceError.
+    RenderScene(const SceneOptions& options, Report& report);
+
+    void upload(render::Renderer& renderer) const;
+    // Of curves and meshes.
+    std::vector<glm::vec3> points() const;
+
+private:
+    void read_field(Report& report);
+    render::SurfaceLook look_of(const MeshFile& mesh) const;
+
+    const SceneOptions& options_;
+    std::vector<samples::CurveSource> curves_;
+    std::vector<MeshFile> meshes_;
+    std::vector<float> field_;  // of the only mesh; else empty
+    double spacing_ = 0.0;      // of isolines
+};
+
+}  // namespace flg::cli
