@@ -24,6 +24,8 @@ void temperature(Workshop& workshop, Studio& studio) {
         desc.temperature = tau;
         results.push_back(workshop.stylize(style, target, desc));
         panels.push_back(panel_of(results.back().view(), tube(kRed, 0.008f)));
+        panels.back().nearer = 1.0f;
+        panels.back().shift = {0.02f, 0.0f};
     }
     studio.take("temperature", panels, 3, kWidth, kHeight);
 }
@@ -47,6 +49,7 @@ void frames(Workshop& workshop, Studio& studio) {
         results.push_back(workshop.stylize(style, target, desc));
         Panel panel =
             panel_of(results.back().view(), tube(frame == FLG_FRAME_FRENET ? kRed : kTeal, 0.008f), kFromAbove);
+        panel.nearer = 0.95f;
         panel.layers.push_back({target.view(), tube(kGrey, 0.003f)});
         panel.layers.back().curves = panel.layers.back().curves.without(FLG_ATTRIBUTE_COLOR);
         panels.push_back(panel);
@@ -70,6 +73,7 @@ void planes(Workshop& workshop, Studio& studio) {
         std::copy(basis, basis + 9, desc.basis);
         results.push_back(workshop.stylize(style, target, desc));
         panels.push_back(panel_of(results.back().view(), tube(kColors[k], 0.010f)));
+        panels.back().nearer = 0.98f;
         all.layers.push_back(panels.back().layers[0]);
     }
     all.sight = panels[0].sight, all.nearer = panels[0].nearer;

@@ -37,7 +37,7 @@ void hair(Workshop& workshop, Studio& studio) {
     before.layers = {{head.view(), body()}, {target.view(), strand}};
     after.layers = {{head.view(), body()}, {result.view(), strand}};
     before.sight = after.sight = {-0.55f, -0.15f, -1.0f};
-    before.nearer = after.nearer = 0.72f;
+    before.nearer = after.nearer = 0.86f;
     before.shift = after.shift = {0.0f, -0.05f};
     studio.take("hair", {before, after}, 2, kHairWidth, kHairHeight);
 }
