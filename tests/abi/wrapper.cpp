@@ -6,6 +6,45 @@
 
 #include "filigree/filigree.hpp"
 
+namespace {
+
+// A square of two triangles, measured from a corner and cut in the middle.
+bool surfaces_work(filigree::Context& context) {
+    const float corners[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const uint32_t triangles[] = {0, 1, 2, 0, 2, 3}, source = 0;
+    const FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, corners, 0, 0};
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh.vertex_count = 4;
+    desc.mesh.columns = &column;
+    desc.mesh.column_count = 1;
+    desc.mesh.triangles = triangles;
+    desc.mesh.triangle_count = 2;
+    const filigree::Surface surface = context.surface(desc);
+    FlgGeodesicDesc geodesic = flgGeodesicDefaults();
+    geodesic.surface = surface.get();
+    geodesic.vertices = &source;
+    geodesic.vertex_count = 1;
+    const filigree::Field field = context.geodesic(geodesic);
+    FlgIsolinesDesc isolines = flgIsolinesDefaults();
+    isolines.field = field.get();
+    isolines.levels = {nullptr, 1, 0.5f, 1};
+    const filigree::SurfaceCurves lines = context.isolines(isolines);
+    FlgLiftDesc lift = flgLiftDefaults();
+    lift.curves = lines.get();
+    const filigree::CurveSet lifted = context.lift(lift);
+    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+    cut.field = field.get();
+    cut.levels = isolines.levels;
+    const filigree::Field after = context.cut(cut);
+    if (surface.ready() || field.ready()) return false;
+    context.finish();
+    return surface.view().revision == 1 && !surface.changes(0).empty() && surface.report().border_count == 1 &&
+           field.view().values[1] == 1 && lines.view().curve_count == 1 && lifted.ready() &&
+           after.view().vertex_count > 4;
+}
+
+}  // namespace
+
 int main() {
     try {
         filigree::Context context;
@@ -32,6 +71,7 @@ int main() {
         context.finish();
         if (!job.finished() || job.stages().size() != 2 || !style.guide().ready()) return 1;
         std::printf("%u points\n", result.view().curve_offsets[1]);
+        if (!surfaces_work(context)) return 1;
         FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
         live.style = style.get();
         if (context.begin(live)) return 1;  // not warm

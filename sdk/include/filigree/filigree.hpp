@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The Filigree authors
 //
-// Filigree for C++17 and later: filigree.h with owners instead of handles and exceptions instead of results. Header only,
+// Filigree for C++17 and later: filigree.h and what belongs to it, with owners instead of handles and exceptions instead of results. Header only,
 // and nothing that the C functions don't do; use both side by side (every owner has get()).
 //
 //     filigree::Context context;
@@ -25,6 +25,7 @@
 
 #include "filigree.h"
 #include "filigree_live.h"
+#include "filigree_surface.h"
 
 namespace filigree {
 
@@ -132,6 +133,66 @@ public:
     }
 };
 
+// See filigree_surface.h for these three.
+class Surface : public detail::Owner<FlgSurface, flgSurfaceRelease> {
+public:
+    using Owner::Owner;
+    // False while it is made or changed.
+    bool ready() const {
+        FlgSurfaceView view = flgSurfaceViewDefaults();
+        return check(flgSurfaceGetView(context_, handle_, &view));
+    }
+    // Empty unless ready.
+    FlgSurfaceView view() const {
+        FlgSurfaceView view = flgSurfaceViewDefaults();
+        check(flgSurfaceGetView(context_, handle_, &view));
+        return view;
+    }
+    // All zero until it is made.
+    FlgSurfaceReport report() const {
+        FlgSurfaceReport report{};
+        report.struct_size = sizeof report;
+        check(flgSurfaceGetReport(context_, handle_, &report));
+        return report;
+    }
+    // Empty unless ready.
+    std::vector<uint32_t> changes(uint32_t since_revision) const {
+        uint32_t count = 0;
+        check(flgSurfaceGetChanges(context_, handle_, since_revision, nullptr, 0, &count));
+        std::vector<uint32_t> triangles(count);
+        check(flgSurfaceGetChanges(context_, handle_, since_revision, triangles.data(), count, &count));
+        return triangles;
+    }
+};
+
+class Field : public detail::Owner<FlgField, flgFieldRelease> {
+public:
+    using Owner::Owner;
+    bool ready() const {
+        FlgFieldView view = flgFieldViewDefaults();
+        return check(flgFieldGetView(context_, handle_, &view));
+    }
+    FlgFieldView view() const {
+        FlgFieldView view = flgFieldViewDefaults();
+        check(flgFieldGetView(context_, handle_, &view));
+        return view;
+    }
+};
+
+class SurfaceCurves : public detail::Owner<FlgSurfaceCurves, flgSurfaceCurvesRelease> {
+public:
+    using Owner::Owner;
+    bool ready() const {
+        FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
+        return check(flgSurfaceCurvesGetView(context_, handle_, &view));
+    }
+    FlgSurfaceCurvesView view() const {
+        FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
+        check(flgSurfaceCurvesGetView(context_, handle_, &view));
+        return view;
+    }
+};
+
 // See filigree_live.h.
 class LiveStroke : public detail::Owner<FlgLiveStroke, flgLiveStrokeRelease> {
 public:
@@ -219,6 +280,45 @@ public:
     }
     CurveSet stylize(const FlgStylizeDesc& desc, Job* out_job = nullptr) {
         return start<CurveSet, FlgCurveSet>(flgStylize, desc, out_job);
+    }
+    Surface surface(const FlgSurfaceDesc& desc, Job* out_job = nullptr) {
+        return start<Surface, FlgSurface>(flgSurfaceCreate, desc, out_job);
+    }
+    Surface refine(const FlgRefineDesc& desc, Job* out_job = nullptr) {
+        return start<Surface, FlgSurface>(flgSurfaceRefine, desc, out_job);
+    }
+    Field geodesic(const FlgGeodesicDesc& desc, Job* out_job = nullptr) {
+        return start<Field, FlgField>(flgGeodesic, desc, out_job);
+    }
+    Field blend(const FlgBlendDesc& desc, Job* out_job = nullptr) {
+        return start<Field, FlgField>(flgFieldBlend, desc, out_job);
+    }
+    Field sample(const FlgSamplingDesc& desc, Job* out_job = nullptr) {
+        return start<Field, FlgField>(flgSurfaceSample, desc, out_job);
+    }
+    SurfaceCurves sample_border(const FlgBorderSamplingDesc& desc, Job* out_job = nullptr) {
+        return start<SurfaceCurves, FlgSurfaceCurves>(flgBorderSample, desc, out_job);
+    }
+    SurfaceCurves isolines(const FlgIsolinesDesc& desc, Job* out_job = nullptr) {
+        return start<SurfaceCurves, FlgSurfaceCurves>(flgTraceIsolines, desc, out_job);
+    }
+    SurfaceCurves streams(const FlgStreamsDesc& desc, Job* out_job = nullptr) {
+        return start<SurfaceCurves, FlgSurfaceCurves>(flgTraceStreams, desc, out_job);
+    }
+    SurfaceCurves paths(const FlgPathsDesc& desc, Job* out_job = nullptr) {
+        return start<SurfaceCurves, FlgSurfaceCurves>(flgTracePaths, desc, out_job);
+    }
+    CurveSet lift(const FlgLiftDesc& desc, Job* out_job = nullptr) {
+        return start<CurveSet, FlgCurveSet>(flgLiftCurves, desc, out_job);
+    }
+    // The field on the cut surface.
+    Field cut(const FlgCutIsolinesDesc& desc, Job* out_job = nullptr) {
+        return start<Field, FlgField>(flgCutIsolines, desc, out_job);
+    }
+    Job cut(const FlgCutCurvesDesc& desc) {
+        FlgJob job{};
+        check(flgCutCurves(context_, &desc, &job));
+        return {context_, job};
     }
     // So that live strokes can begin with it.
     Job warm(const Style& style, float temperature = 0.0f) {
