@@ -50,10 +50,10 @@ TEST_F(SurfaceErrors, Indices) {
     expect_refused(mesh_.view(), "Triangle 2 names vertex 9; the mesh has 9 vertices");
     mesh_.triangles[7] = 0xffffffffu;
     expect_refused(mesh_.view(), "Triangle 2");
-    mesh_.positions.clear();
-    FlgMeshView view = sheet(1, 1, 1, 1).view();
+    mesh_.triangles[7] = 0;
+    FlgMeshView view = mesh_.view();
     view.vertex_count = 0;
-    expect_refused(view, "Triangle 0");
+    expect_refused(view, "Triangle 0 names vertex 0; the mesh has 0 vertices");
 }
 
 // The counts alone decide: there are no arrays of that size.

@@ -155,7 +155,7 @@ public:
     // not. None of the arrays is needed afterwards. Shadows fall from curves on surfaces and the other way round.
     // Throws for a mesh without triangles, indices out of range, positions that are not finite, NaN in the field, more than
     // 2^24 - 1 vertices (those between regions counted once a region) or 2^26 triangles.
-    // Cost: of the call about 50 ns a triangle, no wait for the device; 28 bytes a vertex and 12 a triangle are held there.
+    // Cost: of the call about 80 ns a triangle, no wait for the device; 28 bytes a vertex and 12 a triangle are held there.
     SurfaceId upload(const FlgMeshView& mesh, const SurfaceLook& look = {}, std::span<const float> field = {});
     // Replaces what `id` shows, after a cut or for another look. All of it is uploaded again. On error nothing changes.
     void update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look = {}, std::span<const float> field = {});

@@ -8,7 +8,7 @@
 namespace flg::render {
 
 struct Material {
-    glm::vec3 color{0.47f, 0.43f, 0.39f};
+    glm::vec3 color{0.42f, 0.36f, 0.31f};
     float metallic = 0.0f;   // 0 = paint, clay, wood to 1 = bare metal
     float roughness = 0.5f;  // 0 = polished to 1 = matte
 };
