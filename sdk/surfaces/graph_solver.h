@@ -5,7 +5,7 @@
 // A distance is the least of the sums of lengths over all paths, added up from the source in floats; the label that comes
 // with it the least one. Neither depends on the order of visits: the bits are those of Dijkstra's algorithm.
 //
-// Departures. Nodes wait in buckets by distance (refined_solver_queue.h) and not in a ring with small labels first and large
+// Departures. Nodes wait in buckets by distance (bucket_queue.h) and not in a ring with small labels first and large
 // ones last: it takes 1.01 visits a node and not 1.2, is no slower, and has no bad cases. As in the paper, initial distances
 // keep paths out of what does not belong to the regions; besides, arcs between their vertices that lead through other
 // triangles are not taken: of triangles at the regions' borders the arcs are found in the mesh and not in the graph.
@@ -15,7 +15,7 @@
 
 #include "surfaces/distance_field.h"
 #include "surfaces/geodesic_graph.h"
-#include "surfaces/refined_solver_queue.h"
+#include "surfaces/bucket_queue.h"
 #include "surfaces/region_set.h"
 
 namespace flg {

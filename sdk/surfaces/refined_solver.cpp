@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "surfaces/refined_solver_fronts.h"
+
 namespace flg {
 
 namespace {
@@ -35,6 +37,7 @@ void RefinedSolver::begin(std::span<const Seed> seeds, const SolveLimits& limits
     bend_max_ = sharpest_bend / blocks_.edges.mean();
     queue_.reset(static_cast<uint32_t>(blocks_.edges.longest() * buckets_per_metre_) + 3);
     extend(seeds, limits);
+    fronts_meet_ = seeds.size() > 1;
     pass_ = Pass::clear;
 }
 
@@ -43,6 +46,7 @@ void RefinedSolver::extend(std::span<const Seed> seeds, const SolveLimits& limit
     limits_ = &limits;
     reach_ = limits.distance;
     bucket_ = no_index;
+    fronts_meet_ = true;
     any_beyond_ring_ = false;
     batches_[0].size = batches_[1].size = 0;
     targets_met_ = 0;
@@ -178,10 +182,19 @@ void RefinedSolver::apply(uint32_t rank, const GeodesicBlock& block, const WaveS
     for (uint32_t improved = step.improved; improved != 0; improved &= improved - 1) {
         const uint32_t lane = static_cast<uint32_t>(std::countr_zero(improved));
         const uint32_t neighbour = block.rank(lane);
-        const WaveState& state = step.states[lane];
+        WaveState state = step.states[lane];
+        bool is_own_front = false;
+        if (fronts_meet_ && ((step.across_next | step.across_previous) >> lane & 1) != 0) {
+            const bool across_next = (step.across_next >> lane & 1) != 0;
+            if (const auto distance =
+                    distance_by_own_front(block, states_.data(), states_[rank].distance, lane, across_next)) {
+                state = {*distance, states_[rank].bend};
+                is_own_front = true;
+            }
+        }
         if (!(state.distance < states_[neighbour].distance)) continue;
         if (labelled_) {
-            const int32_t side = step.sides[lane];
+            const int32_t side = is_own_front ? 0 : step.sides[lane];
             labels_[neighbour] = labels_[side == 0 ? rank : block.rank(lane + static_cast<uint32_t>(side))];
         }
         improve(neighbour, state);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Geodesic distances by unfolding triangles: the `refined` solver. Labels are corrected until nothing improves: vertices
-// wait in buckets by distance (refined_solver_queue.h), and each one that is taken out tells its neighbours what it knows
+// wait in buckets by distance (bucket_queue.h), and each one that is taken out tells its neighbours what it knows
 // (refined_solver_step.h). Departure from Nazzaro, Puppo, Pellacini: geoTangle (2021), sec. 4.2: unfolding takes the place
 // of the arcs across edges, buckets that of the SLF and LLL heuristics.
 //
@@ -10,9 +10,9 @@
 
 #include <span>
 
+#include "surfaces/bucket_queue.h"
 #include "surfaces/distance_field.h"
 #include "surfaces/geodesic_blocks_region.h"
-#include "surfaces/refined_solver_queue.h"
 #include "surfaces/refined_solver_step.h"
 
 namespace flg {
@@ -76,6 +76,7 @@ private:
     float bend_max_ = 0;
     std::array<Batch, 2> batches_;  // the one that is made and the one before it
     uint32_t turn_ = 0;
+    bool fronts_meet_ = false;      // of more than one seed
     bool any_beyond_ring_ = false;  // some wait in a bucket that is too near
     uint32_t bucket_ = 0;           // that is being emptied
     uint32_t targets_met_ = 0;      // the first targets that have a distance

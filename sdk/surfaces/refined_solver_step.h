@@ -40,7 +40,9 @@ struct WaveStep {
     WaveState states[lane_count];  // for each lane the least distance on the ways through the vertex
     int32_t sides
         [lane_count];  // which lane the way passes nearest to: the next one, the one before, or 0: the vertex. If labelled
-    uint32_t improved;  // a bit for each lane that is improved by it
+    // Bits of lanes: those that are improved by it; of them, those to which the way crosses the edge to the next lane, or to
+    // the one before. Else it goes along the edge.
+    uint32_t improved, across_next, across_previous;
 };
 
 // Of the states by rank, that of rank 0 is -infinity. Bends are kept within +-bend_max.

@@ -135,7 +135,10 @@ template <class Lanes>
         const Int8 side = takes_edge ? Int8{} : takes_back ? (beyond & after) : (from_previous(beyond) & -after);
         __builtin_memcpy(step.sides, &side, sizeof side);
     }
-    step.improved = mask(best < far * (1 - least_improvement));
+    const Int8 improves = best < far * (1 - least_improvement);
+    step.improved = mask(improves);
+    step.across_next = mask(improves & takes_back & ~takes_edge);
+    step.across_previous = mask(improves & ~(takes_back | takes_edge));
     store_states(best, clamped(best_bend, -bend_limit, bend_limit), step.states);
 }
 

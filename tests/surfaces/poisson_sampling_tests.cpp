@@ -141,8 +141,7 @@ TEST(PoissonSampling, KeepsToTheRegionsAndAwayFromTheirBorders) {
     }
 }
 
-// By great circles. Where cells meet, the refined solver unfolds triangles whose corners have different sources, which takes
-// up to a part of an edge (0.07) off.
+// By great circles: within a tenth of an edge (0.07) where cells meet.
 TEST(PoissonSampling, IsAsGoodAsItsSolver) {
     const Mesh mesh = make_mesh(sphere(4));
     GeodesicBlocks blocks(test_memory());
@@ -161,11 +160,11 @@ TEST(PoissonSampling, IsAsGoodAsItsSolver) {
         return std::acos(std::clamp(mesh.position(a).dot(mesh.position(b)), -1.0, 1.0));
     };
     for (size_t i = 0; i < samples.size(); ++i) {
-        for (size_t j = 0; j < i; ++j) EXPECT_GE(angle(samples[i], samples[j]), 0.95 * radius);
+        for (size_t j = 0; j < i; ++j) EXPECT_GE(angle(samples[i], samples[j]), 0.98 * radius);
     }
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_LT(solver.distance(v), radius);
-        EXPECT_NEAR(solver.distance(v), angle(v, samples[solver.label(v)]), 0.05 * radius);
+        EXPECT_NEAR(solver.distance(v), angle(v, samples[solver.label(v)]), 0.02 * radius);
     }
 }
 

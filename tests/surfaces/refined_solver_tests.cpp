@@ -45,6 +45,32 @@ TEST(RefinedSolver, FindsGreatCirclesOnTheSphere) {
     EXPECT_LT(rms_error(distances, expected), 0.0001);
 }
 
+// In the plane and on the sphere the distance from some points is the least of those from each. What is left of the error is
+// within two edges of where fronts meet: both ends of an edge rarely tell both fronts.
+double front_error(Geodesics& geodesics, const std::vector<Seed>& seeds) {
+    std::vector<float> least(geodesics.vertex_count, unreachable);
+    for (const Seed& seed : seeds) {
+        const auto alone = geodesics.distances({seed});
+        for (size_t v = 0; v < least.size(); ++v) least[v] = std::min(least[v], alone[v]);
+    }
+    return rms_error(geodesics.distances(seeds), [&](uint32_t v) { return least[v]; });
+}
+
+// Unfolded together, without a look at whose fronts the ends of an edge have, the errors would be 0.0011, 0.005, 0.008 and
+// 0.012.
+TEST(RefinedSolver, KeepsFrontsApartWhereTheyMeet) {
+    const auto some = [](uint32_t vertex_count, uint32_t count) {
+        std::vector<Seed> seeds;
+        for (uint32_t i = 0; i < count; ++i) seeds.push_back({random_below(77, i, 0, vertex_count), 0, i});
+        return seeds;
+    };
+    Geodesics even(make_mesh(plane(60))), uneven(make_mesh(plane(60, 0.3))), round(make_mesh(sphere(4)));
+    EXPECT_LT(front_error(even, {{61 * 20 + 15, 0, 0}, {61 * 40 + 45, 0, 1}}), 0.0002);
+    EXPECT_LT(front_error(even, some(even.vertex_count, 9)), 0.001);
+    EXPECT_LT(front_error(uneven, some(uneven.vertex_count, 9)), 0.002);
+    EXPECT_LT(front_error(round, some(round.vertex_count, 60)), 0.0025);
+}
+
 // A prism of 200 sides unrolls to a plane whose width is 200 chords.
 TEST(RefinedSolver, FindsHelicesOnTheCylinder) {
     const uint32_t around = 200, up = 60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/refined_solver_queue.h"
+#include "surfaces/bucket_queue.h"
 
 #include <bit>
 

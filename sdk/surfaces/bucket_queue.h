@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices that wait for the refined solver, in buckets by distance: a bucket holds distances of one width, first come
+// Vertices that wait for a geodesic solver, in buckets by distance: a bucket holds distances of one width, first come
 // first served. Buckets stand in a ring; those in use span less than its size.
 #pragma once
 
