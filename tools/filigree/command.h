@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 #include "common.h"
 
@@ -17,6 +18,10 @@ struct Command {
 Command add_info(CLI::App& program, const CommonOptions& common);
 Command add_stylize(CLI::App& program, const CommonOptions& common);
 Command add_replay(CLI::App& program, const CommonOptions& common);
+std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common);
+Command add_geodesic(CLI::App& program, const CommonOptions& common);
+Command add_path(CLI::App& program, const CommonOptions& common);
+Command add_contour(CLI::App& program, const CommonOptions& common);
 Command add_bench(CLI::App& program, const CommonOptions& common);
 #if defined(FLG_WITH_RENDERER)
 Command add_render(CLI::App& program, const CommonOptions& common);

@@ -19,9 +19,7 @@ struct Measures {
 
 Measures measure(const FlgMeshView& view) {
     Measures m;
-    const FlgColumn& positions = *std::find_if(view.columns, view.columns + view.column_count, [](const FlgColumn& c) {
-        return c.attribute == FLG_ATTRIBUTE_POSITION;
-    });
+    const FlgColumn& positions = positions_of(view);
     for (size_t t = 0; t < view.triangle_count; ++t) {
         double edges[3][3];
         for (size_t k = 0; k < 3; ++k) {

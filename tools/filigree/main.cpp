@@ -54,7 +54,8 @@ void add_common_options(CLI::App& program, flg::cli::CommonOptions& common) {
 void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
     std::map<std::filesystem::path, std::string> options;  // by their file
     for (const CLI::App* app : {&program, &command}) {
-        for (const char* name : {"--report", "--output", "--save-guide", "--save-matching", "--save-path"}) {
+        for (const char* name :
+             {"--report", "--output", "--save-guide", "--save-matching", "--save-path", "--curves"}) {
             const CLI::Option* option = app->get_option_no_throw(name);
             if (option == nullptr || option->count() == 0) continue;
             const std::string file = option->results().back();
@@ -86,6 +87,10 @@ int main(int argc, char** argv) {
     std::vector<flg::cli::Command> commands = {flg::cli::add_info(program, common),
                                                flg::cli::add_stylize(program, common),
                                                flg::cli::add_replay(program, common)};
+    for (flg::cli::Command& command : flg::cli::add_mesh(program, common)) commands.push_back(std::move(command));
+    commands.push_back(flg::cli::add_geodesic(program, common));
+    commands.push_back(flg::cli::add_path(program, common));
+    commands.push_back(flg::cli::add_contour(program, common));
 #if defined(FLG_WITH_RENDERER)
     commands.push_back(flg::cli::add_render(program, common));
 #endif

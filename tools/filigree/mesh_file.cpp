@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh_file.h"
 
+#include <algorithm>
+
 #include "failure.h"
 
 namespace flg::cli {
@@ -28,6 +30,11 @@ std::vector<FlgMeshFaceColumn> MeshFile::face_columns() const {
     uint32_t count = 0;
     check_io(flgMeshFileGetFaceColumns(file_.get(), &columns, &count));
     return {columns, columns + count};
+}
+
+const FlgColumn& positions_of(const FlgMeshView& mesh) {
+    return *std::find_if(mesh.columns, mesh.columns + mesh.column_count,
+                         [](const FlgColumn& column) { return column.attribute == FLG_ATTRIBUTE_POSITION; });
 }
 
 }  // namespace flg::cli

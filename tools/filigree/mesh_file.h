@@ -28,4 +28,7 @@ private:
     FlgMeshFileInfo info_ = {};
 };
 
+// The positions of a mesh.
+const FlgColumn& positions_of(const FlgMeshView& mesh);
+
 }  // namespace flg::cli

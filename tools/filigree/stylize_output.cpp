@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "extensions.h"
 #include "failure.h"
 #include "support/curve_source.h"
 #include "text_file.h"
@@ -18,10 +19,6 @@ using samples::value_at;
 
 // Radius of curves that bring none: this share of the diagonal of all points' box.
 constexpr float kDefaultRadiusShare = 1.0f / 500.0f;
-
-bool ends_with_one_of(const std::string& path, std::initializer_list<const char*> extensions) {
-    return std::any_of(extensions.begin(), extensions.end(), [&](const char* e) { return path.ends_with(e); });
-}
 
 float default_radius(const FlgCurveSetView& view) {
     const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
