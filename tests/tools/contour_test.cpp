@@ -26,7 +26,7 @@ protected:
 
 TEST_F(Contour, RegionsOfASphereAreCapsAndBelts) {
     folder.write("sphere.off", sphere(24).off());
-    cut("sphere.off", "-1,0,0", "0.5");
+    cut("sphere.off", "312", "0.5");  // from the middle of the side -x
     EXPECT_EQ(report().at("command"), "contour");
     EXPECT_EQ(report().at("parameters").at("every"), 0.5);
     const std::vector<double> found = areas();
@@ -53,7 +53,7 @@ TEST_F(Contour, RegionsOfASphereAreCapsAndBelts) {
 
 TEST_F(Contour, LinesLieAtTheirDistances) {
     folder.write("sphere.off", sphere(24).off());
-    cut("sphere.off", "-1,0,0", "0.5", {"--curves", "lines.xyz"});
+    cut("sphere.off", "312", "0.5", {"--curves", "lines.xyz"});
     EXPECT_EQ(report().at("counts").at("isolines"), 6);
     std::istringstream text(folder.read("lines.xyz"));
     size_t points = 0;
@@ -122,7 +122,7 @@ TEST_F(Contour, SameBitsWhateverTheWorkersAndTheBudget) {
     std::vector<std::string> first;
     for (const char* workers : {"0", "2"}) {
         for (const char* budget : {"0", "100"}) {
-            cut("sphere.off", "17;0.3,-0.4,0.5", "0.1",
+            cut("sphere.off", "17;" + std::string(kPlace), "0.1",
                 {"--curves", "lines.xyz", "--workers", workers, "--budget", budget});
             const std::vector<std::string> files = {folder.read("out.ply"), folder.read("lines.xyz")};
             if (first.empty()) first = files;

@@ -56,6 +56,7 @@ TEST_F(Geodesic, DistancesInThePlaneAreEuclidean) {
 }
 
 TEST_F(Geodesic, PointsInSpaceStandForTheNearestOfTheSurface) {
+    if (!kHasPicking) GTEST_SKIP();
     const TestMesh mesh = square(16);
     folder.write("square.off", mesh.off());
     expect_distances(mesh, distances("square.off", {"--source", "0.37,0.61,0.25"}), 0.005, [](const Point& p) {
@@ -134,8 +135,8 @@ TEST_F(Geodesic, SameBitsWhateverTheWorkersAndTheBudget) {
         std::string first;
         for (const char* workers : {"0", "2"}) {
             for (const char* budget : {"0", "100"}) {
-                distances("sphere.off", {"--source", "17;0.3,0.4,0.5", "--accuracy", accuracy, "--workers", workers,
-                                         "--budget", budget});
+                distances("sphere.off", {"--source", "17;" + std::string(kPlace), "--accuracy", accuracy, "--workers",
+                                         workers, "--budget", budget});
                 const std::string field = folder.read("field.txt");
                 if (first.empty()) first = field;
                 EXPECT_TRUE(field == first) << accuracy << ", " << workers << " workers, budget " << budget;
@@ -172,6 +173,7 @@ TEST_F(Geodesic, BadInputExitsWithOneAndIsNamed) {
         expect_refused({"geodesic", file, "--source", source, "-o", "field.txt", "--quiet"}, 1, words);
     };
     refused("square.off", "5", {"square.off: --source: there is no vertex 5, they are 0 to 4"});
+    if (!kHasPicking) refused("square.off", "0,0,0", {"square.off: --source: this build has no picking"});
     refused("square.off", "0;4", {"square.off: --source: vertex 4 is in no triangle"});
     refused("nosuch.off", "0", {"nosuch.off"});
     folder.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");

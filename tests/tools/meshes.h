@@ -10,6 +10,15 @@
 
 namespace flg::test {
 
+// Without picking only vertices can be named.
+#if defined(FLG_WITH_PICK)
+constexpr bool kHasPicking = true;
+constexpr const char* kPlace = "0.3,-0.4,0.5";
+#else
+constexpr bool kHasPicking = false;
+constexpr const char* kPlace = "40";
+#endif
+
 using Point = std::array<double, 3>;
 
 struct TestMesh {

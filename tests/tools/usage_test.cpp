@@ -28,7 +28,8 @@ TEST_F(Usage, HelpOfEachCommandNamesItsOptions) {
           "--start", "--as", "--save-guide", "--save-matching", "--save-path"}) {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
-    for (const char* command : {"info", "render", "bench"}) EXPECT_FALSE(done({command, "--help"}).out.empty());
+    for (const char* command : {"info", "mesh", "geodesic", "path", "contour", "render", "bench"})
+        EXPECT_FALSE(done({command, "--help"}).out.empty());
 }
 
 TEST_F(Usage, BadUsageExitsWithTwo) {

@@ -49,8 +49,8 @@ namespace flg::cli {
 
 struct NearestSearch::Scene {};
 
-NearestSearch::NearestSearch(const FlgSurfaceView&, const std::string& subject) {
-    throw InputError(subject + ": this build has no picking (FLG_BUILD_PICK), so only vertices can be named");
+NearestSearch::NearestSearch(const FlgSurfaceView&, const std::string& subject) : subject_(subject) {
+    throw InputError(subject_ + ": this build has no picking (FLG_BUILD_PICK), so only vertices can be named");
 }
 
 NearestSearch::~NearestSearch() = default;
