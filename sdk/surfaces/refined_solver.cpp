@@ -13,7 +13,7 @@ namespace {
 // Of the mean edge; narrower buckets are nearer to the order of distances and hold less work for one after the other.
 constexpr float bucket_width = 1.0f;
 // Of a front, times the mean edge: sharper ones are noise.
-constexpr float sharpest_bend = 1.0f;
+constexpr float sharpest_bend = 0.15f;
 // So that a few long edges do not ask for a ring without end.
 constexpr float most_buckets = 4000.0f;
 
@@ -93,7 +93,7 @@ void RefinedSolver::clear(uint32_t rank) {
 void RefinedSolver::place(const Seed& seed) {
     const uint32_t rank = blocks_.rank_of_vertex[seed.vertex];
     if (!(seed.distance < states_[rank].distance)) return;
-    const float bend = seed.straight && seed.distance > 0 ? std::max(-1 / seed.distance, -bend_max_) : 0.0f;
+    const float bend = seed.straight && seed.distance > 0 ? -1 / seed.distance : 0.0f;
     if (labelled_) labels_[rank] = seed.label;
     improve(rank, {seed.distance, bend});
 }

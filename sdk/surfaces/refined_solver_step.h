@@ -45,7 +45,8 @@ struct WaveStep {
     uint32_t improved, across_next, across_previous;
 };
 
-// Of the states by rank, that of rank 0 is -infinity. Bends are kept within +-bend_max.
+// Of the states by rank, that of rank 0 is -infinity. Bends stay below bend_max and above -bend_max - 1/d, which
+// leaves the wave from a line, -1/d, as it is: fronts that are sharper, or more hollow, are noise of the mesh.
 using WaveStepFunction = void (*)(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
                                   float bend_max, bool labelled, WaveStep& step);
 

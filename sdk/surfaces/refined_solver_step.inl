@@ -79,6 +79,7 @@ template <class Lanes>
     const Float8 curvature = load(block.curvatures.data());
     const Float8 distance = FLG_LANES(own.distance), own_bend = FLG_LANES(own.bend);
     const Float8 bend_limit = FLG_LANES(bend_max);
+    const float own_curvature = 1 / own.distance;
     Float8 far, far_bend;
     load_states(states, block.lanes.data(), far, far_bend);
 
@@ -93,7 +94,7 @@ template <class Lanes>
     // to a line that is the source.
     const Float8 inverse_base = one / base;
     const Float8 quotient = (base * base + (distance - base_distance) * (distance + base_distance)) * inverse_base *
-                            FLG_LANES(0.5f / own.distance);
+                            FLG_LANES(0.5f * own_curvature);
     const Float8 cos_phi = clamped(quotient, -one, one);
     const Float8 sin_phi = root((one - cos_phi) * (one + cos_phi));
     const Float8 inverse_secant = one / (one + tangent * tangent);
@@ -139,7 +140,7 @@ template <class Lanes>
     step.improved = mask(improves);
     step.across_next = mask(improves & takes_back & ~takes_edge);
     step.across_previous = mask(improves & ~(takes_back | takes_edge));
-    store_states(best, clamped(best_bend, -bend_limit, bend_limit), step.states);
+    store_states(best, clamped(best_bend, -bend_limit - FLG_LANES(own_curvature), bend_limit), step.states);
 }
 
 #undef FLG_LANES

@@ -100,6 +100,21 @@ TEST(RefinedSolver, ComesNearToExactDistances) {
     }
 }
 
+// Angles of a rough mesh lack much of a full turn here and have too much of it there. Without a bound for what they make of
+// the wave the error would be 0.0048; without curvature, 0.0044.
+TEST(RefinedSolver, IsNotLedAstrayByRoughness) {
+    Soup soup = plane(40, 0.45);
+    for (uint32_t v = 0; v < soup.positions.size(); ++v) {
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+            soup.positions[v][axis] += static_cast<float>(0.01 * (random_unit(5, v, axis) - 0.5));
+        }
+    }
+    const Mesh mesh = make_mesh(soup);
+    const auto exact = literal::exact_distances(mesh, 0);
+    const auto distances = Geodesics(mesh).distances({{0, 0, 0}});
+    EXPECT_LT(rms_error(distances, [&](uint32_t v) { return exact[v]; }), 0.0035);
+}
+
 TEST(RefinedSolver, DoesNotDependOnSlicesOrRegisters) {
     const Mesh mesh = make_mesh(torus(60, 40));
     Geodesics geodesics(mesh), sliced(mesh, 1);
