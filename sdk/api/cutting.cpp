@@ -79,11 +79,13 @@ FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, Flg
         const auto surface = field->surface;
         submission.change_surface(surface, "the surface of desc.field");
         const std::shared_ptr<Field> out = out_field ? make_object<Field>(self, surface, &self.memory) : nullptr;
+        std::pmr::vector<uint32_t> regions = list_regions(read.regions, read.region_count, &self.memory);
+        LevelRequest levels = read_levels(read.levels, &self.memory);
         CutIsolinesRequest request{.surface = surface,
                                    .revision = surface->order.revision() + 1,
                                    .field = field,
-                                   .regions = list_regions(read.regions, read.region_count, &self.memory),
-                                   .levels = read_levels(read.levels, &self.memory),
+                                   .regions = std::move(regions),
+                                   .levels = std::move(levels),
                                    .first_label = read.first_label,
                                    .out = out};
         const auto change = make_object<SurfaceChange>(self, surface, out);

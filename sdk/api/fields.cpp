@@ -51,20 +51,23 @@ void check(const FlgGeodesicDesc& desc) {
 GeodesicRequest read_request(Context& context, const FlgGeodesicDesc& desc, Submission& submission) {
     Memory* memory = &context.memory;
     const auto surface = context.surfaces.get(desc.surface.id, "desc.surface");
-    GeodesicRequest request{
-        .surface = surface,
-        .accuracy = desc.accuracy,
-        .sources = {.vertices = read_indices(desc.vertices, desc.vertex_count, "desc.vertices", memory),
-                    .points = read_points(desc.points, desc.point_count, "desc.points", memory),
-                    .curves = nullptr,
-                    .border_regions =
-                        read_indices(desc.border_regions, desc.border_region_count, "desc.border_regions", memory)},
-        .regions = read_regions(desc.regions, desc.region_count, memory),
-        .max_distance = desc.max_distance,
-        .targets = read_indices(desc.targets, desc.target_count, "desc.targets", memory),
-        .labelled = desc.labels != 0,
-        .perturbation = {desc.perturbation, desc.frequency, desc.seed},
-        .out = make_object<Field>(context, surface, memory)};
+    // What may fail comes first: GCC 12 frees members of an aggregate twice if a later one throws.
+    GeodesicSources sources;
+    sources.vertices = read_indices(desc.vertices, desc.vertex_count, "desc.vertices", memory);
+    sources.points = read_points(desc.points, desc.point_count, "desc.points", memory);
+    sources.border_regions = read_border_regions(desc, memory);
+    RegionSet regions = read_regions(desc.regions, desc.region_count, memory);
+    Buffer<uint32_t> targets = read_indices(desc.targets, desc.target_count, "desc.targets", memory);
+    auto out = make_object<Field>(context, surface, memory);
+    GeodesicRequest request{.surface = surface,
+                            .accuracy = desc.accuracy,
+                            .sources = std::move(sources),
+                            .regions = std::move(regions),
+                            .max_distance = desc.max_distance,
+                            .targets = std::move(targets),
+                            .labelled = desc.labels != 0,
+                            .perturbation = {desc.perturbation, desc.frequency, desc.seed},
+                            .out = std::move(out)};
     if (desc.curves.id != 0) {
         request.sources.curves = context.surface_curves.get(desc.curves.id, "desc.curves");
         check_same_surface(*request.out, *request.sources.curves, "desc.curves");

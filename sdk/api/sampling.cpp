@@ -51,8 +51,9 @@ FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgF
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         const auto out = make_object<Field>(self, surface, &self.memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
         SamplingRequest request{.surface = surface,
-                                .regions = read_regions(read.regions, read.region_count, &self.memory),
+                                .regions = std::move(regions),
                                 .radius = read.radius,
                                 .max_count = read.max_count == 0 ? UINT32_MAX : read.max_count,
                                 .seed = read.seed,

@@ -14,16 +14,22 @@ namespace {
 
 constexpr float weight_slack = 1e-5f;  // rounding of weights that is clipped
 
-}  // namespace
-
-namespace {
+void check_labels(const uint32_t* labels, uint32_t count, const char* argument) {
+    for (uint32_t i = 0; i < count; ++i) {
+        if (labels[i] > FLG_REGION_MAX) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] is %u, the largest label is %u", argument, i, labels[i],
+                          FLG_REGION_MAX);
+        }
+    }
+}
 
 using Builder = Task<void> (*)(Pace&, std::shared_ptr<Surface>);
 
-// Its job is hidden from the host. If it fails, so do those that wait for it, and the next one that asks starts another.
+// Its job is hidden from the host. If it fails, so do those that wait for it, and the next one that asks starts another;
+// also if what it made was lost since.
 std::shared_ptr<Job> start_build(Context& context, const std::shared_ptr<Surface>& surface, Builder build,
-                                 std::shared_ptr<SolverBuild>& made) {
-    if (made && made->visible_result() == FLG_OK) return nullptr;
+                                 const std::atomic<bool>& present, std::shared_ptr<SolverBuild>& made) {
+    if (made && made->visible_result() == FLG_OK && present) return nullptr;
     if (made && made->visible_result() == FLG_NOT_READY) return made->producer.lock();
     auto product = make_object<SolverBuild>(context);
     Submission submission(context, default_job_options());
@@ -39,11 +45,18 @@ std::shared_ptr<Job> start_build(Context& context, const std::shared_ptr<Surface
 }  // namespace
 
 std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surface>& surface) {
-    return start_build(context, surface, build_blocks, surface->solvers.blocks_build);
+    return start_build(context, surface, build_blocks, surface->solvers.has_blocks, surface->solvers.blocks_build);
 }
 
 std::shared_ptr<Job> start_graph(Context& context, const std::shared_ptr<Surface>& surface) {
-    return start_build(context, surface, build_graph, surface->solvers.graph_build);
+    return start_build(context, surface, build_graph, surface->solvers.has_graph, surface->solvers.graph_build);
+}
+
+Buffer<uint32_t> read_border_regions(const FlgGeodesicDesc& desc, Memory* memory) {
+    Buffer<uint32_t> regions =
+        read_indices(desc.border_regions, desc.border_region_count, "desc.border_regions", memory);
+    check_labels(regions.data(), desc.border_region_count, "desc.border_regions");
+    return regions;
 }
 
 Buffer<uint32_t> read_indices(const uint32_t* indices, uint32_t count, const char* argument, Memory* memory) {
@@ -103,12 +116,7 @@ RegionSet read_regions(const uint32_t* regions, uint32_t count, Memory* memory) 
         }
         return RegionSet(memory);
     }
-    for (uint32_t i = 0; i < count; ++i) {
-        if (regions[i] > FLG_REGION_MAX) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.regions[%u] is %u, the largest label is %u", i, regions[i],
-                          FLG_REGION_MAX);
-        }
-    }
+    check_labels(regions, count, "desc.regions");
     return RegionSet(regions, count, memory);
 }
 

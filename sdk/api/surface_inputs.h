@@ -44,6 +44,8 @@ std::shared_ptr<Job> start_graph(Context& context, const std::shared_ptr<Surface
 
 Buffer<uint32_t> read_indices(const uint32_t* indices, uint32_t count, const char* argument, Memory* memory);
 
+Buffer<uint32_t> read_border_regions(const FlgGeodesicDesc& desc, Memory* memory);
+
 // The offsets of desc.path_count paths of two points at least.
 Buffer<uint32_t> read_path_offsets(const FlgPathsDesc& desc, Memory* memory);
 

@@ -111,8 +111,9 @@ FlgResult flgTraceIsolines(FlgContext context, const FlgIsolinesDesc* desc, FlgS
         submission.read(*field, "desc.field");
         submission.read_surface(field->surface, "the surface of desc.field");
         const auto out = make_object<TracedCurves>(self, field->surface, &self.memory);
-        IsolinesRequest request{field, read_regions(read.regions, read.region_count, &self.memory),
-                                read_levels(read.levels, &self.memory), out};
+        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
+        LevelRequest levels = read_levels(read.levels, &self.memory);
+        IsolinesRequest request{field, std::move(regions), std::move(levels), out};
         submission.job().strand.start(trace_isolines(submission.pace(), std::move(request)));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
         return FLG_OK;
@@ -140,9 +141,11 @@ FlgResult flgTraceStreams(FlgContext context, const FlgStreamsDesc* desc, FlgSur
         submission.read(*field, "desc.field");
         submission.read_surface(field->surface, "the surface of desc.field");
         const auto out = make_object<TracedCurves>(self, field->surface, &self.memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
+        Buffer<SurfacePoint> starts = read_points(read.starts, read.start_count, "desc.starts", &self.memory);
         StreamsRequest request{.field = field,
-                               .regions = read_regions(read.regions, read.region_count, &self.memory),
-                               .starts = read_points(read.starts, read.start_count, "desc.starts", &self.memory),
+                               .regions = std::move(regions),
+                               .starts = std::move(starts),
                                .further_starts = nullptr,
                                .downhill = read.downhill != 0,
                                .end_value = read.end_value,
@@ -173,15 +176,17 @@ FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurface
         const FlgPathsDesc read = read_struct(desc, default_desc<FlgPathsDesc>(), "desc");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
-        PathsRequest request{.offsets = read_path_offsets(read, &self.memory),
-                             .points = {},
+        Buffer<uint32_t> offsets = read_path_offsets(read, &self.memory);
+        Buffer<SurfacePoint> points = read_points(read.points, *(offsets.end() - 1), "desc.points", &self.memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
+        const auto out = make_object<TracedCurves>(self, surface, &self.memory);
+        PathsRequest request{.offsets = std::move(offsets),
+                             .points = std::move(points),
                              .closed = read.closed != 0,
-                             .regions = read_regions(read.regions, read.region_count, &self.memory),
-                             .out = make_object<TracedCurves>(self, surface, &self.memory)};
-        request.points = read_points(read.points, *(request.offsets.end() - 1), "desc.points", &self.memory);
+                             .regions = std::move(regions),
+                             .out = out};
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");
-        const auto out = request.out;
         submission.job().strand.start(trace_paths(submission.pace(), std::move(request)));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
         return FLG_OK;

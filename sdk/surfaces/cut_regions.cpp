@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/cut_regions.h"
 
+#include "core/failure.h"
+#include "filigree/filigree_surface.h"
+
 namespace flg {
 
 RegionDivider::RegionDivider(Mesh& mesh, const std::pmr::deque<Corner>& edges, uint32_t first_label, MeshEdit& edit,
@@ -69,6 +72,10 @@ void RegionDivider::join(Corner edge) {
 
 void RegionDivider::number(uint32_t component) {
     if (components_[root_of(component)].size == 1) return;
+    if (next_label_ > FLG_REGION_MAX) {
+        throw Failure(FLG_ERROR_LIMIT, "the parts of regions that fall apart need more labels than up to %u",
+                      FLG_REGION_MAX);
+    }
     components_[component].label = next_label_++;
     parts_.push_back({components_[component].label, components_[component].old_label});
 }

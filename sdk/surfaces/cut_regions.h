@@ -4,7 +4,7 @@
 // Invariants
 // - What the chains do not separate keeps its label: the part of a region is looked at by itself if it was apart before.
 // - Each part of what falls apart gets a label of its own, counted up from first_label in the order in which the chains'
-//   edges meet the parts.
+//   edges meet the parts. Fails with FLG_ERROR_LIMIT above FLG_REGION_MAX, before any label is changed.
 #pragma once
 
 #include <deque>

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <new>
+#include <exception>
 
 #include "core/failure.h"
 #include "surfaces/cut_curves.h"
 #include "surfaces/cut_isolines.h"
 #include "surfaces/cut_regions.h"
+#include "surfaces/mesh_edit_replay.h"
 #include "surfaces/surface_update.h"
 
 namespace flg {
@@ -51,8 +52,9 @@ Task<std::pmr::vector<uint32_t>> list_regions(Pace& pace, const Mesh& mesh) {
 // What each region's triangles are labelled with.
 Task<std::pmr::vector<RegionLevels>> list_labels(Pace& pace, const CutIsolinesRequest& request, uint32_t level_count) {
     const bool all = request.regions.empty();
-    const std::pmr::vector<uint32_t> regions = all ? co_await list_regions(pace, request.surface->mesh())
-                                                   : std::pmr::vector<uint32_t>(request.regions, pace.memory());
+    // (Not a conditional expression: GCC 12 destroys what is awaited in one twice.)
+    std::pmr::vector<uint32_t> regions(request.regions, pace.memory());
+    if (all) regions = co_await list_regions(pace, request.surface->mesh());
     std::pmr::vector<RegionLevels> labels(pace.memory());
     for (const uint32_t region : regions) {
         const uint64_t first = request.first_label + (all ? 0 : uint64_t{level_count + 1} * labels.size());
@@ -92,32 +94,32 @@ Task<Buffer<float>> copy_out(Pace& pace, const GrowingBuffer<float>& from) {
     co_return copy;
 }
 
-}  // namespace
-
-Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
-    Surface& surface = *request.surface;
-    pace.stage("levels");
-    const Buffer<float> levels = co_await list_levels(pace, *request.field, request.levels, IsolineCutter::max_levels);
-    const std::pmr::vector<RegionLevels> labels =
-        co_await list_labels(pace, request, static_cast<uint32_t>(levels.size()));
-    GrowingBuffer<float> values = co_await copy_values(pace, request.field->data.distances);
-
-    pace.stage("cut");
-    pace.commit();
-    MeshEdit edit(pace.memory());
-    const ExtraColumn field(surface.columns, std::move(values));
-    IsolineCutter cutter(surface.mesh(), surface.columns, field.index(),
-                         CutLevels({levels.data(), levels.size()}, labels), edit, pace.memory());
-    while (!cutter.run(cut_chunk)) co_await pace;
-    co_await update_after_edit(pace, surface, edit, request.revision);
-    if (request.out) request.out->data.distances = co_await copy_out(pace, field.values());
+// A change of the surface: all of it or, if it fails, nothing. It takes no memory to take one back.
+Task<void> run_or_take_back(Pace& pace, Surface& surface, MeshEdit& edit, Task<void>& change) {
+    edit.begin(surface.mesh());  // it may fail before it comes to that
+    std::exception_ptr failure;
+    try {
+        co_await std::move(change);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    if (!failure) co_return;
+    MeshEditReplay back(surface.mesh(), surface.columns, edit, MeshEditReplay::Direction::abandon);
+    while (!back.run(copy_chunk)) co_await pace;
+    std::rethrow_exception(failure);
 }
 
-Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
+Task<void> cut_along_isolines(Pace& pace, const CutIsolinesRequest& request, const CutLevels& levels,
+                              const ExtraColumn& field, MeshEdit& edit) {
     Surface& surface = *request.surface;
-    pace.stage("cut");
-    pace.commit();
-    MeshEdit edit(pace.memory());
+    IsolineCutter cutter(surface.mesh(), surface.columns, field.index(), levels, edit, pace.memory());
+    while (!cutter.run(cut_chunk)) co_await pace;
+    if (request.out) request.out->data.distances = co_await copy_out(pace, field.values());
+    co_await update_after_edit(pace, surface, edit, request.revision);
+}
+
+Task<void> cut_along_curves(Pace& pace, const CutCurvesRequest& request, MeshEdit& edit) {
+    Surface& surface = *request.surface;
     EmbeddedCurves embedded(pace.memory());
     CurveCutter cutter(surface.mesh(), surface.columns, request.curves->curves, edit, embedded, pace.memory());
     while (!cutter.run(cut_chunk)) co_await pace;
@@ -128,6 +130,34 @@ Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
         while (!divider.run(divide_chunk)) co_await pace;
     }
     co_await update_after_edit(pace, surface, edit, request.revision);
+}
+
+}  // namespace
+
+Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
+    Surface& surface = *request.surface;
+    pace.stage("levels");
+    const Buffer<float> levels = co_await list_levels(pace, *request.field, request.levels, IsolineCutter::max_levels);
+    // As many labels as were asked for, also where the field does not reach all levels.
+    const auto level_count = request.levels.count > 0 ? request.levels.count : static_cast<uint32_t>(levels.size());
+    const std::pmr::vector<RegionLevels> labels = co_await list_labels(pace, request, level_count);
+    const CutLevels cut_levels({levels.data(), levels.size()}, labels);
+    GrowingBuffer<float> values = co_await copy_values(pace, request.field->data.distances);
+
+    pace.stage("cut");
+    pace.commit();
+    MeshEdit edit(pace.memory());
+    const ExtraColumn field(surface.columns, std::move(values));
+    Task<void> cut = cut_along_isolines(pace, request, cut_levels, field, edit);
+    co_await run_or_take_back(pace, surface, edit, cut);
+}
+
+Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
+    pace.stage("cut");
+    pace.commit();
+    MeshEdit edit(pace.memory());
+    Task<void> cut = cut_along_curves(pace, request, edit);
+    co_await run_or_take_back(pace, *request.surface, edit, cut);
 }
 
 }  // namespace flg

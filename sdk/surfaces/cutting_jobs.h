@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The jobs that cut surfaces. They are the ones that change them: from the first change on they can't be cancelled, and if
-// memory runs out the change is taken back.
+// that fails, for want of memory or of labels, it is taken back.
 #pragma once
 
 #include "surfaces/field_levels.h"

@@ -108,10 +108,12 @@ Task<void> solve_on_surface(Pace& pace, const Query& query, FlgAccuracy accuracy
     if (accuracy == FLG_ACCURACY_GRAPH) {
         auto solver = solvers.graphs.lend(query.mesh, query.mesh.positions, graph_of(surface), pace.memory());
         co_await solve_graph(pace, query, *solver);
+        solver.give_back();
     } else {
         const GeodesicBlocks& blocks = blocks_of(surface);
         auto solver = solvers.refined.lend(blocks, pace.memory());
         co_await solve_refined(pace, query, blocks, *solver);
+        solver.give_back();
     }
 }
 
@@ -137,6 +139,7 @@ Task<void> build_blocks(Pace& pace, std::shared_ptr<Surface> surface) {
     GeodesicBlocks blocks(pace.memory());
     co_await fill_blocks(pace, surface->mesh(), surface->mesh().positions, blocks);
     surface->solvers.blocks.emplace(std::move(blocks));
+    surface->solvers.has_blocks = true;
 }
 
 Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface) {
@@ -144,14 +147,15 @@ Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface) {
     GeodesicGraph graph(pace.memory());
     co_await fill_graph(pace, surface->mesh(), surface->mesh().positions, graph);
     surface->solvers.graph.emplace(std::move(graph));
+    surface->solvers.has_graph = true;
 }
 
 Task<void> solve_geodesic(Pace& pace, GeodesicRequest request) {
     const Mesh& mesh = request.surface->mesh();
     pace.stage("sources");
     const bool perturbed = request.perturbation.amount > 0;
-    const GrowingBuffer<Position> moved =
-        perturbed ? co_await perturb_positions(pace, mesh, request.perturbation) : GrowingBuffer<Position>();
+    GrowingBuffer<Position> moved;
+    if (perturbed) moved = co_await perturb_positions(pace, mesh, request.perturbation);
     const GrowingBuffer<Position>& positions = perturbed ? moved : mesh.positions;
     GeodesicSeeds collected(mesh, positions, request.regions, pace.memory());
     co_await collect_seeds(pace, request, collected);

@@ -2,6 +2,7 @@
 // What distances on one surface are computed with: made by the first job that needs it, kept up to date by cuts.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,13 +22,17 @@ class SolverPool {
 public:
     explicit SolverPool(Memory* memory) : memory_(memory), idle_(memory) {}
 
-    // Given back when it goes out of scope.
+    // To be given back when its field is complete. One that was stopped in the midst of a field, by a failure or because its
+    // job was cancelled, is in no state to be used again, and freed.
     class Lent {
     public:
         Lent(SolverPool& pool, std::shared_ptr<Solver> solver) : pool_(pool), solver_(std::move(solver)) {}
         Lent(const Lent&) = delete;
         Lent& operator=(const Lent&) = delete;
-        ~Lent() { pool_.take_back(std::move(solver_)); }
+        ~Lent() {
+            if (solver_) pool_.forget();
+        }
+        void give_back() { pool_.take_back(std::move(solver_)); }
         Solver& operator*() { return *solver_; }
         Solver* operator->() { return solver_.get(); }
 
@@ -40,12 +45,13 @@ public:
     template <class... Arguments>
     Lent lend(Arguments&&... arguments) {
         std::lock_guard lock(mutex_);
-        idle_.reserve(++made_);  // so that giving back can't fail
         if (idle_.empty()) {
-            return Lent(*this, std::allocate_shared<Solver>(std::pmr::polymorphic_allocator<Solver>(memory_),
-                                                            std::forward<Arguments>(arguments)...));
+            idle_.reserve(made_ + 1);  // so that giving back can't fail
+            auto solver = std::allocate_shared<Solver>(std::pmr::polymorphic_allocator<Solver>(memory_),
+                                                       std::forward<Arguments>(arguments)...);
+            ++made_;
+            return Lent(*this, std::move(solver));
         }
-        --made_;
         std::shared_ptr<Solver> solver = std::move(idle_.back());
         idle_.pop_back();
         return Lent(*this, std::move(solver));
@@ -55,6 +61,10 @@ private:
     void take_back(std::shared_ptr<Solver> solver) noexcept {
         std::lock_guard lock(mutex_);
         idle_.push_back(std::move(solver));
+    }
+    void forget() noexcept {
+        std::lock_guard lock(mutex_);
+        --made_;
     }
 
     Memory* memory_;
@@ -75,6 +85,8 @@ struct GeodesicSolvers {
     // Jobs, once these are done.
     std::optional<GeodesicBlocks> blocks;
     std::optional<GeodesicGraph> graph;
+    // Whether they are there, for any thread: after they were made, a cut in which memory runs out drops them.
+    std::atomic<bool> has_blocks{false}, has_graph{false};
     SolverPool<RefinedSolver> refined;
     SolverPool<GraphSolver> graphs;
 };

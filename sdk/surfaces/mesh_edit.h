@@ -12,7 +12,6 @@
 #pragma once
 
 #include <deque>
-#include <utility>
 
 #include "surfaces/mesh_growth.h"
 
@@ -38,7 +37,8 @@ public:
     const Counts& before() const { return before_; }
     const Counts& after() const { return after_; }
 
-    // ---- for those who cut: between begin and end, all changes to what there was go through these
+    // ---- for those who cut: between begin and end, all changes to what there was go through these, which remember before
+    // they write: if memory runs out in one, what was written so far can be taken back
     void begin(const Mesh& mesh) { before_ = after_ = {mesh.vertex_count(), mesh.triangle_count()}; }
     void end(const Mesh& mesh) { after_ = {mesh.vertex_count(), mesh.triangle_count()}; }
 
@@ -60,16 +60,9 @@ public:
     void set_value(MeshColumns& columns, uint32_t column, uint32_t vertex, float value);
     // At most once a triangle. Triangles in rising order make long runs.
     void set_region(Mesh& mesh, uint32_t triangle, uint32_t label) {
-        const uint32_t old = std::exchange(mesh.regions[triangle], label);
-        if (triangle >= before_.triangles || old == label) return;
-        if (!labels_.empty()) {
-            LabelRun& last = labels_.back();
-            if (triangle == last.first + last.count && old == last.old && label == last.label) {
-                ++last.count;
-                return;
-            }
-        }
-        labels_.push_back({triangle, 1, old, label});
+        uint32_t& region = mesh.regions[triangle];
+        if (triangle < before_.triangles && region != label) remember_label(triangle, region, label);
+        region = label;
     }
 
     // ---- for those who ask what was changed, and for mesh_edit_replay.h
@@ -90,6 +83,16 @@ public:
     Memory* memory() const { return memory_; }
 
 private:
+    void remember_label(uint32_t triangle, uint32_t old, uint32_t label) {
+        if (!labels_.empty()) {
+            LabelRun& last = labels_.back();
+            if (triangle == last.first + last.count && old == last.old && label == last.label) {
+                ++last.count;
+                return;
+            }
+        }
+        labels_.push_back({triangle, 1, old, label});
+    }
     void remember(MeshArray array, uint32_t index, uint32_t value) {
         const bool of_vertex = array == array_corners;
         if (index < (of_vertex ? before_.vertices : 3 * before_.triangles)) words_.push_back({array, index, value});

@@ -4,8 +4,12 @@
 namespace flg {
 
 MeshEditReplay::MeshEditReplay(Mesh& mesh, MeshColumns& columns, MeshEdit& edit, Direction direction)
-    : mesh_(mesh), columns_(columns), edit_(edit), undo_(direction == Direction::undo) {
-    if (undo_) {
+    : mesh_(mesh),
+      columns_(columns),
+      edit_(edit),
+      undo_(direction != Direction::redo),
+      keep_(direction != Direction::abandon) {
+    if (undo_ && keep_) {
         size_t bytes = 0;
         for (size_t i = 0; i < array_count(); ++i) bytes += array(i).count * array(i).width;
         edit.added() = Buffer<std::byte>(bytes, edit.memory());
@@ -85,7 +89,7 @@ bool MeshEditReplay::run(uint32_t count) {
                 if (at_ < edit_.labels().size()) {
                     write_labels(count);
                 } else {
-                    enter(Pass::added);
+                    enter(keep_ ? Pass::added : Pass::done);
                 }
                 break;
             case Pass::added:

@@ -9,7 +9,8 @@ namespace flg {
 
 class MeshEditReplay {
 public:
-    enum class Direction { undo, redo };
+    // abandon: undo for good. Takes no memory, also for an edit that has not come to its end.
+    enum class Direction { undo, redo, abandon };
     // The same mesh and columns as the edit was made in, with nothing changed since (but by later edits taken back).
     MeshEditReplay(Mesh& mesh, MeshColumns& columns, MeshEdit& edit, Direction direction);
 
@@ -35,6 +36,7 @@ private:
     MeshColumns& columns_;
     MeshEdit& edit_;
     const bool undo_;
+    const bool keep_;  // what was added
     Pass pass_;
     size_t at_ = 0;      // word, run or array
     size_t within_ = 0;  // of the run: triangles; of the array: bytes

@@ -31,6 +31,7 @@ Task<void> sample_surface(Pace& pace, SamplingRequest request) {
     Field& out = *request.out;
     out.samples = co_await flatten(pace, kernel.samples());
     co_await take_field(pace, *solver, mesh.vertex_count(), true, out.data);
+    solver.give_back();
 }
 
 Task<void> sample_border(Pace& pace, uint32_t region, float spacing, std::shared_ptr<TracedCurves> out) {

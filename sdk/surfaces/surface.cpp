@@ -7,25 +7,26 @@ namespace flg {
 
 // ---- order -------------------------------------------------------------------------------------------------------
 
-void SurfaceOrder::add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites) const {
+void SurfaceOrder::add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites) {
     if (auto change = last_change_.lock()) prerequisites.push_back({std::move(change), true});
-    if (!changes) return;
+    if (!changes) {
+        if (readers_.size() < readers_.capacity()) return;
+        std::erase_if(readers_, [](const auto& reader) { return reader.expired(); });
+        readers_.reserve(std::max(size_t{8}, 2 * readers_.size()));
+        return;
+    }
     for (const auto& reader : readers_) {
         if (auto job = reader.lock()) prerequisites.push_back({std::move(job), true});
     }
 }
 
-void SurfaceOrder::enter(const std::shared_ptr<Job>& job, bool changes) {
+void SurfaceOrder::enter(const std::shared_ptr<Job>& job, bool changes) noexcept {
     if (changes) {
         readers_.clear();
         last_change_ = job;
         ++revision_;
         ++pending_changes_;
         return;
-    }
-    if (readers_.size() == readers_.capacity()) {
-        std::erase_if(readers_, [](const auto& reader) { return reader.expired(); });
-        readers_.reserve(std::max(size_t{8}, 2 * readers_.size()));
     }
     readers_.push_back(job);
 }

@@ -24,10 +24,10 @@ class SurfaceOrder {
 public:
     explicit SurfaceOrder(Memory* memory) : readers_(memory) {}
 
-    // What a job that is about to be started has to wait for.
-    void add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites) const;
+    // What a job that is about to be started has to wait for; makes room for it, so that entering can't fail.
+    void add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites);
     // It was started.
-    void enter(const std::shared_ptr<Job>& job, bool changes);
+    void enter(const std::shared_ptr<Job>& job, bool changes) noexcept;
     // A job that changes the surface was published.
     void leave() { --pending_changes_; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/surface_update.h"
 
+#include <exception>
 #include <new>
 
 #include "surfaces/geodesic_blocks_update.h"
@@ -67,9 +68,10 @@ Task<void> update_after_edit(Pace& pace, Surface& surface, const MeshEdit& edit,
     }
     try {
         co_await update_solvers(pace, surface, edit);
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
         surface.solvers.blocks.reset();
         surface.solvers.graph.reset();
+        surface.solvers.has_blocks = surface.solvers.has_graph = false;
     }
 }
 

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Jobs on one surface keep the order they were started in, whoever runs them and whatever is cancelled.
+#include "api/surface_scenario.h"
+
+namespace flg::test {
+namespace {
+
+// As if done one after the other; measured with everything awaited after each step.
+const std::string& one_by_one() {
+    static const std::string expected = [] {
+        const SurfaceHost host;
+        SurfaceScenario scenario(host);
+        scenario.start([&] { host.finish(); });
+        expect_valid(host.view(scenario.surface));
+        EXPECT_EQ(host.view(scenario.surface).revision, 3u);
+        return scenario.all_bits();
+    }();
+    return expected;
+}
+
+TEST(SurfaceOrder, JobsStartedAtOnceSeeTheSurfaceAsItWasTheirTurn) {
+    const SurfaceHost host;
+    SurfaceScenario scenario(host);
+    scenario.start([] {});
+    host.finish();
+    EXPECT_TRUE(scenario.all_bits() == one_by_one());
+}
+
+TEST(SurfaceOrder, SameBitsUnderAnyWorkersAndBudgets) {
+    for (uint32_t workers : {0u, 1u, 2u, 4u}) {
+        for (uint32_t budget_us : {30u, 0u}) {
+            FlgContextDesc desc = flgContextDefaults();
+            desc.worker_count = workers;
+            desc.worker_budget_us = 7 * budget_us;
+            const SurfaceHost host(desc);
+            SurfaceScenario scenario(host);
+            uint32_t started = 0;
+            scenario.start([&] {
+                if (++started % 3 == 0) flgTick(host.context, budget_us + 1, nullptr);
+            });
+            host.finish(budget_us);
+            EXPECT_TRUE(scenario.all_bits() == one_by_one()) << workers << " workers, " << budget_us << " us";
+        }
+    }
+}
+
+TEST(SurfaceOrder, NothingIsShownWhileAChangeIsPending) {
+    const SurfaceHost host;
+    FlgSurfaceView view = flgSurfaceViewDefaults();
+    FlgSurfaceReport report{};
+    report.struct_size = sizeof report;
+    uint32_t count = 7;
+    FlgField field{};
+    const float values[9] = {};
+    const auto expect_hidden = [&](FlgSurface surface) {
+        view.mesh.vertex_count = 7;
+        EXPECT_EQ(flgSurfaceGetView(host.context, surface, &view), FLG_NOT_READY);
+        EXPECT_EQ(view.mesh.vertex_count, 0u);
+        EXPECT_EQ(flgSurfaceGetChanges(host.context, surface, 0, nullptr, 0, &count), FLG_NOT_READY);
+        EXPECT_EQ(count, 0u);
+        EXPECT_EQ(flgFieldCreate(host.context, surface, values, 9, &field), FLG_NOT_READY);
+        EXPECT_EQ(field.id, 0u);
+    };
+    const FlgSurface surface = host.start_surface(plane(2));
+    expect_hidden(surface);
+    EXPECT_EQ(flgSurfaceGetReport(host.context, surface, &report), FLG_NOT_READY);
+    EXPECT_EQ(report.vertex_count, 0u);
+    host.finish();
+    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+    cut.field = host.field(surface, [](const Point& p) { return p[0]; });
+    cut.levels.first = 0.3f;
+    cut.levels.every = 1;
+    FlgField first{}, second{};
+    ASSERT_EQ(flgCutIsolines(host.context, &cut, &first, nullptr), FLG_OK) << flgLastError();
+    expect_hidden(surface);
+    EXPECT_EQ(flgSurfaceGetReport(host.context, surface, &report), FLG_OK) << "cuts don't change it";
+    EXPECT_EQ(report.vertex_count, 9u);
+    cut.field = first;
+    cut.levels.first = 0.6f;
+    ASSERT_EQ(flgCutIsolines(host.context, &cut, &second, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    EXPECT_EQ(host.view(surface).revision, 2u);
+    EXPECT_EQ(host.view(first).revision, 1u);
+    EXPECT_EQ(host.view(second).vertex_count, host.view(surface).mesh.vertex_count);
+    EXPECT_EQ(host.report(surface).vertex_count, 9u);
+}
+
+// A job that only reads does not hide the surface.
+TEST(SurfaceOrder, ReadersLeaveTheViewOpen) {
+    const SurfaceHost host;
+    const FlgSurface surface = host.surface(plane(4));
+    host.start_distances(surface, 0);
+    EXPECT_EQ(host.view(surface).mesh.vertex_count, 25u);
+    host.finish();
+}
+
+struct Cut {
+    FlgJob job{};
+    FlgField field{};
+};
+
+Cut start_cut(const SurfaceHost& host, FlgField field) {
+    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    desc.field = field;
+    desc.levels.first = 0.2f;
+    desc.levels.every = 0.15f;
+    desc.first_label = 3;
+    Cut cut;
+    EXPECT_EQ(flgCutIsolines(host.context, &desc, &cut.field, &cut.job), FLG_OK) << flgLastError();
+    return cut;
+}
+
+TEST(SurfaceOrder, ACutCancelledBeforeItsTurnLeavesTheSurface) {
+    const SurfaceHost host;
+    const FlgSurface surface = host.surface(plane(6));
+    const std::string before = bits(host.view(surface));
+    const FlgField distances = host.start_distances(surface, 0);
+    const Cut cut = start_cut(host, distances);
+    const FlgField later = host.start_distances(surface, 3);
+    const FlgSurfaceCurves of_cut = host.start_isolines(cut.field, {0.5f});
+    ASSERT_EQ(flgJobCancel(host.context, cut.job), FLG_OK);
+    host.finish();
+    EXPECT_EQ(host.result_of(cut.job), FLG_ERROR_CANCELLED);
+    EXPECT_EQ(bits(host.view(surface)), before);
+    EXPECT_EQ(host.view(later).vertex_count, 49u);
+    FlgFieldView field = flgFieldViewDefaults();
+    expect_failure(flgFieldGetView(host.context, cut.field, &field), FLG_ERROR_CANCELLED, "cancelled");
+    FlgSurfaceCurvesView curves = flgSurfaceCurvesViewDefaults();
+    expect_failure(flgSurfaceCurvesGetView(host.context, of_cut, &curves), FLG_ERROR_DEPENDENCY, "cancelled");
+    EXPECT_TRUE(host.changes(surface, 0).empty());
+}
+
+// At whatever moment: all of it or nothing, and what comes later is not disturbed.
+TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
+    for (uint32_t workers : {0u, 2u}) {
+        std::string whole;
+        uint32_t ticks_needed = 0;
+        std::map<FlgResult, int> results;
+        for (uint32_t round = 0; round < 60; ++round) {
+            const SurfaceHost host(workers);
+            const FlgSurface surface = host.surface(plane(12));
+            const std::string before = bits(host.view(surface));
+            const Cut cut = start_cut(host, host.start_distances(surface, 0));
+            const FlgField later = host.start_distances(surface, 3);
+            const auto tick = [&] {
+                flgTick(host.context, 20, nullptr);
+                if (workers > 0) flgContextWait(host.context, 10);
+            };
+            if (round == 0) {
+                for (; host.result_of(cut.job) == FLG_NOT_READY; ++ticks_needed) tick();
+            } else {
+                const uint32_t ticks = round * 7919 % (ticks_needed + ticks_needed / 8 + 1);
+                for (uint32_t i = 0; i < ticks; ++i) tick();
+                ASSERT_EQ(flgJobCancel(host.context, cut.job), FLG_OK);
+            }
+            host.finish(50);
+            const FlgResult result = host.result_of(cut.job);
+            ++results[result];
+            const FlgSurfaceView view = host.view(surface);
+            expect_valid(view);
+            if (round == 0) whole = bits(view);
+            EXPECT_TRUE(result == FLG_OK || result == FLG_ERROR_CANCELLED) << flgResultName(result);
+            EXPECT_TRUE(bits(view) == (result == FLG_OK ? whole : before)) << "round " << round;
+            EXPECT_EQ(host.view(later).vertex_count, view.mesh.vertex_count);
+            const Cut again = start_cut(host, later);
+            host.finish();
+            EXPECT_EQ(host.result_of(again.job), FLG_OK);
+            expect_valid(host.view(surface));
+        }
+        EXPECT_TRUE(workers > 0 || results[FLG_ERROR_CANCELLED] > 1);
+    }
+}
+
+TEST(SurfaceOrder, ContextsMayEndAtAnyMoment) {
+    for (uint32_t round = 0; round < 30; ++round) {
+        const SurfaceHost host(round % 3);
+        SurfaceScenario scenario(host);
+        scenario.start([&] {
+            if (round % 2 == 0) flgTick(host.context, 10, nullptr);
+        });
+        for (uint32_t i = 0; i < round * 11 % 40; ++i) flgTick(host.context, 100, nullptr);
+    }
+}
+
+}  // namespace
+}  // namespace flg::test
