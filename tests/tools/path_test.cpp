@@ -126,6 +126,7 @@ TEST_F(Path, BadInputExitsWithOneAndIsNamed) {
     refused("two.off", "0", "4", {"two.off: --from 0 --to 4: ", "no way"});
     refused("two.off", "8", "0", {"two.off: --from: there is no vertex 8, they are 0 to 7"});
     refused("two.off", "0", "8", {"two.off: --to: there is no vertex 8"});
+    refused("two.off", "5", "5", {"two.off: --from 5 --to 5: ", "the same place"});
     refused("nosuch.off", "0", "1", {"nosuch.off"});
     EXPECT_EQ(folder.list(), std::vector<std::string>{"two.off"});
 }

@@ -43,7 +43,9 @@ void run_path(const Options& options, const CommonOptions& common) {
     check(flgTracePaths(session.context(), &desc, &path, &job), subject);
     session.finish({{{job, subject}}}, report);
 
-    report.quality["length"] = view_of(session.context(), path).curve_values[0];
+    const FlgSurfaceCurvesView traced = view_of(session.context(), path);
+    if (traced.curve_count == 0) throw InputError(subject + ": they are the same place, so there is no path");
+    report.quality["length"] = traced.curve_values[0];
     if (!options.from.vertex) report.quality["from_gap"] = from.gap();
     if (!options.to.vertex) report.quality["to_gap"] = to.gap();
     const FlgCurveSet curve = lift(session, path, subject, report);
