@@ -48,8 +48,7 @@ public:
     }
     void set_neighbour(Mesh& mesh, Corner edge, uint32_t neighbour) {
         uint32_t& word = mesh.neighbours[edge / 3][edge % 3];
-        if (word == neighbour) return;
-        remember(array_neighbours, edge, word);
+        if (triangle_of(edge) < before_.triangles && word != neighbour) remember(array_neighbours, edge, word);
         word = neighbour;
     }
     void set_corner(Mesh& mesh, uint32_t vertex, Corner corner) {

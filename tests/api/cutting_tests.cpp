@@ -161,7 +161,8 @@ TEST(CuttingApi, ACutThatFindsNothingChangesNothing) {
     EXPECT_EQ(host.view(surface).revision, 2u);
     EXPECT_TRUE(host.changes(surface, 0).empty());
     const uint32_t absent = 8;
-    FlgCutIsolinesDesc desc = at_levels(host.field(surface, along_x), {0.3f}, 9);
+    const std::vector<float> level = {0.3f};
+    FlgCutIsolinesDesc desc = at_levels(host.field(surface, along_x), level, 9);
     desc.regions = &absent;
     desc.region_count = 1;
     ASSERT_EQ(cut(host, desc), FLG_OK);
