@@ -4,25 +4,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t digit_bits = 10;
-constexpr uint32_t digit_mask = (1u << digit_bits) - 1;
-
-constexpr double tangent_max = 1e6;  // of angles near a half turn
-
-// Every third bit of the result is a bit of x < 1024.
-uint32_t spread_bits(uint32_t x) {
-    x = (x | x << 16) & 0x030000ff;
-    x = (x | x << 8) & 0x0300f00f;
-    x = (x | x << 4) & 0x030c30c3;
-    return (x | x << 2) & 0x09249249;
-}
+constexpr uint32_t fetch_ahead = 16;  // vertices
+constexpr double tangent_max = 1e6;   // of angles near a half turn
 
 // Room for cuts to come, so that not every one has to move the arrays.
 uint32_t with_slack(uint32_t size) {
@@ -161,12 +150,7 @@ void FanBuilder::finish(float own, GeodesicBlock& block) {
 
 GeodesicBlocksKernel::GeodesicBlocksKernel(const Mesh& mesh, const GrowingBuffer<Position>& positions,
                                            GeodesicBlocks& blocks, Memory* memory)
-    : mesh_(mesh),
-      positions_(positions),
-      blocks_(blocks),
-      fans_(mesh, positions, blocks),
-      keys_(mesh.vertex_count(), memory),
-      sorted_(mesh.vertex_count(), memory) {
+    : mesh_(mesh), positions_(positions), blocks_(blocks), fans_(mesh, positions, blocks), order_(positions, memory) {
     const uint32_t vertices = mesh.vertex_count();
     blocks.blocks = growing_buffer<GeodesicBlock>(vertices + 1, memory);
     blocks.overflow_of_rank = growing_buffer<uint32_t>(vertices + 1, memory);
@@ -179,70 +163,44 @@ GeodesicBlocksKernel::GeodesicBlocksKernel(const Mesh& mesh, const GrowingBuffer
     blocks.blocks[nowhere] = {};
     blocks.curvatures[nowhere] = 0;
     blocks.vertex_of_rank[nowhere] = no_index;
-    low_.fill(std::numeric_limits<float>::max());
-    high_.fill(std::numeric_limits<float>::lowest());
     if (vertices == 0) pass_ = Pass::done;
 }
 
-void GeodesicBlocksKernel::extend_bounds(uint32_t vertex) {
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        low_[axis] = std::min(low_[axis], positions_[vertex][axis]);
-        high_[axis] = std::max(high_[axis], positions_[vertex][axis]);
-    }
-}
-
-void GeodesicBlocksKernel::make_key(uint32_t vertex) {
-    if (vertex == 0) {
-        double extent = 0;
-        for (uint32_t axis = 0; axis < 3; ++axis) extent = std::max(extent, double{high_[axis]} - low_[axis]);
-        cells_per_metre_ = extent > 0 ? static_cast<float>(digit_mask / extent) : 0.0f;
-    }
-    uint32_t code = 0;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        const float cell = (positions_[vertex][axis] - low_[axis]) * cells_per_metre_;
-        code |= spread_bits(static_cast<uint32_t>(std::clamp(cell, 0.0f, float{digit_mask}))) << axis;
-    }
-    keys_[vertex] = {code, vertex};
-    for (uint32_t digit = 0; digit < 3; ++digit) ++starts_[digit][(code >> (digit * digit_bits)) & digit_mask];
-}
-
-void GeodesicBlocksKernel::begin_sort() {
-    for (auto& counts : starts_) {
-        uint32_t start = 0;
-        for (uint32_t& count : counts) start += std::exchange(count, start);
-    }
-}
-
-void GeodesicBlocksKernel::sort(uint32_t pass, uint32_t i) {
-    const Buffer<Key>& from = pass == 1 ? sorted_ : keys_;
-    Buffer<Key>& to = pass == 1 ? keys_ : sorted_;
-    to[starts_[pass][(from[i].code >> (pass * digit_bits)) & digit_mask]++] = from[i];
-}
-
 void GeodesicBlocksKernel::place(uint32_t i) {
-    const uint32_t vertex = sorted_[i].vertex, rank = i + 1;
+    const uint32_t vertex = order_.vertex_at(i), rank = i + 1;
     blocks_.vertex_of_rank[rank] = vertex;
     blocks_.rank_of_vertex[vertex] = rank;
     blocks_.blocks[rank].lanes[lane_count - 1] = nowhere;
 }
 
+// What the fans to come begin with.
+void GeodesicBlocksKernel::fetch() const {
+    if (mesh_.vertex_count() - at_ <= fetch_ahead) return;
+    const uint32_t vertex = order_.vertex_at(at_ + fetch_ahead), sooner = order_.vertex_at(at_ + fetch_ahead / 2);
+    __builtin_prefetch(&mesh_.corner_of_vertex[vertex]);
+    __builtin_prefetch(&positions_[vertex]);
+    const uint32_t triangle = triangle_of(mesh_.corner_of_vertex[sooner]);
+    __builtin_prefetch(&mesh_.triangles[triangle]);
+    __builtin_prefetch(&mesh_.neighbours[triangle]);
+}
+
 bool GeodesicBlocksKernel::run(uint32_t count) {
     const uint32_t vertices = mesh_.vertex_count();
     for (; count > 0 && pass_ != Pass::done; --count) {
-        const uint32_t i = at_++;
         switch (pass_) {
-            case Pass::bounds: extend_bounds(i); break;
-            case Pass::keys: make_key(i); break;
-            case Pass::sort_low: sort(0, i); break;
-            case Pass::sort_middle: sort(1, i); break;
-            case Pass::sort_high: sort(2, i); break;
-            case Pass::place: place(i); break;
-            case Pass::fans: fans_.build(i + 1); break;
-            case Pass::curvatures: fans_.finish(i + 1); break;
+            case Pass::order:
+                if (!order_.run(4)) continue;
+                at_ = vertices;
+                break;
+            case Pass::place: place(at_++); break;
+            case Pass::fans:
+                fetch();
+                fans_.build(++at_);
+                break;
+            case Pass::curvatures: fans_.finish(++at_); break;
             case Pass::done: break;
         }
         if (at_ < vertices) continue;
-        if (pass_ == Pass::keys) begin_sort();
         at_ = 0;
         pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
     }

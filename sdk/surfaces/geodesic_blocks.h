@@ -17,6 +17,7 @@
 #include <deque>
 
 #include "surfaces/mesh.h"
+#include "surfaces/spatial_order.h"
 
 namespace flg {
 
@@ -147,7 +148,8 @@ private:
     size_t overflow_begin_ = 0, overflow_size_ = 0, overflow_used_ = 0;
 };
 
-// Builds blocks in slices; the mesh has adjacency. A unit is a vertex in one of eight passes, 10 to 200 ns.
+// Builds blocks in slices; the mesh has adjacency. A unit is a vertex in one of four passes (of the first, four
+// vertices), 10 to 200 ns.
 class GeodesicBlocksKernel {
 public:
     // `positions` in place of the mesh's, a value a vertex, make another metric on the same surface.
@@ -159,28 +161,17 @@ public:
     bool run(uint32_t count);
 
 private:
-    enum class Pass { bounds, keys, sort_low, sort_middle, sort_high, place, fans, curvatures, done };
+    enum class Pass { order, place, fans, curvatures, done };
 
-    struct Key {
-        uint32_t code;  // Morton: ten bits an axis, interleaved
-        uint32_t vertex;
-    };
-
-    void extend_bounds(uint32_t vertex);
-    void make_key(uint32_t vertex);
-    void begin_sort();
-    void sort(uint32_t pass, uint32_t i);
     void place(uint32_t i);
+    void fetch() const;
 
     const Mesh& mesh_;
     const GrowingBuffer<Position>& positions_;
     GeodesicBlocks& blocks_;
     FanBuilder fans_;
-    Buffer<Key> keys_, sorted_;
-    std::array<std::array<uint32_t, 1024>, 3> starts_{};  // of each digit; counts at first
-    std::array<float, 3> low_, high_;
-    float cells_per_metre_ = 0;
-    Pass pass_ = Pass::bounds;
+    SpatialOrderKernel order_;
+    Pass pass_ = Pass::order;
     uint32_t at_ = 0;
 };
 

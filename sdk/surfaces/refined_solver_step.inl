@@ -4,6 +4,7 @@
 // be called on lesser ones.
 
 using Float8 = float __attribute__((vector_size(32)));
+using Double4 = double __attribute__((vector_size(32)));
 using Int8 = int32_t __attribute__((vector_size(32)));
 
 constexpr float huge = 3e38f;
@@ -27,11 +28,14 @@ constexpr float huge = 3e38f;
 // The states of eight ranks as two columns. The last rank's top bit does not count.
 [[gnu::always_inline]] inline void load_states(const WaveState* states, const uint32_t* ranks, Float8& distances,
                                                Float8& bends) {
-    for (int i = 0; i < 8; ++i) {
-        const WaveState& state = states[i == 7 ? ranks[i] & ~block_continues : ranks[i]];
-        distances[i] = state.distance;
-        bends[i] = state.bend;
+    Double4 low, high;  // a state each
+    for (int i = 0; i < 4; ++i) {
+        __builtin_memcpy(&low[i], &states[ranks[i]], sizeof(WaveState));
+        __builtin_memcpy(&high[i], &states[i == 3 ? ranks[7] & ~block_continues : ranks[i + 4]], sizeof(WaveState));
     }
+    const Float8 pairs = reinterpret_cast<Float8>(low), more_pairs = reinterpret_cast<Float8>(high);
+    distances = __builtin_shufflevector(pairs, more_pairs, 0, 2, 4, 6, 8, 10, 12, 14);
+    bends = __builtin_shufflevector(pairs, more_pairs, 1, 3, 5, 7, 9, 11, 13, 15);
 }
 [[gnu::always_inline]] inline void store_states(Float8 distances, Float8 bends, WaveState* states) {
     const Float8 low = __builtin_shufflevector(distances, bends, 0, 8, 1, 9, 2, 10, 3, 11);
