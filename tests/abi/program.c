@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
- * The C ABI from C11, against the shared library: a coil becomes a style, a line becomes a coil. */
+ * The C ABI from C11, against the shared library: a coil becomes a style, a line becomes a coil; a square becomes a
+ * surface and is measured along. */
 #include <math.h>
 #include <stdio.h>
 
 #include "filigree/filigree.h"
+#include "filigree/filigree_surface.h"
 
 enum { EXAMPLE_POINTS = 300, TARGET_POINTS = 2 };
 
@@ -22,6 +24,32 @@ static FlgResult create(FlgContext context, const float* positions, uint32_t cou
     view.columns = &column;
     view.column_count = 1;
     return flgCurveSetCreate(context, &view, out);
+}
+
+/* The distance between two corners of the unit square, across it; below 0 if something failed. */
+static float measure_square(FlgContext context) {
+    const float corners[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const uint32_t triangles[6] = {0, 1, 2, 0, 2, 3}, source = 1;
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, corners, 0, 0};
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    FlgGeodesicDesc geodesic = flgGeodesicDefaults();
+    FlgFieldView view = flgFieldViewDefaults();
+    FlgField field;
+    desc.mesh.vertex_count = 4;
+    desc.mesh.triangle_count = 2;
+    desc.mesh.columns = &column;
+    desc.mesh.column_count = 1;
+    desc.mesh.triangles = triangles;
+    if (failed("flgSurfaceCreate", flgSurfaceCreate(context, &desc, &geodesic.surface, NULL))) return -1;
+    geodesic.vertices = &source;
+    geodesic.vertex_count = 1;
+    if (failed("flgGeodesic", flgGeodesic(context, &geodesic, &field, NULL))) return -1;
+    while (flgFieldGetView(context, field, &view) == FLG_NOT_READY) {
+        if (failed("flgTick", flgTick(context, 2000, NULL))) return -1;
+        flgContextWait(context, 1000);
+    }
+    if (failed("flgFieldGetView", flgFieldGetView(context, field, &view))) return -1;
+    return view.values[3];
 }
 
 int main(void) {
@@ -59,6 +87,8 @@ int main(void) {
         if (distance > farthest) farthest = distance;
     }
     printf("%u points, at most %g m from the line\n", view.curve_offsets[1], (double)farthest);
+    const float across = measure_square(context);
+    printf("%g m across the unit square\n", (double)across);
     if (failed("flgContextDestroy", flgContextDestroy(context))) return 1;
-    return farthest > 0.1f && farthest < 0.5f ? 0 : 1;
+    return farthest > 0.1f && farthest < 0.5f && fabsf(across - 1.41421356f) < 1e-5f ? 0 : 1;
 }
