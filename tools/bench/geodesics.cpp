@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Geodesic distances on a bumpy torus, against the visit of geoTangle's own graph, literally: lists of arcs a vertex, a
-// deque, SLF and LLL (Nazzaro, Puppo, Pellacini: geoTangle (2021), algorithm 1).
+// deque, SLF and LLL (Nazzaro, Puppo, Pellacini: geoTangle (2021), algorithm 1); and against exact distances.
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <deque>
 #include <numbers>
+#include <thread>
 
 #include "bench/groups.h"
 #include "reference/literal_geodesics.h"
 #include "surfaces/adjacency.h"
 #include "surfaces/geodesic_blocks_update.h"
+#include "surfaces/graph_solver.h"
 #include "surfaces/refined_solver.h"
 
 namespace flg::bench {
@@ -17,15 +20,29 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-Memory* memory() {
-    return std::pmr::new_delete_resource();
-}
+class CountingMemory : public Memory {
+public:
+    double held_mb() const { return static_cast<double>(held_) * 1e-6; }
 
-Mesh bumpy_torus(uint32_t around, uint32_t tube) {
-    Mesh mesh(memory());
-    mesh.positions = GrowingBuffer<Position>(size_t{around} * tube, memory());
-    mesh.triangles = GrowingBuffer<Triple>(2 * size_t{around} * tube, memory());
-    mesh.regions = GrowingBuffer<uint32_t>(2 * size_t{around} * tube, memory());
+private:
+    void* do_allocate(size_t bytes, size_t alignment) override {
+        held_ += bytes;
+        return std::pmr::new_delete_resource()->allocate(bytes, alignment);
+    }
+    void do_deallocate(void* place, size_t bytes, size_t alignment) override {
+        held_ -= bytes;
+        std::pmr::new_delete_resource()->deallocate(place, bytes, alignment);
+    }
+    bool do_is_equal(const Memory& other) const noexcept override { return this == &other; }
+
+    size_t held_ = 0;
+};
+
+Mesh bumpy_torus(uint32_t around, uint32_t tube, Memory* memory) {
+    Mesh mesh(memory);
+    mesh.positions = GrowingBuffer<Position>(size_t{around} * tube, memory);
+    mesh.triangles = GrowingBuffer<Triple>(2 * size_t{around} * tube, memory);
+    mesh.regions = GrowingBuffer<uint32_t>(2 * size_t{around} * tube, memory);
     const auto index = [&](uint32_t i, uint32_t j) { return (i % around) * tube + j % tube; };
     for (uint32_t i = 0; i < around; ++i) {
         for (uint32_t j = 0; j < tube; ++j) {
@@ -86,51 +103,146 @@ void finish(Kernel&& kernel) {
     while (!kernel.run(1000)) {}
 }
 
-void add_rows(std::vector<Row>& rows, const char* size, uint32_t around, uint32_t tube, double build_bar_ms) {
-    Mesh mesh = bumpy_torus(around, tube);
-    GeodesicBlocks blocks(memory());
-    const double build_ms = median_ms(3, [&] {
-        return time_ms([&] {
-            finish(AdjacencyKernel(mesh, memory()));
-            finish(GeodesicBlocksKernel(mesh, blocks, memory()));
-        });
-    });
-    const literal::GeodesicGraph graph = literal::geodesic_graph(mesh);
-    RefinedSolver solver(blocks, memory());
+double wall_ms(const std::function<void()>& call) {
+    const auto begin = std::chrono::steady_clock::now();
+    call();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// A field from one vertex, copied out.
+void solve(RefinedSolver& solver, uint32_t source, uint32_t vertex_count, Memory* memory, DistanceField& field) {
     const SolveLimits limits;
-    std::vector<double> visits, solves;
+    const Seed seed = {source, 0, 0};
+    solver.begin({&seed, 1}, limits, false);
+    finish(solver);
+    finish(DistanceFieldKernel(solver, vertex_count, false, field, memory));
+}
+
+// Each solver in turn with the visit, source by source: what else the machine does meets all of them.
+void add_solves(std::vector<Row>& rows, const std::string& mesh_name, const Mesh& mesh, const GeodesicBlocks& blocks,
+                const GeodesicGraph& graph, Memory* memory) {
+    const literal::GeodesicGraph literal_graph = literal::geodesic_graph(mesh);
+    RefinedSolver refined(blocks, memory);
+    GraphSolver by_graph(mesh, mesh.positions, graph, memory);
+    const RegionSet everywhere(memory);
+    const SolveLimits limits;
+    std::vector<double> visits, refined_solves, graph_solves;
+    uint32_t different = 0;
     for (uint32_t source : {0u, mesh.vertex_count() / 3, mesh.vertex_count() / 2, 7u, 99u}) {
-        visits.push_back(time_ms([&] { visit_graph(graph, source); }));
-        solves.push_back(time_ms([&] {
+        std::vector<float> expected;
+        visits.push_back(time_ms([&] { expected = visit_graph(literal_graph, source); }));
+        DistanceField field;
+        refined_solves.push_back(time_ms([&] { solve(refined, source, mesh.vertex_count(), memory, field); }));
+        graph_solves.push_back(time_ms([&] {
             const Seed seed = {source, 0, 0};
-            solver.begin({&seed, 1}, limits, false);
-            finish(solver);
-            DistanceField field;
-            finish(DistanceFieldKernel(solver, mesh.vertex_count(), false, field, memory()));
+            by_graph.begin({&seed, 1}, limits, everywhere, false);
+            finish(by_graph);
+            for (uint32_t v = 0; v < mesh.vertex_count(); ++v) different += by_graph.distance(v) != expected[v];
         }));
     }
+    const double visit = median(visits);
+    const auto add = [&](const char* solver, const std::vector<double>& solves) {
+        char note[96];
+        std::snprintf(note, sizeof note, "%.1f ms, the graph's visit %.1f ms", median(solves), visit);
+        rows.push_back(at_least(std::string(solver) + " distances over the graph's visit" + mesh_name,
+                                visit / median(solves), "x", 2, note));
+    };
+    add("refined", refined_solves);
+    add("graph", graph_solves);
+    rows.push_back(within("graph distances that are not the visit's" + mesh_name, different, "", 0, 0));
+}
+
+void add_threads(std::vector<Row>& rows, const std::string& mesh_name, const Mesh& mesh, const GeodesicBlocks& blocks) {
+    Memory* memory = std::pmr::new_delete_resource();
+    RefinedSolver one(blocks, memory), other(blocks, memory);
+    const auto run = [&](RefinedSolver& solver, uint32_t first) {
+        for (uint32_t i = 0; i < 4; ++i) {
+            DistanceField field;
+            solve(solver, (first + i) * 1000, mesh.vertex_count(), memory, field);
+        }
+    };
+    double alone = HUGE_VAL, together = HUGE_VAL;
+    for (int i = 0; i < 3; ++i) {
+        alone = std::min(alone, wall_ms([&] { run(one, 0); }));
+        together = std::min(together, wall_ms([&] {
+                                std::thread thread([&] { run(other, 4); });
+                                run(one, 0);
+                                thread.join();
+                            }));
+    }
+    rows.push_back(at_least("fields a second of two threads over one's" + mesh_name, 2 * alone / together, "x", 1.8,
+                            "wall time; needs two idle cores"));
+}
+
+void add_rows(std::vector<Row>& rows, const char* size, uint32_t around, uint32_t tube, double build_bar_ms,
+              double graph_bar_ms, double memory_bar_mb) {
+    CountingMemory memory;
+    Mesh mesh = bumpy_torus(around, tube, &memory);
+    const std::string mesh_name = std::string(" (") + size + " triangles)";
+    GeodesicBlocks blocks(&memory);
+    const double build_ms = median_ms(3, [&] {
+        return time_ms([&] {
+            finish(AdjacencyKernel(mesh, &memory));
+            finish(GeodesicBlocksKernel(mesh, blocks, &memory));
+        });
+    });
+    rows.push_back(below("adjacency and blocks built" + mesh_name, build_ms, "ms", build_bar_ms));
+    {
+        RefinedSolver solver(blocks, &memory);
+        DistanceField field;
+        solve(solver, 0, mesh.vertex_count(), &memory, field);
+        rows.push_back(below("mesh, blocks, solver and field" + mesh_name, memory.held_mb(), "MB", memory_bar_mb));
+    }
+    GeodesicGraph graph(&memory);
+    rows.push_back(below(
+        "graph built" + mesh_name,
+        median_ms(3,
+                  [&] { return time_ms([&] { finish(GeodesicGraphKernel(mesh, mesh.positions, graph, &memory)); }); }),
+        "ms", graph_bar_ms));
+    add_solves(rows, mesh_name, mesh, blocks, graph, &memory);
+    add_threads(rows, mesh_name, mesh, blocks);
     // What a long slice touches: a strip of triangles around the torus and across it.
     std::vector<uint32_t> touched;
     for (uint32_t i = 0; i < around; ++i) {
         for (uint32_t j = 0; j < 2; ++j) touched.push_back(i * tube + j);
     }
-    const double update_ms =
-        median_ms(5, [&] { return time_ms([&] { finish(GeodesicBlocksUpdateKernel(mesh, touched, blocks)); }); });
-    char note[96];
-    std::snprintf(note, sizeof note, "%.1f ms, the graph's visit %.1f ms", median(solves), median(visits));
-    const std::string mesh_name = std::string(" (") + size + " triangles)";
-    rows.push_back(at_least("refined distances over the graph's visit" + mesh_name, median(visits) / median(solves),
-                            "x", 2, note));
-    rows.push_back(below("adjacency and blocks built" + mesh_name, build_ms, "ms", build_bar_ms));
+    const double update_ms = median_ms(
+        5, [&] { return time_ms([&] { finish(GeodesicBlocksUpdateKernel(mesh, mesh.positions, touched, blocks)); }); });
     rows.push_back(below("blocks updated along a slice" + mesh_name, update_ms, "ms", 60));
+}
+
+// Against the polyhedron's own distances, from three sources.
+void add_error(std::vector<Row>& rows) {
+    Memory* memory = std::pmr::new_delete_resource();
+    Mesh mesh = bumpy_torus(140, 70, memory);
+    GeodesicBlocks blocks(memory);
+    finish(AdjacencyKernel(mesh, memory));
+    finish(GeodesicBlocksKernel(mesh, blocks, memory));
+    RefinedSolver solver(blocks, memory);
+    double squares = 0;
+    uint64_t count = 0;
+    for (uint32_t source : {0u, mesh.vertex_count() / 3, mesh.vertex_count() / 2}) {
+        const std::vector<double> exact = literal::exact_distances(mesh, source);
+        DistanceField field;
+        solve(solver, source, mesh.vertex_count(), memory, field);
+        for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+            if (v == source) continue;
+            const double error = field.distances[v] / exact[v] - 1;
+            squares += error * error;
+            ++count;
+        }
+    }
+    rows.push_back(below("refined distances, RMS error (20k triangles)",
+                         100 * std::sqrt(squares / static_cast<double>(count)), "%", 0.2));
 }
 
 }  // namespace
 
 std::vector<Row> run_geodesics() {
     std::vector<Row> rows;
-    add_rows(rows, "278k", 527, 264, 50);
-    add_rows(rows, "2M", 1414, 708, 400);
+    add_rows(rows, "278k", 527, 264, 50, 50, 50);
+    add_rows(rows, "2M", 1414, 708, 400, 400, 300);
+    add_error(rows);
     return rows;
 }
 
