@@ -70,7 +70,7 @@ TEST(GeodesicApi, SourcesOfAllKindsAreNumberedInOrder) {
     desc.labels = 1;
     const FlgFieldView field = host.view(host.solve(desc));
     ASSERT_NE(field.labels, nullptr);
-    const double tolerance = 0.035;  // a cell is 0.05
+    const double tolerance = 0.035;  // a cell is 0.05; too short by so much where the waves of two sources meet
     for (uint32_t v = 0; v < field.vertex_count; ++v) {
         const Point p = vertex_at(view, v);
         const double dx = std::abs(p[0] - 0.5) - 0.1, dy = std::abs(p[1] - 0.4) - 0.1;
@@ -113,7 +113,7 @@ TEST(GeodesicApi, DistancesKeepToTheRegions) {
             }
             const bool hidden = p[0] > 0.5;
             const double exact = hidden ? 0.5 + distance(p, {0.5, 0.5, 0}) : distance(p, {0.5, 0, 0});
-            EXPECT_NEAR(field.values[v], exact, (accuracy == FLG_ACCURACY_REFINED ? 0.02 : 0.09) * exact);
+            EXPECT_NEAR(field.values[v], exact, (accuracy == FLG_ACCURACY_REFINED ? 0.012 : 0.09) * exact);
             EXPECT_EQ(field.labels[v], 0u);
         }
         const uint32_t elsewhere = 20;  // (1, 0), of region 3 only

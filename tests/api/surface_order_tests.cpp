@@ -94,6 +94,33 @@ TEST(SurfaceOrder, ReadersLeaveTheViewOpen) {
     host.finish();
 }
 
+// In the callback of a cut its surface is there to be uploaded, and the next job can be started.
+TEST(SurfaceOrder, CallbacksSeeTheCutSurface) {
+    const SurfaceHost host;
+    struct State {
+        const SurfaceHost& host;
+        FlgSurface surface;
+        uint32_t changed = 0;
+        FlgField next{};
+    } state{host, host.surface(plane(4))};
+    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    desc.field = host.field(state.surface, [](const Point& p) { return p[0]; });
+    desc.levels.first = 0.3f;
+    desc.levels.every = 9;
+    desc.job.user_data = &state;
+    desc.job.on_finished = [](void* user, FlgJob, FlgResult result) {
+        State& s = *static_cast<State*>(user);
+        EXPECT_EQ(result, FLG_OK);
+        EXPECT_EQ(s.host.view(s.surface).revision, 1u);
+        s.changed = static_cast<uint32_t>(s.host.changes(s.surface, 0).size());
+        s.next = s.host.start_distances(s.surface, 0);
+    };
+    ASSERT_EQ(flgCutIsolines(host.context, &desc, nullptr, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    EXPECT_EQ(state.changed, 24u) << "each triangle of a column of 4 squares became three";
+    EXPECT_EQ(host.view(state.next).vertex_count, host.view(state.surface).mesh.vertex_count);
+}
+
 struct Cut {
     FlgJob job{};
     FlgField field{};
