@@ -119,17 +119,20 @@ void RefinedSolver::improve(uint32_t rank, const WaveState& state) {
     wait(rank);
 }
 
+[[gnu::always_inline]] inline void prefetch_block(const GeodesicBlock& block) {
+    __builtin_prefetch(&block);
+    __builtin_prefetch(&block.tangents);
+}
+
 // Memory is slow: what the vertices that come next will read is asked for ahead. (Inlined: GCC drops calls of functions that
 // do nothing but prefetch.)
 [[gnu::always_inline]] inline void RefinedSolver::prefetch() const {
     const uint32_t later = queue_.upcoming(bucket_, 8);
-    const char* block = reinterpret_cast<const char*>(&blocks_.blocks[later]);
-    __builtin_prefetch(block);
-    __builtin_prefetch(block + 64);
+    prefetch_block(blocks_.blocks[later]);
     __builtin_prefetch(&states_[later]);
-    for (uint32_t lane : blocks_.blocks[queue_.upcoming(bucket_, 4)].lanes) {
-        __builtin_prefetch(&states_[lane & ~block_continues]);
-    }
+    const uint32_t sooner = queue_.upcoming(bucket_, 4);
+    for (uint32_t lane : blocks_.blocks[sooner].lanes) __builtin_prefetch(&states_[lane & ~block_continues]);
+    if (blocks_.blocks[sooner].continues()) __builtin_prefetch(&blocks_.overflow_of_rank[sooner]);
 }
 
 // The next vertex of the bucket that still waits there.
@@ -156,6 +159,9 @@ void RefinedSolver::solve_batch() {
         const uint32_t rank = batch.ranks[i];
         const GeodesicBlock* bounded = region_ != nullptr ? region_->find(rank) : nullptr;
         batch.blocks[i] = bounded != nullptr ? bounded : &blocks_.blocks[rank];
+        if (batch.blocks[i]->continues() && bounded == nullptr) {
+            prefetch_block(blocks_.overflow[blocks_.overflow_of_rank[rank]]);
+        }
         step_(*batch.blocks[i], states_.data(), states_[rank], bend_max_, labelled_, batch.steps[i]);
     }
     for (uint32_t i = 0; i < before.size; ++i) apply(before.ranks[i], *before.blocks[i], before.steps[i]);
