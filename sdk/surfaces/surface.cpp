@@ -33,7 +33,7 @@ void SurfaceOrder::enter(const std::shared_ptr<Job>& job, bool changes) noexcept
 
 // ---- what the host sees --------------------------------------------------------------------------------------------
 
-void Surface::show() noexcept {
+void Surface::write_report() {
     const MeshReport& found = repaired.report;
     report_ = {.struct_size = sizeof report_,
                .welded_vertices = found.welded_vertices,
@@ -60,10 +60,10 @@ void Surface::show() noexcept {
                .reserved = 0};
     store_vec3(extent.lower, report_.box_min);
     store_vec3(extent.upper, report_.box_max);
-    show_changed();
 }
 
-void Surface::show_changed() noexcept {
+void Surface::show_if_at_rest() noexcept {
+    if (order.is_changing() || visible_result() != FLG_OK) return;
     const Mesh& shown = mesh();
     const auto column_count = static_cast<uint32_t>(columns.size() + 1);
     view_columns_[0] = {FLG_ATTRIBUTE_POSITION, 3, shown.positions.data()->data(), 0, 0};

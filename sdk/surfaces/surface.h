@@ -68,11 +68,13 @@ public:
     // What the host sees; the view only while no change is pending.
     const FlgSurfaceView& view() const { return view_; }
     FlgSurfaceReport report() const { return report_; }
-    // A change was published: the arrays may have moved.
-    void show_changed() noexcept;
+    // By the job that made it, at its end: when that is published, a cut may be under way.
+    void write_report();
+    // A job was published. While a later one may change the arrays they are left alone: the host does not see them then.
+    void show_if_at_rest() noexcept;
 
 private:
-    void show() noexcept override;
+    void show() noexcept override { show_if_at_rest(); }
 
     FlgColumn view_columns_[17];  // the position and 16 others
     FlgSurfaceView view_{};
@@ -87,7 +89,7 @@ public:
     void publish_partial() noexcept override {}
     void publish(const Job& job) noexcept override {
         surface_->order.leave();
-        surface_->show_changed();
+        surface_->show_if_at_rest();
         if (product_) product_->publish(job);
     }
 

@@ -10,6 +10,7 @@ namespace {
 constexpr uint32_t measure_chunk = 1000;  // vertices or triangles, about 10 us
 constexpr uint32_t copy_chunk = 4000;     // elements, about 10 us
 
+// The last that the jobs do.
 Task<void> measure(Pace& pace, Surface& surface) {
     ExtentKernel extent(surface.mesh());
     while (!extent.run(measure_chunk)) co_await pace;
@@ -19,6 +20,7 @@ Task<void> measure(Pace& pace, Surface& surface) {
         surface.shaped_at[t] = 0;
         if (t % copy_chunk == 0) co_await pace;
     }
+    surface.write_report();
 }
 
 // The input's columns beside the position, for the vertices as they are now.
