@@ -30,8 +30,11 @@ constexpr float huge = 3e38f;
                                                Float8& bends) {
     Double4 low, high;  // a state each
     for (int i = 0; i < 4; ++i) {
-        __builtin_memcpy(&low[i], &states[ranks[i]], sizeof(WaveState));
-        __builtin_memcpy(&high[i], &states[i == 3 ? ranks[7] & ~block_continues : ranks[i + 4]], sizeof(WaveState));
+        double state;
+        __builtin_memcpy(&state, &states[ranks[i]], sizeof state);
+        low[i] = state;
+        __builtin_memcpy(&state, &states[i == 3 ? ranks[7] & ~block_continues : ranks[i + 4]], sizeof state);
+        high[i] = state;
     }
     const Float8 pairs = reinterpret_cast<Float8>(low), more_pairs = reinterpret_cast<Float8>(high);
     distances = __builtin_shufflevector(pairs, more_pairs, 0, 2, 4, 6, 8, 10, 12, 14);
