@@ -33,6 +33,8 @@ Device make_device(uint32_t threads) {
 
 PickScene::PickScene(uint32_t threads)
     : device_(make_device(threads)), scene_(rtcNewScene(device_.get())), boxes_(rtcNewScene(device_.get())) {
+    // Low quality is Embree's name for scenes of two levels; each object's own structure is of the usual quality.
+    rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
     commit();
 }

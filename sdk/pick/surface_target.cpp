@@ -94,6 +94,7 @@ uint32_t SurfaceTarget::attach(const std::vector<uint32_t>* only) {
         std::memcpy(vertices, positions_.data(), positions_.size() * sizeof(float));
         std::memcpy(indices, triangles_.data(), triangles_.size() * sizeof(uint32_t));
         rtcSetGeometryUserData(geometry.get(), this);
+        rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_changed);
     }
     rtcCommitGeometry(geometry.get());
     check(device_, "build a surface");
@@ -144,13 +145,7 @@ bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* change
     }
     if (delta_.empty()) return true;
     const uint32_t id = attach(&delta_);
-    if (delta_id_ == RTC_INVALID_GEOMETRY_ID) {
-        RTCGeometry base = rtcGetGeometry(scene_, base_id_);
-        rtcSetGeometryIntersectFilterFunction(base, pass_changed);
-        rtcCommitGeometry(base);
-    } else {
-        rtcDetachGeometry(scene_, delta_id_);
-    }
+    if (delta_id_ != RTC_INVALID_GEOMETRY_ID) rtcDetachGeometry(scene_, delta_id_);
     delta_id_ = id;
     return true;
 }

@@ -9,14 +9,15 @@ namespace flg {
 namespace {
 
 constexpr uint32_t curve_chunk = 1000;
-constexpr uint32_t point_chunk = 200;    // about 10 us
-constexpr uint32_t normals_chunk = 200;  // corners, about 10 us
+constexpr uint32_t point_chunk = 10;  // about 10 us
 
-Vec3 smooth_normal(const Mesh& mesh, const Buffer<Position>& normals, const SurfacePoint& point) {
+Vec3 smooth_normal(const Mesh& mesh, const SurfacePoint& point) {
     const Triple& corners = mesh.triangles[point.triangle];
     const double weights[] = {1.0 - point.u - point.v, point.u, point.v};
     Vec3 sum = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) sum += weights[k] * load_vec3(normals[corners[k]].data());
+    for (int k = 0; k < 3; ++k) {
+        if (weights[k] > 0) sum += weights[k] * vertex_normal(mesh, corners[k]);
+    }
     return sum.stableNormalized();
 }
 
@@ -27,11 +28,6 @@ Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, f
     const SurfaceCurves& curves = traced->curves;
     const Mesh& mesh = traced->surface->mesh();
     if (curves.curve_count() == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "there are no curves to lift");
-    pace.stage("normals");
-    VertexNormalsKernel normals_kernel(mesh, pace.memory());
-    while (!normals_kernel.run(normals_chunk)) co_await pace;
-    const Buffer<Position> normals = normals_kernel.take();
-
     pace.stage("lift");
     out->allocate_curves(curves.curve_count());
     out->offsets()[0] = 0;
@@ -44,7 +40,7 @@ Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, f
     float* positions = out->find(FLG_ATTRIBUTE_POSITION)->values.data();
     float* frames = out->find(FLG_ATTRIBUTE_NORMAL)->values.data();
     for (size_t p = 0; p < curves.points.size(); ++p) {
-        const Vec3 normal = smooth_normal(mesh, normals, curves.points[p]);
+        const Vec3 normal = smooth_normal(mesh, curves.points[p]);
         store_vec3(position_of(mesh, curves.points[p]) + height * normal, positions + 3 * p);
         store_vec3(normal, frames + 3 * p);
         if (p % point_chunk == 0) co_await pace;

@@ -20,6 +20,17 @@ Vec3 angle_normal(const Mesh& mesh, Corner corner) {
 
 }  // namespace
 
+Vec3 vertex_normal(const Mesh& mesh, uint32_t vertex) {
+    const Corner first = mesh.corner_of_vertex[vertex];
+    Vec3 sum = Vec3::Zero();
+    for (Corner corner = first; corner != no_index;) {
+        sum += angle_normal(mesh, corner);
+        corner = mesh.turn(corner);
+        if (corner == first) break;
+    }
+    return sum.stableNormalized();
+}
+
 VertexNormalsKernel::VertexNormalsKernel(const Mesh& mesh, Memory* memory)
     : mesh_(mesh), normals_(mesh.vertex_count(), memory) {}
 

@@ -320,7 +320,7 @@ typedef struct FlgIsolinesDesc {
 FLG_API FlgResult flgIsolinesDescInit(FlgIsolinesDesc* desc, uint32_t struct_size);
 
 /* Starts a job that traces isolines: closed ones, and open ones from border to border. Higher values lie to their left.
- * They are in order of their levels. */
+ * First the open ones, then the closed ones, each kind by the triangle it begins in; curve_values are their levels. */
 FLG_API FlgResult flgTraceIsolines(FlgContext context, const FlgIsolinesDesc* desc, FlgSurfaceCurves* out_curves,
                                    FlgJob* out_job);
 
@@ -360,7 +360,8 @@ typedef struct FlgPathsDesc {
 FLG_API FlgResult flgPathsDescInit(FlgPathsDesc* desc, uint32_t struct_size);
 
 /* Starts a job that joins points by locally shortest paths: straight over edges, and at vertices no shorter on either side
- * (to 1e-6). Points that no path joins make the job fail. */
+ * (to 1e-6). Points that no path joins make the job fail; a path without length
+ * is left out. */
 FLG_API FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurfaceCurves* out_curves,
                                 FlgJob* out_job);
 
