@@ -39,7 +39,7 @@ inline void check_frame(const FlgFrameMethod& method, const char* argument) {
 // desc.basis of any finite numbers.
 inline void check_basis(const float (&basis)[9]) {
     for (int i = 0; i < 9; ++i) {
-        char name[sizeof "desc.basis[0]"];
+        char name[32];
         std::snprintf(name, sizeof name, "desc.basis[%d]", i);
         check_range(std::isfinite(basis[i]), name, basis[i], "finite");
     }

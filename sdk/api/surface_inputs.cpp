@@ -84,8 +84,8 @@ Buffer<uint32_t> read_path_offsets(const FlgPathsDesc& desc, Memory* memory) {
 }
 
 LevelRequest read_levels(const FlgLevels& levels, Memory* memory) {
-    constexpr uint32_t most = 65536;
-    check_range(levels.count <= most, "desc.levels.count", levels.count, "at most 65536");
+    constexpr uint32_t most = 65534;
+    check_range(levels.count <= most, "desc.levels.count", levels.count, "at most 65534");
     LevelRequest request;
     request.count = levels.count;
     if (levels.values) {

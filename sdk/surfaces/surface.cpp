@@ -56,7 +56,9 @@ void Surface::write_report() {
                .box_min = {},
                .box_max = {},
                .vertex_of_input = repaired.vertices.of_input.data(),
-               .input_vertex_count = static_cast<uint32_t>(repaired.vertices.of_input.size()),
+               .input_vertex_count = repaired.vertices.is_identity()
+                                         ? mesh().vertex_count()
+                                         : static_cast<uint32_t>(repaired.vertices.of_input.size()),
                .reserved = 0};
     store_vec3(extent.lower, report_.box_min);
     store_vec3(extent.upper, report_.box_max);

@@ -29,7 +29,7 @@ void add_rows(CutMesh& mesh, uint32_t levels, double bar_ms, const char* what, s
                   longest_us);
     const std::string name = std::string("2 M triangles: ") + what;
     rows.push_back(below(name + " cut in", median(cut_ms), "ms", bar_ms, note));
-    rows.push_back(below(name + ", local update", median(update_ms), "ms", kUpdateMs));
+    if (levels == 1) rows.push_back(below(name + ", local update", median(update_ms), "ms", kUpdateMs));
 }
 
 }  // namespace

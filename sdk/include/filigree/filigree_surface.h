@@ -8,7 +8,7 @@
  *              changes it (a cut) runs after all that were started before it and before all that are started later. No
  *              host has to wait for that.
  * Revisions    A surface counts its changes. Fields and curves belong to the revision they were started on; with another
- *              they are FLG_ERROR_INVALID_ARGUMENT.
+ *              they are FLG_ERROR_INVALID_ARGUMENT. (A change counts when it is started, also if it fails later.)
  * Regions      Each triangle has a label, 0 to FLG_REGION_MAX. Functions that take `regions` keep to triangles with these
  *              labels, paths included; null means the whole surface.
  */
@@ -303,8 +303,8 @@ FLG_API FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDes
 
 /* Which values of a field: either `values`, or first + k * every for k = 0 to count - 1. */
 typedef struct FlgLevels {
-    const float* values; /* rising, at most 65536; null: evenly spaced ones */
-    uint32_t count;      /* 0 with every > 0: as many as the field has, at most 65536 */
+    const float* values; /* rising, at most 65534; null: evenly spaced ones */
+    uint32_t count;      /* 0 with every > 0: as many as the field has, at most 65534 */
     float first, every;
 } FlgLevels;
 
