@@ -2,7 +2,9 @@
 // A real window where there is a display (tools/test starts Xvfb), and a clear no where there is none.
 #include "filigree_renderer/window.h"
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include "curves.h"
 
@@ -38,9 +40,11 @@ TEST_F(RendererTest, WindowOpensDrawsResizesAndIsCaptured) {
     EXPECT_EQ(picture(target, window.orbit.camera).pixels, shown.pixels) << "a window shows what a target gets";
 
     window.set_size(400, 300);
-    for (int i = 0; i < 20 && window.width() != 400; ++i) {
+    // The window's manager takes its time on a busy machine.
+    for (int i = 0; i < 500 && window.width() != 400; ++i) {
         ASSERT_TRUE(window.poll());
         renderer.draw(window, window.orbit.camera);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     EXPECT_EQ(window.width(), 400u);
     EXPECT_EQ(window.height(), 300u);

@@ -98,8 +98,9 @@ TEST(CurveCutter, AgreesWithTheCutAlongIsolines) {
         const auto height = [](const Vec3& p) { return p.z() + 0.2 * std::sin(3 * p.x()) * p.y(); };
         const std::vector<float> levels = {-0.21f, 0.13f};
         const MeshColumn column = make_column(traced.mesh, height);
-        IsolineKernel kernel(traced.mesh, {column.values.data(), column.values.size()}, levels,
-                             RegionSet(test_memory()), traced.curves, test_memory());
+        const RegionSet all(test_memory());
+        IsolineKernel kernel(traced.mesh, {column.values.data(), column.values.size()}, levels, all, traced.curves,
+                             test_memory());
         while (!kernel.run(1000)) {}
         traced.run(10);
         expect_valid(traced.mesh);
