@@ -36,4 +36,30 @@ struct DistanceField {
     Buffer<uint32_t> labels;  // of the nearest source, no_index where unreachable; empty unless asked for
 };
 
+// Copies the field that a solver of either kind has made out of it, in slices of vertices.
+template <class Solver>
+class DistanceFieldKernel {
+public:
+    // `field` takes memory for all vertices of the mesh; labels only if the solver keeps them and they are wanted.
+    DistanceFieldKernel(const Solver& solver, uint32_t vertex_count, bool labelled, DistanceField& field,
+                        Memory* memory)
+        : solver_(solver), field_(field) {
+        field.distances = Buffer<float>(vertex_count, memory);
+        field.labels = Buffer<uint32_t>(labelled ? vertex_count : 0, memory);
+    }
+    bool run(uint32_t count) {
+        const size_t size = field_.distances.size();
+        for (; count > 0 && at_ < size; --count, ++at_) {
+            field_.distances[at_] = solver_.distance(at_);
+            if (!field_.labels.empty()) field_.labels[at_] = solver_.label(at_);
+        }
+        return at_ == size;
+    }
+
+private:
+    const Solver& solver_;
+    DistanceField& field_;
+    uint32_t at_ = 0;
+};
+
 }  // namespace flg

@@ -246,20 +246,4 @@ uint32_t RefinedSolver::label(uint32_t vertex) const {
     return distance(vertex) == unreachable ? no_index : labels_[blocks_.rank_of_vertex[vertex]];
 }
 
-DistanceFieldKernel::DistanceFieldKernel(const RefinedSolver& solver, uint32_t vertex_count, bool labelled,
-                                         DistanceField& field, Memory* memory)
-    : solver_(solver), field_(field) {
-    field.distances = Buffer<float>(vertex_count, memory);
-    field.labels = Buffer<uint32_t>(labelled ? vertex_count : 0, memory);
-}
-
-bool DistanceFieldKernel::run(uint32_t count) {
-    const size_t size = field_.distances.size();
-    for (; count > 0 && at_ < size; --count, ++at_) {
-        field_.distances[at_] = solver_.distance(at_);
-        if (!field_.labels.empty()) field_.labels[at_] = solver_.label(at_);
-    }
-    return at_ == size;
-}
-
 }  // namespace flg

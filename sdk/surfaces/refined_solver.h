@@ -86,18 +86,4 @@ private:
     uint32_t at_ = 0;
 };
 
-// Copies the solver's field out, in slices of vertices.
-class DistanceFieldKernel {
-public:
-    // `field` takes memory for all vertices of the mesh; labels only if the solver keeps them and they are wanted.
-    DistanceFieldKernel(const RefinedSolver& solver, uint32_t vertex_count, bool labelled, DistanceField& field,
-                        Memory* memory);
-    bool run(uint32_t count);
-
-private:
-    const RefinedSolver& solver_;
-    DistanceField& field_;
-    uint32_t at_ = 0;
-};
-
 }  // namespace flg

@@ -23,13 +23,8 @@ Task<const GeodesicRegion*> bound_region(Pace& pace, const Mesh& mesh, const Geo
 template <class Solver>
 Task<void> take_field(Pace& pace, const Solver& solver, uint32_t vertex_count, bool labelled, DistanceField& field) {
     constexpr uint32_t chunk = 2000;  // vertices, about 10 us
-    field.distances = Buffer<float>(vertex_count, pace.memory());
-    if (labelled) field.labels = Buffer<uint32_t>(vertex_count, pace.memory());
-    for (uint32_t v = 0; v < vertex_count; ++v) {
-        field.distances[v] = solver.distance(v);
-        if (labelled) field.labels[v] = solver.label(v);
-        if (v % chunk == 0) co_await pace;
-    }
+    DistanceFieldKernel copy(solver, vertex_count, labelled, field, pace.memory());
+    while (!copy.run(chunk)) co_await pace;
 }
 
 Task<Buffer<uint32_t>> flatten(Pace& pace, const std::pmr::deque<uint32_t>& indices);

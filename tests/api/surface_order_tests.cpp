@@ -176,8 +176,8 @@ TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
             if (round == 0) {
                 for (; host.result_of(cut.job) == FLG_NOT_READY; ++ticks_needed) tick();
             } else {
-                // The first before it has begun, the others anywhere.
-                const uint32_t ticks = round == 1 ? 0 : round * 7919 % (ticks_needed + ticks_needed / 8 + 1);
+                // Two before they have begun, the others anywhere.
+                const uint32_t ticks = round <= 2 ? 0 : round * 7919 % (ticks_needed + ticks_needed / 8 + 1);
                 for (uint32_t i = 0; i < ticks; ++i) tick();
                 ASSERT_EQ(flgJobCancel(host.context, cut.job), FLG_OK);
             }
@@ -195,7 +195,7 @@ TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
             EXPECT_EQ(host.result_of(again.job), FLG_OK);
             expect_valid(host.view(surface));
         }
-        EXPECT_TRUE(workers > 0 || results[FLG_ERROR_CANCELLED] > 0);
+        EXPECT_TRUE(workers > 0 || results[FLG_ERROR_CANCELLED] > 1);
     }
 }
 

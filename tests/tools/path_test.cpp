@@ -45,8 +45,8 @@ TEST_F(Path, InThePlaneItIsStraight) {
     EXPECT_EQ(report().at("command"), "path");
 }
 
+#if defined(FLG_WITH_PICK)
 TEST_F(Path, EndsMayBePointsInSpace) {
-    if (!kHasPicking) GTEST_SKIP();
     folder.write("square.off", square(12).off());
     const std::vector<Point> points = path("square.off", "0.11,0.23,1", "0.87,0.71,-2");
     EXPECT_NEAR(distance(points.front(), {0.11, 0.23, 0}), 0.0, 1e-6);
@@ -55,6 +55,7 @@ TEST_F(Path, EndsMayBePointsInSpace) {
     EXPECT_NEAR(report().at("quality").at("from_gap").get<double>(), 1.0, 1e-6);
     EXPECT_NEAR(report().at("quality").at("to_gap").get<double>(), 2.0, 1e-6);
 }
+#endif
 
 TEST_F(Path, OnACubeItUnfoldsStraight) {
     const size_t n = 8;
