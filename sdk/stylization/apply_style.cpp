@@ -21,7 +21,6 @@ struct Application {
                    .copies = request.strokes,
                    .plans = {},
                    .carried = std::pmr::vector<Sampling::Carried>(memory)},
-          style(memory),
           attributes(memory) {}
 
     Sampling sampling;
@@ -55,7 +54,7 @@ void find_columns(const StylizeRequest& request, Application& application) {
     CurveSet& out = *request.out;
     application.style_index = out.find(FLG_ATTRIBUTE_STYLE_INDEX);
     if (request.keep_displacement) application.displacement = out.find(FLG_ATTRIBUTE_DISPLACEMENT);
-    for (const AppliedAttribute& attribute : application.style.attributes) {
+    for (const StyleAttribute& attribute : application.style.attributes) {
         application.attributes.push_back(out.find(attribute.attribute));
         if (attribute.attribute == FLG_ATTRIBUTE_SPEED) application.time = out.find(FLG_ATTRIBUTE_TIME);
     }

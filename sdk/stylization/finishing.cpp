@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t block = 16;  // samples
 // What one costs, in units.
 constexpr uint32_t units_to_move = 3;
-constexpr uint32_t units_per_angle = 2;
+constexpr uint32_t units_per_component = 2;
 constexpr uint32_t units_to_turn = 16;  // the ribbon's normals
 
 }  // namespace
@@ -21,8 +21,8 @@ constexpr uint32_t units_to_turn = 16;  // the ribbon's normals
 Finishing::Finishing(const FinishingInput& input)
     : input_(input), units_per_block_(units_to_move), time_(input.start_time) {
     if (!input.closed) return;
-    for (const AppliedAttribute& attribute : input.style->attributes) {
-        units_per_block_ += units_per_angle * (attribute.components - attribute.first_angle);
+    for (const StyleAttribute& attribute : input.style->attributes) {
+        units_per_block_ += units_per_component * attribute.components;
         if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) units_per_block_ += units_to_turn;
     }
 }
@@ -33,7 +33,7 @@ bool Finishing::run(uint32_t& units) {
         units -= std::min(units, units_per_block_);
         const uint32_t last = std::min(input_.count, done_ + block);
         if (input_.pinned || input_.closed) move_ends(done_, last);
-        if (input_.closed) close_angles(done_, last);
+        if (input_.closed) close_attributes(done_, last);
         if (input_.out.time) add_times(done_, last);
         done_ = last;
     }
@@ -61,31 +61,38 @@ void Finishing::pin(uint32_t sample, uint32_t target_point) {
     if (input_.out.displacement) std::fill_n(input_.out.displacement + at, 3, 0.0f);
 }
 
-void Finishing::close_angles(uint32_t first, uint32_t last) {
+// The curve's first values stay as they are: its last are what changes most.
+void Finishing::close_attributes(uint32_t first, uint32_t last) {
     for (size_t a = 0; a < input_.style->attributes.size(); ++a) {
-        const AppliedAttribute& attribute = input_.style->attributes[a];
+        const StyleAttribute& attribute = input_.style->attributes[a];
         const size_t width = attribute.components;
-        for (size_t k = attribute.first_angle; k < width; ++k) {
-            const double gap_rad = std::remainder(static_cast<double>(attribute.values[input_.first_node * width + k]) -
-                                                      attribute.values[input_.node_around * width + k],
-                                                  attribute.period_rad);
-            const bool turns_ribbon = attribute.attribute == FLG_ATTRIBUTE_ANGLE;
+        float* values = input_.out.attributes[a];
+        for (uint32_t k = 0; k < width; ++k) {
+            const double period = attribute.period(k);
+            double gap = static_cast<double>(values[k]) - input_.around[a][k];
+            if (period > 0) gap = std::remainder(gap, period);
+            const double scale = k < attribute.length_count() ? input_.style->scale : 1.0;
+            const double low = scale * attribute.ranges[k].low, high = scale * attribute.ranges[k].high;
             for (uint32_t i = first; i < last; ++i) {
-                const double share_rad = gap_rad * i / input_.steps;
-                float& value = input_.out.attributes[a][i * width + k];
-                value = static_cast<float>(value + share_rad);
-                if (!turns_ribbon) continue;
-                float* normal = input_.out.frames.normals + 3 * static_cast<size_t>(i);
-                const Vec3 tangent = load_vec3(input_.out.frames.tangents + 3 * static_cast<size_t>(i));
-                store_vec3(turned_about(tangent, load_vec3(normal), share_rad), normal);
+                const double value = values[i * width + k] + gap * i / input_.steps;
+                values[i * width + k] = static_cast<float>(period > 0 ? value : std::clamp(value, low, high));
             }
+            if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) turn_normals(first, last, gap);
         }
     }
 }
 
+void Finishing::turn_normals(uint32_t first, uint32_t last, double gap_rad) {
+    for (uint32_t i = first; i < last; ++i) {
+        const size_t at = 3 * static_cast<size_t>(i);
+        float* normal = input_.out.frames.normals + at;
+        const Vec3 tangent = load_vec3(input_.out.frames.tangents + at);
+        store_vec3(turned_about(tangent, load_vec3(normal), gap_rad * i / input_.steps), normal);
+    }
+}
+
 void Finishing::add_times(uint32_t first, uint32_t last) {
-    const size_t column = input_.style->find(FLG_ATTRIBUTE_SPEED) - input_.style->attributes.data();
-    const float* speeds = input_.out.attributes[column];
+    const float* speeds = input_.out.attributes[input_.style->find(FLG_ATTRIBUTE_SPEED)];
     for (uint32_t i = first; i < last; ++i) {
         if (i > 0) {
             const float* position = input_.out.frames.positions + 3 * static_cast<size_t>(i);

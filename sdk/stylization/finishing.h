@@ -7,8 +7,8 @@
 // u from 0 to 1 along the target, D the displacement and "around" where a closed curve comes back to its first point:
 //   pinned   D(u) - (1 - u) D(0) - u D(1)
 //   closed   D(u) - u (D(around) - D(0))
-// On closed curves, angles among the attributes are closed likewise, the shorter way, so that ribbons go on over the seam
-// as they do elsewhere; other attributes begin anew there, as they do where the style is jumped about in.
+// On closed curves attributes are closed likewise, angles the shorter way, and others kept within what the style has; so
+// ribbons and sizes go on over the seam as they do elsewhere.
 // Times: the distance of two points takes as long as the mean of their speeds says.
 #pragma once
 
@@ -39,9 +39,9 @@ struct FinishingInput {
     bool closed = false;
     Vec3 start_excess = Vec3::Zero();  // what is taken off the displacement at u = 0
     Vec3 end_excess = Vec3::Zero();    // and at u = 1
-    uint32_t first_node = 0;
-    uint32_t node_around = 0;  // of closed curves
-    double start_time = 0;     // seconds
+    // Of closed curves: the attributes where the curve has come around.
+    std::array<std::array<float, attribute_components_max>, style_attributes_max> around{};
+    double start_time = 0;  // seconds
 };
 
 // A unit is about 50 ns of it.
@@ -53,7 +53,8 @@ public:
 
 private:
     void move_ends(uint32_t first, uint32_t last);
-    void close_angles(uint32_t first, uint32_t last);
+    void close_attributes(uint32_t first, uint32_t last);
+    void turn_normals(uint32_t first, uint32_t last, double gap_rad);
     void add_times(uint32_t first, uint32_t last);
     void pin(uint32_t sample, uint32_t target_point);
 

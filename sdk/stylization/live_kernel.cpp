@@ -59,10 +59,11 @@ LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples,
       basis_(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(settings.basis.data())),
       step_(settings.spacing()) {
     for (const StyleAttribute& attribute : settings.style->attributes) {
-        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_ = &attribute;
-        if (attribute.attribute == FLG_ATTRIBUTE_SPEED) speed_ = &attribute;
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_unit_ = mean_radius(attribute.values);
     }
-    if (radius_) radius_unit_ = mean_radius(radius_->values);
+    for (uint32_t k = live_own_columns; k < out.count; ++k) {
+        if (out.layout[k].attribute == FLG_ATTRIBUTE_SPEED) speeds_ = out.data[k];
+    }
     state_.curve = LiveCurve(settings.smoothing, place_share * step_);
 }
 
@@ -128,7 +129,7 @@ Vec3 LiveKernel::first_normal(const Vec3& tangent) const {
 
 void LiveKernel::begin_walk() {
     state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
-    state_.blend = SeamBlend(settings_.style->graph.patch);
+    state_.blend = SeamBlend(settings_.style->graph.patch, settings_.style->attributes);
 }
 
 void LiveKernel::advance_walk() {
@@ -187,45 +188,43 @@ void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& fr
     const Vec3 along = basis_ * (displacement_of(node) + state_.blend.offset());
     const Vec3 displaced = position + factor * (along.x() * tangent + along.y() * frame_normal + along.z() * binormal);
     Vec3 normal = frame_normal;
-    write_attributes(node, tangent, normal);
     double radius = settings_.radius_min + (settings_.radius_max - settings_.radius_min) * hand.pressure;
-    if (radius_) radius *= radius_->values[node] / radius_unit_;
+    write_attributes(tangent, normal, radius);
     const size_t at = state_.points;
     store_vec3(displaced, out_.data[0] + 3 * at);
     store_vec3(tangent, out_.data[1] + 3 * at);
     store_vec3(normal, out_.data[2] + 3 * at);
     out_.data[3][at] = static_cast<float>(radius);
     out_.data[4][at] = static_cast<float>(node);
-    out_.data[5][at] = static_cast<float>(speed_ ? motion_time(node) : hand.time);
+    out_.data[5][at] = static_cast<float>(speeds_ ? motion_time() : hand.time);
     ++state_.points;
 }
 
-// Of the point whose position has been written.
-double LiveKernel::motion_time(uint32_t node) {
+// Of the point whose position and speed have been written.
+double LiveKernel::motion_time() {
     if (state_.points == 0) return 0;
     const size_t at = state_.points;
     const float* position = out_.data[0] + 3 * at;
     const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
-    const float speed_before = speed_->values[static_cast<size_t>(out_.data[4][at - 1])];
-    state_.motion_s += distance / (0.5 * (double{speed_before} + double{speed_->values[node]}));
+    state_.motion_s += distance / (0.5 * (double{speeds_[at - 1]} + double{speeds_[at]}));
     return state_.motion_s;
 }
 
-// As flgStylize gives them: sizes times scale, and an angle turns the normal.
-void LiveKernel::write_attributes(uint32_t node, const Vec3& tangent, Vec3& normal) {
+// As flgStylize gives them: sizes times scale, and an angle turns the normal. The style's radius makes the hand's.
+void LiveKernel::write_attributes(const Vec3& tangent, Vec3& normal, double& radius) {
     const size_t at = state_.points;
+    const uint32_t node = state_.walk.node();
     uint32_t column = live_own_columns;
-    for (const StyleAttribute& attribute : settings_.style->attributes) {
-        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) continue;
-        const float* from = attribute.values.data() + size_t{node} * attribute.components;
-        float* to = out_.data[column++] + at * attribute.components;
-        uint32_t lengths = 0;  // components that are
-        if (attribute.attribute == FLG_ATTRIBUTE_WIDTH) lengths = 1;
-        if (attribute.attribute == FLG_ATTRIBUTE_RADII) lengths = 2;
-        for (uint32_t k = 0; k < attribute.components; ++k) {
-            to[k] = k < lengths ? static_cast<float>(from[k] * settings_.scale) : from[k];
+    for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
+        const StyleAttribute& attribute = settings_.style->attributes[a];
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
+            radius *= state_.blend.value(a, 0, node) / radius_unit_;
+            continue;
         }
-        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) normal = turned_about(tangent, normal, from[0]);
+        state_.blend.write(a, node, settings_.scale, out_.data[column++] + at * attribute.components);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) {
+            normal = turned_about(tangent, normal, state_.blend.value(a, 0, node));
+        }
     }
 }
 

@@ -38,7 +38,7 @@ bool all_trees_made(const PathTrees& trees);
 
 // The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, then the style's attributes but for RADIUS.
 constexpr uint32_t live_own_columns = 6;
-constexpr uint32_t live_columns_max = live_own_columns + 8;
+constexpr uint32_t live_columns_max = live_own_columns + style_attributes_max;
 struct LiveColumns {
     uint32_t count = 0;
     std::array<CurveSet::ColumnLayout, live_columns_max> layout;
@@ -89,16 +89,15 @@ private:
     void take_supplied_normal(const Vec3& up);
     void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
                double factor);
-    void write_attributes(uint32_t node, const Vec3& tangent, Vec3& normal);
-    double motion_time(uint32_t node);
+    void write_attributes(const Vec3& tangent, Vec3& normal, double& radius);
+    double motion_time();
 
     LiveSettings settings_;
     LiveSamples samples_;
     LiveColumns out_;
     Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();
-    const StyleAttribute* radius_ = nullptr;
-    const StyleAttribute* speed_ = nullptr;
-    double radius_unit_ = 1;  // the radius attribute's mean
+    const float* speeds_ = nullptr;  // the result's, if the style has them
+    double radius_unit_ = 1;         // the radius attribute's mean
     double step_ = 0;
     LiveState state_;
     SegmentBlock block_;

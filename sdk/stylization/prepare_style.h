@@ -13,7 +13,6 @@ namespace flg {
 // Several patch sizes, attributes, curves: so many at most. The last bounds the matrix' first rows and the jumps kept from
 // the curves' last patches.
 constexpr uint32_t patch_sizes_max = 8;
-constexpr uint32_t style_attributes_max = 8;
 constexpr uint32_t style_curves_max = 256;
 
 struct StyleRequest {

@@ -15,9 +15,19 @@
 // "beads" to 0.40. Unblended copies have 0.97 and 0.73, but steps 2.5 and 14 times the style's mean, and are further from
 // its patches. Fading over no more points than the run before had keeps 0.96 and 0.64, but brings such steps back, from
 // temperature 1 on.)
+//
+// Attributes (sec. 5) are blended alike, each component by its own metric:
+// - on a line (R+ and R): the gap is a difference; what comes out is kept within what the style has, so that sizes stay
+//   sizes and speeds above 0;
+// - on a circle or the projective line (S1, RP1): the gap goes the shorter way, and the whole turns that it leaves out are
+//   added to all that follows: angles come out continuous along the curve, however often the style is jumped about in.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "core/vec.h"
+#include "stylization/style_attributes.h"
 
 namespace flg {
 
@@ -25,30 +35,53 @@ namespace flg {
 class SeamBlend {
 public:
     SeamBlend() = default;
-    explicit SeamBlend(uint32_t patch) : patch_(patch) {}
+    // The attributes outlive the blend.
+    explicit SeamBlend(uint32_t patch, std::span<const StyleAttribute> attributes = {})
+        : attributes_(attributes), patch_(patch) {}
 
     // To the next sample, from node `from` to node `to`; `displacement(node)` is the style's. A node that is jumped from
     // has a patch, so the one after it is of the same style curve.
     template <class DisplacementAt>
     void step(uint32_t from, uint32_t to, const DisplacementAt& displacement) {
-        const bool seam = to != from + 1;
-        if (left_ > 0) {
-            offset_ = --left_ > 0 ? Vec3(offset_ - fade_) : Vec3(Vec3::Zero());
-        }
-        if (!seam) return;
-        const Vec3 gap = displacement(from + 1) + offset_ - displacement(to);
-        fade_ = gap / (patch_ + 1.0);
-        offset_ = gap - fade_;
+        if (left_ > 0) --left_;
+        if (to == from + 1) return;
+        gap_ = displacement(from + 1) + offset() - displacement(to);
+        find_attribute_gaps(from + 1, to);
         left_ = patch_;
     }
 
     // What is added to the copied displacement.
-    const Vec3& offset() const { return offset_; }
+    Vec3 offset() const { return share() * gap_; }
+
+    // A component of attribute `index` at the node that was stepped to.
+    double value(size_t index, uint32_t component, uint32_t node) const {
+        const StyleAttribute& attribute = attributes_[index];
+        const double copied = attribute.values[size_t{node} * attribute.components + component];
+        if (component >= attribute.first_angle()) return copied + wound_rad_[index] + share() * gaps_[index][component];
+        if (left_ == 0) return copied;
+        const ValueRange range = attribute.ranges[component];
+        return std::clamp<double>(copied + share() * gaps_[index][component], range.low, range.high);
+    }
+    // All components, lengths times `scale`.
+    void write(size_t index, uint32_t node, double scale, float* out) const {
+        const uint32_t lengths = attributes_[index].length_count();
+        for (uint32_t k = 0; k < attributes_[index].components; ++k) {
+            out[k] = static_cast<float>((k < lengths ? scale : 1.0) * value(index, k, node));
+        }
+    }
 
 private:
-    Vec3 offset_ = Vec3::Zero();
-    Vec3 fade_ = Vec3::Zero();  // a point
-    uint32_t left_ = 0;         // points with an offset, this one included
+    double share() const { return left_ / (patch_ + 1.0); }
+
+    // `followed` would have come without the seam.
+    void find_attribute_gaps(uint32_t followed, uint32_t to);
+
+    std::span<const StyleAttribute> attributes_;
+    Vec3 gap_ = Vec3::Zero();
+    std::array<std::array<float, attribute_components_max>, style_attributes_max> gaps_{};
+    std::array<double, style_attributes_max> wound_rad_{};  // whole turns since the curve's start; an attribute has one
+                                                            // angle at most
+    uint32_t left_ = 0;                                     // points with an offset, this one included
     uint32_t patch_ = 0;
 };
 

@@ -44,13 +44,30 @@ FlgMetric resolved_metric(const FlgStyleAttribute& wanted) {
 
 }  // namespace
 
-double StyleAttribute::period(uint32_t component) const {
-    if (attribute == FLG_ATTRIBUTE_RADII) {
-        if (component != turn_component) return 0.0;
-        return metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 2 * std::numbers::pi;
+uint32_t StyleAttribute::length_count() const {
+    switch (attribute) {
+        case FLG_ATTRIBUTE_RADIUS:
+        case FLG_ATTRIBUTE_WIDTH: return 1;
+        case FLG_ATTRIBUTE_RADII: return turn_component;
+        default: return 0;
     }
-    if (metric == FLG_METRIC_CIRCLE) return 2 * std::numbers::pi;
-    return metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 0.0;
+}
+
+uint32_t StyleAttribute::first_angle() const {
+    if (attribute == FLG_ATTRIBUTE_RADII) return turn_component;
+    return metric == FLG_METRIC_EUCLIDEAN ? components : 0;
+}
+
+double StyleAttribute::period(uint32_t component) const {
+    if (component < first_angle()) return 0.0;
+    return metric == FLG_METRIC_PROJECTIVE ? std::numbers::pi : 2 * std::numbers::pi;
+}
+
+void StyleAttribute::extend_ranges(uint32_t point) {
+    const float* value = values.data() + size_t{point} * components;
+    for (uint32_t k = 0; k < components; ++k) {
+        ranges[k] = {std::min(ranges[k].low, value[k]), std::max(ranges[k].high, value[k])};
+    }
 }
 
 bool can_transfer(int32_t attribute) {
@@ -88,8 +105,12 @@ void check_attribute_column(const CurveSet& example, const FlgStyleAttribute& wa
 StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t points,
                               Memory* memory) {
     const uint32_t components = example.find(wanted.attribute)->components;
-    return {wanted.attribute, components, resolved_metric(wanted), wanted.weight,
-            Buffer<float>(size_t{points} * components, memory)};
+    return {wanted.attribute,
+            components,
+            resolved_metric(wanted),
+            wanted.weight,
+            Buffer<float>(size_t{points} * components, memory),
+            {}};
 }
 
 AttributeKernel::AttributeKernel(const CurveSet& example, uint32_t curve, std::span<const double> places,
@@ -136,6 +157,7 @@ void AttributeKernel::take(double fraction) {
             if (period > 0 && done_ > 0) value = nearest(value, (out - width)[k], period);
             out[k] = static_cast<float>(value);
         }
+        attribute.extend_ranges(first_point_ + done_);
     }
 }
 

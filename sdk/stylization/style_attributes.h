@@ -7,6 +7,8 @@
 // follows them along the style never makes a turn of its own.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,13 @@
 #include "stylization/patch_rows.h"
 
 namespace flg {
+
+constexpr uint32_t style_attributes_max = 8;
+constexpr uint32_t attribute_components_max = 16;
+
+struct ValueRange {
+    float low = HUGE_VALF, high = -HUGE_VALF;
+};
 
 // An attribute that the style transfers.
 struct StyleAttribute {
@@ -26,9 +35,17 @@ struct StyleAttribute {
     // One value a point of the guide, `components` floats each: what the style has at the place matched to that point.
     // Angles are not reduced: they may be any finite number of turns.
     Buffer<float> values;
+    // What each component's values lie within, over the whole style.
+    std::array<ValueRange, attribute_components_max> ranges;
 
+    // The first components, so many, are lengths: they grow with the style.
+    uint32_t length_count() const;
+    // Components from this one on are angles.
+    uint32_t first_angle() const;
     // Length of the circle that a component lies on, radians; 0: on a line.
     double period(uint32_t component) const;
+    // Widens the ranges by a point's values.
+    void extend_ranges(uint32_t point);
 };
 
 // What a style may transfer.

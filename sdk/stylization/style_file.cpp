@@ -130,13 +130,12 @@ std::shared_ptr<CurveSet> read_guide(Reader& in, const StyleCounts& counts, Memo
 }
 
 void read_attribute(Reader& in, uint32_t nodes, PreparedStyle& style) {
-    constexpr uint32_t components_max = 16;
     StyleAttribute& attribute = style.attributes.emplace_back();
     const auto kind = in.value<int32_t>();
     in.value(attribute.components);
     const auto metric = in.value<int32_t>();
     if (!can_transfer(kind) || metric < FLG_METRIC_EUCLIDEAN || metric > FLG_METRIC_PROJECTIVE ||
-        attribute.components > components_max) {
+        attribute.components > attribute_components_max) {
         throw Failure(FLG_ERROR_FORMAT, "data holds no usable style: attribute %d with metric %d and %u components",
                       kind, metric, attribute.components);
     }
@@ -145,6 +144,7 @@ void read_attribute(Reader& in, uint32_t nodes, PreparedStyle& style) {
     in.value(attribute.weight);
     attribute.values = in.array<float>(size_t{nodes} * attribute.components);
     check_attribute(style, style.attributes.size() - 1);
+    for (uint32_t node = 0; node < nodes; ++node) attribute.extend_ranges(node);
 }
 
 void read_content(Reader& in, PreparedStyle& style, Memory* memory) {

@@ -12,7 +12,6 @@ namespace flg {
 namespace {
 
 constexpr uint32_t patch_max = 1024;
-constexpr uint32_t components_max = 16;
 constexpr uint32_t successors_bound = PatchGraphKernel::successors_kept;
 // Coordinates of curve sets are at most 1e30; displacements are differences of them.
 constexpr double coordinate_max = 1e30;
@@ -107,7 +106,7 @@ void check_attribute(const PreparedStyle& style, size_t index) {
     const StyleAttribute& attribute = style.attributes[index];
     const FlgAttribute kind = attribute.attribute;
     const uint32_t components = components_of(kind);
-    require_that(attribute.components >= 1 && attribute.components <= components_max &&
+    require_that(attribute.components >= 1 && attribute.components <= attribute_components_max &&
                      (components == 0 || attribute.components == components),
                  "an attribute has a wrong number of components");
     require_that(metric_fits(kind, attribute.components, attribute.metric), "an attribute's metric does not fit it");

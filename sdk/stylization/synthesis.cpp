@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/random.h"
+#include "curves/moving_frame.h"
 
 namespace flg {
 
@@ -70,7 +71,8 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     finishing_.reset();
     // On closed curves one more than samples: where the style is when the curve has come around.
     walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key, stroke.plan.steps + 1);
-    blend_ = SeamBlend(input_.trees->graph().patch);
+    blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
+    angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
 
 bool SynthesisKernel::run(uint32_t n) {
@@ -89,7 +91,7 @@ bool SynthesisKernel::run(uint32_t n) {
                 out_of_units = true;
             }
         }
-        write_columns(first);
+        write_carried(first);
         if (out_of_units) return false;
     }
     return finish(n);
@@ -117,25 +119,14 @@ bool SynthesisKernel::find_node(uint32_t& units) {
     return true;
 }
 
-// The other columns of the block's samples that were just written, from `first` on.
-void SynthesisKernel::write_columns(uint32_t first) {
-    const uint32_t count = block_at_ - first;
-    const uint32_t written_before = written_ - count;
-    const float* nodes = stroke_.out.style_index + written_before;
-    for (size_t a = 0; a < stroke_.out.attributes.size(); ++a) {
-        const AppliedAttribute& attribute = input_.style->attributes[a];
-        const size_t width = attribute.components;
-        float* out = stroke_.out.attributes[a] + written_before * width;
-        for (uint32_t k = 0; k < count; ++k) {
-            const float* value = attribute.values.data() + static_cast<size_t>(nodes[k]) * width;
-            for (size_t i = 0; i < width; ++i) *out++ = value[i];
-        }
-    }
+// The carried columns of the block's samples that were just written, from `first` on.
+void SynthesisKernel::write_carried(uint32_t first) {
     if (stroke_.carried.empty()) return;
+    const uint32_t count = block_at_ - first;
     std::array<SamplePlace, sample_block> places;
     for (uint32_t k = 0; k < count; ++k) places[k] = {block_[first + k].segment, block_[first + k].t};
     for (const ColumnPair& column : stroke_.carried) {
-        interpolate_column(column, stroke_.plan.curve, {places.data(), count}, written_before);
+        interpolate_column(column, stroke_.plan.curve, {places.data(), count}, written_ - count);
     }
 }
 
@@ -162,27 +153,32 @@ Vec3 SynthesisKernel::displacement_at(const FramedSample& sample) const {
 
 void SynthesisKernel::write(const FramedSample& sample) {
     const StylizedColumns& out = stroke_.out;
-    const uint32_t node = walk_.node();
     const Vec3 displacement = displacement_at(sample);
-    Vec3 normal = sample.normal;
-    if (!input_.style->turns.empty()) {
-        const AppliedStyle::Turn turn = input_.style->turns[node];
-        normal = turn.cosine * normal + turn.sine * sample.tangent.cross(normal);
-    }
     const size_t at = 3 * static_cast<size_t>(written_);
     store_vec3(sample.position + input_.magnitude * displacement, out.frames.positions + at);
     store_vec3(sample.tangent, out.frames.tangents + at);
-    store_vec3(normal, out.frames.normals + at);
+    store_vec3(sample.normal, out.frames.normals + at);
     if (out.displacement) store_vec3(displacement, out.displacement + at);
-    out.style_index[written_] = static_cast<float>(node);
+    out.style_index[written_] = static_cast<float>(walk_.node());
+    write_attributes(sample);
     if (written_ == 0) {
         first_ = sample;
-        first_node_ = node;
         first_displacement_ = displacement;
     }
     last_displacement_ = displacement;
     ++written_;
     node_known_ = false;
+}
+
+void SynthesisKernel::write_attributes(const FramedSample& sample) {
+    const AppliedStyle& style = *input_.style;
+    for (size_t a = 0; a < style.attributes.size(); ++a) {
+        const size_t at = size_t{written_} * style.attributes[a].components;
+        blend_.write(a, walk_.node(), style.scale, stroke_.out.attributes[a] + at);
+    }
+    if (angle_ == style.attributes.size()) return;
+    const Vec3 normal = turned_about(sample.tangent, sample.normal, blend_.value(angle_, 0, walk_.node()));
+    store_vec3(normal, stroke_.out.frames.normals + 3 * static_cast<size_t>(written_));
 }
 
 // Once all samples are written.
@@ -206,13 +202,17 @@ bool SynthesisKernel::finish(uint32_t& units) {
                                  .closed = closed,
                                  .start_excess = Vec3::Zero(),
                                  .end_excess = last_displacement_,
-                                 .first_node = first_node_,
-                                 .node_around = walk_.node(),
+                                 .around = {},
                                  .start_time = stroke_.start_time};
         if (pinned) {
             finishing.start_excess = first_displacement_;
         } else {
             finishing.end_excess -= first_displacement_;
+        }
+        if (closed) {
+            for (size_t a = 0; a < input_.style->attributes.size(); ++a) {
+                blend_.write(a, walk_.node(), input_.style->scale, finishing.around[a].data());
+            }
         }
         finishing_.emplace(finishing);
     }

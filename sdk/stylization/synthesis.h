@@ -3,7 +3,7 @@
 //   result = target + magnitude * (d_t t + d_n n + d_b b),
 // with the target's moving frame and displacements read along shortest paths between random destinations of the patch
 // graph; attributes (sec. 5) are read along with them. Every sample is one table look-up, once the path trees are there.
-// Between two runs displacements are blended (seam_blend); attributes are not.
+// Between two runs displacements and attributes are blended (seam_blend).
 //
 // Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come than
 // the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble where
@@ -92,7 +92,8 @@ private:
     bool advance();
     bool make_tree(uint32_t& units);
     void write(const FramedSample& sample);
-    void write_columns(uint32_t first);
+    void write_attributes(const FramedSample& sample);
+    void write_carried(uint32_t first);
     Vec3 displacement_at(const FramedSample& sample) const;
     bool finish(uint32_t& units);
 
@@ -110,7 +111,7 @@ private:
     uint32_t written_ = 0;
     bool node_known_ = true;  // walk_ stands at the next sample's node
     FramedSample first_;      // of the stroke
-    uint32_t first_node_ = 0;
+    size_t angle_ = 0;        // where among the attributes ANGLE is
     Vec3 first_displacement_, last_displacement_;
     std::optional<Finishing> finishing_;
 };

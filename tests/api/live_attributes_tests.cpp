@@ -47,8 +47,9 @@ TEST(LiveStrokeAttributes, ComeFromTheStyle) {
     desc.attributes = example.attributes.data();
     desc.attribute_count = static_cast<uint32_t>(example.attributes.size());
     ASSERT_EQ(flgStyleCreate(host.context, &desc, &host.style, nullptr), FLG_OK) << flgLastError();
-    host.warm(0);
+    host.warm(1);
     FlgLiveStrokeDesc live = host.live;
+    live.temperature = 1;
     live.style = host.style;
     live.radius_min = live.radius_max = 0.01f;
     const FlgLiveStroke stroke = host.begin(live);
@@ -67,6 +68,17 @@ TEST(LiveStrokeAttributes, ComeFromTheStyle) {
         EXPECT_NEAR(ratio, mean_ratio, 0.01 * mean_ratio);
     }
     EXPECT_NEAR(1 / mean_ratio, 0.02, 0.001);  // the mean radius of the style
+    // No steps where the style is jumped about in, by temperature 1: those of whole values over a patch of 10 points.
+    for (size_t i = 1; i < with.points(); ++i) {
+        EXPECT_LT(std::abs(with.of(user)[i] - with.of(user)[i - 1]), 2.0 / 11 + 0.01);
+        EXPECT_LT(std::abs(with.of(FLG_ATTRIBUTE_ANGLE)[i] - with.of(FLG_ATTRIBUTE_ANGLE)[i - 1]), 4.0 / 11 + 0.02);
+    }
+    // Undone and drawn again, and drawn in one go: the same bits.
+    ASSERT_EQ(flgLiveStrokeUndo(host.context, stroke, 61, nullptr), FLG_OK);
+    host.push(stroke, samples.data() + samples.size() - 61, 61);
+    const LiveHost::Ended drawn_again = host.end(stroke);
+    host.finish();
+    EXPECT_TRUE(host.replay(live, drawn_again.samples) == heard_of(host.view_of(drawn_again.stylized)));
     // The angle turns the normal about the tangent.
     live.style = {};
     FlgStyle plain{};
@@ -74,7 +86,7 @@ TEST(LiveStrokeAttributes, ComeFromTheStyle) {
     desc.attributes = nullptr;
     ASSERT_EQ(flgStyleCreate(host.context, &desc, &plain, nullptr), FLG_OK);
     host.style = plain;
-    host.warm(0);
+    host.warm(1);
     live.style = plain;
     const FlgLiveStroke bare = host.begin(live);
     host.push(bare, samples.data(), samples.size());

@@ -154,7 +154,7 @@ TEST(Attributes, DoNotDependOnTheSlices) {
 }
 
 TEST(Attributes, ChannelsCarryWeightAndPeriod) {
-    StyleAttribute attribute{FLG_ATTRIBUTE_RADII, 3, FLG_METRIC_EUCLIDEAN, 2, Buffer<float>(6, test::memory())};
+    StyleAttribute attribute{FLG_ATTRIBUTE_RADII, 3, FLG_METRIC_EUCLIDEAN, 2, Buffer<float>(6, test::memory()), {}};
     const float values[6] = {1, 2, -1, 3, 4, 7};
     std::copy(values, values + 6, attribute.values.data());
     std::pmr::vector<PatchChannel> channels(test::memory());

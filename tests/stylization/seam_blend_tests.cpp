@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "curves/moving_frame.h"
 #include "stylization/synthesis_inputs.h"
 
 namespace flg {
@@ -123,6 +124,141 @@ TEST(SeamBlend, SeamsAreNoKinks) {
             ++looked_at;
         }
         EXPECT_LT(blended_sum, copied_sum) << tau;
+    }
+}
+
+// Attributes of all metrics that vary along with `wiggles`, but are not compared by the patch graph: seams find them anywhere.
+struct Varied {
+    static constexpr int points = 300;
+    TestStyle style{test::wiggles(points), patch};
+
+    Varied() {
+        add(FLG_ATTRIBUTE_RADIUS, 1, FLG_METRIC_EUCLIDEAN);
+        add(FLG_ATTRIBUTE_RADII, 3, FLG_METRIC_PROJECTIVE);
+        add(FLG_ATTRIBUTE_ANGLE, 1, FLG_METRIC_CIRCLE);
+        add(FLG_ATTRIBUTE_WIDTH, 1, FLG_METRIC_EUCLIDEAN);
+        add(FLG_ATTRIBUTE_SPEED, 1, FLG_METRIC_EUCLIDEAN);
+        add(FLG_ATTRIBUTE_COLOR, 4, FLG_METRIC_EUCLIDEAN);
+        add(user, 2, FLG_METRIC_EUCLIDEAN);
+        add(static_cast<FlgAttribute>(user + 1), 1, FLG_METRIC_PROJECTIVE);
+    }
+
+    static constexpr FlgAttribute user = FLG_ATTRIBUTE_USER;
+
+private:
+    // Sizes go down to 0; angles turn on and on.
+    void add(FlgAttribute attribute, uint32_t components, FlgMetric metric) {
+        std::vector<float> values;
+        const StyleAttribute kind{attribute, components, metric, 0, {}, {}};
+        for (int i = 0; i < points; ++i) {
+            for (uint32_t k = 0; k < components; ++k) {
+                const double wave = std::sin(0.21 * i + 3 * std::sin(0.013 * i) + k + static_cast<int>(attribute));
+                values.push_back(static_cast<float>(kind.period(k) > 0                 ? 0.2 * i + 0.2 * wave
+                                                    : attribute == FLG_ATTRIBUTE_SPEED ? 1.1 + wave
+                                                                                       : 1 + wave));
+            }
+        }
+        style.add(attribute, components, values, metric);
+    }
+};
+
+double largest_step(const std::vector<float>& values, size_t width, size_t k, double period = 0) {
+    double largest = 0;
+    for (size_t i = width + k; i < values.size(); i += width) {
+        const double step = static_cast<double>(values[i]) - values[i - width];
+        largest = std::max(largest, std::abs(period > 0 ? std::remainder(step, period) : step));
+    }
+    return largest;
+}
+
+TEST(SeamBlend, AttributesHaveNoStepsAtSeams) {
+    const Varied varied;
+    const Line line;
+    const StylizedCurve r = stylize(varied.style, 0, line.plan, {.scale = 1});
+    for (size_t a = 0; a < r.attributes.size(); ++a) {
+        const StyleAttribute& own = varied.style.prepared.attributes[a];
+        const std::vector<float> values(own.values.begin(), own.values.end());
+        const size_t width = own.components;
+        std::vector<float> copied;
+        for (float node : r.indices) {
+            const float* from = &values[static_cast<size_t>(node) * width];
+            copied.insert(copied.end(), from, from + width);
+        }
+        for (size_t k = 0; k < width; ++k) {
+            const double period = own.period(static_cast<uint32_t>(k));
+            const double of_style = largest_step(values, width, k);
+            SCOPED_TRACE("attribute " + std::to_string(own.attribute) + ", component " + std::to_string(k));
+            // Angles are compared around their circle only where they are copied: the result's go on.
+            EXPECT_GT(largest_step(copied, width, k, period), 2.5 * of_style);
+            EXPECT_LT(largest_step(r.attributes[a], width, k), 1.8 * of_style);
+        }
+    }
+}
+
+TEST(SeamBlend, AttributesStayWithinWhatTheStyleHas) {
+    const Varied varied;
+    const Line line;
+    for (double tau : {0.0, 1.0, 10.0}) {
+        const StylizedCurve r = stylize(varied.style, tau, line.plan, {.scale = 3});
+        size_t at_the_edge = 0;
+        for (size_t a = 0; a < r.attributes.size(); ++a) {
+            const StyleAttribute& own = varied.style.prepared.attributes[a];
+            for (size_t i = 0; i < r.attributes[a].size(); ++i) {
+                const auto k = static_cast<uint32_t>(i % own.components);
+                if (own.period(k) > 0) continue;
+                const float scale = k < own.length_count() ? 3.0f : 1.0f;
+                ASSERT_GE(r.attributes[a][i], scale * own.ranges[k].low);
+                ASSERT_LE(r.attributes[a][i], scale * own.ranges[k].high);
+                at_the_edge += r.attributes[a][i] == scale * own.ranges[k].low;
+            }
+        }
+        EXPECT_GT(at_the_edge, 0u) << tau;
+        for (size_t i = 1; i < r.size(); ++i) ASSERT_LT(r.times[i - 1], r.times[i]);
+    }
+}
+
+TEST(SeamBlend, AwayFromSeamsAttributesAreTheStyles) {
+    const Varied varied;
+    const Line line;
+    const StylizedCurve r = stylize(varied.style, 0.5, line.plan, {.scale = 2});
+    const std::vector<uint32_t> since = since_seam(r.indices);
+    size_t away = 0;
+    for (size_t i = 0; i < r.size(); ++i) {
+        if (since[i] < patch) continue;
+        ++away;
+        for (size_t a = 0; a < r.attributes.size(); ++a) {
+            const StyleAttribute& own = varied.style.prepared.attributes[a];
+            for (uint32_t k = 0; k < own.components; ++k) {
+                const float value = own.values[static_cast<size_t>(r.indices[i]) * own.components + k];
+                const double off =
+                    r.attributes[a][i * own.components + k] - (k < own.length_count() ? 2 * value : value);
+                // Angles up to whole turns, floats of which are as exact as they are large.
+                if (own.period(k) > 0) {
+                    ASSERT_NEAR(std::remainder(off, own.period(k)), 0, 1e-3);
+                } else {
+                    ASSERT_EQ(off, 0);
+                }
+            }
+        }
+    }
+    EXPECT_GT(away, 50u);
+}
+
+// The ribbon itself, not only the numbers: one-sided, so half turns would show.
+TEST(SeamBlend, RibbonsTurnAsTheirAnglesDo) {
+    TestStyle style(test::wiggles(300), patch);
+    std::vector<float> angles;
+    for (int i = 0; i < 300; ++i) angles.push_back(0.1f * static_cast<float>(i));
+    style.add(FLG_ATTRIBUTE_ANGLE, 1, angles, FLG_METRIC_PROJECTIVE);
+    const Line line;
+    const StylizedCurve r = stylize(style, 0.5, line.plan);
+    for (size_t i = 0; i < r.size(); ++i) {
+        const Vec3 expected = turned_about(line.frames.tangent(i), line.frames.normal(i), r.attributes[0][i]);
+        ASSERT_LT((r.curve.normal(i) - expected).norm(), 1e-4) << i;
+        // The style's own turn, and what fades of two gaps of up to a quarter turn.
+        if (i > 0) {
+            ASSERT_GT(r.curve.normal(i).dot(r.curve.normal(i - 1)), std::cos(0.1 + 2 * 1.58 / 11)) << i;
+        }
     }
 }
 

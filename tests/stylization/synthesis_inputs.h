@@ -24,7 +24,8 @@ struct TestStyle {
              FlgMetric metric = FLG_METRIC_EUCLIDEAN) {
         Buffer<float> copy(values.size(), memory());
         std::copy(values.begin(), values.end(), copy.begin());
-        prepared.attributes.push_back({attribute, components, metric, 0, std::move(copy)});
+        prepared.attributes.push_back({attribute, components, metric, 0, std::move(copy), {}});
+        for (uint32_t i = 0; i < vectors.size(); ++i) prepared.attributes.back().extend_ranges(i);
     }
     PathTrees trees(double tau) const {
         return PathTrees(prepared.graph, static_cast<float>(tau * prepared.graph.temperature_unit), memory());
