@@ -7,28 +7,29 @@ namespace flg {
 
 // ---- order -------------------------------------------------------------------------------------------------------
 
+void SurfaceOrder::forget_published(Jobs& jobs) {
+    std::erase_if(jobs, [](const auto& listed) {
+        const auto job = listed.lock();
+        return !job || job->status.state == FLG_JOB_FINISHED;
+    });
+}
+
 void SurfaceOrder::add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites) {
-    if (auto change = last_change_.lock()) prerequisites.push_back({std::move(change), true});
-    if (!changes) {
-        if (readers_.size() < readers_.capacity()) return;
-        std::erase_if(readers_, [](const auto& reader) { return reader.expired(); });
-        readers_.reserve(std::max(size_t{8}, 2 * readers_.size()));
-        return;
-    }
+    forget_published(changes_);
+    forget_published(readers_);
+    for (const auto& change : changes_) prerequisites.push_back({change.lock(), true});
     for (const auto& reader : readers_) {
-        if (auto job = reader.lock()) prerequisites.push_back({std::move(job), true});
+        if (changes) prerequisites.push_back({reader.lock(), true});
     }
+    Jobs& own = changes ? changes_ : readers_;
+    if (own.size() == own.capacity()) own.reserve(std::max(size_t{8}, 2 * own.size()));
 }
 
 void SurfaceOrder::enter(const std::shared_ptr<Job>& job, bool changes) noexcept {
-    if (changes) {
-        readers_.clear();
-        last_change_ = job;
-        ++revision_;
-        ++pending_changes_;
-        return;
-    }
-    readers_.push_back(job);
+    (changes ? changes_ : readers_).push_back(job);
+    if (!changes) return;
+    ++revision_;
+    ++pending_changes_;
 }
 
 // ---- what the host sees --------------------------------------------------------------------------------------------

@@ -18,11 +18,12 @@
 
 namespace flg {
 
-// Jobs in the order in which they were started: readers side by side, those that change the surface alone. Host's thread
-// only.
+// Jobs in the order in which they were started: readers side by side, those that change the surface alone. A job that fails or
+// is cancelled before its turn is done early, so each one waits for all before it that stand in its way, not only for the last.
+// Host's thread only.
 class SurfaceOrder {
 public:
-    explicit SurfaceOrder(Memory* memory) : readers_(memory) {}
+    explicit SurfaceOrder(Memory* memory) : changes_(memory), readers_(memory) {}
 
     // What a job that is about to be started has to wait for; makes room for it, so that entering can't fail.
     void add_prerequisites(bool changes, std::pmr::vector<Prerequisite>& prerequisites);
@@ -36,8 +37,11 @@ public:
     bool is_changing() const { return pending_changes_ > 0; }
 
 private:
-    std::weak_ptr<Job> last_change_;
-    std::pmr::vector<std::weak_ptr<Job>> readers_;  // since that
+    using Jobs = std::pmr::vector<std::weak_ptr<Job>>;
+    static void forget_published(Jobs& jobs);
+
+    // In the order they were started; those that are published are forgotten when the next one comes.
+    Jobs changes_, readers_;
     uint32_t revision_ = 0;
     uint32_t pending_changes_ = 0;
 };

@@ -199,6 +199,36 @@ TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
     }
 }
 
+// A cut that is done before its turn, cancelled or failed: what comes later still waits for what came before it.
+TEST(SurfaceOrder, NothingOvertakesACutBecauseAnotherOneEndedEarly) {
+    for (uint32_t workers : {0u, 2u}) {
+        for (bool cancelled : {true, false}) {
+            const SurfaceHost host(workers);
+            const FlgSurface surface = host.surface(plane(12));
+            const Cut first = start_cut(host, host.start_distances(surface, 0));
+            FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+            desc.field = first.field;
+            desc.levels.every = 1;
+            const Cut other = start_cut(host, host.start_distances(host.start_surface(plane(1)), 0));
+            if (!cancelled) {
+                desc.job.dependencies = &other.job;
+                desc.job.dependency_count = 1;
+            }
+            FlgJob second{};
+            ASSERT_EQ(flgCutIsolines(host.context, &desc, nullptr, &second), FLG_OK) << flgLastError();
+            ASSERT_EQ(flgJobCancel(host.context, cancelled ? second : other.job), FLG_OK);
+            const FlgField later = host.start_distances(surface, 3);
+            const Cut third = start_cut(host, later);
+            host.finish();
+            EXPECT_EQ(host.result_of(first.job), FLG_OK);
+            EXPECT_EQ(host.result_of(second), cancelled ? FLG_ERROR_CANCELLED : FLG_ERROR_DEPENDENCY);
+            EXPECT_EQ(host.view(later).vertex_count, host.view(first.field).vertex_count);
+            EXPECT_EQ(host.result_of(third.job), FLG_OK);
+            expect_valid(host.view(surface));
+        }
+    }
+}
+
 TEST(SurfaceOrder, ContextsMayEndAtAnyMoment) {
     for (uint32_t round = 0; round < 30; ++round) {
         const SurfaceHost host(round % 3);
