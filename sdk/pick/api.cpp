@@ -55,12 +55,25 @@ void check_size(uint32_t struct_size, const char* name) {
     }
 }
 
-void check_finite(const float* values, uint32_t count, const char* name, uint32_t index) {
-    for (uint32_t i = 0; i < count; ++i) {
-        if (!std::isfinite(values[i])) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] holds %g, must be finite", name, index,
-                          static_cast<double>(values[i]));
+// Of places: Embree takes coordinates up to 2^60.
+void check_place(const float* values, const char* name, uint32_t index) {
+    for (uint32_t i = 0; i < 3; ++i) {
+        if (!(std::abs(values[i]) <= flg::pick::largest_coordinate)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] holds %g, must be finite and at most 1e18 in size", name,
+                          index, static_cast<double>(values[i]));
         }
+    }
+}
+
+void check_direction(const float* direction, uint32_t index) {
+    for (uint32_t i = 0; i < 3; ++i) {
+        if (!std::isfinite(direction[i])) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the direction of rays[%u] holds %g, must be finite", index,
+                          static_cast<double>(direction[i]));
+        }
+    }
+    if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the direction of rays[%u] is 0", index);
     }
 }
 
@@ -100,12 +113,8 @@ void check_curves(const FlgCurveSetView* curves, float least_radius) {
 
 void check_rays(const FlgRay* rays, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
-        check_finite(rays[i].origin, 3, "the origin of rays", i);
-        check_finite(rays[i].direction, 3, "the direction of rays", i);
-        const float* d = rays[i].direction;
-        if (d[0] == 0 && d[1] == 0 && d[2] == 0) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the direction of rays[%u] is 0", i);
-        }
+        check_place(rays[i].origin, "the origin of rays", i);
+        check_direction(rays[i].direction, i);
         if (!(rays[i].nearest >= 0 && rays[i].furthest >= rays[i].nearest)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "rays[%u] goes from %g to %g, must be 0 or above and rising", i,
                           static_cast<double>(rays[i].nearest), static_cast<double>(rays[i].furthest));
@@ -182,7 +191,7 @@ FlgResult flgPickNearest(FlgPickScene scene, const float point[3], float max_dis
         require(scene, "scene");
         require(point, "point");
         require(out_hit, "out_hit");
-        check_finite(point, 3, "point", 0);
+        check_place(point, "point", 0);
         if (!(max_distance > 0)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "max_distance is %g, must be above 0",
                           static_cast<double>(max_distance));

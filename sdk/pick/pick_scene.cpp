@@ -2,9 +2,11 @@
 #include "pick/pick_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "pick/curve_target.h"
+#include "pick/ray_order.h"
 
 namespace flg::pick {
 
@@ -27,6 +29,16 @@ Device make_device(uint32_t threads) {
     Device device(rtcNewDevice(config));
     if (!device) check(nullptr, "start");
     return device;
+}
+
+// Embree squares directions: those whose size is out of hand are shot as others of about length 1, times 2 to this power.
+int exponent_of(const Vec3f& direction) {
+    const float size = direction.cwiseAbs().maxCoeff();
+    return size > 1e-6f && size < 1e6f ? 0 : std::ilogb(size);
+}
+
+float scaled(float value, int exponent) {
+    return exponent == 0 ? value : std::ldexp(value, exponent);
 }
 
 }  // namespace
@@ -79,29 +91,42 @@ void PickScene::commit() {
     rtcCommitScene(scene_.get());
     rtcCommitScene(boxes_.get());
     check(device_.get(), "build the scene");
+    RTCBounds bounds;
+    rtcGetSceneBounds(scene_.get(), &bounds);
+    lower_ = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
+    upper_ = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
 }
 
 void PickScene::pick(const FlgRay* rays, uint32_t count, FlgHit* hits) const {
+    std::vector<uint32_t> order;
+    if (count >= fewest_to_order) order = order_rays(rays, count, lower_, upper_);
     for (uint32_t first = 0; first < count; first += packet) {
-        pick_eight(rays + first, std::min(packet, count - first), hits + first);
+        const uint32_t size = std::min(packet, count - first);
+        uint32_t next[packet];
+        for (uint32_t i = 0; i < size; ++i) next[i] = first + i;
+        pick_eight(rays, order.empty() ? next : &order[first], size, hits);
     }
 }
 
-void PickScene::pick_eight(const FlgRay* rays, uint32_t count, FlgHit* hits) const {
+// The rays of these indices.
+void PickScene::pick_eight(const FlgRay* rays, const uint32_t* which, uint32_t count, FlgHit* hits) const {
     alignas(32) RTCRayHit8 packet_of_rays{};
     alignas(32) int valid[packet] = {};
+    int exponents[packet];
     RTCRay8& ray = packet_of_rays.ray;
     RTCHit8& hit = packet_of_rays.hit;
     for (uint32_t i = 0; i < count; ++i) {
+        const FlgRay& given = rays[which[i]];
+        const int exponent = exponents[i] = exponent_of(load(given.direction));
         valid[i] = -1;
-        ray.org_x[i] = rays[i].origin[0];
-        ray.org_y[i] = rays[i].origin[1];
-        ray.org_z[i] = rays[i].origin[2];
-        ray.dir_x[i] = rays[i].direction[0];
-        ray.dir_y[i] = rays[i].direction[1];
-        ray.dir_z[i] = rays[i].direction[2];
-        ray.tnear[i] = rays[i].nearest;
-        ray.tfar[i] = rays[i].furthest;
+        ray.org_x[i] = given.origin[0];
+        ray.org_y[i] = given.origin[1];
+        ray.org_z[i] = given.origin[2];
+        ray.dir_x[i] = scaled(given.direction[0], -exponent);
+        ray.dir_y[i] = scaled(given.direction[1], -exponent);
+        ray.dir_z[i] = scaled(given.direction[2], -exponent);
+        ray.tnear[i] = scaled(given.nearest, exponent);
+        ray.tfar[i] = scaled(given.furthest, exponent);
         ray.mask[i] = UINT32_MAX;
         hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
@@ -109,15 +134,16 @@ void PickScene::pick_eight(const FlgRay* rays, uint32_t count, FlgHit* hits) con
     rtcInitIntersectContext(&context);
     rtcIntersect8(valid, scene_.get(), &context, &packet_of_rays);
     for (uint32_t i = 0; i < count; ++i) {
-        hits[i] = no_hit;
+        FlgHit& out = hits[which[i]];
+        out = no_hit;
         if (hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
         const Part& part = parts_[hit.geomID[i]];
-        hits[i].object = part.object;
-        hits[i].distance = ray.tfar[i];
-        const Vec3f position = load(rays[i].origin) + ray.tfar[i] * load(rays[i].direction);
-        part.target->describe(
-            {part.part, hit.primID[i], hit.u[i], hit.v[i], position, Vec3f(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i])},
-            hits[i]);
+        out.object = part.object;
+        out.distance = scaled(ray.tfar[i], -exponents[i]);
+        const Vec3f direction(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]);
+        const Vec3f position = load(rays[which[i]].origin) + ray.tfar[i] * direction;
+        const Vec3f normal(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]);
+        part.target->describe({part.part, hit.primID[i], hit.u[i], hit.v[i], position, normal}, out);
     }
 }
 

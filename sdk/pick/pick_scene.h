@@ -42,13 +42,14 @@ private:
     using Parts = std::vector<Part>;  // by Embree's geometry id, as committed
     struct NearestSearch;
     static bool visit_nearest(RTCPointQueryFunctionArguments* arguments);
-    void pick_eight(const FlgRay* rays, uint32_t count, FlgHit* hits) const;
+    void pick_eight(const FlgRay* rays, const uint32_t* which, uint32_t count, FlgHit* hits) const;
 
     Device device_;
     Scene scene_;
     Scene boxes_;  // see Target::box_id
     std::map<uint32_t, Object> objects_;
     Parts parts_, box_parts_;
+    Vec3f lower_{Vec3f::Zero()}, upper_{Vec3f::Zero()};  // of all geometry, as committed
 };
 
 }  // namespace flg::pick

@@ -20,6 +20,9 @@ inline void store(const Vec3f& v, float* p) {
     p[2] = v.z();
 }
 
+// Embree takes no coordinates beyond about 2^60; metres.
+constexpr float largest_coordinate = 1e18f;
+
 // Where a ray met a primitive, in Embree's terms.
 struct Meeting {
     uint32_t part;       // which of the target's geometries

@@ -2,6 +2,7 @@
 #include "pick/surface_target.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "pick/nearest_point.h"
@@ -10,8 +11,11 @@ namespace flg::pick {
 
 namespace {
 
-// Beyond this share of the triangles the delta costs more than a new base.
+// Beyond this share of the triangles the other parts cost more than a new base.
 constexpr uint32_t delta_share = 4;
+
+constexpr uint32_t no_level = UINT32_MAX;  // of the base
+constexpr uint8_t no_part = UINT8_MAX;
 
 // The host's positions.
 class Positions {
@@ -21,6 +25,16 @@ public:
         while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
         data_ = column->data;
         stride_ = column->stride ? column->stride / sizeof(float) : 3;
+    }
+    // Refuses what Embree would leave out.
+    void check(size_t vertex) const {
+        for (size_t k = 0; k < 3; ++k) {
+            const float value = data_[vertex * stride_ + k];
+            if (std::abs(value) <= largest_coordinate) continue;
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "the position of vertex %zu holds %g, must be finite and at most 1e18 in size", vertex,
+                          static_cast<double>(value));
+        }
     }
     void copy(size_t vertex, std::vector<float>& to) const {
         std::memcpy(&to[3 * vertex], data_ + vertex * stride_, 3 * sizeof(float));
@@ -40,12 +54,13 @@ std::vector<T> with_slack(size_t size) {
     return made;
 }
 
-void check_triangle(const FlgMeshView& mesh, uint32_t triangle) {
+void check_triangle(const FlgMeshView& mesh, const Positions& positions, uint32_t triangle) {
     for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
         if (mesh.triangles[i] >= mesh.vertex_count) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.triangles[%zu] is %u, but there are %u vertices", i,
                           mesh.triangles[i], mesh.vertex_count);
         }
+        positions.check(mesh.triangles[i]);
     }
 }
 
@@ -57,109 +72,141 @@ SurfaceTarget::SurfaceTarget(RTCDevice device, RTCScene scene, const FlgSurfaceV
       positions_(with_slack<float>(size_t{3} * surface.mesh.vertex_count)),
       triangles_(with_slack<uint32_t>(size_t{3} * surface.mesh.triangle_count)),
       regions_(with_slack<uint32_t>(surface.mesh.triangle_count)),
-      changed_(surface.mesh.triangle_count) {
+      part_of_(with_slack<uint8_t>(surface.mesh.triangle_count)),
+      base_count_(surface.mesh.triangle_count) {
     const FlgMeshView& mesh = surface.mesh;
-    for (uint32_t t = 0; t < mesh.triangle_count; ++t) check_triangle(mesh, t);
     const Positions positions(mesh);
+    for (uint32_t t = 0; t < mesh.triangle_count; ++t) check_triangle(mesh, positions, t);
     for (size_t v = 0; v < mesh.vertex_count; ++v) positions.copy(v, positions_);
     std::copy_n(mesh.triangles, triangles_.size(), triangles_.begin());
     if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
-    base_id_ = attach(nullptr);
+    parts_.push_back(std::make_unique<Part>(Part{.target = this, .number = 0, .level = no_level, .triangles = {}}));
+    attach_base(*parts_[0]);
 }
 
 SurfaceTarget::~SurfaceTarget() {
-    rtcDetachGeometry(scene_, base_id_);
-    if (delta_id_ != RTC_INVALID_GEOMETRY_ID) rtcDetachGeometry(scene_, delta_id_);
+    for (const auto& part : parts_) {
+        if (part->id != RTC_INVALID_GEOMETRY_ID) rtcDetachGeometry(scene_, part->id);
+    }
 }
 
-// A geometry of all triangles, or only of some.
-uint32_t SurfaceTarget::attach(const std::vector<uint32_t>* only) {
-    const size_t count = only ? only->size() : triangles_.size() / 3;
+void SurfaceTarget::attach_base(Part& part) const {
     const Geometry geometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE));
+    auto* vertices = make_buffer<std::array<float, 3>>(device_, geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
+                                                       positions_.size() / 3);
+    auto* indices = make_buffer<std::array<uint32_t, 3>>(device_, geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+                                                         triangles_.size() / 3);
+    std::memcpy(vertices, positions_.data(), positions_.size() * sizeof(float));
+    std::memcpy(indices, triangles_.data(), triangles_.size() * sizeof(uint32_t));
+    attach(part, geometry);
+}
+
+// With vertices of its own: a few thousand, not the whole surface's.
+void SurfaceTarget::attach_changed(Part& part) const {
+    const size_t count = part.triangles.size();
+    const Geometry geometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE));
+    auto* vertices =
+        make_buffer<std::array<float, 3>>(device_, geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3 * count);
     auto* indices =
         make_buffer<std::array<uint32_t, 3>>(device_, geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, count);
-    if (only) {
-        // Vertices of its own: a few thousand, not the whole surface's.
-        auto* vertices =
-            make_buffer<std::array<float, 3>>(device_, geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3 * count);
-        for (uint32_t i = 0; i < count; ++i) {
-            for (uint32_t k = 0; k < 3; ++k) {
-                indices[i][k] = 3 * i + k;
-                std::memcpy(&vertices[3 * i + k], &positions_[size_t{3} * triangles_[size_t{3} * (*only)[i] + k]], 12);
-            }
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            indices[i][k] = 3 * i + k;
+            std::memcpy(&vertices[3 * i + k], &positions_[size_t{3} * triangles_[size_t{3} * part.triangles[i] + k]],
+                        3 * sizeof(float));
         }
-    } else {
-        auto* vertices = make_buffer<std::array<float, 3>>(device_, geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
-                                                           positions_.size() / 3);
-        std::memcpy(vertices, positions_.data(), positions_.size() * sizeof(float));
-        std::memcpy(indices, triangles_.data(), triangles_.size() * sizeof(uint32_t));
-        rtcSetGeometryUserData(geometry.get(), this);
-        rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_changed);
     }
-    rtcCommitGeometry(geometry.get());
-    check(device_, "build a surface");
-    return rtcAttachGeometry(scene_, geometry.get());
+    attach(part, geometry);
 }
 
-// Embree's filter of the base: hits on the old forms of changed triangles don't count.
+void SurfaceTarget::attach(Part& part, const Geometry& geometry) const {
+    rtcSetGeometryUserData(geometry.get(), &part);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), pass_changed);
+    rtcCommitGeometry(geometry.get());
+    check(device_, "build a surface");
+    part.id = rtcAttachGeometry(scene_, geometry.get());
+}
+
+// Embree's filter: hits on old forms of triangles that count in another part don't count.
 void SurfaceTarget::pass_changed(const RTCFilterFunctionNArguments* arguments) {
-    const auto& self = *static_cast<const SurfaceTarget*>(arguments->geometryUserPtr);
+    const Part& part = *static_cast<const Part*>(arguments->geometryUserPtr);
     for (uint32_t i = 0; i < arguments->N; ++i) {
-        if (arguments->valid[i] == -1 && self.changed_[RTCHitN_primID(arguments->hit, arguments->N, i)]) {
-            arguments->valid[i] = 0;
+        if (arguments->valid[i] != -1) continue;
+        const uint32_t triangle = part.triangle(RTCHitN_primID(arguments->hit, arguments->N, i));
+        if (part.target->part_of_[triangle] != part.number) arguments->valid[i] = 0;
+    }
+}
+
+// What becomes one with the changes that come now: the last parts, if they are as many of a level, and so on.
+std::unique_ptr<SurfaceTarget::Part> SurfaceTarget::join_last_parts() {
+    size_t kept = parts_.size();
+    uint32_t level = 0;
+    constexpr size_t others = parts_a_level - 1;
+    for (; kept > others && parts_[kept - others]->level == level; ++level) kept -= others;
+    auto joined = std::make_unique<Part>(
+        Part{.target = this, .number = static_cast<uint8_t>(kept), .level = level, .triangles = {}});
+    for (size_t p = kept; p < parts_.size(); ++p) {
+        for (const uint32_t triangle : parts_[p]->triangles) {
+            if (part_of_[triangle] != p) continue;
+            part_of_[triangle] = joined->number;
+            joined->triangles.push_back(triangle);
         }
     }
+    return joined;
 }
 
 bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* changed, uint32_t changed_count) {
     const FlgMeshView& mesh = surface.mesh;
     const auto known = static_cast<uint32_t>(triangles_.size() / 3);
-    if (mesh.triangle_count < known || mesh.vertex_count < positions_.size() / 3) return false;
-    if (delta_.size() + changed_count + (mesh.triangle_count - known) > changed_.size() / delta_share) return false;
+    if (is_incomplete_ || mesh.triangle_count < known || mesh.vertex_count < positions_.size() / 3) return false;
+    size_t beside = changed_count + (mesh.triangle_count - known);
+    if (beside == 0) {
+        if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
+        return true;
+    }
+    for (const auto& part : parts_) beside += part->triangles.size();
+    if (beside > base_count_ / delta_share) return false;
 
-    for (uint32_t i = 0; i < changed_count; ++i) check_triangle(mesh, changed[i]);
-    for (uint32_t t = known; t < mesh.triangle_count; ++t) check_triangle(mesh, t);
+    const Positions positions(mesh);
+    for (uint32_t i = 0; i < changed_count; ++i) check_triangle(mesh, positions, changed[i]);
+    for (uint32_t t = known; t < mesh.triangle_count; ++t) check_triangle(mesh, positions, t);
+    is_incomplete_ = true;
     positions_.resize(size_t{3} * mesh.vertex_count);
     triangles_.resize(size_t{3} * mesh.triangle_count);
     regions_.resize(mesh.triangle_count);
+    part_of_.resize(mesh.triangle_count, no_part);
     if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
+    std::unique_ptr<Part> part = join_last_parts();
     // Vertices that moved belong to changed triangles.
-    const Positions positions(mesh);
     const auto take = [&](uint32_t triangle) {
         for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
             triangles_[i] = mesh.triangles[i];
             positions.copy(triangles_[i], positions_);
         }
+        if (part_of_[triangle] == part->number) return;
+        part_of_[triangle] = part->number;
+        part->triangles.push_back(triangle);
     };
-    for (uint32_t i = 0; i < changed_count; ++i) {
-        const uint32_t triangle = changed[i];
-        take(triangle);
-        if (triangle < changed_.size() && !changed_[triangle]) {
-            changed_[triangle] = true;
-            delta_.push_back(triangle);
-        }
-    }
-    for (uint32_t triangle = known; triangle < mesh.triangle_count; ++triangle) {
-        take(triangle);
-        delta_.push_back(triangle);
-    }
-    if (delta_.empty()) return true;
-    const uint32_t id = attach(&delta_);
-    if (delta_id_ != RTC_INVALID_GEOMETRY_ID) rtcDetachGeometry(scene_, delta_id_);
-    delta_id_ = id;
+    for (uint32_t i = 0; i < changed_count; ++i) take(changed[i]);
+    for (uint32_t triangle = known; triangle < mesh.triangle_count; ++triangle) take(triangle);
+    for (size_t p = part->number; p < parts_.size(); ++p) rtcDetachGeometry(scene_, parts_[p]->id);
+    parts_.resize(part->number);
+    parts_.push_back(std::move(part));
+    attach_changed(*parts_.back());
+    is_incomplete_ = false;
     return true;
 }
 
-SurfaceTarget::Face SurfaceTarget::face(uint32_t part, uint32_t primitive) const {
-    Face face{.triangle = part == 0 ? primitive : delta_[primitive], .corners = {}};
+SurfaceTarget::Face SurfaceTarget::face(uint32_t triangle) const {
+    Face face{.triangle = triangle, .corners = {}};
     for (uint32_t k = 0; k < 3; ++k) {
-        face.corners[k] = load(&positions_[size_t{3} * triangles_[size_t{3} * face.triangle + k]]);
+        face.corners[k] = load(&positions_[size_t{3} * triangles_[size_t{3} * triangle + k]]);
     }
     return face;
 }
 
 void SurfaceTarget::describe(const Meeting& meeting, FlgHit& hit) const {
-    const Face at = face(meeting.part, meeting.primitive);
+    const Face at = face(parts_[meeting.part]->triangle(meeting.primitive));
     hit.element = at.triangle;
     hit.u = meeting.u;
     hit.v = meeting.v;
@@ -172,9 +219,9 @@ void SurfaceTarget::describe(const Meeting& meeting, FlgHit& hit) const {
 }
 
 Nearest SurfaceTarget::nearest(uint32_t part, uint32_t primitive, const Vec3f& point) const {
-    if (part == 0 && changed_[primitive]) return {.distance = HUGE_VALF, .meeting = {}};
-    const Face at = face(part, primitive);
-    const TrianglePoint found = nearest_in_triangle(point, at.corners);
+    const uint32_t triangle = parts_[part]->triangle(primitive);
+    if (part_of_[triangle] != part) return {.distance = HUGE_VALF, .meeting = {}};
+    const TrianglePoint found = nearest_in_triangle(point, face(triangle).corners);
     return {(found.position - point).norm(), {part, primitive, found.u, found.v, found.position, Vec3f::Zero()}};
 }
 

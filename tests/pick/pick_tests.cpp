@@ -2,6 +2,7 @@
 // Picking against brute force over all triangles and segments.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <thread>
@@ -169,6 +170,75 @@ TEST_F(Picking, ChangedSurfacesAnswerAsTheyAreNow) {
     }
 }
 
+// Enough for parts of three levels, so that some are joined, and for triangles that change again and again.
+TEST_F(Picking, ManySmallChangesAnswerAsTheyAreNow) {
+    Soup soup = sphere(4);
+    const Shown shown(soup);
+    ASSERT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_OK);
+    ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
+    for (uint32_t update = 0; update < 70; ++update) {
+        std::vector<uint32_t> changed;
+        for (uint32_t i = 0; i < 6; ++i) {
+            const auto triangle =
+                static_cast<uint32_t>(random_bits(5, update, i) % (i < 3 ? 40 : soup.triangles.size()));
+            for (uint32_t v : soup.triangles[triangle]) {
+                soup.positions[v] = to_position(1.002 * load_vec3(soup.positions[v].data()));
+                for (uint32_t t = 0; t < soup.triangles.size(); ++t) {
+                    if (std::ranges::count(soup.triangles[t], v) > 0) changed.push_back(t);
+                }
+            }
+        }
+        const Shown now(soup);
+        ASSERT_EQ(flgPickSceneSetSurface(scene, 0, &now.view, changed.data(), static_cast<uint32_t>(changed.size())),
+                  FLG_OK);
+        ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
+        if (update % 23 == 7 || update == 63) expect_like_brute_force(scene, soup, 0);
+    }
+}
+
+// Many rays are shot in another order than they come in.
+TEST_F(Picking, ManyRaysAnswerAsEachByItself) {
+    const Soup soup = torus(24, 16);
+    const Shown shown(soup);
+    std::vector<FlgRay> rays;
+    for (uint64_t i = 0; i < 12'345; ++i) rays.push_back(random_ray(i));
+    std::vector<FlgHit> hits(rays.size());
+    ASSERT_EQ(flgPickRays(scene, rays.data(), 12'345, hits.data()), FLG_OK) << "nothing is there yet";
+    EXPECT_EQ(hits[77].object, FLG_NO_INDEX);
+    ASSERT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_OK);
+    ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
+    ASSERT_EQ(flgPickRays(scene, rays.data(), 12'345, hits.data()), FLG_OK);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        FlgHit hit;
+        ASSERT_EQ(flgPickRays(scene, &rays[i], 1, &hit), FLG_OK);
+        ASSERT_EQ(hits[i].object, hit.object) << i;
+        ASSERT_NEAR(hits[i].position[0], hit.position[0], 1e-5) << i;
+        ASSERT_NEAR(hits[i].position[2], hit.position[2], 1e-5) << i;
+    }
+}
+
+TEST_F(Picking, DirectionsMayBeOfAnyLength) {
+    const Soup soup = sphere(3);
+    const Shown shown(soup);
+    ASSERT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_OK);
+    ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
+    for (float length : {1e-30f, 1e-20f, 1e-7f, 1.0f, 1e7f, 1e20f, 3e38f}) {
+        FlgRay ray{{0.1f, 0.2f, 5}, 0, {0, 0, -length}, HUGE_VALF};
+        FlgHit hit;
+        ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+        ASSERT_EQ(hit.object, 0u) << length;
+        EXPECT_NEAR(hit.position[2], std::sqrt(0.95), 0.01);
+        EXPECT_NEAR(double{hit.distance} * length, 5 - double{hit.position[2]}, 1e-5) << length;
+        ray.furthest = 3.9f / length;
+        ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+        EXPECT_EQ(hit.object, FLG_NO_INDEX) << "it ends before the sphere";
+        ray.nearest = 4.5f / length;
+        ray.furthest = HUGE_VALF;
+        ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+        EXPECT_LT(hit.position[2], 0) << "it begins within the sphere";
+    }
+}
+
 TEST_F(Picking, CurvesAreTubes) {
     // A straight tube of radius 0.1 along x and a closed square about z that rays along z only graze.
     const float positions[] = {-1, 0, 0, 1, 0, 0, 2, 2, 0, 3, 2, 0, 3, 3, 0, 2, 3, 0};
@@ -253,7 +323,9 @@ TEST_F(Picking, RefusesWhatIsNoRayPointOrSurface) {
         FlgRay ray;
         const char* sentence;
     } cases[] = {
-        {{{0, nan, 0}, 0, {0, 0, 1}, 1}, "the origin of rays[0] holds nan, must be finite"},
+        {{{0, nan, 0}, 0, {0, 0, 1}, 1}, "the origin of rays[0] holds nan, must be finite and at most 1e18 in size"},
+        {{{0, 0, 1e19f}, 0, {0, 0, 1}, 1},
+         "the origin of rays[0] holds 1e+19, must be finite and at most 1e18 in size"},
         {{{0, 0, 0}, 0, {0, 0, 0}, 1}, "the direction of rays[0] is 0"},
         {{{0, 0, 0}, 0, {HUGE_VALF, 0, 0}, 1}, "the direction of rays[0] holds inf, must be finite"},
         {{{0, 0, 0}, -1, {0, 0, 1}, 1}, "rays[0] goes from -1 to 1, must be 0 or above and rising"},
@@ -275,6 +347,11 @@ TEST_F(Picking, RefusesWhatIsNoRayPointOrSurface) {
     const uint32_t changed[] = {20};
     EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, changed, 1), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_STREQ(flgPickLastError(), "changed[0] is 20, but there are 20 triangles");
+    Soup far = soup;
+    far.positions[3][1] = 2e18f;
+    const Shown far_away(far);
+    EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &far_away.view, nullptr, 0), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_STREQ(flgPickLastError(), "the position of vertex 3 holds 2e+18, must be finite and at most 1e18 in size");
     shown.view.mesh.vertex_count = 5;
     EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_STREQ(flgPickLastError(), "surface.mesh.triangles[1] is 11, but there are 5 vertices");

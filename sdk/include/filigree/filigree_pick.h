@@ -57,7 +57,7 @@ FLG_API FlgResult flgPickSceneRemove(FlgPickScene scene, uint32_t object);
 FLG_API FlgResult flgPickSceneCommit(FlgPickScene scene);
 
 typedef struct FlgRay {
-    float origin[3];
+    float origin[3];    /* at most 1e18 in size; so are the positions of surfaces, and points below */
     float nearest;      /* hits before this are not seen, in lengths of the direction, >= 0 */
     float direction[3]; /* of any length but 0 */
     float furthest;     /* likewise hits after this; may be infinite */
@@ -74,7 +74,8 @@ typedef struct FlgHit {
 } FlgHit;
 
 /* [any thread] The first hit of each ray, on both sides of surfaces. FLG_ERROR_INVALID_ARGUMENT names the first ray
- * that isn't one; no ray is then shot. Cost: below a microsecond a ray. */
+ * that isn't one; no ray is then shot. Cost, with 2 million triangles: about a
+ * microsecond a ray, half of that for 10,000 rays or more at a time. */
 FLG_API FlgResult flgPickRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits);
 
 /* [any thread] The nearest point within `max_distance` (metres, > 0, may be infinite). */
