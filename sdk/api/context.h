@@ -12,6 +12,7 @@ namespace flg {
 class Surface;
 class Field;
 class TracedCurves;
+class Tangle;
 }  // namespace flg
 
 // In the global namespace because the C header declares it.
@@ -25,6 +26,7 @@ struct FlgContextT {
           surfaces(flg::HandleKind::surface, salt, &memory),
           fields(flg::HandleKind::field, salt, &memory),
           surface_curves(flg::HandleKind::surface_curves, salt, &memory),
+          tangles(flg::HandleKind::tangle, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -37,6 +39,7 @@ struct FlgContextT {
     flg::HandleTable<flg::Surface> surfaces;
     flg::HandleTable<flg::Field> fields;
     flg::HandleTable<flg::TracedCurves> surface_curves;
+    flg::HandleTable<flg::Tangle> tangles;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };

@@ -180,10 +180,10 @@ FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurface
         Buffer<SurfacePoint> points = read_points(read.points, *(offsets.end() - 1), "desc.points", &self.memory);
         RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
         const auto out = make_object<TracedCurves>(self, surface, &self.memory);
-        PathsRequest request{.offsets = std::move(offsets),
-                             .points = std::move(points),
-                             .closed = read.closed != 0,
-                             .regions = std::move(regions),
+        PathsRequest request{.paths = {.offsets = std::move(offsets),
+                                       .points = std::move(points),
+                                       .closed = read.closed != 0,
+                                       .regions = std::move(regions)},
                              .out = out};
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");

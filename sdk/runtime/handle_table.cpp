@@ -12,6 +12,7 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::surface: return "surface";
         case HandleKind::field: return "field";
         case HandleKind::surface_curves: return "set of surface curves";
+        case HandleKind::tangle: return "tangle";
     }
     return "handle";
 }

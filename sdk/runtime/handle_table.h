@@ -13,7 +13,7 @@
 
 namespace flg {
 
-enum class HandleKind : uint8_t { job = 1, curve_set, style, live_stroke, surface, field, surface_curves };
+enum class HandleKind : uint8_t { job = 1, curve_set, style, live_stroke, surface, field, surface_curves, tangle };
 
 const char* handle_kind_name(HandleKind kind);
 

@@ -3,44 +3,47 @@
 // Puppo, Pellacini: geoTangle (2021).
 #pragma once
 
-#include "surfaces/region_set.h"
+#include <span>
+
+#include "surfaces/region_loops.h"
 #include "surfaces/surface_curves.h"
 
 namespace flg {
 
-// Borders run with the regions to their left, also where the surface ends; at a vertex where borders touch each keeps to its
-// own triangles. Each becomes a closed curve whose value is its length; the first point is at a vertex, at the border's least
-// corner, and curves are in the order of these.
+// What is sampled of a loop, in shares of its length from its first vertex on: 0 <= begin < 1, begin < end <= begin + 1.
+struct BorderStretch {
+    uint32_t loop;
+    double begin = 0, end = 1;
+
+    bool is_whole() const { return end - begin >= 1; }
+};
+
+// Whole loops become closed curves whose first point is where the stretch begins; of others only points between their ends
+// are placed, so that these with the ends cut them into equal pieces. A curve's value is the length of its stretch.
 class BorderSamplingKernel {
 public:
-    // Each border gets a whole number of equal steps: as near to `spacing` (metres, > 0) as can be, three at least. Fails
-    // with FLG_ERROR_LIMIT if a border would get more than 2^24. All outlive the kernel.
-    BorderSamplingKernel(const Mesh& mesh, const RegionSet& regions, float spacing, SurfaceCurves& curves,
-                         Memory* memory);
+    // Each stretch gets a whole number of equal steps: as near to `spacing` (metres, > 0) as can be, three at least. Fails
+    // with FLG_ERROR_LIMIT if one would get more than 2^24. All outlive the kernel.
+    BorderSamplingKernel(const Mesh& mesh, const RegionLoops& loops, std::span<const BorderStretch> stretches,
+                         float spacing, SurfaceCurves& curves);
 
-    // A unit is an edge, a corner or a point: 10 to 30 ns.
+    // A unit is an edge or a point: 10 to 30 ns.
     bool run(uint32_t count);
 
 private:
-    enum class Pass { clear, find, measure, place, done };
-
-    bool is_border(Corner edge) const;
-    bool walk();
-    void begin_places();
-    void place();
+    void begin_stretch();
+    void end_stretch();
 
     const Mesh& mesh_;
-    const RegionSet& regions_;
+    const RegionLoops& loops_;
+    const std::span<const BorderStretch> stretches_;
     const float spacing_;
     SurfaceCurves& curves_;
-    Buffer<uint64_t> visited_;  // a bit an edge
-    Pass pass_ = Pass::clear;
-    Corner at_ = 0;              // the first edge of the border
-    Corner edge_ = 0;            // that is being walked along
-    Corner turning_ = no_index;  // on the way to the next one: an edge that starts at its end
-    double walked_ = 0;          // metres, up to the edge
-    double length_ = 0;          // of the border
-    uint32_t placed_ = 0, count_ = 0;
+    size_t at_ = 0;  // stretch
+    uint32_t edge_ = 0;
+    double walked_ = 0;                // metres, from the loop's beginning up to the edge
+    uint32_t placed_ = 0, count_ = 0;  // steps
+    bool within_ = false;              // a stretch
 };
 
 }  // namespace flg

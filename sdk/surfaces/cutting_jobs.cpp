@@ -9,6 +9,7 @@
 #include "surfaces/cut_curves.h"
 #include "surfaces/cut_isolines.h"
 #include "surfaces/cut_regions.h"
+#include "surfaces/extra_column.h"
 #include "surfaces/mesh_edit_replay.h"
 #include "surfaces/surface_update.h"
 
@@ -68,23 +69,6 @@ Task<std::pmr::vector<RegionLevels>> list_labels(Pace& pace, const CutIsolinesRe
     co_return labels;
 }
 
-// A column that a cut carries along, taken away again at the end, however it ends.
-class ExtraColumn {
-public:
-    ExtraColumn(MeshColumns& columns, GrowingBuffer<float> values) : columns_(columns) {
-        columns_.push_back({1, std::move(values)});
-    }
-    ~ExtraColumn() { columns_.pop_back(); }
-    ExtraColumn(const ExtraColumn&) = delete;
-    ExtraColumn& operator=(const ExtraColumn&) = delete;
-
-    uint32_t index() const { return static_cast<uint32_t>(columns_.size() - 1); }
-    const GrowingBuffer<float>& values() const { return columns_.back().values; }
-
-private:
-    MeshColumns& columns_;
-};
-
 Task<Buffer<float>> copy_out(Pace& pace, const GrowingBuffer<float>& from) {
     Buffer<float> copy(from.size(), pace.memory());
     for (size_t i = 0; i < from.size(); i += copy_chunk) {
@@ -137,7 +121,8 @@ Task<void> cut_along_curves(Pace& pace, const CutCurvesRequest& request, MeshEdi
 Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
     Surface& surface = *request.surface;
     pace.stage("levels");
-    const Buffer<float> levels = co_await list_levels(pace, *request.field, request.levels, IsolineCutter::max_levels);
+    const Buffer<float> levels =
+        co_await list_levels(pace, request.field->data.distances, request.levels, IsolineCutter::max_levels);
     // As many labels as were asked for, also where the field does not reach all levels.
     const auto level_count = request.levels.count > 0 ? request.levels.count : static_cast<uint32_t>(levels.size());
     const std::pmr::vector<RegionLevels> labels = co_await list_labels(pace, request, level_count);

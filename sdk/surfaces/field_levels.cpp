@@ -24,13 +24,13 @@ Task<float> largest_value(Pace& pace, const Buffer<float>& values, float first) 
 
 }  // namespace
 
-Task<Buffer<float>> list_levels(Pace& pace, const Field& field, const LevelRequest& request, uint32_t most) {
+Task<Buffer<float>> list_levels(Pace& pace, const Buffer<float>& values, const LevelRequest& request, uint32_t most) {
     Buffer<float> levels;
     if (!request.values.empty()) {
         levels = Buffer<float>(request.values.size(), pace.memory());
         std::copy(request.values.begin(), request.values.end(), levels.begin());
     } else {
-        const double largest = co_await largest_value(pace, field.data.distances, request.first);
+        const double largest = co_await largest_value(pace, values, request.first);
         const double reachable = std::floor((largest - request.first) / request.every) + 1;
         const double count = request.count == 0 ? reachable : std::min<double>(request.count, reachable);
         if (count > most) {

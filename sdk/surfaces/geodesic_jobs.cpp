@@ -56,6 +56,10 @@ Task<void> collect_seeds(Pace& pace, const GeodesicRequest& request, GeodesicSee
         BorderSeedsKernel kernel(mesh, one, label++, seeds);
         while (!kernel.run(border_chunk)) co_await pace;
     }
+    for (size_t i = 0; sources.edges && i < sources.edges->size(); ++i) {
+        seeds.add_edge((*sources.edges)[i], label);
+        if (i % source_chunk == 0) co_await pace;
+    }
 }
 
 // A question without its accuracy.
@@ -151,6 +155,10 @@ Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface) {
 }
 
 Task<void> solve_geodesic(Pace& pace, GeodesicRequest request) {
+    co_await solve_field(pace, request, request.out->data);
+}
+
+Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField& out) {
     const Mesh& mesh = request.surface->mesh();
     pace.stage("sources");
     const bool perturbed = request.perturbation.amount > 0;
@@ -166,7 +174,7 @@ Task<void> solve_geodesic(Pace& pace, GeodesicRequest request) {
     limits.targets.assign(request.targets.begin(), request.targets.end());
 
     pace.stage("solve");
-    const Query query{mesh, request.regions, merge.seeds(), limits, request.labelled, request.out->data};
+    const Query query{mesh, request.regions, merge.seeds(), limits, request.labelled, out};
     if (perturbed) {
         co_await solve_perturbed(pace, query, request.accuracy, moved);
     } else {

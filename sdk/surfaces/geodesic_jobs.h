@@ -2,6 +2,8 @@
 // The jobs that compute distances on surfaces.
 #pragma once
 
+#include <deque>
+
 #include "surfaces/field.h"
 #include "surfaces/region_set.h"
 #include "surfaces/traced_curves.h"
@@ -18,6 +20,7 @@ struct GeodesicSources {
     Buffer<SurfacePoint> points;
     std::shared_ptr<const TracedCurves> curves;  // or null
     Buffer<uint32_t> border_regions;
+    const std::pmr::deque<Corner>* edges = nullptr;  // one source together, outlives the job
 };
 
 // Perlin noise along the normals, sec. 3.4.
@@ -41,6 +44,9 @@ struct GeodesicRequest {
 
 // The whole of flgGeodesic. Fails if a source or a target names what does not exist.
 Task<void> solve_geodesic(Pace& pace, GeodesicRequest request);
+
+// Its field, wherever that is kept; what the request says of `out` does not matter.
+Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField& out);
 
 // Distances from one point, right at least on the way to another: what paths between them are traced on. The surface's blocks
 // are built.

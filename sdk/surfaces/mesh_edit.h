@@ -5,8 +5,8 @@
 //
 // Invariants
 // - Vertices and triangles are only added, at the end of the arrays; those there were keep their index.
-// - Words are remembered in the order they were written, each time they were: taking back goes from the last to the first.
-//   What lies beyond the counts before is not remembered.
+// - Words and labels are remembered in the order they were written, each time they were: taking back goes from the last to
+//   the first. What lies beyond the counts before is not remembered.
 // - Edits of one mesh form a stack: only the last one that is made can be taken back, only the last one that was taken
 //   back can be made again.
 #pragma once
@@ -51,13 +51,14 @@ public:
         if (triangle_of(edge) < before_.triangles && word != neighbour) remember(array_neighbours, edge, word);
         word = neighbour;
     }
+    void set_position(Mesh& mesh, uint32_t vertex, const Position& position);
     void set_corner(Mesh& mesh, uint32_t vertex, Corner corner) {
         remember(array_corners, vertex, mesh.corner_of_vertex[vertex]);
         mesh.corner_of_vertex[vertex] = corner;
     }
     // Of a column of one component.
     void set_value(MeshColumns& columns, uint32_t column, uint32_t vertex, float value);
-    // At most once a triangle. Triangles in rising order make long runs.
+    // Triangles in rising order make long runs.
     void set_region(Mesh& mesh, uint32_t triangle, uint32_t label) {
         uint32_t& region = mesh.regions[triangle];
         if (triangle < before_.triangles && region != label) remember_label(triangle, region, label);
@@ -92,9 +93,13 @@ private:
         }
         labels_.push_back({triangle, 1, old, label});
     }
+    // Words of an array.
+    uint32_t count_before(MeshArray array) const {
+        if (array == array_corners) return before_.vertices;
+        return 3 * (array == array_positions ? before_.vertices : before_.triangles);
+    }
     void remember(MeshArray array, uint32_t index, uint32_t value) {
-        const bool of_vertex = array == array_corners;
-        if (index < (of_vertex ? before_.vertices : 3 * before_.triangles)) words_.push_back({array, index, value});
+        if (index < count_before(array)) words_.push_back({array, index, value});
     }
 
     Counts before_, after_;

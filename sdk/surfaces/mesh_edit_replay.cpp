@@ -35,6 +35,7 @@ MeshEditReplay::Array MeshEditReplay::array(size_t index) {
 }
 
 void MeshEditReplay::swap_word(MeshEdit::Word& word) {
+    if (word.array >= array_count()) return;  // of a column that only the cut itself carried along
     std::byte* place = array(word.array).data + size_t{word.index} * sizeof(uint32_t);
     uint32_t value;
     std::memcpy(&value, place, sizeof value);
@@ -43,7 +44,8 @@ void MeshEditReplay::swap_word(MeshEdit::Word& word) {
 }
 
 void MeshEditReplay::write_labels(uint32_t& count) {
-    const MeshEdit::LabelRun& run = edit_.labels()[at_];
+    const auto& runs = edit_.labels();
+    const MeshEdit::LabelRun& run = runs[undo_ ? runs.size() - 1 - at_ : at_];
     for (; count > 0 && within_ < run.count; ++within_, --count) {
         mesh_.regions[run.first + within_] = undo_ ? run.old : run.label;
     }

@@ -25,6 +25,15 @@ void TouchedVertexSearch::visit(uint32_t triangle) {
     }
 }
 
+void TouchedVertexSearch::visit_around(uint32_t vertex) {
+    const Corner first = mesh_.corner_of_vertex[vertex];
+    Corner corner = first;
+    do {
+        visit(triangle_of(corner));
+        corner = mesh_.turn(corner);
+    } while (corner != first && corner != no_index);
+}
+
 // Overwritten triangles are found by their words, then come those added.
 size_t TouchedVertexSearch::size_of(Pass pass) const {
     if (pass == Pass::clear) return touched_.size();
@@ -41,6 +50,8 @@ bool TouchedVertexSearch::run(uint32_t count) {
                 visit(edit_.before().triangles + static_cast<uint32_t>(at_ - words));
             } else if (const MeshEdit::Word& word = edit_.words()[at_]; word.array == array_triangles) {
                 if (word.index % 3 == 0) visit(word.index / 3);
+            } else if (word.array == array_positions) {
+                if (word.index % 3 == 0) visit_around(word.index / 3);
             }
         }
         if (at_ < size_of(pass_)) break;

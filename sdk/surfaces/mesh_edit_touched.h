@@ -10,7 +10,7 @@ namespace flg {
 struct TouchedVertices {
     explicit TouchedVertices(Memory* memory) : changed(memory), facing(memory) {}
 
-    std::pmr::deque<uint32_t> changed;  // of changed triangles
+    std::pmr::deque<uint32_t> changed;  // of changed triangles, moved corners among the changes
     std::pmr::deque<uint32_t> facing;   // of others that share an edge with a changed one, opposite to that edge
 };
 
@@ -20,7 +20,7 @@ public:
     TouchedVertexSearch(const Mesh& mesh, const MeshEdit& edit, TouchedVertices& out, Memory* memory);
 
     // Spends `count` units of about 50 ns; true when done. 64 vertices take one, a word that was overwritten and a triangle
-    // that was added take two.
+    // that was added take two, a unit for a vertex that moved six times as long.
     bool run(uint32_t count);
 
 private:
@@ -28,6 +28,7 @@ private:
 
     size_t size_of(Pass pass) const;
     void visit(uint32_t triangle);
+    void visit_around(uint32_t vertex);
     void touch(uint32_t vertex, std::pmr::deque<uint32_t>& list);
 
     const Mesh& mesh_;

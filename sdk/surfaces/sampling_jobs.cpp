@@ -13,6 +13,12 @@ namespace {
 constexpr uint32_t sample_chunk = 50;
 constexpr uint32_t border_chunk = 500;
 
+Buffer<BorderStretch> whole_loops(const RegionLoops& loops, Memory* memory) {
+    Buffer<BorderStretch> stretches(loops.count(), memory);
+    for (uint32_t l = 0; l < loops.count(); ++l) stretches[l] = {.loop = l};
+    return stretches;
+}
+
 }  // namespace
 
 Task<void> sample_surface(Pace& pace, SamplingRequest request) {
@@ -37,7 +43,12 @@ Task<void> sample_surface(Pace& pace, SamplingRequest request) {
 Task<void> sample_border(Pace& pace, uint32_t region, float spacing, std::shared_ptr<TracedCurves> out) {
     pace.stage("sample");
     const RegionSet regions(&region, 1, pace.memory());
-    BorderSamplingKernel kernel(out->surface->mesh(), regions, spacing, out->curves, pace.memory());
+    const Mesh& mesh = out->surface->mesh();
+    RegionLoops loops(pace.memory());
+    RegionLoopsKernel find(mesh, regions, loops, pace.memory());
+    while (!find.run(border_chunk)) co_await pace;
+    const Buffer<BorderStretch> stretches = whole_loops(loops, pace.memory());
+    BorderSamplingKernel kernel(mesh, loops, {stretches.data(), stretches.size()}, spacing, out->curves);
     while (!kernel.run(border_chunk)) co_await pace;
     FlattenCurvesKernel flatten_curves(*out, pace.memory());
     while (!flatten_curves.run(border_chunk)) co_await pace;

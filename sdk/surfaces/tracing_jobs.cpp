@@ -30,16 +30,15 @@ std::span<const float> values_of(const Field& field) {
 }
 
 // From one point to the next; returns the length.
-Task<double> trace_stretch(Pace& pace, PathsRequest& request, uint32_t from, uint32_t to) {
-    Surface& surface = *request.out->surface;
+Task<double> trace_stretch(Pace& pace, Surface& surface, const Paths& paths, uint32_t from, uint32_t to,
+                           const char* argument, SurfaceCurves& out) {
     DistanceField field;
-    co_await solve_between(pace, surface, request.regions, request.points[to], request.points[from], field);
-    GeodesicPathKernel kernel(surface.mesh(), request.points[from], request.points[to],
-                              {field.distances.data(), field.distances.size()}, request.regions, request.out->curves,
-                              pace.memory());
+    co_await solve_between(pace, surface, paths.regions, paths.points[to], paths.points[from], field);
+    GeodesicPathKernel kernel(surface.mesh(), paths.points[from], paths.points[to],
+                              {field.distances.data(), field.distances.size()}, paths.regions, out, pace.memory());
     while (!kernel.run(path_chunk)) co_await pace;
     if (!kernel.found()) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no way leads from desc.points[%u] to desc.points[%u]", from, to);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "no way leads from %s[%u] to %s[%u]", argument, from, argument, to);
     }
     co_return kernel.length();
 }
@@ -48,7 +47,8 @@ Task<double> trace_stretch(Pace& pace, PathsRequest& request, uint32_t from, uin
 
 Task<void> trace_isolines(Pace& pace, IsolinesRequest request) {
     pace.stage("levels");
-    const Buffer<float> levels = co_await list_levels(pace, *request.field, request.levels, IsolineKernel::max_levels);
+    const Buffer<float> levels =
+        co_await list_levels(pace, request.field->data.distances, request.levels, IsolineKernel::max_levels);
     pace.stage("isolines");
     TracedCurves& out = *request.out;
     IsolineKernel kernel(out.surface->mesh(), values_of(*request.field), {levels.data(), levels.size()},
@@ -79,20 +79,25 @@ Task<void> trace_streams(Pace& pace, StreamsRequest request) {
 }
 
 Task<void> trace_paths(Pace& pace, PathsRequest request) {
-    co_await check_points(pace, request.out->surface->mesh(), request.points, "desc.points");
+    TracedCurves& out = *request.out;
+    co_await trace_polylines(pace, *out.surface, request.paths, "desc.points", out.curves);
+    co_await finish(pace, out);
+}
+
+Task<void> trace_polylines(Pace& pace, Surface& surface, const Paths& paths, const char* argument, SurfaceCurves& out) {
+    co_await check_points(pace, surface.mesh(), paths.points, argument);
     pace.stage("paths");
-    pace.expect(request.points.size());
-    for (uint32_t p = 0; p + 1 < request.offsets.size(); ++p) {
-        const uint32_t first = request.offsets[p], end = request.offsets[p + 1];
+    pace.expect(paths.points.size());
+    for (uint32_t p = 0; p + 1 < paths.offsets.size(); ++p) {
+        const uint32_t first = paths.offsets[p], end = paths.offsets[p + 1];
         double length = 0;
         for (uint32_t i = first; i + 1 < end; ++i) {
-            length += co_await trace_stretch(pace, request, i, i + 1);
+            length += co_await trace_stretch(pace, surface, paths, i, i + 1, argument, out);
             pace.advance(1);
         }
-        if (request.closed) length += co_await trace_stretch(pace, request, end - 1, first);
-        end_polyline(request.out->curves, request.closed, length);
+        if (paths.closed) length += co_await trace_stretch(pace, surface, paths, end - 1, first, argument, out);
+        end_polyline(out, paths.closed, length);
     }
-    co_await finish(pace, *request.out);
 }
 
 }  // namespace flg

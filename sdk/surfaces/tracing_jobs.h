@@ -31,16 +31,23 @@ struct StreamsRequest {
 // The whole of flgTraceStreams. Fails if a start names a triangle that does not exist.
 Task<void> trace_streams(Pace& pace, StreamsRequest request);
 
-struct PathsRequest {
+struct Paths {
     Buffer<uint32_t> offsets;  // path p goes through points offsets[p] to offsets[p + 1] - 1, two at least
     Buffer<SurfacePoint> points;
     bool closed;
     RegionSet regions;
+};
+
+struct PathsRequest {
+    Paths paths;
     std::shared_ptr<TracedCurves> out;
 };
 
 // The whole of flgTracePaths. Fails if a point does not exist or can't be reached from the one before it. Paths without
 // length are left out.
 Task<void> trace_paths(Pace& pace, PathsRequest request);
+
+// Its curves, wherever they are kept. `argument`: what errors call the points.
+Task<void> trace_polylines(Pace& pace, Surface& surface, const Paths& paths, const char* argument, SurfaceCurves& out);
 
 }  // namespace flg

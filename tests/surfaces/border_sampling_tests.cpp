@@ -14,7 +14,12 @@ SurfaceCurves sample(const Mesh& mesh, const std::vector<uint32_t>& labels, floa
     const RegionSet regions = labels.empty()
                                   ? RegionSet(test_memory())
                                   : RegionSet(labels.data(), static_cast<uint32_t>(labels.size()), test_memory());
-    BorderSamplingKernel kernel(mesh, regions, spacing, curves, test_memory());
+    RegionLoops loops(test_memory());
+    RegionLoopsKernel find(mesh, regions, loops, test_memory());
+    while (!find.run(slice)) {}
+    std::vector<BorderStretch> stretches(loops.count());
+    for (uint32_t l = 0; l < loops.count(); ++l) stretches[l] = {.loop = l};
+    BorderSamplingKernel kernel(mesh, loops, stretches, spacing, curves);
     while (!kernel.run(slice)) {}
     return curves;
 }

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT
+ * SPDX-FileCopyrightText: 2026 The Filigree authors
+ *
+ * Tangles: recursive ornament on surfaces (Nazzaro, Puppo, Pellacini: geoTangle, 2021). It follows the grammar of filigree.h
+ * and filigree_surface.h.
+ *
+ * A tangle is a tree of regions of a surface, sec. 3 and appendix A of the paper. The root, region 0, is the whole surface;
+ * operators divide regions along isolines and streamlines of geodesic fields, and the parts become their children. Leaves
+ * partition the surface; the label of a triangle is its leaf. An operator on a region that was divided before divides its
+ * leaves: their borders stay, its own go through all of them.
+ *
+ * Groups       Each region is of one group, which materials and scripts go by. How an operator groups what it makes is its
+ *              `grouping`; parts of leaves are in one group if their part of the operator and the leaf's own group are the same.
+ * Scaffolds    A scaffold's borders are not seen: its regions look like the region they lie in, and help to place others.
+ * Looks        Two leaves look the same if no visible border may lie between them; borders are where looks differ.
+ * History      Each operator, macro, grouping and join is a step, which can be taken back and made again, to the bit.
+ * Surface      The tangle changes its surface by jobs, in the order they were started. Do not cut a tangle's surface by other
+ *              means: then all further changes of the tangle are refused. Fields, tracing, picking and drawing go on as
+ *              with any surface.
+ */
+#ifndef FILIGREE_FILIGREE_TANGLE_H
+#define FILIGREE_FILIGREE_TANGLE_H
+
+#include "filigree_surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+FLG_HANDLE(FlgTangle);
+
+/* Starts a job that makes the whole of a surface the root of a tangle: all labels become 0. The surface may still be in the
+ * making. Cost: about 1 ns a triangle. */
+FLG_API FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, FlgTangle* out_tangle, FlgJob* out_job);
+
+/* Gives the handle back; the surface stays as it is. */
+FLG_API FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle);
+
+/* ---- Regions --------------------------------------------------------------------------------------------------- */
+
+/* A part of a border. Loops are the closed borders of the seeds' regions, all regions together, also where the surface ends:
+ * in the order of their least edges, as flgBorderSample gives them. Shares of the loop's length from its first vertex on. */
+typedef struct FlgBorderStretch {
+    uint32_t loop;
+    float begin; /* in [0, 1) */
+    float end;   /* in (begin, begin + 1] */
+} FlgBorderStretch;
+
+typedef enum FlgTangleBorders {
+    FLG_TANGLE_BORDERS_NONE = 0,
+    FLG_TANGLE_BORDERS_OUTER = 1, /* of the regions together */
+    FLG_TANGLE_BORDERS_EACH = 2,  /* of each leaf by itself */
+    FLG_TANGLE_BORDERS_FORCE_32BIT = 0x7fffffff
+} FlgTangleBorders;
+
+/* What an operator begins at: all that is named here, together. By default nothing is. Arrays are copied. */
+typedef struct FlgTangleSeeds {
+    FlgTangleBorders borders;
+    uint32_t stretch_count;
+    const FlgBorderStretch* stretches; /* parts of the outer borders */
+    const FlgSurfacePoint* points;
+    uint32_t point_count;
+    uint32_t sample_count;   /* Poisson samples at most; 0: as many as fit */
+    float sample_radius;     /* no two samples are nearer, nor half as near to a border, metres; 0: no samples */
+    float border_spacing;    /* points so far apart along the outer borders, metres; 0: none */
+    FlgSurfaceCurves curves; /* lines, of the surface as it is; null: none */
+    const uint32_t* regions; /* whose borders these are, and where samples lie; null: those of the operator */
+    uint32_t region_count;
+    uint32_t reserved;
+} FlgTangleSeeds;
+
+typedef enum FlgTangleOperator {
+    FLG_TANGLE_CONTOUR = 0,  /* cuts along isolines of the field of a, or blended between a and b */
+    FLG_TANGLE_STREAM = 1,   /* cuts along integral curves that begin evenly on a, which is lines or borders */
+    FLG_TANGLE_VORONOI = 2,  /* cells of the points and samples of a */
+    FLG_TANGLE_POLYLINE = 3, /* cuts along the shortest ways from point to point of a */
+    FLG_TANGLE_OPERATOR_FORCE_32BIT = 0x7fffffff
+} FlgTangleOperator;
+
+typedef enum FlgTangleGrouping {
+    FLG_TANGLE_GROUP_TWO = 0,   /* foreground (even parts) and background (odd ones) */
+    FLG_TANGLE_GROUP_ONE = 1,   /* all in one */
+    FLG_TANGLE_GROUP_EACH = 2,  /* each region in its own */
+    FLG_TANGLE_GROUP_CYCLE = 3, /* by part modulo `cycle` */
+    FLG_TANGLE_GROUP_FORCE_32BIT = 0x7fffffff
+} FlgTangleGrouping;
+
+/* An operator. Parts are numbered: between isolines from the seeds outwards; strips between streams along a; else in the
+ * order of their first triangles. */
+typedef struct FlgTangleDivideDesc {
+    uint32_t struct_size;
+    FlgTangleOperator kind; /* default FLG_TANGLE_CONTOUR */
+    FlgJobOptions job;
+    FlgTangle tangle;
+    const uint32_t* regions; /* divided together, as one piece; copied */
+    uint32_t region_count;   /* at least 1 */
+    /* Isolines at delta, 2 delta, ...: at most so many; 0: as many as the field has. At most 256. Default 1. */
+    uint32_t count;
+    FlgTangleSeeds a, b; /* b: with it the field is blended, 0 at a and 1 at b; by default it is empty */
+    float delta; /* > 0. Contours: metres, or a share of the blend below 1. Streams: metres along a. Default 0.1 */
+    FlgTangleGrouping grouping; /* default FLG_TANGLE_GROUP_TWO */
+    uint32_t cycle;             /* groups of FLG_TANGLE_GROUP_CYCLE, 1 to 65536; default 3 */
+    uint32_t scaffold;          /* nonzero: the borders are not seen. Default 0 */
+    uint32_t closed;            /* nonzero: a polyline goes back to its first point. Default 0 */
+    /* As in FlgGeodesicDesc: Perlin noise on the metric, for an organic look. */
+    float perturbation; /* metres, >= 0; default 0 */
+    float frequency;    /* 1 / metre, > 0; default 1 */
+    uint32_t reserved;
+    uint64_t seed; /* of samples and noise; default 1 */
+} FlgTangleDivideDesc;
+
+FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t struct_size);
+
+/* Starts a job that divides regions by an operator. One that leaves them whole (delta beyond the field, a line that does not
+ * separate) is a step that changes nothing. Fails if a region does not exist, if borders are asked for where there are
+ * none, if streams have no line to begin on, or with more than FLG_REGION_MAX regions. Cost: a field (40 ns a triangle of the
+ * regions; with b two, with samples two more) and the cut (flgCutIsolines), and about 10 ns a triangle of the surface. */
+FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
+
+/* Moves vertices of regions along the surface's normals: sec. 3.4, after an operator. Each leaf rises by `amount` at the place
+ * that is farthest from its borders, or everywhere `reach` and more away from them; borders stay. In between the height is
+ * the profile of the distance, by the bias and gain of Schlick (1994). Distances measured later are those on the new surface. */
+typedef struct FlgTangleDisplaceDesc {
+    uint32_t struct_size;
+    float amount; /* metres, any finite number; default 0.1 */
+    FlgJobOptions job;
+    FlgTangle tangle;
+    const uint32_t* regions; /* their leaves are displaced; copied */
+    uint32_t region_count;   /* at least 1 */
+    float bias;              /* in (0, 1): below 0.5 spikes, above it domes; default 0.5: neither */
+    float gain;  /* in (0, 1): below 0.5 steep at half height, above it a terrace there; default 0.5: neither */
+    float reach; /* metres, >= 0; default 0: each leaf's own largest distance */
+} FlgTangleDisplaceDesc;
+
+FLG_API FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint32_t struct_size);
+
+/* Starts a job that displaces regions; a step. Cost: a field and about 2 us a vertex that moves. */
+FLG_API FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceDesc* desc, FlgJob* out_job);
+
+/* All these regions get one new group. Any region may be named, leaf or not. */
+FLG_API FlgResult flgTangleGroup(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
+                                 FlgJob* out_job);
+
+/* Each region of the group gets a new group of its own. */
+FLG_API FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group, FlgJob* out_job);
+
+/* The leaves of these regions become one region, with the lowest of their identifiers. Fails if they are not connected. */
+FLG_API FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
+                                FlgJob* out_job);
+
+/* ---- History ----------------------------------------------------------------------------------------------------- */
+
+/* Starts a job that takes the last step back; it fails if there is none (steps whose job failed are none). Cost: that of
+ * what the step changed. */
+FLG_API FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
+
+/* Starts a job that makes the step again that was taken back last. A new step forgets those. */
+FLG_API FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
+
+/* ---- What a tangle is like --------------------------------------------------------------------------------------- */
+
+typedef struct FlgTangleInfo {
+    uint32_t struct_size;
+    uint32_t region_count; /* identifiers are below it */
+    uint32_t group_count;  /* likewise */
+    uint32_t leaf_count;
+    uint32_t undo_count, redo_count; /* steps that can be taken back, and made again */
+    uint32_t depth;                  /* of the deepest leaf; the root's is 0 */
+    uint32_t reserved;
+} FlgTangleInfo;
+
+/* FLG_NOT_READY while a job that changes the tangle isn't published; its error if its surface failed. Cost: tens of
+ * nanoseconds a region. */
+FLG_API FlgResult flgTangleGetInfo(FlgContext context, FlgTangle tangle, FlgTangleInfo* out_info);
+
+typedef struct FlgTangleRegion {
+    uint32_t struct_size;
+    uint32_t parent; /* FLG_NO_INDEX: the root */
+    uint32_t group;
+    uint32_t look;        /* borders are seen where looks differ */
+    uint32_t operation;   /* the number of the step that made it, counted from 1 over all operators; the root: 0 */
+    uint32_t part;        /* of that operator */
+    uint32_t first_child; /* children have consecutive identifiers */
+    uint32_t child_count;
+    uint32_t joined_into; /* the region it belongs to since they were joined; FLG_NO_INDEX: none */
+    uint32_t scaffold;
+    uint32_t visible_group; /* the group of the nearest region around it, itself included, that is no scaffold's */
+    uint32_t depth;
+} FlgTangleRegion;
+
+/* Not ready when the info isn't. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgTangleGetRegion(FlgContext context, FlgTangle tangle, uint32_t region,
+                                     FlgTangleRegion* out_region);
+
+/* ---- Defaults by value ------------------------------------------------------------------------------------------- */
+
+static inline FlgTangleDivideDesc flgTangleDivideDefaults(void) {
+    FlgTangleDivideDesc desc;
+    flgTangleDivideDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgTangleDisplaceDesc flgTangleDisplaceDefaults(void) {
+    FlgTangleDisplaceDesc desc;
+    flgTangleDisplaceDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A tangle as hosts hold it: a surface, the tree of its regions, and how they came about.
+//
+// What lives in this room: the algebra of regions (region_tree.h), the operators that divide them and what these are made of
+// (each a kernel of its own), macros, displacement, history. What does not: meshes, distances and cuts (surfaces/), files.
+//
+// Invariants
+// - A triangle's label is its leaf of the tree, at all times a host can see.
+// - Each step changes everything it says, or nothing; each can be taken back and made again, to the bit.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "surfaces/mesh_edit.h"
+#include "surfaces/surface.h"
+#include "tangles/region_tree.h"
+
+namespace flg {
+
+struct TangleStep {
+    explicit TangleStep(Memory* memory) : tree(memory) {}
+
+    std::optional<MeshEdit> edit;  // none: only the tree changed
+    TreeEdit tree;
+    bool goes_on = false;  // it is taken back and made again together with the one before it
+};
+
+class Tangle final : public Product {
+public:
+    Tangle(std::shared_ptr<Surface> of_surface, Memory* memory)
+        : surface(std::move(of_surface)), revision(surface->order.revision()), tree(memory), steps(memory) {}
+
+    std::shared_ptr<Surface> surface;
+    // Host's thread: the surface's, after the last change that was started for the tangle.
+    uint32_t revision;
+
+    // Jobs, as the surface's order lets them.
+    RegionTree tree;
+    std::pmr::deque<TangleStep> steps;  // those made, then those taken back
+    size_t made = 0;
+};
+
+}  // namespace flg
