@@ -8,11 +8,13 @@
 #include <cstring>
 
 #include "core/failure.h"
+#include "core/number_text.h"
 
 namespace flg {
 
 inline void check_range(bool holds, const char* argument, double value, const char* rule) {
-    if (!holds) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %g, must be %s", argument, value, rule);
+    if (holds) return;
+    throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is %s, must be %s", argument, NumberText(value).c_str(), rule);
 }
 
 // The number a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
@@ -32,16 +34,21 @@ void check_enum(const Enum& value, Enum first, Enum last, const char* argument, 
     }
 }
 
+// Whether a number may be a coordinate, or a factor on some.
+inline bool is_coordinate(float value) {
+    return std::abs(value) <= 1e30f;
+}
+
 inline void check_frame(const FlgFrameMethod& method, const char* argument) {
     check_enum(method, FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_SUPPLIED, argument, "FLG_FRAME_");
 }
 
-// desc.basis of any finite numbers.
+// desc.basis of any numbers up to 1e30.
 inline void check_basis(const float (&basis)[9]) {
     for (int i = 0; i < 9; ++i) {
         char name[32];
         std::snprintf(name, sizeof name, "desc.basis[%d]", i);
-        check_range(std::isfinite(basis[i]), name, basis[i], "finite");
+        check_range(is_coordinate(basis[i]), name, basis[i], "finite and at most 1e30 in size");
     }
 }
 

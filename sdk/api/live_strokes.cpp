@@ -7,6 +7,7 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "core/number_text.h"
 #include "stylization/live_jobs.h"
 
 namespace flg {
@@ -156,10 +157,18 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
         request.style = self.styles.get(read.style.id, "desc.style");
         const FlgResult result = request.style->visible_result();
         if (result < 0) return set_last_error(result, request.style->error());
-        if (result == FLG_NOT_READY) return result;
+        if (result == FLG_NOT_READY) {
+            return set_last_error(result, "desc.style is not prepared yet; tick until its job is done");
+        }
         request.trees = request.style->trees(
             static_cast<float>(double{read.temperature} * request.style->prepared.graph.temperature_unit));
-        if (!all_trees_made(*request.trees)) return FLG_NOT_READY;
+        if (!all_trees_made(*request.trees)) {
+            throw Failure(
+                FLG_NOT_READY,
+                "desc.style is not warm at desc.temperature, %s; call flgStyleWarm with it, and tick until its "
+                "job is done",
+                NumberText(read.temperature).c_str());
+        }
         request.settings = settings_of(read);
         request.max_jump = read.max_jump;
         request.max_samples = read.max_samples;
@@ -201,6 +210,7 @@ FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLive
         info.waiting_samples = self.waiting_samples();
         info.ended = self.phase() != LiveStroke::Phase::drawing;
         info.spacing = static_cast<float>(self.spacing());
+        info.cut = self.cut();
         write_struct(out_info, info, "out_info");
         return FLG_OK;
     });

@@ -145,6 +145,9 @@ Task<void> measure_curve(Pace& pace, Replay& replay, uint32_t curve) {
     LiveKernel kernel(settings_of_curve(replay, curve), samples, none);
     kernel.close();
     for (uint32_t units = point_chunk; !kernel.run(count, units); units = point_chunk) co_await pace;
+    if (kernel.state().cut) {
+        throw Failure(FLG_ERROR_LIMIT, "curve %u comes to more than max_points, %u", curve, replay.settings.max_points);
+    }
     replay.request.out->offsets()[curve + 1] = kernel.state().points;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stylization/live_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/failure.h"
@@ -12,6 +13,8 @@ namespace {
 constexpr double place_share = 1e-3;    // of a step: places nearer than this are one
 constexpr double along_cosine = 0.95;   // a controller's axis nearer to the direction gives no first normal
 constexpr double parallel_sine = 1e-4;  // as FramedSampler has it
+
+constexpr uint32_t place_block = 32;
 
 // More than a stroke can have.
 constexpr uint32_t endless = UINT32_MAX;
@@ -73,9 +76,9 @@ void LiveKernel::restore(const LiveState& state) {
 }
 
 bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
-    while (!full()) {
+    while (!state_.cut) {
         if (state_.in_segment) {
-            if (!follow_segment(units)) return full();
+            if (!follow_segment(units)) return state_.cut;
         } else if (state_.samples < sample_count) {
             if (units < sample_units) {
                 units = 0;
@@ -100,14 +103,30 @@ void LiveKernel::take_segment() {
     state_.in_segment = true;
 }
 
-// False if it wasn't followed to its end.
+// False if it wasn't followed to its end. All places of a block first, then all frames, so that the long latencies of
+// different points overlap.
 bool LiveKernel::follow_segment(uint32_t& units) {
     const Segment segment(block_, 0);
+    std::array<LivePlace, place_block> places;
     while (state_.ahead <= segment.length()) {
-        if (units == 0 || full()) return false;
-        --units;
-        make_point(segment.parameter_at(state_.ahead));
-        state_.ahead += step_;
+        const uint32_t room = settings_.max_points - state_.points;
+        state_.cut = room == 0;
+        const uint32_t capacity = std::min({units, room, place_block});
+        if (capacity == 0) return false;
+        uint32_t count = 0;
+        for (; count < capacity && state_.ahead <= segment.length(); state_.ahead += step_) {
+            LivePlace& place = places[count++];
+            if (only_counts()) continue;
+            place.t = segment.parameter_at(state_.ahead);
+            place.position = segment.position(place.t);
+            place.tangent = segment.tangent(place.t);
+        }
+        units -= count;
+        if (only_counts()) {
+            state_.points += count;
+        } else {
+            for (uint32_t k = 0; k < count; ++k) make_point(places[k]);
+        }
     }
     state_.ahead -= segment.length();
     state_.in_segment = false;
@@ -151,13 +170,8 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
     if (size > parallel_sine * up.norm()) state_.frame.set_normal(normal / size);
 }
 
-void LiveKernel::make_point(double t) {
-    if (out_.data[0] == nullptr) {
-        ++state_.points;
-        return;
-    }
-    const Segment segment(block_, 0);
-    const Vec3 position = segment.position(t), tangent = segment.tangent(t);
+void LiveKernel::make_point(const LivePlace& place) {
+    const Vec3 &position = place.position, &tangent = place.tangent;
     if (state_.points == 0) {
         state_.frame = RotationMinimizingFrame(position, tangent, first_normal(tangent));
         begin_walk();
@@ -165,14 +179,14 @@ void LiveKernel::make_point(double t) {
         state_.frame.step(position, tangent);
         advance_walk();
     }
-    const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, t);
+    const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, place.t);
     if (settings_.frame == FLG_FRAME_SUPPLIED) take_supplied_normal(hand.up);
     write(position, tangent, state_.frame.normal(), hand, settings_.magnitude * settings_.scale);
 }
 
 // Of a stroke without length. It has no frame to be displaced in.
 void LiveKernel::make_lone_point() {
-    if (out_.data[0] == nullptr) {
+    if (only_counts()) {
         ++state_.points;
         return;
     }

@@ -46,11 +46,18 @@ struct LiveColumns {
 };
 LiveColumns live_columns(const PreparedStyle& style);
 
+// A point to be, on the drawn curve.
+struct LivePlace {
+    Vec3 position, tangent;  // tangent unit
+    double t = 0;            // on the segment that is followed
+};
+
 struct LiveState {
     LiveCurve curve;
     LiveSegment segment;  // being followed if in_segment
     bool in_segment = false;
     bool closing = false;  // no samples will follow
+    bool cut = false;      // a point was due, and there was no room: the stroke ends before it
     double ahead = 0;      // metres from the segment's start to the next point
     uint32_t samples = 0;  // read
     uint32_t points = 0;   // made
@@ -75,12 +82,12 @@ public:
 
     const LiveState& state() const { return state_; }
     void restore(const LiveState& state);
-    bool full() const { return state_.points >= settings_.max_points; }
 
 private:
+    bool only_counts() const { return out_.data[0] == nullptr; }
     bool follow_segment(uint32_t& units);
     void take_segment();
-    void make_point(double t);
+    void make_point(const LivePlace& place);
     void make_lone_point();
     void begin_walk();
     void advance_walk();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "core/number_text.h"
 
 namespace flg {
 
@@ -16,35 +17,36 @@ constexpr float max_coordinate = 1e30f;  // as curve sets have it
 void check_sample(const FlgLiveSample& sample, uint32_t index) {
     for (float v : sample.position) {
         if (!(std::abs(v) <= max_coordinate)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].position holds %g, must be at most 1e30 in size",
-                          index, static_cast<double>(v));
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].position holds %s, must be at most 1e30 in size",
+                          index, NumberText(v).c_str());
         }
     }
     for (float v : sample.orientation) {
         if (!std::isfinite(v)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].orientation holds %g, must be finite", index,
-                          static_cast<double>(v));
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].orientation holds %s, must be finite", index,
+                          NumberText(v).c_str());
         }
     }
     if (!(sample.pressure >= 0 && sample.pressure <= 1)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].pressure is %g, must be 0 to 1", index,
-                      static_cast<double>(sample.pressure));
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].pressure is %s, must be 0 to 1", index,
+                      NumberText(sample.pressure).c_str());
     }
     if (!std::isfinite(sample.time)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %g, must be finite", index, sample.time);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %s, must be finite", index,
+                      NumberText(sample.time).c_str());
     }
 }
 
 void check_next_sample(const float* position_before, double time_before, const FlgLiveSample& sample, double max_jump,
                        uint32_t index) {
     if (sample.time < time_before) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %.9g, before that of the sample before it, %.9g",
-                      index, sample.time, time_before);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %s, before that of the sample before it, %s",
+                      index, NumberText(sample.time).c_str(), NumberText(time_before).c_str());
     }
     const double jump = (load_vec3(sample.position) - load_vec3(position_before)).norm();
     if (jump > max_jump) {
-        throw Failure(FLG_ERROR_LIMIT, "samples[%u] is %g m from the sample before it, max_jump is %g m", index, jump,
-                      max_jump);
+        throw Failure(FLG_ERROR_LIMIT, "samples[%u] is %g m from the sample before it, max_jump is %s m", index, jump,
+                      NumberText(max_jump).c_str());
     }
 }
 
@@ -87,7 +89,7 @@ void LiveStroke::check_all(const FlgLiveSample* samples, uint32_t count) const {
         throw Failure(FLG_ERROR_LIMIT, "stroke holds %u samples, %u more would pass max_samples, %u", sample_count_,
                       count, max_samples_);
     }
-    if (count > 0 && kernel_.full()) {
+    if (count > 0 && kernel_.state().cut) {
         throw Failure(FLG_ERROR_LIMIT, "stroke has come to max_points, %u", settings_.max_points);
     }
     const float* position = sample_count_ > 0 ? positions_.data() + 3 * size_t{sample_count_ - 1} : nullptr;
@@ -122,6 +124,7 @@ void LiveStroke::draw_to(uint32_t sample_count) {
 void LiveStroke::show() {
     visible_points_ = kernel_.state().points;
     visible_samples_ = kernel_.state().samples;
+    visible_cut_ = kernel_.state().cut;
 }
 
 void LiveStroke::push(const FlgLiveSample* samples, uint32_t count) {

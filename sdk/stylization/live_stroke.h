@@ -30,8 +30,10 @@ void check_next_sample(const float* position_before, double time_before, const F
 
 class LiveStroke {
 public:
-    static constexpr uint32_t checkpoint_interval = 8;
-    static constexpr uint32_t units_per_sample = 256 + LiveKernel::sample_units;
+    static constexpr uint32_t checkpoint_interval = 6;
+    // What keeps a push, and undoing with its checkpoint_interval - 1 samples, below what a frame can spare: a point is
+    // about 0.1 us.
+    static constexpr uint32_t units_per_sample = 96;
 
     LiveStroke(const LiveStrokeRequest& request, Memory* memory);
     LiveStroke(const LiveStroke&) = delete;
@@ -47,6 +49,8 @@ public:
     uint32_t sample_count() const { return sample_count_; }
     uint32_t waiting_samples() const { return sample_count_ - visible_samples_; }
     uint32_t point_count() const { return visible_points_; }
+    // The next point has found no room.
+    bool cut() const { return visible_cut_; }
     double spacing() const { return settings_.spacing(); }
     const LiveColumns& columns() const { return columns_; }
     const LiveSamples& samples() const { return samples_; }
@@ -87,6 +91,7 @@ private:
     LiveState before_end_;
     // What the host sees.
     uint32_t visible_points_ = 0, visible_samples_ = 0;
+    bool visible_cut_ = false;
     std::array<FlgColumn, live_columns_max> view_columns_{};
     std::array<uint32_t, 2> view_offsets_{};
     uint8_t view_flags_ = 0;

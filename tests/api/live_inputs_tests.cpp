@@ -37,6 +37,8 @@ TEST(LiveStrokeInput, BadSamplesAreRefusedAndTheStrokeGoesOn) {
     expect_refused(
         host, [](Samples& s) { s[4].pressure = 1.5f; }, invalid, "samples[4].pressure is 1.5");
     expect_refused(
+        host, [](Samples& s) { s[4].pressure = 1.0000001f; }, invalid, "samples[4].pressure is 1.0000001, must");
+    expect_refused(
         host, [](Samples& s) { s[4].pressure = -0.5f; }, invalid, "samples[4].pressure is -0.5");
     expect_refused(
         host, [](Samples& s) { s[4].pressure = NAN; }, invalid, "samples[4].pressure is nan");
@@ -60,7 +62,7 @@ TEST(LiveStrokeInput, TeleportsAreRefused) {
         host, [](Samples& s) { s[0].position[0] = 1e30f; }, FLG_ERROR_LIMIT, "max_jump is 1 m");
 }
 
-// Long ways that are allowed are followed in slices, by the samples after them.
+// Long ways that are allowed are followed in slices, by the samples after them, and by the end's job.
 TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
     LiveHost host;
     host.live.max_jump = 1e6f;
@@ -72,11 +74,11 @@ TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
     for (const FlgLiveSample& sample : samples) {
         host.push(stroke, &sample, 1);
         const uint32_t points = host.info(stroke).point_count;
-        EXPECT_LE(points - before, 260u);
+        EXPECT_LE(points - before, 96u);
         before = points;
     }
     EXPECT_GT(host.info(stroke).waiting_samples, 10u);
-    EXPECT_GT(before, 4000u);
+    EXPECT_GT(before, 18u * 96u);
     const LiveHost::Ended ended = host.end(stroke);
     host.finish(100);
     EXPECT_EQ(host.info(stroke).waiting_samples, 0u);
@@ -90,6 +92,33 @@ TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
     ASSERT_EQ(flgLiveStrokeUndo(host.context, other, 11, nullptr), FLG_OK);
     host.push(other, samples.data() + 29, 11);
     EXPECT_TRUE(heard_of(host.points(other)) == all);
+}
+
+// A style so fine that every sample makes more points than a push delivers: nothing is lost and nothing moves.
+TEST(LiveStrokeInput, WhatIsDueIsDeliveredInOrderAtAnyScale) {
+    LiveHost host;
+    host.live.scale = 0.002f;
+    host.live.max_points = 1u << 17;
+    const Samples samples = drawn(120);
+    const FlgLiveStroke stroke = host.begin();
+    Heard heard;
+    for (const FlgLiveSample& sample : samples) {
+        const size_t before = heard.points();
+        heard.add(host.push(stroke, &sample, 1));
+        ASSERT_LE(heard.points() - before, 96u);
+    }
+    EXPECT_GT(host.info(stroke).waiting_samples, 10u);
+    EXPECT_TRUE(host.push_in_bursts(host.begin(), samples, {120}) == heard);
+    EXPECT_TRUE(host.push_in_bursts(host.begin(), samples, {17, 2}) == heard);
+    const LiveHost::Ended ended = host.end(stroke);
+    host.finish(100);
+    const Heard whole = heard_of(host.view_of(ended.stylized));
+    EXPECT_GT(whole.points(), 2 * heard.points());
+    for (size_t k = 0; k < whole.columns.size(); ++k) {
+        EXPECT_TRUE(std::equal(heard.columns[k].begin(), heard.columns[k].end(), whole.columns[k].begin()));
+    }
+    EXPECT_TRUE(host.replay(host.live, ended.samples) == whole);
+    EXPECT_EQ(host.info(stroke).cut, 0u);
 }
 
 TEST(LiveStrokeInput, RepeatedSamplesMakeNoPoints) {
@@ -154,13 +183,17 @@ TEST(LiveStrokeInput, NothingIsBegunBeforeItsTime) {
     FlgLiveStrokeDesc live = host.live;
     ASSERT_EQ(flgStyleCreate(host.context, &desc, &live.style, nullptr), FLG_OK);
     FlgLiveStroke stroke{5};
-    EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);  // not prepared
-    EXPECT_EQ(stroke.id, 0u);
+    const auto not_ready = [&](const char* words) {
+        EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);
+        EXPECT_NE(std::strstr(flgLastError(), words), nullptr) << flgLastError();
+        EXPECT_EQ(stroke.id, 0u);
+    };
+    not_ready("desc.style is not prepared yet");
     host.finish();
-    EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);  // not warm
+    not_ready("desc.style is not warm at desc.temperature, 0; call flgStyleWarm");
     live.style = host.style;
     live.temperature = 0.5f;
-    EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);  // not at this temperature
+    not_ready("not warm at desc.temperature, 0.5;");
     host.warm(0.5f);
     host.begin(live);
     // A style whose job failed.
@@ -232,14 +265,49 @@ TEST(LiveStrokeInput, LimitsEndTheStroke) {
     expect_failure(flgLiveStrokePush(host.context, few_points, &samples[taken], 1, nullptr), FLG_ERROR_LIMIT,
                    "max_points, 40");
     ASSERT_EQ(host.info(few_points).point_count, 40u);
+    EXPECT_EQ(host.info(few_points).cut, 1u);
     const std::vector<float>& positions = unlimited.of(FLG_ATTRIBUTE_POSITION);
     EXPECT_EQ(heard_of(host.points(few_points)).of(FLG_ATTRIBUTE_POSITION),
               std::vector<float>(positions.begin(), positions.begin() + 120));
     ASSERT_EQ(flgLiveStrokeUndo(host.context, few_points, 10, nullptr), FLG_OK);
+    EXPECT_EQ(host.info(few_points).cut, 0u);
     host.push(few_points, &samples[taken - 10], 1);
     const LiveHost::Ended ended = host.end(few_points);
     host.finish();
+    EXPECT_EQ(host.info(few_points).cut, 0u);
     EXPECT_TRUE(host.replay(host.live, ended.samples) == heard_of(host.view_of(ended.stylized)));
+}
+
+// As many points as there is room for are whole, one less is cut, and says so.
+TEST(LiveStrokeInput, AnEndThatIsCutSaysSo) {
+    LiveHost host;
+    const Samples samples = drawn(60);
+    const auto ended_with = [&](uint32_t max_points, uint32_t cut) {
+        host.live.max_points = max_points;
+        const FlgLiveStroke stroke = host.begin();
+        host.push_in_bursts(stroke, Samples(samples.begin(), samples.end() - 1), {1});
+        EXPECT_EQ(host.info(stroke).cut, 0u);
+        EXPECT_EQ(flgLiveStrokePush(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgLastError();
+        const LiveHost::Ended ended = host.end(stroke);
+        host.finish();
+        EXPECT_EQ(host.result_of(ended.job), FLG_OK);
+        EXPECT_EQ(host.info(stroke).cut, cut) << max_points;
+        EXPECT_EQ(host.view_of(ended.samples).curve_offsets[1], 60u);
+        return ended;
+    };
+    const Heard whole = heard_of(host.view_of(ended_with(8192, 0).stylized));
+    const auto points = static_cast<uint32_t>(whole.points());
+    EXPECT_TRUE(heard_of(host.view_of(ended_with(points, 0).stylized)) == whole);
+    const LiveHost::Ended cut = ended_with(points - 1, 1);
+    EXPECT_EQ(heard_of(host.view_of(cut.stylized)).points(), points - 1);
+    // The batch form refuses it.
+    FlgCurveSet out{};
+    FlgJob job{};
+    ASSERT_EQ(flgLiveStrokeReplay(host.context, &host.live, cut.samples, nullptr, &out, &job), FLG_OK);
+    host.finish();
+    EXPECT_EQ(host.result_of(job), FLG_ERROR_LIMIT);
+    const std::string words = "curve 0 comes to more than max_points, " + std::to_string(points - 1);
+    EXPECT_NE(std::strstr(host.status_of(job).error, words.c_str()), nullptr) << host.status_of(job).error;
 }
 
 TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
@@ -262,7 +330,7 @@ TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
     refused([](auto& d) { d.smoothing = -1; }, invalid, "desc.smoothing is -1");
     refused([](auto& d) { d.max_jump = 0; }, invalid, "desc.max_jump is 0");
     refused([](auto& d) { d.max_samples = 0; }, invalid, "desc.max_samples is 0");
-    refused([](auto& d) { d.max_samples = (1u << 20) + 1; }, invalid, "desc.max_samples is 1.04858e+06");
+    refused([](auto& d) { d.max_samples = (1u << 20) + 1; }, invalid, "desc.max_samples is 1048577, must");
     refused([](auto& d) { d.max_points = 0; }, invalid, "desc.max_points is 0");
     expect_failure(flgStyleWarm(host.context, host.style, NAN, nullptr, nullptr), invalid, "temperature is nan");
     expect_failure(flgLiveStrokePush(host.context, host.begin(), nullptr, 1, nullptr), invalid, "samples is null");

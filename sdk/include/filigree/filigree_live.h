@@ -13,7 +13,9 @@
  *                  the geometry is one sample behind (11 ms at 90 Hz), and `smoothing` seconds more if that is set.
  * The points       At even steps of arc length along it, FlgStyleInfo::spacing * scale, whatever the sample rate. Once
  *                  made, a point never moves. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
- *                  style's attributes but for RADIUS, all as flgStylize gives them.
+ *                  style's attributes but for RADIUS, all as flgStylize gives them. What differs: flgStylize knows a
+ *                  curve's length, and takes as many whole steps as come nearest, so that its last point is the curve's
+ *                  end; here the step is exact, and the last point lies up to one step before the end.
  * Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, times that in
  *                  units of its mean over the style.
  * Time             When the hand was there, seconds from the first sample on; if the style has a SPEED attribute, when a motion at
@@ -24,9 +26,17 @@
  *                  Supplied: the controller's y axis at every point, interpolated between the samples (and smoothed with
  *                  them) and made perpendicular to the curve; where it points along the curve, or samples have no
  *                  orientation, carried on from the last point where it did not.
- * Cost             Depends on the new samples only, about 0.2 us a sample and 0.1 us a point. A sample makes 256 points at
- *                  most; what is left is made by the samples after it, and by flgLiveStrokeEnd. Pushing allocates
- *                  nothing: all memory is taken by flgLiveStrokeBegin.
+ * Cost             Depends on the new samples only, about 0.2 us a sample and 0.1 us a point. Pushing allocates nothing:
+ *                  all memory is taken by flgLiveStrokeBegin.
+ * Delivery         A pushed sample makes 96 points at most, so that no push is long (p99 under 20 us, longest under 100 us
+ *                  of processor time), however far the hand has jumped and however fine the style is. What is due beyond
+ *                  that is made by the samples after it, in order, and by the job of flgLiveStrokeEnd. So points come one
+ *                  sample late as long as the hand goes no more than 96 steps a sample on average: with steps of 1 mm,
+ *                  8 m/s at 90 Hz. A hand that goes further falls behind, and catches up by 96 steps a sample
+ *                  (FlgLiveStrokeInfo::waiting_samples says how many samples it is behind).
+ * Style by stroke  flgLiveStrokeEnd's samples as the style of flgStyleCreate: ready in the next frame at 90 Hz (11 ms, one
+ *                  worker) for strokes of up to some 600 samples; of 1,200 in about 4 frames, of 2,400 in 6. Preparing grows
+ *                  faster than the style's points, which end at 2,048 by themselves.
  * Determinism      Points depend on the samples alone, not on how they were grouped into pushes, and not on what was
  *                  undone. Recorded samples give the same bits again by flgLiveStrokeReplay.
  */
@@ -66,7 +76,8 @@ typedef struct FlgLiveStrokeDesc {
     float smoothing;
     /* The longest way from one sample to the next, metres, > 0: what jumps further is refused. Default 1. */
     float max_jump;
-    /* Samples (1 to 2^20) and points (1 to 2^24) that memory is taken for: about 130 bytes a sample, 50 a point.
+    /* Samples (1 to 2^20) and points (1 to 2^24) that memory is taken for: about 270 bytes a sample, 44 a point and 4 for
+     * each component of the style's attributes.
      * Default 16,384 and 65,536. */
     uint32_t max_samples;
     uint32_t max_points;
@@ -82,8 +93,9 @@ typedef struct FlgLiveStrokeDesc {
 
 FLG_API FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size);
 
-/* Begins a stroke. FLG_NOT_READY while the style is not prepared, or not warm at this temperature (flgStyleWarm); the error
- * of the style's job if that failed. Cost: the allocation of its memory; nothing is touched. */
+/* Begins a stroke. FLG_NOT_READY while the style is not prepared, or not warm at this temperature (flgStyleWarm), and
+ * flgLastError() says which; the error of the style's job if that failed. Cost: the allocation of its memory; nothing is
+ * touched. (An allocator that hands out pages that were touched before spares pushes the system's cost of first touches.) */
 FLG_API FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
 /* What a controller says. */
@@ -98,7 +110,8 @@ typedef struct FlgLiveSample {
  * taken, none is, and the stroke stays as it was and can go on:
  *   FLG_ERROR_INVALID_ARGUMENT  a number that is not finite or out of range, a time before that of the sample before it
  *   FLG_ERROR_LIMIT             a jump beyond max_jump (end the stroke there and begin another), more than max_samples, or
- *                               the stroke has come to its max_points: it can be ended, and samples undone
+ *                               the stroke is cut at max_points (FlgLiveStrokeInfo::cut): it can be ended, and samples
+ *                               undone
  * Repeated samples are taken and make no points: nor do ones nearer to the last place than 0.001 of a step, or with smoothing
  * ones at the time of the one before. The view lives until the next call for this stroke, the arrays it points to
  * until the stroke is released; its curve_count is 0 if there is nothing new. After flgLiveStrokeEnd:
@@ -113,16 +126,17 @@ typedef struct FlgLiveStrokeInfo {
     uint32_t struct_size;
     uint32_t sample_count;
     uint32_t point_count;
-    uint32_t waiting_samples; /* not followed yet: 1 on the whole, more after samples that make more than 256 points */
+    uint32_t waiting_samples; /* not read yet, because points of those before are due: see Delivery; 0 on the whole */
     uint32_t ended;           /* nonzero from flgLiveStrokeEnd to flgLiveStrokeResume */
     float spacing;            /* metres: a step */
+    uint32_t cut;             /* nonzero: more points were due than max_points; the stroke ends before its samples do */
 } FlgLiveStrokeInfo;
 
 FLG_API FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
 
 /* Takes the last `count` samples back, and the points that they made: the stroke is as it was before they were pushed, to the
  * bit. out_point_count (may be null): points left. Refused for an ended stroke: resume it first.
- * Cost: that of pushing up to 7 samples. */
+ * Cost: that of pushing up to 5 samples. */
 FLG_API FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, uint32_t count,
                                     uint32_t* out_point_count);
 
@@ -131,7 +145,9 @@ FLG_API FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, ui
  * as inputs: `out_samples` as the style of flgStyleCreate, or as the target of flgStylize. The last
  * point is up to one step before the last sample. A stroke without length is one point, not displaced. Either set may be null:
  * not wanted; `options` may be null. The handle stays valid, for flgLiveStrokeResume, until it is released; if the job
- * does not succeed, the stroke goes on as if it had not been ended. Refused for a stroke without samples. */
+ * does not succeed, the stroke goes on as if it had not been ended. Refused for a stroke without samples.
+ * A stroke that comes to max_points is cut there, and the job succeeds with the points that there are: once it is published,
+ * FlgLiveStrokeInfo::cut says so. `out_samples` has all samples, to be stylized whole. */
 FLG_API FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* options,
                                    FlgCurveSet* out_stylized, FlgCurveSet* out_samples, FlgJob* out_job);
 
@@ -151,7 +167,8 @@ FLG_API FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke)
 /* The batch form: starts a job that draws every curve of a set of recorded samples as a live stroke, and ends it. Curve c
  * is what a live stroke with the same descriptor and seed `seed + c` gives for these samples, bit for bit. Missing columns:
  * no orientation, pressure 1; without TIME `smoothing` must be 0, and the hand was everywhere at 0 s. What flgLiveStrokePush would refuse for its values fails the
- * job with the same result; curves end at max_points; max_samples does not count. Closed curves are drawn open. The style
+ * job with the same result, and so does a curve of more than max_points points: FLG_ERROR_LIMIT, before memory is taken
+ * (which is for the points there are, not for max_points); max_samples does not count. Closed curves are drawn open. The style
  * need not be ready or warm. `options` may be null. */
 FLG_API FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
                                       const FlgJobOptions* options, FlgCurveSet* out_set, FlgJob* out_job);
