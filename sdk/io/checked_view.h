@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "filigree/filigree.h"
 #include "io/checked_columns.h"
@@ -19,6 +20,7 @@ public:
     size_t point_count() const { return view_.curve_offsets[view_.curve_count]; }
     size_t begin(uint32_t curve) const { return view_.curve_offsets[curve]; }
     size_t end(uint32_t curve) const { return view_.curve_offsets[curve + 1]; }
+    std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
     bool closed(uint32_t curve) const { return view_.curve_flags && (view_.curve_flags[curve] & FLG_CURVE_CLOSED); }
 
     Column position, radius, color, normal;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filigree/filigree_io.h"
+#include "io/column_names.h"
 #include "io/tally.h"
 
 namespace flg::io {
@@ -23,6 +24,7 @@ struct CurveData {
     std::vector<float> times;
     std::vector<float> pressures;
     std::vector<float> orientations;
+    std::vector<VertexColumn> columns;  // further ones
     std::vector<FlgStroke> strokes;
     std::vector<std::string> warnings;
 

@@ -101,6 +101,9 @@ FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
         add_column(*file, FLG_ATTRIBUTE_TIME, 1, data.times);
         add_column(*file, FLG_ATTRIBUTE_PRESSURE, 1, data.pressures);
         add_column(*file, FLG_ATTRIBUTE_ORIENTATION, 4, data.orientations);
+        for (const VertexColumn& column : data.columns) {
+            add_column(*file, column.attribute, column.components, column.values);
+        }
         for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
         *out_file = file.release();
     });
@@ -174,7 +177,7 @@ FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const
         const CheckedView curves(view);
         std::string content;
         if (extension == ".xyz" || extension == ".txt") {
-            content = write_xyz(curves);
+            content = write_xyz(curves, checked);
         } else if (extension == ".obj") {
             content = write_obj(curves);
         } else if (extension == ".glb") {

@@ -6,10 +6,12 @@
 // A strip of the indices `a a` is a curve of one point (gltf_writer.cpp writes them so).
 #include "io/gltf_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "io/failure.h"
+#include "io/gltf_columns.h"
 #include "io/gltf_scene.h"
 #include "io/limits.h"
 #include "io/polylines.h"
@@ -19,7 +21,7 @@ namespace flg::io {
 namespace {
 
 // Of positions, radii and colours together: what is made of a file is limited like the file.
-constexpr uint64_t bytes_per_point = 8 * sizeof(float);
+constexpr uint64_t floats_per_point = 8;
 
 class GltfReader {
 public:
@@ -31,6 +33,7 @@ public:
         visit_primitives(document_, [this](const GltfPrimitive& primitive) { read_primitive(primitive); });
         data_.warn(surfaces_, "primitive", "of points or triangles, left out: only lines are read");
         if (data_.curve_count() == 0) fail(FLG_ERROR_FORMAT, "meshes", "the file shows no lines");
+        data_.warn(partial_columns_, "curve", "other columns than the curves before, these left out");
         if (has_radius_) data_.warn(no_radius_, "curve", "no _RADIUS where others have one, set to 0.005 m");
         if (!has_radius_) data_.radii.clear();
         if (!has_color_) data_.colors.clear();
@@ -49,7 +52,11 @@ private:
             fail(FLG_ERROR_FORMAT, radii->place, "holds no radii fit for %llu vertices",
                  static_cast<unsigned long long>(vertices.positions.count));
         }
-        append(read_polylines(primitive, vertices.positions), vertices, radii, primitive.transform);
+        const std::vector<GltfColumn> columns = read_columns(document_, primitive, vertices.positions.count);
+        begin_columns(columns);
+        const Polylines lines = read_polylines(primitive, vertices.positions);
+        append(lines, vertices, radii, primitive.transform);
+        append_columns(lines, columns, primitive.transform);
     }
 
     Polylines read_polylines(const GltfPrimitive& primitive, const GltfValues& positions) const {
@@ -78,7 +85,9 @@ private:
 
     // Meshes may be shown many times, and primitives share vertices: a small file could ask for very much.
     void check_room(uint64_t points, const std::string& place) const {
-        if ((data_.point_count() + points) * bytes_per_point > max_bytes) {
+        uint64_t floats = floats_per_point;
+        for (const VertexColumn& column : data_.columns) floats += column.components;
+        if ((data_.point_count() + points) * floats * sizeof(float) > max_bytes) {
             fail(FLG_ERROR_LIMIT, place, "the file's curves take more than the limit of 2 GiB");
         }
     }
@@ -102,12 +111,43 @@ private:
         }
     }
 
+    // Columns are kept while all curves have them.
+    void begin_columns(const std::vector<GltfColumn>& columns) {
+        if (data_.point_count() == 0) {
+            for (const GltfColumn& column : columns) {
+                data_.columns.push_back({column.attribute, column.values.components, {}});
+            }
+        }
+        const auto is_missing = [&](const VertexColumn& column) { return !find(columns, column); };
+        const size_t before = data_.columns.size();
+        std::erase_if(data_.columns, is_missing);
+        if (data_.columns.size() < before || columns.size() > data_.columns.size()) {
+            partial_columns_.add(data_.curve_count());
+        }
+    }
+
+    static const GltfColumn* find(const std::vector<GltfColumn>& columns, const VertexColumn& column) {
+        const auto same = [&](const GltfColumn& other) {
+            return other.attribute == column.attribute && other.values.components == column.components;
+        };
+        const auto place = std::find_if(columns.begin(), columns.end(), same);
+        return place == columns.end() ? nullptr : &*place;
+    }
+
+    void append_columns(const Polylines& lines, const std::vector<GltfColumn>& columns, const Transform& transform) {
+        for (VertexColumn& column : data_.columns) {
+            const GltfColumn& values = *find(columns, column);
+            for (uint32_t vertex : lines.indices) append_placed(values, vertex, transform, column.values);
+        }
+    }
+
     GltfDocument document_;
     CurveData data_;
     bool has_color_ = false;
     bool has_radius_ = false;
     Tally surfaces_;
     Tally no_radius_;
+    Tally partial_columns_;
 };
 
 }  // namespace

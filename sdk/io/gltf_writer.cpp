@@ -9,13 +9,37 @@
 
 #include "io/failure.h"
 #include "io/glb_builder.h"
+#include "io/gltf_columns.h"
 #include "io/swept_mesh.h"
 
 namespace flg::io {
 
 namespace {
 
-std::string write_lines(const CheckedView& view) {
+struct LineColumn {
+    std::string name;
+    uint32_t components;
+    size_t view;
+};
+
+// The columns that are written besides positions, colours and radii.
+std::vector<LineColumn> line_columns(const CheckedView& view, GlbBuilder& glb) {
+    std::vector<LineColumn> columns;
+    for (size_t i = 0; i < view.columns().size(); ++i) {
+        const FlgColumn& column = view.columns()[i];
+        const std::string name = gltf_column_name(column.attribute);
+        if (name.empty()) continue;
+        if (column.components > most_gltf_components) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns[" + std::to_string(i) + "].components",
+                 "is %u, .glb holds at most 4", column.components);
+        }
+        const std::vector<float> values = packed(resolved(column), view.point_count(), column.components);
+        columns.push_back({name, column.components, glb.add_view(values, column.components)});
+    }
+    return columns;
+}
+
+std::string write_lines(const CheckedView& view, bool all_columns) {
     GlbBuilder glb;
     const std::vector<float> positions = packed(view.position, view.point_count(), 3);
     const size_t position_view = glb.add_view(positions, 3);
@@ -23,6 +47,8 @@ std::string write_lines(const CheckedView& view) {
     size_t radius_view = 0;
     if (view.color) color_view = glb.add_colors(packed(view.color, view.point_count(), 4));
     if (view.radius) radius_view = glb.add_view(packed(view.radius, view.point_count(), 1), 1);
+    std::vector<LineColumn> columns;
+    if (all_columns) columns = line_columns(view, glb);
     std::string lone_indices;  // of all curves of one point
 
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
@@ -37,6 +63,12 @@ std::string write_lines(const CheckedView& view) {
         if (view.radius) {
             const size_t accessor = glb.add_accessor(radius_view, first * sizeof(float), count, glb_float, "SCALAR");
             attributes += ",\"_RADIUS\":" + std::to_string(accessor);
+        }
+        for (const LineColumn& column : columns) {
+            constexpr const char* types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+            const size_t accessor = glb.add_accessor(column.view, first * column.components * sizeof(float), count,
+                                                     glb_float, types[column.components - 1]);
+            attributes += ",\"" + column.name + "\":" + std::to_string(accessor);
         }
         if (count == 1 && lone_indices.empty()) {
             const uint32_t zeros[] = {0, 0};
@@ -76,7 +108,7 @@ std::string write_surface(const CheckedView& view, const FlgCurveWriteDesc& desc
 }  // namespace
 
 std::string write_glb(const CheckedView& view, const FlgCurveWriteDesc& desc) {
-    return desc.geometry == FLG_GEOMETRY_LINES ? write_lines(view) : write_surface(view, desc);
+    return desc.geometry == FLG_GEOMETRY_LINES ? write_lines(view, desc.all_columns != 0) : write_surface(view, desc);
 }
 
 }  // namespace flg::io

@@ -9,20 +9,14 @@
 #include <vector>
 
 #include "filigree/filigree_io.h"
+#include "io/column_names.h"
 #include "io/failure.h"
 #include "io/limits.h"
 #include "io/tally.h"
 
 namespace flg::io {
 
-constexpr uint32_t most_mesh_columns = 16;
 constexpr uint32_t most_face_columns = 16;
-
-struct VertexColumn {
-    FlgAttribute attribute;
-    uint32_t components;
-    std::vector<float> values;
-};
 
 struct FaceColumn {
     std::string name;

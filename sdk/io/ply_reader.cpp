@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/ply_columns.h"
 #include "io/ply_rows.h"
 
 namespace flg::io {
@@ -122,13 +121,13 @@ private:
     VertexTarget target(const PlyProperty& property) {
         if (property.is_list()) return {};
         for (uint32_t k = 0; k < 3; ++k) {
-            if (property.name == ply_property_name(FLG_ATTRIBUTE_POSITION, 3, k)) {
+            if (property.name == column_name(FLG_ATTRIBUTE_POSITION, 3, k)) {
                 return {data_.positions.data() + k, 3, 1};
             }
         }
         for (VertexColumn& column : data_.columns) {
             for (uint32_t k = 0; k < column.components; ++k) {
-                if (property.name != ply_property_name(column.attribute, column.components, k)) continue;
+                if (property.name != column_name(column.attribute, column.components, k)) continue;
                 const bool fraction = column.attribute == FLG_ATTRIBUTE_COLOR && is_integer(property.type);
                 return {column.values.data() + k, column.components, fraction ? largest_integer(property.type) : 1};
             }
@@ -137,7 +136,11 @@ private:
     }
 
     void read_vertices(const PlyElement& element) {
-        data_.columns = ply_vertex_columns(element);
+        std::vector<std::string_view> names;
+        for (const PlyProperty& property : element.properties) {
+            if (!property.is_list()) names.push_back(property.name);
+        }
+        data_.columns = columns_of_names(names);
         data_.check_room(element.count, 0, line_place(element.line));
         data_.positions.resize(3 * element.count);
         for (VertexColumn& column : data_.columns) column.values.resize(column.components * element.count, 1.0f);

@@ -8,7 +8,7 @@
 
 #include "io/failure.h"
 #include "io/limits.h"
-#include "io/ply_columns.h"
+#include "io/column_names.h"
 
 namespace flg::io {
 
@@ -21,7 +21,7 @@ std::string write_header(const CheckedMesh& mesh) {
                        std::to_string(mesh.vertex_count()) + "\n";
     for (const FlgColumn& column : mesh.columns()) {
         for (uint32_t k = 0; k < column.components; ++k) {
-            text += "property float " + ply_property_name(column.attribute, column.components, k) + "\n";
+            text += "property float " + column_name(column.attribute, column.components, k) + "\n";
         }
     }
     text += "element face " + std::to_string(mesh.triangle_count()) + "\nproperty list uchar int vertex_indices\n";

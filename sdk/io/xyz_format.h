@@ -5,12 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "filigree/filigree_io.h"
 #include "io/checked_view.h"
 #include "io/curve_data.h"
 
 namespace flg::io {
 
 CurveData read_xyz(std::string_view text);
-std::string write_xyz(const CheckedView& view);
+std::string write_xyz(const CheckedView& view, const FlgCurveWriteDesc& desc);
 
 }  // namespace flg::io

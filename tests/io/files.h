@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,12 +57,16 @@ struct Read {
     std::string error;
     std::vector<uint32_t> offsets;
     std::vector<uint8_t> flags;
-    std::vector<std::vector<float>> columns = std::vector<std::vector<float>>(FLG_ATTRIBUTE_STYLE_INDEX + 1);
+    std::map<FlgAttribute, std::vector<float>> columns;
+    std::vector<float> none;
     std::vector<FlgStroke> strokes;
     std::string warnings, format, units;
 
-    const std::vector<float>& column(FlgAttribute attribute) const { return columns[attribute]; }
-    const std::vector<float>& positions() const { return columns[FLG_ATTRIBUTE_POSITION]; }
+    const std::vector<float>& column(FlgAttribute attribute) const {
+        const auto found = columns.find(attribute);
+        return found == columns.end() ? none : found->second;
+    }
+    const std::vector<float>& positions() const { return column(FLG_ATTRIBUTE_POSITION); }
 };
 
 inline Read read(const std::string& path) {

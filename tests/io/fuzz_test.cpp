@@ -17,8 +17,8 @@ void expect_sound(const Read& curves) {
             << curves.error;
         return;
     }
-    for (const std::vector<float>& column : curves.columns) {
-        for (float value : column) ASSERT_TRUE(std::isfinite(value));
+    for (const auto& [attribute, column] : curves.columns) {
+        for (float value : column) ASSERT_TRUE(std::isfinite(value)) << attribute;
     }
     for (float value : curves.positions()) ASSERT_LE(std::abs(value), 1e30f);
     for (size_t c = 0; c < curves.flags.size(); ++c) ASSERT_LT(curves.offsets[c], curves.offsets[c + 1]);
@@ -85,6 +85,14 @@ TEST(Fuzz, TextAndGltf) {
     Curves curves = sample_curves();
     for (const char* name : {"a.xyz", "a.obj", "a.glb"}) {
         ASSERT_EQ(write(folder.at(name), curves), FLG_OK);
+        damage(folder.at(name), slurp(folder.at(name)), 600, read_curves);
+    }
+    FlgCurveWriteDesc all;
+    flgCurveWriteDescInit(&all, sizeof all);
+    all.all_columns = 1;
+    curves.normals.assign(21, 0.5f);
+    for (const char* name : {"b.xyz", "b.glb"}) {
+        ASSERT_EQ(write(folder.at(name), curves, &all), FLG_OK);
         damage(folder.at(name), slurp(folder.at(name)), 600, read_curves);
     }
 }

@@ -9,10 +9,13 @@
  * Formats of curves, by extension:
  *   .xyz .txt     text: `x y z [radius]` a line, blank line between curves, `# closed` on the line before a closed
  *                 one; anything else behind a # is ignored. All points of a curve have a radius or none; where only
- *                 some curves do, the others get 0.005 m
+ *                 some curves do, the others get 0.005 m. A line `# columns x y z NAME ...` before the first point names
+ *                 what all lines hold instead, each number by a name of the list below
  *   .obj          lines (`l`); read and written. Edges (`l a b`) that chain are joined; colours and radii are lost
- *   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS; .glb is written,
- *                 as lines, ribbons or tubes. No sparse accessors; buffers only embedded or below the file's folder
+ *   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS, and with NORMAL,
+ *                 _TIME, _PRESSURE, _STYLE_INDEX, _RADII, _ANGLE, _WIDTH, _SPEED, _DISPLACEMENT and _USERN (1 to 4 floats)
+ *                 where all curves have them; lengths, speeds and directions go with their nodes. .glb is written, as
+ *                 lines, ribbons or tubes. No sparse accessors; buffers only embedded or below the file's folder
  *   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system
  *
  * Formats of meshes, by extension; read and written, .gltf only read:
@@ -25,10 +28,10 @@
  *   .off          also COFF, NOFF and CNOFF; colours (0 to 255 if one is above 1) but no regions
  *   .gltf .glb    TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN with COLOR_0, placed by the scene's nodes; regions are
  *                 materials, numbered from 0 in the order of first use. .glb is written. Limits as for curves
- * The columns of a mesh have these names in .ply: x y z; nx ny nz; red green blue alpha; radius, time, pressure,
+ * Columns have these names in .ply and .xyz: x y z; nx ny nz; red green blue alpha; radius, time, pressure,
  * style_index, angle, width, speed; tangent_0 to _2, orientation_0 to _3, radii_0 to _2, displacement_0 to _2;
- * FLG_ATTRIBUTE_USER + N: userN, or userN_0, userN_1, ... of several components. The other formats hold positions,
- * colours (not above 1 in .glb) and, in .glb, normals.
+ * FLG_ATTRIBUTE_USER + N: userN, or userN_0, userN_1, ... of several components. Of meshes the other formats hold
+ * positions, colours (not above 1 in .glb) and, in .glb, normals.
  */
 #ifndef FILIGREE_FILIGREE_IO_H
 #define FILIGREE_FILIGREE_IO_H
@@ -98,13 +101,16 @@ typedef struct FlgCurveWriteDesc {
     FlgGeometry geometry;   /* of .glb; the text formats hold lines. Default FLG_GEOMETRY_LINES */
     float default_radius;   /* metres, > 0, for curves without a RADIUS column. Default 0.005 */
     uint32_t tube_sides;    /* 3 to 64. Default 8 */
+    uint32_t all_columns;   /* nonzero: .xyz and the lines of .glb hold all columns of the view (.glb but TANGENT and
+                               ORIENTATION), else positions, radii and, in .glb, colours. Default 0 */
+    uint32_t reserved;
 } FlgCurveWriteDesc;
 
 FLG_API FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct_size);
 
 /* Writes curves to .xyz, .obj or .glb, whole or not at all: a temporary file beside it is renamed when complete.
  * `desc` may be null. Curves without NORMAL column get frames by double reflection. Colours go into .glb, clamped to
- * 0 to 1. Lines of one point are written with their point twice; ribbons and tubes leave out curves without length.
+ * 0 to 1; a USER column of more than 4 floats has no place there. Lines of one point are written with their point twice; ribbons and tubes leave out curves without length.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
  * FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveWriteDesc* desc);

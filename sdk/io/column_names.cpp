@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/ply_columns.h"
+#include "io/column_names.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace flg::io {
 
@@ -23,6 +24,7 @@ constexpr NamedAttribute named[] = {
 };
 constexpr std::string_view user_prefix = "user";
 constexpr uint32_t most_components = 16;
+constexpr size_t most_columns = 16;
 
 // The attribute of the name `userN` or `userN_0`; none: FLG_ATTRIBUTE_USER - 1.
 FlgAttribute user_attribute(std::string_view name) {
@@ -37,19 +39,19 @@ FlgAttribute user_attribute(std::string_view name) {
     return static_cast<FlgAttribute>(known ? FLG_ATTRIBUTE_USER + number : none);
 }
 
-// Whether all components are there, each a number of its own.
-bool has_column(const PlyElement& vertex, FlgAttribute attribute, uint32_t components) {
+// Whether all components are there; an alpha may be missing.
+bool has_column(std::span<const std::string_view> names, FlgAttribute attribute, uint32_t components) {
     for (uint32_t k = 0; k < components; ++k) {
-        const PlyProperty* property = vertex.find(ply_property_name(attribute, components, k));
         const bool alpha = attribute == FLG_ATTRIBUTE_COLOR && k == 3;
-        if (!property ? !alpha : property->is_list()) return false;
+        const auto place = std::find(names.begin(), names.end(), column_name(attribute, components, k));
+        if (place == names.end() && !alpha) return false;
     }
     return true;
 }
 
 }  // namespace
 
-std::string ply_property_name(FlgAttribute attribute, uint32_t components, uint32_t component) {
+std::string column_name(FlgAttribute attribute, uint32_t components, uint32_t component) {
     constexpr const char* positions[] = {"x", "y", "z"};
     constexpr const char* normals[] = {"nx", "ny", "nz"};
     constexpr const char* colors[] = {"red", "green", "blue", "alpha"};
@@ -64,29 +66,39 @@ std::string ply_property_name(FlgAttribute attribute, uint32_t components, uint3
     return components == 1 ? name : name + "_" + std::to_string(component);
 }
 
-std::vector<VertexColumn> ply_vertex_columns(const PlyElement& vertex) {
+std::vector<VertexColumn> columns_of_names(std::span<const std::string_view> names) {
     std::vector<VertexColumn> columns;
     const auto add = [&](FlgAttribute attribute, uint32_t components) {
         const bool known = std::any_of(columns.begin(), columns.end(),
                                        [&](const VertexColumn& column) { return column.attribute == attribute; });
-        if (!known && columns.size() + 1 < most_mesh_columns) columns.push_back({attribute, components, {}});
+        if (!known && columns.size() + 1 < most_columns) columns.push_back({attribute, components, {}});
     };
     for (const NamedAttribute& known : named) {
-        if (has_column(vertex, known.attribute, known.components)) add(known.attribute, known.components);
+        if (has_column(names, known.attribute, known.components)) add(known.attribute, known.components);
     }
-    for (const PlyProperty& property : vertex.properties) {
-        const FlgAttribute attribute = user_attribute(property.name);
-        if (attribute < FLG_ATTRIBUTE_USER || property.is_list()) continue;
+    for (const std::string_view name : names) {
+        const FlgAttribute attribute = user_attribute(name);
+        if (attribute < FLG_ATTRIBUTE_USER) continue;
         uint32_t components = 1;
-        if (property.name.ends_with("_0")) {
+        if (name.ends_with("_0")) {
             components = most_components;
-            while (components > 1 && !has_column(vertex, attribute, components)) --components;
+            while (components > 1 && !has_column(names, attribute, components)) --components;
             // `userN_0` alone is none of our names.
             if (components == 1) continue;
         }
         add(attribute, components);
     }
     return columns;
+}
+
+const char* rule_broken_by(FlgAttribute attribute, uint32_t component, float value) {
+    switch (attribute) {
+        case FLG_ATTRIBUTE_RADIUS:
+        case FLG_ATTRIBUTE_WIDTH: return value < 0 ? "must be >= 0" : nullptr;
+        case FLG_ATTRIBUTE_RADII: return component < 2 && value < 0 ? "must be >= 0" : nullptr;
+        case FLG_ATTRIBUTE_SPEED: return value > 0 ? nullptr : "must be above 0";
+        default: return nullptr;
+    }
 }
 
 }  // namespace flg::io
