@@ -214,7 +214,10 @@ bool CurveCutter::run(uint32_t count) {
             break;
         }
         if (pass_ == Pass::divide) {
-            for (; count > 0 && at_ < slots_.size(); --count) at_ += divide(at_);
+            while (count > 0 && at_ < slots_.size()) {
+                count -= std::min(count, division_cost());
+                at_ += divide(at_);
+            }
             if (at_ == slots_.size()) enter(Pass::grow);
             continue;
         }

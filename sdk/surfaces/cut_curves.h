@@ -38,12 +38,12 @@ public:
                 Memory* memory);
 
     // Spends `count` units of about 0.2 us; true when done. 64 triangles, a point or a cut triangle take one in each of
-    // several passes, a segment within a triangle two and more. Where hundreds of segments meet in one triangle, a unit
-    // grows with their number.
+    // several passes, a segment within a triangle two and more. Where hundreds of segments meet in one triangle, each
+    // takes more with their number.
     bool run(uint32_t count);
 
 private:
-    enum class Stage { begin, points, segments, improve, ways, end };
+    enum class Stage { begin, borders, points, segments, improve, ways, pieces, end };
     enum class Pass { clear, mark, sum, collect, gather, number, divide, grow, place, write, chain, done };
     // What else a triangle to divide has. Its points and stretches are lists threaded through the points.
     struct Work {
@@ -66,10 +66,14 @@ private:
     void number(uint32_t slot);
     void number_edge(uint32_t first_point, CutTriangle::Edge& edge);
     bool divide(uint32_t slot);
+    uint32_t division_cost() const;
     void begin_division(const CutTriangle& cut, const Work& work);
+    bool add_borders(const CutTriangle& cut);
     void add_ends(const CutTriangle& cut);
     void follow_way(const CutTriangle& cut, const Work& work);
-    void end_division(CutTriangle& cut, Work& work);
+    void begin_pieces(const CutTriangle& cut, Work& work);
+    bool add_pieces(const CutTriangle& cut, const Work& work);
+    void end_division(CutTriangle& cut, const Work& work);
     uint32_t local_vertex(const CutTriangle& cut, const CutPlace& place);
     uint32_t vertex_of(const CutTriangle& cut, const Work& work, uint32_t local) const;
     void place(uint32_t slot);
@@ -105,7 +109,8 @@ private:
     uint32_t stretch_ = no_index;            // the one that comes next
     size_t path_ = 0;                        // and where its ends, then its path, are in paths_
     size_t ends_ = 0;                        // how much of paths_ are ends
-    uint32_t passes_ = 0;                    // of improvement
+    uint32_t edge_ = 0, edge_point_ = 0;     // whose points are added next
+    uint32_t piece_ = 0;                     // to be kept next
     uint32_t filled_ = 0;                    // slots
     uint64_t vertices_, triangles_;          // numbered so far
     uint32_t curve_ = 0;

@@ -7,6 +7,12 @@
 
 namespace flg {
 
+namespace {
+
+constexpr uint32_t small_chunk = 8;  // points or pieces, up to 1 us
+
+}  // namespace
+
 uint32_t CurveCutter::local_vertex(const CutTriangle& cut, const CutPlace& place) {
     if (place.kind == CutPlace::Kind::inside) return triangulation_.add(place.point);
     const uint32_t k = corner_in(mesh_, place, cut.triangle) % 3;
@@ -32,19 +38,28 @@ void CurveCutter::begin_division(const CutTriangle& cut, const Work& work) {
     const Triple& corners = mesh_.triangles[cut.triangle];
     const Vec3 origin = mesh_.position(corners[0]);
     triangulation_.reset(mesh_.position(corners[1]) - origin, mesh_.position(corners[2]) - origin);
-    for (uint32_t k = 0; k < 3; ++k) {
-        const CutTriangle::Edge& edge = cut.edges[k];
-        const bool owner = edge.twin == no_index;
-        first_local_[k] = static_cast<uint32_t>(triangulation_.points().size());
-        const uint32_t first = edge.first_vertex - edit_.before().vertices;
-        for (uint32_t i = 0; i < edge.points; ++i) {
-            const int32_t along = along_[first + (owner ? i : edge.points - 1 - i)];
-            triangulation_.add_on_edge(k, owner ? along : CutTriangulation::scale - along);
-        }
-    }
     paths_.clear();
     stretch_ = work.first_stretch;
-    passes_ = 0;
+    edge_ = edge_point_ = 0;
+    first_local_[0] = static_cast<uint32_t>(triangulation_.points().size());
+}
+
+// Some of the edges' points; true when all are there.
+bool CurveCutter::add_borders(const CutTriangle& cut) {
+    for (uint32_t count = 0; edge_ < 3 && count < small_chunk; ++count) {
+        const CutTriangle::Edge& edge = cut.edges[edge_];
+        if (edge_point_ == edge.points) {
+            edge_point_ = 0;
+            if (++edge_ < 3) first_local_[edge_] = static_cast<uint32_t>(triangulation_.points().size());
+            continue;
+        }
+        const bool owner = edge.twin == no_index;
+        const uint32_t first = edge.first_vertex - edit_.before().vertices;
+        const int32_t along = along_[first + (owner ? edge_point_ : edge.points - 1 - edge_point_)];
+        triangulation_.add_on_edge(edge_, owner ? along : CutTriangulation::scale - along);
+        ++edge_point_;
+    }
+    return edge_ == 3;
 }
 
 // Points come before all segments, so that segments see each that they might pass.
@@ -70,7 +85,7 @@ void CurveCutter::follow_way(const CutTriangle& cut, const Work& work) {
     path_ += 1 + size;
 }
 
-void CurveCutter::end_division(CutTriangle& cut, Work& work) {
+void CurveCutter::begin_pieces(const CutTriangle& cut, Work& work) {
     const auto& points = triangulation_.points();
     const uint32_t on_border = first_local_[2] + cut.edges[2].points;
     inner_.insert(inner_.end(), points.begin() + on_border, points.end());
@@ -78,16 +93,42 @@ void CurveCutter::end_division(CutTriangle& cut, Work& work) {
     vertices_ += work.inner_count;
     work.first_piece = static_cast<uint32_t>(pieces_.size());
     work.piece_count = static_cast<uint32_t>(triangulation_.triangles().size());
-    for (CutTriangulation::Triangle piece : triangulation_.triangles()) {
+    piece_ = 0;
+}
+
+// Keeps some of the pieces; true when all are kept.
+bool CurveCutter::add_pieces(const CutTriangle& cut, const Work& work) {
+    const uint32_t end = std::min(work.piece_count, piece_ + small_chunk);
+    for (; piece_ < end; ++piece_) {
+        CutTriangulation::Triangle piece = triangulation_.triangles()[piece_];
         for (uint32_t& vertex : piece.vertices) vertex = vertex_of(cut, work, vertex);
         pieces_.push_back(piece);
     }
+    return piece_ == work.piece_count;
+}
+
+void CurveCutter::end_division(CutTriangle& cut, const Work& work) {
     cut.first_added = static_cast<uint32_t>(triangles_);
     triangles_ += work.piece_count - 1;
     if (vertices_ >= no_index || triangles_ > no_index / 3) {
         throw Failure(FLG_ERROR_LIMIT, "the mesh would have more than 2^32 corners after a cut along %u curves",
                       curves_.curve_count());
     }
+}
+
+// Of the next step, in units.
+uint32_t CurveCutter::division_cost() const {
+    switch (stage_) {
+        case Stage::points:
+        case Stage::segments:
+        case Stage::ways: return triangulation_.cost();
+        case Stage::borders:
+        case Stage::improve:
+        case Stage::pieces: return small_chunk / 2;
+        case Stage::begin:
+        case Stage::end: break;
+    }
+    return 1;
 }
 
 // One step of the triangle's division; true when it is divided.
@@ -102,7 +143,10 @@ bool CurveCutter::divide(uint32_t slot) {
     switch (stage_) {
         case Stage::begin:
             begin_division(cut, work);
-            enter_stage(Stage::points, 0);
+            enter_stage(Stage::borders, 0);
+            break;
+        case Stage::borders:
+            if (add_borders(cut)) enter_stage(Stage::points, 0);
             break;
         case Stage::points:
             if (stretch_ != no_index) {
@@ -117,6 +161,7 @@ bool CurveCutter::divide(uint32_t slot) {
             break;
         case Stage::segments:
             if (path_ == ends_) {
+                triangulation_.begin_improvement();
                 enter_stage(Stage::improve, ends_);
             } else if (triangulation_.step()) {
                 const auto& path = triangulation_.path();
@@ -127,15 +172,19 @@ bool CurveCutter::divide(uint32_t slot) {
             }
             break;
         case Stage::improve:
-            if (triangulation_.improve() || ++passes_ == 8) enter_stage(Stage::ways, ends_);
+            if (triangulation_.improve()) enter_stage(Stage::ways, ends_);
             break;
         case Stage::ways:
             if (stretch_ != no_index) {
                 follow_way(cut, work);
                 stretch_ = next_stretch_[stretch_];
             } else {
-                stage_ = Stage::end;
+                begin_pieces(cut, work);
+                stage_ = Stage::pieces;
             }
+            break;
+        case Stage::pieces:
+            if (add_pieces(cut, work)) stage_ = Stage::end;
             break;
         case Stage::end:
             end_division(cut, work);

@@ -2,6 +2,7 @@
 #include "surfaces/cut_triangulation.h"
 
 #include <cmath>
+#include <utility>
 
 namespace flg {
 
@@ -10,6 +11,8 @@ void CutTriangulation::reset(const Vec3& to_1, const Vec3& to_2) {
     constexpr uint32_t outer = Pieces::outer_edge;
     triangles_.assign({{{0, 1, 2}, {outer, outer | 1, outer | 2}, {}}});
     splits_.clear();
+    first_split_.clear();
+    edge_growing_ = no_index;
     metric_xx_ = to_1.squaredNorm();
     metric_xy_ = to_1.dot(to_2);
     metric_yy_ = to_2.squaredNorm();
@@ -82,8 +85,15 @@ bool CutTriangulation::split_edge(const Edge& edge, uint32_t vertex) {
             {{vertex, a, d}, {t, there.neighbours[(j + 1) % 3], n}, {segment, there.is_segment[(j + 1) % 3], false}});
         redirect(there.neighbours[(j + 1) % 3], n, n2);
     }
-    if (segment) splits_.push_back({a, b, vertex});
+    if (segment) remember_split(a, b, vertex);
     return true;
+}
+
+void CutTriangulation::remember_split(uint32_t a, uint32_t b, uint32_t middle) {
+    const uint32_t later = std::max(a, b);
+    if (first_split_.size() <= later) first_split_.resize(points_.size(), no_index);
+    splits_.push_back({std::min(a, b), middle, first_split_[later]});
+    first_split_[later] = static_cast<uint32_t>(splits_.size() - 1);
 }
 
 void CutTriangulation::split_triangle(uint32_t triangle, uint32_t vertex) {
@@ -121,17 +131,11 @@ bool CutTriangulation::flip(const Edge& edge) {
 uint32_t CutTriangulation::add_on_edge(uint32_t k, int32_t along) {
     const auto vertex = static_cast<uint32_t>(points_.size());
     points_.push_back(k == 0 ? Point{along, 0} : k == 1 ? Point{scale - along, along} : Point{0, scale - along});
-    // The last part of the edge is the one that ends at the corner.
-    const uint32_t end = (k + 1) % 3;
-    for (uint32_t t = 0; t < triangles_.size(); ++t) {
-        for (uint32_t i = 0; i < 3; ++i) {
-            const Triangle& triangle = triangles_[t];
-            if (triangle.neighbours[i] == (Pieces::outer_edge | k) && triangle.vertices[(i + 1) % 3] == end) {
-                split_edge({t, i}, vertex);
-                return vertex;
-            }
-        }
+    if (edge_growing_ != k) {
+        edge_growing_ = k;
+        last_part_ = find(k, (k + 1) % 3);
     }
+    if (split_edge(last_part_, vertex)) last_part_ = {static_cast<uint32_t>(triangles_.size() - 1), 0};
     return vertex;
 }
 
@@ -171,15 +175,28 @@ bool CutTriangulation::is_delaunay(const Edge& edge) const {
     return one + two >= -1e-6 * (std::abs(one) + std::abs(two));
 }
 
+void CutTriangulation::begin_improvement() {
+    constexpr uint32_t most_passes = 8;
+    passes_left_ = most_passes;
+    improved_to_ = 0;
+    pass_flipped_ = false;
+}
+
 bool CutTriangulation::improve() {
-    bool all = true;
-    for (uint32_t t = 0; t < triangles_.size(); ++t) {
+    constexpr size_t triangles_a_step = 8;
+    const size_t end = std::min(triangles_.size(), improved_to_ + triangles_a_step);
+    for (; improved_to_ < end; ++improved_to_) {
         for (uint32_t k = 0; k < 3; ++k) {
-            if (triangles_[t].is_segment[k] || triangles_[t].neighbours[k] >= Pieces::outer_edge) continue;
-            if (!is_delaunay({t, k}) && flip({t, k})) all = false;
+            const Edge edge{improved_to_, k};
+            if (triangles_[improved_to_].is_segment[k]) continue;
+            if (triangles_[improved_to_].neighbours[k] >= Pieces::outer_edge) continue;
+            if (!is_delaunay(edge) && flip(edge)) pass_flipped_ = true;
         }
     }
-    return all;
+    if (end < triangles_.size()) return false;
+    improved_to_ = 0;
+    --passes_left_;
+    return !std::exchange(pass_flipped_, false) || passes_left_ == 0;
 }
 
 }  // namespace flg

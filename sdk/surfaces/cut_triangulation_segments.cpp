@@ -65,8 +65,9 @@ uint32_t CutTriangulation::cross_segment(uint32_t from, uint32_t to, const Edge&
     return at < 0.5 ? a : b;
 }
 
-// Flips until no edge crosses the way; false if that takes too long.
-bool CutTriangulation::clear_way(uint32_t from, uint32_t to) {
+void CutTriangulation::begin_clearing(uint32_t from, uint32_t to) {
+    progress_ = Progress::clearing;
+    way_at_ = 0;
     way_.clear();
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
         for (uint32_t k = 0; k < 3; ++k) {
@@ -74,21 +75,26 @@ bool CutTriangulation::clear_way(uint32_t from, uint32_t to) {
             if (a < b && crosses(from, to, a, b)) way_.push_back({a, b});
         }
     }
-    const size_t limit = 16 * (way_.size() + 1) * (way_.size() + 1);
-    for (size_t i = 0; i < way_.size(); ++i) {
-        if (i == limit) return false;
-        const auto [a, b] = way_[i];
-        const Edge edge = find(a, b);
-        const Edge other = across(edge);
-        const uint32_t c = triangles_[edge.triangle].vertices[(edge.k + 2) % 3];
-        const uint32_t d = triangles_[other.triangle].vertices[(other.k + 2) % 3];
-        if (!flip(edge)) {
-            way_.push_back({a, b});
-        } else if (crosses(from, to, c, d)) {
-            way_.push_back({c, d});
-        }
+    way_most_ = 16 * (way_.size() + 1) * (way_.size() + 1);
+}
+
+// Flips until no edge crosses the way; looks for another one if that takes too long.
+void CutTriangulation::clear_next(uint32_t from, uint32_t to) {
+    if (way_at_ == way_.size()) {
+        progress_ = Progress::straight;
+        return;
     }
-    return true;
+    if (way_at_ == way_most_) return begin_search();
+    const auto [a, b] = way_[way_at_++];
+    const Edge edge = find(a, b);
+    const Edge other = across(edge);
+    const uint32_t c = triangles_[edge.triangle].vertices[(edge.k + 2) % 3];
+    const uint32_t d = triangles_[other.triangle].vertices[(other.k + 2) % 3];
+    if (!flip(edge)) {
+        way_.push_back({a, b});
+    } else if (crosses(from, to, c, d)) {
+        way_.push_back({c, d});
+    }
 }
 
 void CutTriangulation::aim_at(uint32_t vertex) {
@@ -105,31 +111,36 @@ void CutTriangulation::go_along(const Edge& edge, uint32_t to) {
     here_ = to;
 }
 
-// The fewest edges there are to the end: the way out where rounding leaves no straight one.
-bool CutTriangulation::go_along_edges() {
-    const uint32_t to = targets_.front();
-    way_.clear();
-    way_.push_back({to, no_index});  // from the end, so that the way back is the way there
-    const auto reached = [&](uint32_t vertex) {
-        return std::find_if(way_.begin(), way_.end(), [&](const auto& step) { return step.first == vertex; });
-    };
-    for (size_t i = 0; i < way_.size() && way_[i].first != here_; ++i) {
-        for (const Triangle& triangle : triangles_) {
-            const Triple& vertices = triangle.vertices;
-            if (std::find(vertices.begin(), vertices.end(), way_[i].first) == vertices.end()) continue;
-            for (uint32_t vertex : vertices) {
-                if (reached(vertex) == way_.end()) way_.push_back({vertex, way_[i].first});
-            }
+// The fewest edges there are to the end: the way out where rounding leaves no straight one. Searched from the end, so that
+// the way back is the way there.
+void CutTriangulation::begin_search() {
+    progress_ = Progress::searching;
+    way_at_ = 0;
+    targets_.resize(1);
+    reached_from_.assign(points_.size(), no_index);
+    reached_from_[targets_.front()] = targets_.front();
+    way_.assign(1, {targets_.front(), no_index});
+}
+
+void CutTriangulation::search_next() {
+    const uint32_t from = way_[way_at_++].first;
+    if (from == here_) {
+        progress_ = Progress::walking;
+        return;
+    }
+    for (const Triangle& triangle : triangles_) {
+        const Triple& vertices = triangle.vertices;
+        if (std::find(vertices.begin(), vertices.end(), from) == vertices.end()) continue;
+        for (uint32_t vertex : vertices) {
+            if (reached_from_[vertex] != no_index) continue;
+            reached_from_[vertex] = from;
+            way_.push_back({vertex, no_index});
         }
     }
-    while (here_ != to) {
-        const uint32_t next = reached(here_)->second;
-        go_along(find(here_, next), next);
-    }
-    return true;
 }
 
 void CutTriangulation::begin_segment(uint32_t from, uint32_t to) {
+    progress_ = Progress::straight;
     path_.assign(1, from);
     targets_.assign(1, to);
     here_ = from;
@@ -138,9 +149,27 @@ void CutTriangulation::begin_segment(uint32_t from, uint32_t to) {
 }
 
 bool CutTriangulation::step() {
+    switch (progress_) {
+        case Progress::straight: return step_straight();
+        case Progress::clearing: clear_next(here_, targets_.back()); break;
+        case Progress::searching: search_next(); break;
+        case Progress::walking: {
+            if (here_ == targets_.front()) return true;
+            const uint32_t next = reached_from_[here_];
+            go_along(find(here_, next), next);
+            break;
+        }
+    }
+    return false;
+}
+
+bool CutTriangulation::step_straight() {
     while (!targets_.empty() && targets_.back() == here_) targets_.pop_back();
     if (targets_.empty()) return true;
-    if (steps_left_-- == 0) return go_along_edges();
+    if (steps_left_-- == 0) {
+        begin_search();
+        return false;
+    }
     const uint32_t target = targets_.back();
     if (const uint32_t near = vertex_near(here_, target); near != no_index) {
         aim_at(near);
@@ -148,8 +177,8 @@ bool CutTriangulation::step() {
         go_along(edge, target);
     } else if (const Edge segment = first_segment_across(here_, target); segment.triangle != no_index) {
         aim_at(cross_segment(here_, target, segment));
-    } else if (!clear_way(here_, target)) {
-        return go_along_edges();
+    } else {
+        begin_clearing(here_, target);
     }
     return false;
 }

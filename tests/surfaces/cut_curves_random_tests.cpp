@@ -27,6 +27,22 @@ TEST(CurveCutter, ManySegmentsInOneTriangle) {
     for (uint32_t t = 0; t < cut.mesh.triangle_count(); ++t) EXPECT_GT(area_vector(cut.mesh, t).z(), -1e-9);
 }
 
+// A slice holds so many units, whatever a unit has to look at.
+TEST(CurveCutter, ACrowdedTriangleTakesMoreSlices) {
+    CurveCase cut(Soup{{{0, 0, 0}, {1, 0, 0}, {0.2f, 0.9f, 0}}, {{0, 1, 2}}});
+    for (uint32_t i = 0; i < 100; ++i) {
+        const auto t = static_cast<float>(random_unit(7, i, 0)), s = static_cast<float>(random_unit(8, i, 0));
+        const uint32_t edge = random_below(6, i, 0, 3);
+        add_curve(cut.curves, {point_on_edge(edge, t), point_on_edge((edge + 1) % 3, s)}, false);
+    }
+    CurveCutter cutter(cut.mesh, cut.columns, cut.curves, cut.edit, cut.out, test_memory());
+    uint32_t slices = 1;
+    while (!cutter.run(50)) ++slices;
+    expect_valid(cut.mesh);
+    EXPECT_GT(cut.mesh.triangle_count(), 1000u);
+    EXPECT_GT(slices, 2000u) << "one for every few steps that look at hundreds of triangles";
+}
+
 TEST(CurveCutter, ManyCutsKeepTheMeshWhole) {
     const Soup soups[] = {sphere(2), torus(12, 8), plane(8, 0.3)};
     const int euler[] = {2, 0, 1};

@@ -25,7 +25,8 @@ struct Division {
         return {triangulation.path().begin(), triangulation.path().end()};
     }
     void improve() {
-        for (uint32_t pass = 0; pass < 8 && !triangulation.improve(); ++pass) {}
+        triangulation.begin_improvement();
+        while (!triangulation.improve()) {}
     }
     // With the crossings of segments that came later.
     Path follow(const Path& path) const {
