@@ -59,8 +59,61 @@ TEST_F(Replay, BreaksStrokesAtJumps) {
     const Outcome outcome = done({"replay", "jump.xyz", "--style", "builtin:loops", "--scale", "0.2", "-o", "out.xyz",
                                   "--fast", "--report", "report.json"});
     EXPECT_NE(outcome.err.find("broken"), std::string::npos);
-    EXPECT_EQ(report().at("counts").at("broken_at_jumps"), 1);
+    const nlohmann::json counts = report().at("counts");
+    EXPECT_EQ(counts.at("strokes"), 1);
+    EXPECT_EQ(counts.at("samples"), 20);
+    EXPECT_EQ(counts.at("drawn_strokes"), 2);
+    EXPECT_EQ(counts.at("broken_at_jumps"), 1);
+    EXPECT_EQ(counts.at("broken_when_full"), 0);
+    EXPECT_EQ(counts.at("refused_samples"), 0);
     EXPECT_NE(folder.read("out.xyz").find("\n\n"), std::string::npos);  // two curves
+}
+
+// The style's options are stylize's: a style that stylize saved gives what the same options give.
+TEST_F(Replay, TakesTheOptionsOfStylize) {
+    folder.write("stroke.xyz", stroke());
+    const std::vector<std::string> style = {"--style", "builtin:loops", "--patch", "6", "--attributes", "radius:0.5"};
+    const std::vector<std::string> apply = {"--fast",
+                                            "--scale",
+                                            "0.2",
+                                            "--tau",
+                                            "0.5",
+                                            "--start",
+                                            "random",
+                                            "--frame",
+                                            "rmf",
+                                            "--basis",
+                                            "1,0,0,0,0,1,0,-1,0",
+                                            "--seed",
+                                            "7",
+                                            "--quiet"};
+    const auto with = [](std::vector<std::string> first, const std::vector<std::string>& more) {
+        first.insert(first.end(), more.begin(), more.end());
+        return first;
+    };
+    done(with(with({"replay", "stroke.xyz", "-o", "learnt.xyz", "--style-file", "saved.bin"}, style), apply));
+    done(with({"replay", "stroke.xyz", "-o", "loaded.xyz", "--style-file", "saved.bin", "--report", "report.json"},
+              apply));
+    const std::string learnt = folder.read("learnt.xyz");
+    EXPECT_GT(learnt.size(), 1000u);
+    EXPECT_EQ(learnt, folder.read("loaded.xyz"));
+    const nlohmann::json parameters = report().at("parameters");
+    EXPECT_EQ(parameters.at("start"), "random");
+    EXPECT_EQ(parameters.at("basis").size(), 9u);
+    // Each of them counts.
+    const std::vector<std::string> replay = {"replay", "stroke.xyz", "-o",      "other.xyz",
+                                             "--fast", "--quiet",    "--scale", "0.2"};
+    done(with(with(replay, style), {}));
+    const std::string plain = folder.read("other.xyz");
+    EXPECT_NE(plain, learnt);
+    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+             {"--basis", "1,0,0,0,0,1,0,-1,0"}, {"--start", "random", "--seed", "7"}, {"--sigma", "0.5"}}) {
+        done(with(with(replay, style), more));
+        EXPECT_NE(folder.read("other.xyz"), plain) << more[0];
+    }
+    expect_refused(with(with(replay, style), {"--frame", "frenet"}), 2, {"--frame", "frenet", "rmf|supplied"});
+    expect_refused({"replay", "stroke.xyz", "-o", "o.xyz", "--style-file", "saved.bin", "--patch", "5"}, 2,
+                   {"--patch"});
 }
 
 TEST_F(Replay, RefusesBadUsageAndBadFiles) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Live strokes, sample by sample, as a host in VR pushes them: the built-in scene drawn by a hand at 90 Hz, with a pool as
-// allocator that counts.
+// Live strokes, sample by sample, as a host pushes them: the built-in scene drawn by hands as recordings have them, evenly,
+// densely, sparsely and with jumps, under the style at several sizes, with a pool as allocator that counts. (Recordings
+// themselves: filigree replay --fast.)
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -14,13 +14,20 @@
 namespace flg::bench {
 namespace {
 
-constexpr double kSamplesPerSecond = 90.0;
+struct Hand {
+    const char* name;
+    double samples_per_second;
+    size_t samples_between_jumps = 0;  // 0: none
+};
+constexpr Hand kHands[] = {{"even", 90.0}, {"dense", 500.0}, {"sparse", 9.0}, {"jumps", 90.0, 30}};
+constexpr float kScales[] = {1.0f, 0.25f, 0.1f};
+constexpr float kJump = 0.9f;                            // metres; longer ones are refused by default
 constexpr double kHandSpeed = 0.5, kSpeedChange = 0.45;  // metres a second, and how far it goes up and down
 constexpr double kTremor = 2e-4;                         // metres
 constexpr double kP99BarUs = 20.0, kMaxBarUs = 100.0, kWholeShare = 0.99;
 // What the machine does besides only adds to a push: of so many rounds of the same strokes the least counts.
-constexpr int kRounds = 7;
-constexpr float kScale = 0.25f;
+constexpr int kRounds = 5;
+constexpr uint32_t kMaxPoints = 1u << 18;
 
 using Samples = std::vector<FlgLiveSample>;
 
@@ -44,9 +51,10 @@ struct CountedPool {
     }
 };
 
-// A hand that follows a curve, slower and faster, trembling a little.
-Samples draw(const scenes::Curve& curve) {
+// A hand that follows a curve, slower and faster, trembling a little; it jumps to and fro.
+Samples draw(const scenes::Curve& curve, const Hand& hand) {
     Samples samples;
+    bool aside = false;
     double walked = 0.0, length = 0.0, time = 0.0;
     for (size_t i = 1; i < curve.points.size(); ++i) {
         const scenes::Point &p = curve.points[i - 1], &q = curve.points[i];
@@ -59,23 +67,26 @@ Samples draw(const scenes::Curve& curve) {
             for (int k = 0; k < 3; ++k) {
                 sample.position[k] = static_cast<float>(from[k] + u * (to[k] - from[k]) + kTremor * tremor[k]);
             }
+            const size_t to_jump = hand.samples_between_jumps;
+            if (to_jump != 0 && samples.size() % to_jump == to_jump - 1) aside = !aside;
+            if (aside) sample.position[1] += kJump;
             sample.orientation[3] = 1.0f;
             sample.pressure = static_cast<float>(0.6 + 0.3 * std::sin(5.0 * time));
             sample.time = time;
             samples.push_back(sample);
-            time += 1.0 / kSamplesPerSecond;
-            walked += (kHandSpeed + kSpeedChange * std::sin(4.0 * time)) / kSamplesPerSecond;
+            time += 1.0 / hand.samples_per_second;
+            walked += (kHandSpeed + kSpeedChange * std::sin(4.0 * time)) / hand.samples_per_second;
         }
         length += step;
     }
     return samples;
 }
 
-std::vector<Samples> scene() {
+std::vector<Samples> scene(const Hand& hand) {
     std::vector<Samples> strokes;
-    for (const scenes::Curve& curve : scenes::make_bouquet()) strokes.push_back(draw(curve));
-    for (const char* name : {"s_curve", "spiral", "flourish"}) strokes.push_back(draw(scenes::make_target(name)));
-    for (const std::string& name : scenes::style_names()) strokes.push_back(draw(scenes::make_style(name)));
+    for (const scenes::Curve& curve : scenes::make_bouquet()) strokes.push_back(draw(curve, hand));
+    for (const char* name : {"s_curve", "spiral", "flourish"}) strokes.push_back(draw(scenes::make_target(name), hand));
+    for (const std::string& name : scenes::style_names()) strokes.push_back(draw(scenes::make_style(name), hand));
     return strokes;
 }
 
@@ -92,10 +103,9 @@ Played play(Host& host, const CountedPool& pool, const FlgLiveStrokeDesc& desc, 
         const uint64_t allocations = pool.allocations;
         for (const FlgLiveSample& sample : samples) {
             FlgCurveSetView added = flgCurveSetViewDefaults();
-            const auto before = std::chrono::steady_clock::now();
+            const double before_ms = thread_ms();
             check(flgLiveStrokePush(host.context(), stroke, &sample, 1, &added));
-            const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - before;
-            played.push_us.push_back(wall.count());
+            played.push_us.push_back(1e3 * (thread_ms() - before_ms));
             if (added.curve_count > 0) played.points += added.curve_offsets[1];
         }
         played.allocations += pool.allocations - allocations;
@@ -109,38 +119,67 @@ double share(std::vector<double> values) {
     return values[static_cast<size_t>(kWholeShare * static_cast<double>(values.size() - 1))];
 }
 
-}  // namespace
+// One hand under one size of the style.
+struct Figures {
+    double p99_us = 0, longest_us = 0, noisiest_us = 0, points_a_sample = 0;
+    uint64_t allocations = 0;
+};
 
-std::vector<Row> run_live() {
-    const std::vector<Samples> strokes = scene();
-    CountedPool pool;
-    Host host(pool.hooks());
-    FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
-    desc.style = host.prepare(host.add(scenes::make_style("loops")), 0);
-    desc.scale = kScale;
-    check(flgStyleWarm(host.context(), desc.style, desc.temperature, nullptr, nullptr));
-    host.run();
+Figures measure(Host& host, const CountedPool& pool, const FlgLiveStrokeDesc& desc,
+                const std::vector<Samples>& strokes) {
     play(host, pool, desc, strokes);  // touches the pool's pages
+    Figures figures;
     std::vector<double> least_us, all_us;
-    uint64_t allocations = 0, points = 0;
     for (int round = 0; round < kRounds; ++round) {
         const Played played = play(host, pool, desc, strokes);
         if (least_us.empty()) least_us = played.push_us;
         for (size_t i = 0; i < least_us.size(); ++i) least_us[i] = std::min(least_us[i], played.push_us[i]);
         all_us.insert(all_us.end(), played.push_us.begin(), played.push_us.end());
-        allocations += played.allocations;
-        points = played.points;
+        figures.allocations += played.allocations;
+        figures.points_a_sample = static_cast<double>(played.points) / static_cast<double>(least_us.size());
     }
-    char note[160];
-    std::snprintf(note, sizeof note, "%zu strokes, %zu samples, %.1f points a sample; p50 %.2f us", strokes.size(),
-                  least_us.size(), static_cast<double>(points) / static_cast<double>(least_us.size()), median(all_us));
-    char rounds[96];
-    std::snprintf(rounds, sizeof rounds, "least of %d rounds; longest of all %.0f us", kRounds,
-                  *std::max_element(all_us.begin(), all_us.end()));
-    return {below("live stroke, a pushed sample, p99", share(all_us), "us", kP99BarUs, note),
-            below("live stroke, a pushed sample, longest", *std::max_element(least_us.begin(), least_us.end()), "us",
-                  kMaxBarUs, rounds),
-            below("live stroke, allocations", static_cast<double>(allocations), "", 0.0)};
+    figures.p99_us = share(all_us);
+    figures.longest_us = *std::max_element(least_us.begin(), least_us.end());
+    figures.noisiest_us = *std::max_element(all_us.begin(), all_us.end());
+    return figures;
+}
+
+}  // namespace
+
+std::vector<Row> run_live() {
+    CountedPool pool;
+    Host host(pool.hooks());
+    FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
+    desc.style = host.prepare(host.add(scenes::make_style("loops")), 0);
+    desc.max_points = kMaxPoints;
+    check(flgStyleWarm(host.context(), desc.style, desc.temperature, nullptr, nullptr));
+    host.run();
+    std::vector<Row> rows;
+    uint64_t allocations = 0;
+    for (float scale : kScales) {
+        desc.scale = scale;
+        Figures worst;
+        std::string p99s;
+        for (const Hand& hand : kHands) {
+            const Figures figures = measure(host, pool, desc, scene(hand));
+            char text[96];
+            std::snprintf(text, sizeof text, "%s%s %.1f (%.0f points a sample)", p99s.empty() ? "" : ", ", hand.name,
+                          figures.p99_us, figures.points_a_sample);
+            p99s += text;
+            worst.p99_us = std::max(worst.p99_us, figures.p99_us);
+            worst.longest_us = std::max(worst.longest_us, figures.longest_us);
+            worst.noisiest_us = std::max(worst.noisiest_us, figures.noisiest_us);
+            allocations += figures.allocations;
+        }
+        char name[64], rounds[96];
+        std::snprintf(rounds, sizeof rounds, "least of %d rounds; longest of all %.0f us", kRounds, worst.noisiest_us);
+        std::snprintf(name, sizeof name, "live stroke at scale %g, a push, p99", static_cast<double>(scale));
+        rows.push_back(below(name, worst.p99_us, "us", kP99BarUs, p99s));
+        std::snprintf(name, sizeof name, "live stroke at scale %g, a push, longest", static_cast<double>(scale));
+        rows.push_back(below(name, worst.longest_us, "us", kMaxBarUs, rounds));
+    }
+    rows.push_back(within("live stroke, allocations", static_cast<double>(allocations), "", 0.0, 0.0));
+    return rows;
 }
 
 }  // namespace flg::bench

@@ -17,14 +17,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-constexpr uint32_t kSamples = 600, kFrameUs = 11'000;
-constexpr int kRuns = 15;
+constexpr uint32_t kSamples = 600, kOtherSamples[] = {300, 1200, 2400}, kFrameUs = 11'000;
+constexpr int kRuns = 15, kOtherRuns = 5;
 constexpr uint32_t kPatienceUs = 100'000;
 
 // Curls of 5 cm, once in 63 samples, on a bend.
-std::vector<FlgLiveSample> draw() {
-    std::vector<FlgLiveSample> samples(kSamples);
-    for (uint32_t i = 0; i < kSamples; ++i) {
+std::vector<FlgLiveSample> draw(uint32_t count) {
+    std::vector<FlgLiveSample> samples(count);
+    for (uint32_t i = 0; i < count; ++i) {
         const double u = static_cast<double>(i) / kSamples;
         samples[i].position[0] = static_cast<float>(2.5 * u);
         samples[i].position[1] = static_cast<float>(0.1 * std::sin(5.0 * u) + 0.05 * std::sin(0.1 * i));
@@ -36,13 +36,13 @@ std::vector<FlgLiveSample> draw() {
 }
 
 // A stroke that was drawn up to its last sample.
-FlgLiveStroke drawn_stroke(const Host& host, FlgStyle style) {
+FlgLiveStroke drawn_stroke(const Host& host, FlgStyle style, uint32_t sample_count = kSamples) {
     FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
     desc.style = style;
     FlgLiveStroke stroke = {};
     check(flgLiveStrokeBegin(host.context(), &desc, &stroke));
-    const std::vector<FlgLiveSample> samples = draw();
-    check(flgLiveStrokePush(host.context(), stroke, samples.data(), kSamples, nullptr));
+    const std::vector<FlgLiveSample> samples = draw(sample_count);
+    check(flgLiveStrokePush(host.context(), stroke, samples.data(), sample_count, nullptr));
     return stroke;
 }
 
@@ -109,7 +109,16 @@ std::vector<Row> run_live_style() {
                   "one worker, 90 Hz; most %.0f; %.1f ms of wall time from release to ready, most %.1f",
                   *std::max_element(frames.begin(), frames.end()), median(wall_ms),
                   *std::max_element(wall_ms.begin(), wall_ms.end()));
-    return {below("a stroke of 600 samples becomes a style, frames", median(frames), "", 1.0, note)};
+    std::string sizes = note;
+    for (uint32_t samples : kOtherSamples) {
+        std::vector<double> others;
+        for (int run = 0; run < kOtherRuns; ++run) {
+            others.push_back(frames_until_ready(host, drawn_stroke(host, pen, samples)));
+        }
+        std::snprintf(note, sizeof note, "; of %u samples: %.0f", samples, median(others));
+        sizes += note;
+    }
+    return {below("a stroke of 600 samples becomes a style, frames", median(frames), "", 1.0, sizes)};
 }
 
 }  // namespace flg::bench

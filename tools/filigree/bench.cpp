@@ -62,12 +62,17 @@ void run_bench(const std::string& filter, bool as_json, const CommonOptions& com
     report.quality["bars"] = json_of(rows);
     if (as_json) std::cout << nlohmann::ordered_json({{"bars", json_of(rows)}}).dump(2) << "\n";
     report.write();
+    if (held < rows.size()) {
+        throw InputError("bench: " + std::to_string(rows.size() - held) + " of " + std::to_string(rows.size()) +
+                         " bars are not held");
+    }
 }
 
 }  // namespace
 
 Command add_bench(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("bench", "Measures what has a bar, and says whether it is held");
+    CLI::App* app = program.add_subcommand(
+        "bench", "Measures what has a bar, and says whether it is held; exit status 1 if one is not");
     const auto filter = std::make_shared<std::string>();
     const auto as_json = std::make_shared<bool>(false);
     app->add_option("FILTER", *filter, "Only groups whose name contains this");

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <thread>
 
+#include "apply_options.h"
 #include "choices.h"
 #include "command.h"
 #include "counting_pool.h"
@@ -14,6 +16,7 @@
 #include "filigree/filigree_live.h"
 #include "report.h"
 #include "session.h"
+#include "style_options.h"
 #include "stylize_output.h"
 #include "support/curve_source.h"
 #include "text_file.h"
@@ -33,8 +36,13 @@ constexpr uint32_t kTickUs = 2000;
 // Memory for so many times the points that a stroke's length asks for.
 constexpr double kPointsReserve = 2.0;
 
+const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_ROTATION_MINIMIZING},
+                                                       {"supplied", FLG_FRAME_SUPPLIED}};
+
 struct Options {
-    std::string strokes, style, output;
+    StyleOptions style;
+    ApplyOptions apply;
+    std::string strokes, output;
     bool fast = false;
     FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
     FlgGeometry as = FLG_GEOMETRY_LINES;
@@ -91,8 +99,8 @@ public:
                                                   std::chrono::duration<double>(sample.time - samples[0].time)));
             }
             FlgResult result = push(sample);
-            if (result == FLG_ERROR_LIMIT && drawn) {  // a jump: another stroke begins behind it
-                ++broken_;
+            if (result == FLG_ERROR_LIMIT && drawn) {  // another stroke begins behind a jump, or where memory ends
+                ++(is_full() ? filled_ : jumps_);
                 end();
                 begin();
                 drawn = false;
@@ -114,12 +122,20 @@ public:
 
     const std::vector<FlgCurveSet>& results() const { return results_; }
     const Latencies& latencies() const { return latencies_; }
-    // What was pushed and not taken, and strokes that were broken at a jump.
+    // Samples that were not taken, and strokes that were broken at a jump or because they were full.
     uint64_t refused() const { return refused_; }
-    uint64_t broken() const { return broken_; }
+    uint64_t jumps() const { return jumps_; }
+    uint64_t filled() const { return filled_; }
 
 private:
     void begin() { check(flgLiveStrokeBegin(context_, &desc_, &stroke_), "stroke"); }
+
+    bool is_full() const {
+        FlgLiveStrokeInfo info = {};
+        info.struct_size = sizeof info;
+        check(flgLiveStrokeGetInfo(context_, stroke_, &info), "stroke");
+        return info.cut != 0 || info.sample_count == desc_.max_samples;
+    }
 
     FlgResult push(const FlgLiveSample& sample) {
         FlgCurveSetView added = flgCurveSetViewDefaults();
@@ -150,7 +166,7 @@ private:
     FlgLiveStroke stroke_ = {};
     std::vector<FlgCurveSet> results_;
     Latencies latencies_;
-    uint64_t refused_ = 0, broken_ = 0;
+    uint64_t refused_ = 0, jumps_ = 0, filled_ = 0;
 };
 
 // All strokes as one set.
@@ -202,49 +218,51 @@ void add_latencies(const Latencies& latencies, Report& report) {
     report.quality["allocations"] = latencies.allocations;
 }
 
-FlgStyle prepare_style(Session& session, const CurveSource& source, const Options& options, Report& report) {
+FlgStyle prepare_style(Session& session, const Options& options, Report& report) {
     FlgContext context = session.context();
-    const samples::CurveRange first(source.view(), 0, 1);
-    FlgStyleDesc desc = flgStyleDefaults();
-    check(flgCurveSetCreate(context, &first.view(), &desc.style), options.style);
-    FlgStyle style = {};
-    Session::Pending jobs[2];
-    check(flgStyleCreate(context, &desc, &style, &jobs[0].job), options.style);
-    check(flgStyleWarm(context, style, options.live.temperature, nullptr, &jobs[1].job), options.style);
-    jobs[0].subject = jobs[1].subject = options.style;
+    FlgJob style_job = {}, warm_job = {};
+    const FlgStyle style = options.style.start(context, report, style_job);
+    check(flgStyleWarm(context, style, options.apply.temperature(), nullptr, &warm_job), options.style.subject());
+    std::vector<Session::Pending> jobs;
+    if (style_job.id != 0) jobs.push_back({style_job, options.style.subject()});
+    jobs.push_back({warm_job, options.style.subject()});
     session.finish(jobs, report);
+    options.style.save(context, style, report);
     return style;
 }
 
 void describe(const Options& options, Report& report) {
-    report.parameters = {{"strokes", options.strokes}, {"style", options.style}, {"fast", options.fast}};
-    report.parameters["sigma"] = as_written(options.live.magnitude);
-    report.parameters["tau"] = as_written(options.live.temperature);
-    report.parameters["scale"] = as_written(options.live.scale);
+    report.parameters = {{"strokes", options.strokes}, {"fast", options.fast}};
+    options.style.describe(report);
+    options.apply.describe(report);
     report.parameters["smoothing"] = as_written(options.live.smoothing);
     report.parameters["max_jump"] = as_written(options.live.max_jump);
     report.parameters["as"] = name_of(geometry_names(), options.as);
 }
 
 void run_replay(Options options, const CommonOptions& common) {
-    const StylizeOutput output{options.output, {}, {}, {}, options.as};
+    StylizeOutput output = {};
+    output.curves = options.output;
+    output.geometry = options.as;
     output.check_paths();
+    options.style.check_usage();
     require_writable(common.report);
     Report report("replay", common);
     describe(options, report);
     const CurveSource strokes(options.strokes);
-    const CurveSource style(options.style);
     for (const std::string& warning : strokes.warnings()) report.warn(options.strokes + ": " + warning);
 
     CountingPool pool;
     Session session(common, pool.hooks());
     FlgContext context = session.context();
-    options.live.style = prepare_style(session, style, options, report);
+    options.apply.set(options.live);
+    options.live.style = prepare_style(session, options, report);
     options.live.seed = common.seed;
     FlgStyleInfo info = {};
     info.struct_size = sizeof info;
-    check(flgStyleGetInfo(context, options.live.style, &info), options.style);
-    reserve(strokes.view(), static_cast<double>(info.spacing) * static_cast<double>(options.live.scale), options.live);
+    check(flgStyleGetInfo(context, options.live.style, &info), options.style.subject());
+    reserve(strokes.view(), static_cast<double>(info.spacing) * static_cast<double>(options.apply.scale()),
+            options.live);
 
     Player player(context, pool, options.live, options.fast);
     uint64_t retimed = 0;
@@ -258,10 +276,12 @@ void run_replay(Options options, const CommonOptions& common) {
     if (player.results().empty()) throw InputError(options.strokes + ": no sample could be taken");
 
     report.counts["strokes"] = strokes.view().curve_count;
-    report.counts["samples"] = player.latencies().wall_us.size();
+    report.counts["samples"] = strokes.point_count();
+    report.counts["drawn_strokes"] = player.results().size();
     report.counts["refused_samples"] = player.refused();
     report.counts["retimed_strokes"] = retimed;
-    report.counts["broken_at_jumps"] = player.broken();
+    report.counts["broken_at_jumps"] = player.jumps();
+    report.counts["broken_when_full"] = player.filled();
     if (retimed > 0) {
         report.warn(options.strokes + ": " + std::to_string(retimed) +
                     " strokes whose times run backwards were played at 90 Hz");
@@ -270,8 +290,12 @@ void run_replay(Options options, const CommonOptions& common) {
         report.warn(options.strokes + ": " + std::to_string(player.refused()) +
                     " samples could not be taken, such as for a coordinate beyond 1e30");
     }
-    if (player.broken() > 0) {
-        report.warn(options.strokes + ": strokes jump at " + std::to_string(player.broken()) +
+    if (player.jumps() > 0) {
+        report.warn(options.strokes + ": strokes jump at " + std::to_string(player.jumps()) +
+                    " places and were broken there");
+    }
+    if (player.filled() > 0) {
+        report.warn(options.strokes + ": strokes come to a live stroke's limits at " + std::to_string(player.filled()) +
                     " places and were broken there");
     }
     add_latencies(player.latencies(), report);
@@ -287,18 +311,10 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     FlgLiveStrokeDesc& live = o->live;
     app->add_option("STROKES", o->strokes, "Recorded strokes: a .tilt sketch, other curves, or builtin:NAME")
         ->required();
-    app->add_option("--style", o->style, "The example: the first curve of a file, or builtin:NAME")->required();
+    o->style.add_to(*app);
     app->add_option("-o,--output", o->output, "Result: .xyz, .obj or .glb")->required()->type_name("OUT");
     app->add_flag("--fast", o->fast, "As fast as can be, instead of at the strokes' own times");
-    app->add_option("--sigma", live.magnitude, "Factor on the displacement; any finite number")
-        ->capture_default_str()
-        ->check(finite());
-    app->add_option("--tau", live.temperature, "Temperature, >= 0, as of stylize")
-        ->capture_default_str()
-        ->check(at_least_zero());
-    app->add_option("--scale", live.scale, "Size of the style on the strokes, > 0; 1 = as drawn")
-        ->capture_default_str()
-        ->check(above_zero());
+    o->apply.add_to(*app, kFrames, "Moving frame: rotation-minimizing, or by the controller's orientation");
     app->add_option("--smoothing", live.smoothing, "Time constant of the input filter, seconds, >= 0; 0 = none")
         ->capture_default_str()
         ->check(at_least_zero());

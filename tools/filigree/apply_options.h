@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// How a style is put on curves, as far as `stylize` and `replay` have the same options for it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "filigree/filigree.h"
+#include "report.h"
+
+namespace flg::cli {
+
+class ApplyOptions {
+public:
+    // `frames`: what --frame may be, said by `frame_help`. Lives as long as the program.
+    void add_to(CLI::App& app, const std::map<std::string, FlgFrameMethod>& frames, const std::string& frame_help);
+    void describe(Report& report) const;
+
+    float temperature() const { return temperature_; }
+    float scale() const { return scale_; }
+
+    // Into FlgStylizeDesc or FlgLiveStrokeDesc.
+    template <class Desc>
+    void set(Desc& desc) const {
+        desc.magnitude = magnitude_;
+        desc.temperature = temperature_;
+        desc.scale = scale_;
+        desc.frame = frame_;
+        desc.start = start_;
+        std::copy(basis_.begin(), basis_.end(), desc.basis);
+    }
+
+private:
+    // The SDK's defaults are the commands'.
+    float magnitude_ = flgStylizeDefaults().magnitude, temperature_ = flgStylizeDefaults().temperature,
+          scale_ = flgStylizeDefaults().scale;
+    FlgFrameMethod frame_ = flgStylizeDefaults().frame;
+    FlgStart start_ = flgStylizeDefaults().start;
+    std::vector<float> basis_;  // empty: the identity
+    const std::map<std::string, FlgFrameMethod>* frames_ = nullptr;
+};
+
+}  // namespace flg::cli
