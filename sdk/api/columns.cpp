@@ -14,7 +14,6 @@ namespace flg {
 namespace {
 
 constexpr uint32_t max_user_components = 16;
-constexpr float max_coordinate = 1e30f;
 
 // Floats a point that an attribute has; 0 for user attributes, which choose, and -1 for numbers that mean nothing.
 int components_of(int32_t attribute) {
@@ -50,9 +49,8 @@ float least_value(FlgAttribute attribute, uint32_t component) {
 
 const char* rule_broken_by(FlgAttribute attribute, float value) {
     if (!std::isfinite(value)) return "must be finite";
-    return attribute == FLG_ATTRIBUTE_POSITION ? "must be at most 1e30 in size"
-           : attribute == FLG_ATTRIBUTE_SPEED  ? "must be above 0"
-                                               : "must not be negative";
+    if (!is_coordinate(value)) return "must be at most 1e30 in size";
+    return attribute == FLG_ATTRIBUTE_SPEED ? "must be above 0, and no denormal number" : "must not be negative";
 }
 
 }  // namespace
@@ -99,15 +97,12 @@ void check_columns(const FlgColumn* columns, uint32_t count, const char* owner) 
 
 BadValue copy_column(const FlgColumn& column, uint32_t first, uint32_t end, float* out) {
     const size_t stride = column.stride ? column.stride / sizeof(float) : column.components;
-    const float largest = column.attribute == FLG_ATTRIBUTE_POSITION ? max_coordinate : HUGE_VALF;
     std::array<float, max_user_components> least;
-    for (uint32_t k = 0; k < column.components; ++k) {
-        least[k] = std::max(-largest, least_value(column.attribute, k));
-    }
+    for (uint32_t k = 0; k < column.components; ++k) least[k] = least_value(column.attribute, k);
     for (uint32_t row = first; row < end; ++row) {
         for (uint32_t k = 0; k < column.components; ++k) {
             const float value = column.data[row * stride + k];
-            if (!(std::isfinite(value) && value >= least[k] && value <= largest)) {
+            if (!(is_coordinate(value) && value >= least[k])) {
                 return {row, value, rule_broken_by(column.attribute, value)};
             }
             *out++ = value;

@@ -7,6 +7,7 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "curves/sampling_job.h"
 #include "stylization/apply_style.h"
 
 namespace flg {
@@ -32,12 +33,14 @@ FlgStylizeDesc default_stylize_desc() {
 }
 
 void check(const FlgStylizeDesc& desc) {
-    check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
+    check_range(is_coordinate(desc.magnitude), "desc.magnitude", desc.magnitude, "finite and at most 1e30 in size");
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");
-    check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
+    check_range(desc.scale > 0 && is_coordinate(desc.scale), "desc.scale", desc.scale,
+                "finite, above 0 and at most 1e30");
     check_frame(desc.frame, "desc.frame");
     check_basis(desc.basis);
+    check_range(desc.max_points <= sampled_points_max, "desc.max_points", desc.max_points, "at most 2^31");
     check_range(desc.strokes >= 1 && desc.strokes <= strokes_max, "desc.strokes", desc.strokes, "1 to 1024");
     check_enum(desc.start, FLG_START_AUTO, FLG_START_RANDOM, "desc.start", "FLG_START_");
 }
@@ -79,6 +82,7 @@ FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet
         request.seed = read.seed;
         std::copy(std::begin(read.basis), std::end(read.basis), request.basis.begin());
         request.strokes = read.strokes;
+        request.max_points = read.max_points;
         request.pin_ends = read.pin_ends != 0;
         request.keep_displacement = read.keep_displacement != 0;
         const std::shared_ptr<CurveSet> out = request.out;

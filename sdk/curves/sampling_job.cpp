@@ -2,6 +2,7 @@
 #include "curves/sampling_job.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "core/failure.h"
@@ -13,7 +14,20 @@ namespace {
 constexpr uint32_t measure_chunk = 400;   // points, about 10 us
 constexpr uint32_t resample_chunk = 200;  // samples, about 10 us
 constexpr uint32_t layout_chunk = 2500;   // curves, about 10 us
-constexpr double max_points = 2147483648.0;
+
+// What a result may have, and how a sentence says so.
+struct PointLimit {
+    double points;
+    char text[32];
+
+    explicit PointLimit(const Sampling& sampling)
+        : points(sampling.max_points ? sampling.max_points : sampled_points_max) {
+        if (sampling.max_points)
+            std::snprintf(text, sizeof text, "desc.max_points is %u", sampling.max_points);
+        else
+            std::snprintf(text, sizeof text, "the limit is 2^31");
+    }
+};
 
 // A curve's, or null if frames are not to be supplied.
 const float* supplied_normals(const Sampling& sampling, uint32_t curve) {
@@ -29,10 +43,9 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
         while (!kernel.run(measure_chunk)) co_await pace;
         const CurveMeasure& measure = kernel.measure();
         const double steps = even_step_count(measure.length, sampling.spacing, curve.closed);
-        if (steps >= max_points) {
-            throw Failure(FLG_ERROR_LIMIT,
-                          "curve %u is %g m long and would get %.0f points %g m apart; the limit is 2^31", c,
-                          measure.length, steps, sampling.spacing);
+        if (const PointLimit limit(sampling); steps >= limit.points) {
+            throw Failure(FLG_ERROR_LIMIT, "curve %u is %g m long and would get %.0f points %g m apart; %s", c,
+                          measure.length, steps, sampling.spacing, limit.text);
         }
         std::construct_at(&sampling.plans[c], SamplingPlan{.curve = curve,
                                                            .measure = measure,
@@ -48,9 +61,10 @@ Task<void> lay_out_curves(Pace& pace, Sampling& sampling) {
     const CurveSet& in = sampling.in;
     CurveSet& out = sampling.out;
     const uint64_t curve_count = uint64_t{in.curve_count()} * sampling.copies;
-    if (static_cast<double>(curve_count) >= max_points) {
-        throw Failure(FLG_ERROR_LIMIT, "%u strokes along %u curves would be more than 2^31 curves", sampling.copies,
-                      in.curve_count());
+    const PointLimit limit(sampling);
+    if (static_cast<double>(curve_count) > limit.points) {
+        throw Failure(FLG_ERROR_LIMIT, "%u strokes along %u curves would have more points than that; %s",
+                      sampling.copies, in.curve_count(), limit.text);
     }
     out.allocate_curves(static_cast<uint32_t>(curve_count));
     uint64_t point_count = 0;
@@ -58,8 +72,9 @@ Task<void> lay_out_curves(Pace& pace, Sampling& sampling) {
         out.offsets()[c] = static_cast<uint32_t>(point_count);
         out.begin_curve(c, in.flags()[c / sampling.copies]);
         point_count += sampling.plans[c / sampling.copies].sample_count();
-        if (static_cast<double>(point_count) >= max_points) {
-            throw Failure(FLG_ERROR_LIMIT, "the result would have more than 2^31 points %g m apart", sampling.spacing);
+        if (static_cast<double>(point_count) > limit.points) {
+            throw Failure(FLG_ERROR_LIMIT, "the result would have more points, %g m apart, than it may; %s",
+                          sampling.spacing, limit.text);
         }
         if (c % layout_chunk == 0) co_await pace;
     }
@@ -155,6 +170,7 @@ Task<void> resample_curves(Pace& pace, ResampleRequest request) {
                       .spacing = request.spacing,
                       .frame = request.frame,
                       .copies = 1,
+                      .max_points = 0,
                       .plans = {},
                       .carried = std::pmr::vector<Sampling::Carried>(pace.memory())};
     co_await plan_sampling(pace, sampling, std::pmr::vector<CurveSet::ColumnLayout>(pace.memory()));

@@ -25,6 +25,8 @@ CurveRange curves_of_batch(const CurveSet& set, uint32_t batch);
 
 CurveView curve_view(const CurveSet& set, uint32_t curve);
 
+constexpr uint32_t sampled_points_max = uint32_t{1} << 31;
+
 // A curve set's way into another.
 struct Sampling {
     const CurveSet& in;
@@ -32,6 +34,7 @@ struct Sampling {
     double spacing;  // metres
     FlgFrameMethod frame;
     uint32_t copies;             // how often each curve is in `out`: the copies of curve c begin at c * copies
+    uint32_t max_points;         // of `out`; 0: sampled_points_max
     Buffer<SamplingPlan> plans;  // one a curve of `in`
     // Columns that are carried over, of `in` and, at the same place, of `out`.
     struct Carried {
@@ -42,7 +45,7 @@ struct Sampling {
 };
 
 // Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, then the `added`
-// ones, then those of `in` that are none of these. Throws FLG_ERROR_LIMIT if the result would have more than 2^31 points,
+// ones, then those of `in` that are none of these. Throws FLG_ERROR_LIMIT if the result would have more points than it may,
 // FLG_ERROR_INVALID_ARGUMENT if frames are to be supplied and `in` has none.
 Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added);
 

@@ -24,6 +24,7 @@ struct AppliedStyle {
 class AppliedStyleKernel {
 public:
     // Row-major: basis times (along tangent, first normal, second normal). The style outlives the kernel and the result.
+    // Throws what the host is told, as run() does, if the style would get larger than coordinates may be.
     AppliedStyleKernel(const PreparedStyle& style, double scale, const std::array<double, 9>& basis, Memory* memory);
     bool run(uint32_t n);
     // After run() returned true.

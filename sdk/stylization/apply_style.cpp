@@ -19,6 +19,7 @@ struct Application {
                    .spacing = request.style->prepared.spacing() * request.scale,
                    .frame = request.frame,
                    .copies = request.strokes,
+                   .max_points = request.max_points,
                    .plans = {},
                    .carried = std::pmr::vector<Sampling::Carried>(memory)},
           attributes(memory) {}

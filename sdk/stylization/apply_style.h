@@ -22,6 +22,7 @@ struct StylizeRequest {
     FlgStart start = FLG_START_AUTO;
     uint64_t seed = 1;
     uint32_t strokes = 1;
+    uint32_t max_points = 0;  // of the result; 0: as many as there can be
     bool pin_ends = false;
     bool keep_displacement = false;
 };

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/failure.h"
 #include "curves/moving_frame.h"
 
 namespace flg {
 
 namespace {
+
+constexpr double coordinate_max = 1e30;  // as curve sets have it
+constexpr double time_max_s = 1e30;
 
 constexpr uint32_t block = 16;  // samples
 // What one costs, in units.
@@ -17,6 +21,13 @@ constexpr uint32_t units_per_component = 2;
 constexpr uint32_t units_to_turn = 16;  // the ribbon's normals
 
 }  // namespace
+
+void check_position(const Vec3& position, double magnitude) {
+    const double largest = position.cwiseAbs().maxCoeff();
+    if (largest <= coordinate_max) return;
+    throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                  "desc.magnitude is %g: the result would have a coordinate of %g m, above 1e30", magnitude, largest);
+}
 
 Finishing::Finishing(const FinishingInput& input)
     : input_(input), units_per_block_(units_to_move), time_(input.start_time) {
@@ -46,7 +57,9 @@ void Finishing::move_ends(uint32_t first, uint32_t last) {
         const double u = static_cast<double>(i) / input_.steps;
         const Vec3 excess = (1.0 - u) * input_.start_excess + u * input_.end_excess;
         const size_t at = 3 * static_cast<size_t>(i);
-        store_vec3(load_vec3(out.frames.positions + at) - input_.magnitude * excess, out.frames.positions + at);
+        const Vec3 position = load_vec3(out.frames.positions + at) - input_.magnitude * excess;
+        check_position(position, input_.magnitude);
+        store_vec3(position, out.frames.positions + at);
         if (out.displacement) store_vec3(load_vec3(out.displacement + at) - excess, out.displacement + at);
     }
     if (!input_.pinned) return;
@@ -98,6 +111,11 @@ void Finishing::add_times(uint32_t first, uint32_t last) {
             const float* position = input_.out.frames.positions + 3 * static_cast<size_t>(i);
             const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
             time_ += distance / (0.5 * (static_cast<double>(speeds[i - 1]) + speeds[i]));
+        }
+        if (!(time_ <= time_max_s)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "the style's SPEED is as low as %g m/s: the result would have a TIME of %g s, above 1e30",
+                          static_cast<double>(speeds[i]), time_);
         }
         input_.out.time[i] = static_cast<float>(time_);
     }

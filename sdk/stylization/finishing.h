@@ -44,6 +44,9 @@ struct FinishingInput {
     double start_time = 0;  // seconds
 };
 
+// Throws what the host is told of a position that curve sets can't hold.
+void check_position(const Vec3& position, double magnitude);
+
 // A unit is about 50 ns of it.
 class Finishing {
 public:

@@ -155,7 +155,9 @@ void SynthesisKernel::write(const FramedSample& sample) {
     const StylizedColumns& out = stroke_.out;
     const Vec3 displacement = displacement_at(sample);
     const size_t at = 3 * static_cast<size_t>(written_);
-    store_vec3(sample.position + input_.magnitude * displacement, out.frames.positions + at);
+    const Vec3 position = sample.position + input_.magnitude * displacement;
+    check_position(position, input_.magnitude);
+    store_vec3(position, out.frames.positions + at);
     store_vec3(sample.tangent, out.frames.tangents + at);
     store_vec3(sample.normal, out.frames.normals + at);
     if (out.displacement) store_vec3(displacement, out.displacement + at);

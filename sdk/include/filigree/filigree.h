@@ -321,7 +321,7 @@ typedef struct FlgCurveSetView {
 
 FLG_API FlgResult flgCurveSetViewInit(FlgCurveSetView* view, uint32_t struct_size);
 
-/* Copies curves into the context. Every curve needs at least one point; values must be finite. Repeated points and curves
+/* Copies curves into the context. Every curve needs at least one point; values must be at most 1e30 in size. Repeated points and curves
  * of zero length are taken as they are; each function that computes with them says what it makes of them.
  * Cost: one pass over the data, about 2 ms for a million points. */
 FLG_API FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, FlgCurveSet* out_set);
@@ -504,21 +504,21 @@ typedef struct FlgStylizeDesc {
     FlgStyle style;
     /* The curves to stylize. Their further columns are carried over, but for the attributes that the style has. */
     FlgCurveSet target;
-    /* sigma, sec. 4.5.3: factor on the displacement; any finite number, 0 gives the resampled target. Default 1. */
+    /* sigma, sec. 4.5.3: factor on the displacement; at most 1e30 in size, 0 gives the resampled target. Default 1. */
     float magnitude;
     /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 long runs of the style
      * are copied, at 1 a dozen points at a time, at 10 and above it jumps nearly always. In units of
      * FlgStyleInfo::temperature_unit (a tenth of the median distance of a patch to the one most like it), so that it
-     * does not depend on the style's size. Where one run ends and the next begins, displacements are blended
+     * does not depend on the style's size. Where one run ends and the next begins, displacements and attributes are blended
      * over p points (see flgStylize): runs shorter than that, at high temperatures, get smaller by it. Default 0. */
     float temperature;
-    /* Size of the style on the target, > 0: 1 = as drawn. Default 1. */
+    /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1. */
     float scale;
     FlgFrameMethod frame;
     /* Key of all random choices. Default 1. */
     uint64_t seed;
     /* Row-major 3 x 3: turns the style's displacement (along tangent, first normal, second normal) within the target's
-     * frame, such as to apply a style drawn in a plane in another one, sec. 7 (Fig. 16). Any finite numbers. Default:
+     * frame, such as to apply a style drawn in a plane in another one, sec. 7 (Fig. 16). At most 1e30 in size. Default:
      * identity. */
     float basis[9];
     /* Nonzero: results begin and end exactly where their targets do, to the bit, sec. 4.5.2, so that curves of a network
@@ -532,7 +532,9 @@ typedef struct FlgStylizeDesc {
     /* Nonzero: the result has a DISPLACEMENT column, so that magnitude can be changed afterwards, also on the GPU:
      * position at magnitude m = POSITION + (m - magnitude) * DISPLACEMENT, also of pinned and closed curves. Default 0. */
     uint32_t keep_displacement;
-    uint32_t reserved;
+    /* Points that the result may have, at most 2^31: a scale far too small for its target would ask for any number of them.
+     * What would get more fails with FLG_ERROR_LIMIT, before memory is taken for it. 0: 2^31. Default 0. */
+    uint32_t max_points;
 } FlgStylizeDesc;
 
 FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size);
@@ -543,13 +545,17 @@ FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size)
  * target curve shorter than one step gets two points, one without length gets one, not displaced; targets shorter than the
  * style get a part of it.
  * Closed targets come out closed: the displacement is corrected in proportion to the arc length so that it comes back to
- * where it began (sec. 4.5.1), ANGLE and other angles likewise, the shorter way; so frames and ribbons turn over the seam
+ * where it began (sec. 4.5.1), attributes likewise, angles the shorter way; so sizes, frames and ribbons go over the seam
  * as evenly as elsewhere.
  * Displacements are those of the style at STYLE_INDEX; behind a jump from point i to point j of the style, the gap d[i + 1] - d[j]
  * is added, fading linearly to nothing over p points, so that results have no steps that the style hasn't.
- * Attributes have the values of the style at STYLE_INDEX, RADIUS, WIDTH and the half axes of RADII times scale. ANGLE also
- * turns the result's NORMAL about its tangent. With SPEED the result has TIME: from the target's first TIME value, or 0,
- * on; each step takes its length by the mean speed of its ends.
+ * Attributes have the values of the style at STYLE_INDEX, RADIUS, WIDTH and the half axes of RADII times scale, and behind jumps
+ * are blended as displacements are: angles the shorter way round, others kept within the least and the largest value that
+ * the style has. Angles are continuous along a curve, whole turns (PROJECTIVE: half turns) being added as needed; as floats,
+ * they have 1e-4 rad left after 150 turns. ANGLE also turns the result's NORMAL about its tangent. With SPEED the result has
+ * TIME: from the target's first TIME value, or 0, on; each step takes its length by the mean speed of its ends.
+ * Results hold what curve sets may hold: if a coordinate, a length or a time would pass 1e30, the job fails with
+ * FLG_ERROR_INVALID_ARGUMENT and says what would.
  * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
 FLG_API FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
