@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What an option does, side by side.
 #include <cmath>
+#include <deque>
 
 #include "gallery/looks.h"
+#include "gallery/marks.h"
 #include "gallery/pictures.h"
+#include "support/curve_source.h"
+#if defined(FLG_WITH_BASELINE)
+#include "bench/analogies_scene.h"
+#endif
 
 namespace flg::gallery {
 namespace {
@@ -13,33 +19,48 @@ using scenes::make_target;
 
 constexpr uint32_t kLowHeight = 360;
 
-// Fig. 5.
+// One piece for each run of the style that the result copies: to the right the place on the result, upwards that on the
+// style, in a square of one metre.
+std::vector<scenes::Curve> runs_of(const FlgCurveSetView& result, uint32_t style_points) {
+    const FlgColumn& index = *samples::find_column(result, FLG_ATTRIBUTE_STYLE_INDEX);
+    const uint32_t count = result.curve_offsets[1];
+    std::vector<scenes::Curve> runs;
+    for (uint32_t i = 0; i < count; ++i) {
+        const float here = *samples::value_at(index, i);
+        if (i == 0 || here != *samples::value_at(index, i - 1) + 1.0f) runs.emplace_back();
+        const float x = static_cast<float>(i) / static_cast<float>(count), y = here / static_cast<float>(style_points);
+        scenes::Curve& run = runs.back();
+        if (run.points.empty()) run.points.push_back({x - 1e-4f, y, 0.0f});
+        run.points.push_back({x, y, 0.0f});
+    }
+    return runs;
+}
+
+// Fig. 5; below, as there, which point of the style each point copies.
 void temperature(Workshop& workshop, Studio& studio) {
     const filigree::CurveSet target = workshop.curve(make_target("s_curve"));
     const filigree::Style style = workshop.style(make_style("knots"));
-    std::vector<filigree::CurveSet> results;
-    std::vector<Panel> panels;
+    std::deque<filigree::CurveSet> sets;
+    std::vector<Panel> above, below;
     for (float tau : {0.0f, 1.0f, 10.0f}) {
         FlgStylizeDesc desc = sized(style, 0.040f);
         desc.temperature = tau;
-        results.push_back(workshop.stylize(style, target, desc));
-        panels.push_back(panel_of(results.back().view(), tube(kRed, 0.008f)));
-        panels.back().nearer = 1.0f;
-        panels.back().shift = {0.02f, 0.0f};
+        const filigree::CurveSet& result = sets.emplace_back(workshop.stylize(style, target, desc));
+        above.push_back(panel_of(result.view(), tube(kRed, 0.008f)));
+        sets.push_back(workshop.curves(runs_of(result.view(), style.info().point_count)));
+        below.push_back(panel_of(sets.back().view(), tube(kInk, 0.006f), {0.0f, 0.0f, -1.0f}));
+        below.back().ground = false;
+        below.back().aim = {{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 0.0f}};
     }
-    studio.take("temperature", panels, 3, kWidth, kHeight);
+    aim_together(above);
+    above.insert(above.end(), below.begin(), below.end());
+    studio.take("temperature", above, 3, kWidth, 720);
 }
 
 // Fig. 12: an arc that turns the other way in its middle.
 void frames(Workshop& workshop, Studio& studio) {
     constexpr glm::vec3 kFromAbove = {-0.15f, -0.85f, -1.0f};
-    scenes::Curve wave;
-    for (int i = 0; i < 200; ++i) {
-        const double u = i / 199.0 - 0.5;
-        wave.points.push_back({static_cast<float>(1.6 * u), static_cast<float>(0.25 * std::sin(9.0 * u)),
-                               static_cast<float>(0.05 * std::sin(5.0 * u))});
-    }
-    const filigree::CurveSet target = workshop.curve(wave);
+    const filigree::CurveSet target = workshop.curve(wave());
     const filigree::Style style = workshop.style(make_style("loops"));
     std::vector<filigree::CurveSet> results;
     std::vector<Panel> panels;
@@ -49,7 +70,6 @@ void frames(Workshop& workshop, Studio& studio) {
         results.push_back(workshop.stylize(style, target, desc));
         Panel panel =
             panel_of(results.back().view(), tube(frame == FLG_FRAME_FRENET ? kRed : kTeal, 0.008f), kFromAbove);
-        panel.nearer = 0.95f;
         panel.layers.push_back({target.view(), tube(kGrey, 0.003f)});
         panel.layers.back().curves = panel.layers.back().curves.without(FLG_ATTRIBUTE_COLOR);
         panels.push_back(panel);
@@ -73,34 +93,78 @@ void planes(Workshop& workshop, Studio& studio) {
         std::copy(basis, basis + 9, desc.basis);
         results.push_back(workshop.stylize(style, target, desc));
         panels.push_back(panel_of(results.back().view(), tube(kColors[k], 0.010f)));
-        panels.back().nearer = 0.98f;
         all.layers.push_back(panels.back().layers[0]);
     }
-    all.sight = panels[0].sight, all.nearer = panels[0].nearer;
-    studio.take("planes", {panels[0], panels[1], panels[2], all}, 4, kWidth, kLowHeight);
+    all.sight = panels[0].sight;
+    panels.push_back(all);
+    aim_together(panels);
+    studio.take("planes", panels, 4, kWidth, kLowHeight);
 }
 
-// Sec. 5.1: the thickness belongs to the style.
-void attributes(Workshop& workshop, Studio& studio) {
-    const filigree::CurveSet target = workshop.curve(make_target("flourish"));
-    const FlgStyleAttribute kept[] = {{FLG_ATTRIBUTE_RADIUS, FLG_METRIC_AUTO, 1.0f, 0},
-                                      {FLG_ATTRIBUTE_COLOR, FLG_METRIC_AUTO, 0.0f, 0}};
-    FlgStyleDesc prepare = flgStyleDefaults();
-    const filigree::Style plain = workshop.style(make_style("beads"), prepare);
-    prepare.attributes = kept;
-    prepare.attribute_count = 2;
-    const filigree::Style beads = workshop.style(make_style("beads"), prepare);
-    const filigree::CurveSet shape = workshop.stylize(plain, target), all = workshop.stylize(beads, target);
-    Panel before = panel_of(shape.view(), tube(kLeaf, 0.006f)), after = before;
-    after.layers = {{all.view(), tube()}};
-    studio.take("attributes", {before, after}, 2, kWidth, kLowHeight);
+// Sec. 7: frames that the host supplies. A spiral on a ball, with loops.
+void supplied(Workshop& workshop, Studio& studio) {
+    constexpr float kRadius = 0.129f;
+    scenes::Curve spiral;
+    for (int i = 0; i < 600; ++i) {
+        const double u = (i + 0.5) / 600.0, latitude = 2.6 * (u - 0.5), a = 38.0 * u;
+        const scenes::Point n = {static_cast<float>(std::cos(latitude) * std::cos(a)),
+                                 static_cast<float>(-std::sin(latitude)),
+                                 static_cast<float>(std::cos(latitude) * std::sin(a))};
+        spiral.points.push_back({kRadius * n.x, kRadius * n.y, kRadius * n.z});
+        spiral.normals.push_back(n);
+    }
+    const filigree::CurveSet target = workshop.curve(spiral), ball = workshop.curve(scenes::make_ball());
+    const filigree::Style style = workshop.style(make_style("loops"));
+    std::vector<filigree::CurveSet> results;
+    std::vector<Panel> panels;
+    for (const FlgFrameMethod frame : {FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_SUPPLIED}) {
+        FlgStylizeDesc desc = sized(style, 0.012f);
+        desc.frame = frame;
+        results.push_back(workshop.stylize(style, target, desc));
+        panels.push_back(panel_of(results.back().view(), tube(frame == FLG_FRAME_SUPPLIED ? kTeal : kRed, 0.0016f),
+                                  {-0.2f, -0.2f, -1.0f}));
+        panels.back().layers.push_back({ball.view(), body()});
+    }
+    aim_together(panels);
+    studio.take("supplied", panels, 2, kWidth, 480);
 }
+
+#if defined(FLG_WITH_BASELINE)
+// Fig. 11, with the same predefined guide: left Curve Analogies, right Filigree.
+void analogies(Workshop& workshop, Studio& studio) {
+    constexpr struct {
+        const char *style, *target;
+        float scale, radius;
+    } kPairs[] = {{"loops", "s_curve", 0.8f, 0.006f}, {"zigzag", "flourish", 0.7f, 0.006f}};
+    std::deque<filigree::CurveSet> sets;
+    std::vector<Panel> panels;
+    for (const auto& pair : kPairs) {
+        const bench::AnalogiesScene scene = bench::make_analogies_scene(pair.style, pair.target, pair.scale, 1);
+        const auto line = [&](const std::vector<Vec3>& points) -> const filigree::CurveSet& {
+            scenes::Curve curve;
+            for (const Vec3& p : points) curve.points.push_back(to_point(glm::vec3(p.x(), p.y(), p.z())));
+            return sets.emplace_back(workshop.curve(curve));
+        };
+        for (const auto* points : {&scene.theirs.points, &scene.ours.points}) {
+            const bool ours = points == &scene.ours.points;
+            panels.push_back(
+                panel_of(line(*points).view(), tube(ours ? kTeal : kRed, pair.radius), {-0.1f, -0.12f, -1.0f}));
+            panels.back().layers.push_back(shape_of(line(scene.target).view(), tube(kGrey, 0.0022f)));
+        }
+        aim_together(std::span(panels).last(2));
+    }
+    studio.take("analogies", panels, 2, kWidth, 800);
+}
+#endif
 
 constexpr Picture kPictures[] = {
     {"temperature", "Fig. 5: temperature 0, 1 and 10", true, temperature},
     {"frames", "Fig. 12: Frenet frames flip at inflections, rotation-minimizing ones don't", true, frames},
     {"planes", "Fig. 16: a style drawn in a plane, in three planes, and all at once", true, planes},
-    {"attributes", "Sec. 5: the shape alone; with radius and colour", true, attributes},
+    {"supplied", "Rotation-minimizing frames, and frames supplied by the host", true, supplied},
+#if defined(FLG_WITH_BASELINE)
+    {"analogies", "Fig. 11: Curve Analogies and Filigree with the same guide", true, analogies},
+#endif
 };
 
 }  // namespace

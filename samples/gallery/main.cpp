@@ -15,7 +15,8 @@ using namespace flg::gallery;
 
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
-    for (const auto pictures : {showpieces(), scene_pictures(), comparisons(), steps()}) {
+    for (const auto pictures : {showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(),
+                                steps(), live_pictures(), surface_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
     return list;
@@ -51,7 +52,7 @@ int main(int argc, char** argv) {
     program.add_flag("--list", list, "Say what there is, and make nothing");
     CLI11_PARSE(program, argc, argv);
     if (list) {
-        for (const Picture& picture : all_pictures()) std::printf("%-14s %s\n", picture.name, picture.shows);
+        for (const Picture& picture : all_pictures()) std::printf("%-20s %s\n", picture.name, picture.shows);
         return 0;
     }
     try {

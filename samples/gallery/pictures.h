@@ -16,9 +16,13 @@ struct Picture {
     void (*make)(Workshop& workshop, Studio& studio);
 };
 
-std::span<const Picture> showpieces();      // what a README opens with
-std::span<const Picture> scene_pictures();  // each built-in scene, stylized
-std::span<const Picture> comparisons();     // what an option does
-std::span<const Picture> steps();           // what a step of the method does
+std::span<const Picture> showpieces();          // what a README opens with
+std::span<const Picture> scene_pictures();      // each built-in scene, stylized
+std::span<const Picture> examples();            // what a style may be made of, and put on
+std::span<const Picture> attribute_pictures();  // what a style carries besides its shape
+std::span<const Picture> comparisons();         // what an option does
+std::span<const Picture> steps();               // what a step of the method does
+std::span<const Picture> live_pictures();       // strokes that are being drawn
+std::span<const Picture> surface_pictures();
 
 }  // namespace flg::gallery

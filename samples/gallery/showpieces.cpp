@@ -13,9 +13,9 @@ void strokes(Workshop& workshop, Studio& studio) {
     Panel before, after;
     before.layers = {{target.view(), tube()}};
     after.layers = {{result.view(), tube(kInk, 0.0f, 0.25f)}};
-    before.nearer = after.nearer = 0.82f;
-    before.shift = after.shift = {0.03f, 0.0f};
-    studio.take("strokes", {before, after}, 2, kWidth, kHeight);
+    Panel panels[] = {before, after};
+    aim_together(panels);
+    studio.take("strokes", panels, 2, kWidth, kHeight);
 }
 
 // Stylized once; the magnitude is changed on the device.
@@ -32,26 +32,21 @@ void magnitude(Workshop& workshop, Studio& studio) {
         panel.layers = {
             {Columns(result.view()).without(FLG_ATTRIBUTE_COLOR), tube(kTeal, 0.009f), sigma - desc.magnitude}};
         panel.sight = {-0.3f, -0.45f, -1.0f};
-        panel.nearer = 0.80f;
-        panel.shift = {0.03f, 0.0f};
     }
-    studio.take("magnitude", panels, 3, kWidth, 360);
+    aim_together(panels);
+    studio.take("magnitude", panels, 3, kWidth, 330);
 }
 
 void thomas(Workshop& workshop, Studio& studio) {
-    constexpr uint32_t kThomasWidth = 720, kThomasHeight = 440;
+    constexpr uint32_t kThomasWidth = 720, kThomasHeight = 480;
     const filigree::CurveSet target = workshop.curve(scenes::make_target("thomas"));
-    const FlgStyleAttribute angle = {FLG_ATTRIBUTE_ANGLE, FLG_METRIC_CIRCLE, 0.01f, 0};
-    FlgStyleDesc prepare = flgStyleDefaults();
-    prepare.attributes = &angle;
-    prepare.attribute_count = 1;
-    const filigree::Style style = workshop.style(scenes::make_style("twist"), prepare);
+    const FlgStyleAttribute angle[] = {{FLG_ATTRIBUTE_ANGLE, FLG_METRIC_CIRCLE, 0.01f, 0}};
+    const filigree::Style style = workshop.style(workshop.curve(scenes::make_style("twist")), angle);
     const filigree::CurveSet result = workshop.stylize(style, target, sized(style, 0.012f));
     Panel panel;
     panel.layers = {{Columns(result.view()).without(FLG_ATTRIBUTE_COLOR), ribbon(kRed, kGold, 0.004f)}};
     panel.sight = {-1.0f, -1.0f, 1.0f};
-    panel.nearer = 0.84f;
-    studio.take("thomas", {panel}, 1, kThomasWidth, kThomasHeight);
+    studio.take("thomas", {&panel, 1}, 1, kThomasWidth, kThomasHeight);
 }
 
 constexpr Picture kPictures[] = {

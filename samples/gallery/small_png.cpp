@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG (ISO/IEC 15948), 8 bits of RGB: one filter for all rows, whichever packs best.
+// PNG (ISO/IEC 15948), 8 bits of RGB, one filter for all rows, whichever packs best; with a palette where that is large.
 #include "gallery/small_png.h"
 
 #include <zlib.h>
@@ -7,6 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 #include <vector>
+
+#include "gallery/palette.h"
 
 namespace flg::gallery {
 namespace {
@@ -58,17 +60,32 @@ Bytes packed(const Bytes& bytes) {
 }  // namespace
 
 void write_small_png(const render::Image& image, const std::string& path) {
-    Bytes smallest;
+    // More than this, and the picture gets a palette.
+    constexpr size_t kLarge = 290'000;
+    Bytes smallest, palette;
     for (const uint8_t filter : kFilters) {
         Bytes bytes = packed(filtered(image, filter));
         if (smallest.empty() || bytes.size() < smallest.size()) smallest = std::move(bytes);
     }
+    if (smallest.size() > kLarge) {
+        Indexed indexed = with_palette(image);
+        Bytes rows;
+        for (uint32_t y = 0; y < image.height; ++y) {
+            rows.push_back(0);
+            const auto row = indexed.pixels.begin() + static_cast<ptrdiff_t>(size_t{y} * image.width);
+            rows.insert(rows.end(), row, row + image.width);
+        }
+        smallest = packed(rows);
+        palette = std::move(indexed.palette);
+    }
     Bytes header;
     append_number(header, image.width);
     append_number(header, image.height);
-    header.insert(header.end(), {8, 2, 0, 0, 0});  // bits, RGB, deflate, filters, not interlaced
+    // Bits, RGB or palette, deflate, filters, not interlaced.
+    header.insert(header.end(), {8, static_cast<uint8_t>(palette.empty() ? 2 : 3), 0, 0, 0});
     Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     append_chunk(file, "IHDR", header);
+    if (!palette.empty()) append_chunk(file, "PLTE", palette);
     append_chunk(file, "IDAT", smallest);
     append_chunk(file, "IEND", {});
     std::ofstream out(path, std::ios::binary | std::ios::trunc);

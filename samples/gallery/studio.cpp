@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "gallery/small_png.h"
+#include "support/curve_source.h"
 
 namespace flg::gallery {
 namespace {
@@ -57,14 +59,71 @@ void paste(const render::Image& from, render::Image& into, uint32_t left, uint32
     }
 }
 
+// Softer than the renderer's own: what lies in shadow keeps its colour.
+render::Scene daylight() {
+    render::Scene scene;
+    scene.sun_color = {3.1f, 2.9f, 2.6f};
+    scene.sky_color = {1.15f, 1.24f, 1.40f};
+    scene.bounce_color = {0.85f, 0.78f, 0.70f};
+    scene.background_top = {0.80f, 0.92f, 1.08f};
+    scene.background_bottom = {1.55f, 1.52f, 1.48f};
+    return scene;
+}
+
+void add_points(const Layer& layer, std::vector<glm::vec3>& points) {
+    constexpr uint32_t kEnough = 20'000;
+    const FlgCurveSetView view = layer.curves.view();
+    const FlgColumn& positions = *samples::find_column(view, FLG_ATTRIBUTE_POSITION);
+    const FlgColumn *radii = samples::find_column(view, FLG_ATTRIBUTE_RADIUS),
+                    *displacements = samples::find_column(view, FLG_ATTRIBUTE_DISPLACEMENT);
+    const uint32_t count = view.curve_offsets[view.curve_count];
+    for (uint32_t i = 0; i < count; i += 1 + count / kEnough) {
+        glm::vec3 p = glm::make_vec3(samples::value_at(positions, i));
+        if (layer.magnitude_offset != 0.0f && displacements != nullptr) {
+            p += layer.magnitude_offset * glm::make_vec3(samples::value_at(*displacements, i));
+        }
+        const float radius =
+            layer.look.radius_scale * (radii == nullptr ? layer.look.radius : *samples::value_at(*radii, i));
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 out(0.0f);
+            out[axis] = radius;
+            points.push_back(p + out), points.push_back(p - out);
+        }
+    }
+}
+
 }  // namespace
+
+Layer shape_of(const FlgCurveSetView& curves, const render::CurveLook& look) {
+    return {Columns(curves).without(FLG_ATTRIBUTE_COLOR).without(FLG_ATTRIBUTE_RADIUS), look};
+}
 
 Panel panel_of(const FlgCurveSetView& curves, const render::CurveLook& look, glm::vec3 sight) {
     Panel panel;
-    panel.layers = {{Columns(curves).without(FLG_ATTRIBUTE_COLOR).without(FLG_ATTRIBUTE_RADIUS), look}};
+    panel.layers = {shape_of(curves, look)};
     panel.sight = sight;
-    panel.nearer = 0.88f;
     return panel;
+}
+
+std::vector<glm::vec3> points_of(const Panel& panel) {
+    std::vector<glm::vec3> points;
+    for (const Layer& layer : panel.layers) add_points(layer, points);
+    for (const SurfaceLayer& surface : panel.surfaces) {
+        const FlgColumn& positions = surface.mesh.columns[0];
+        for (uint32_t i = 0; i < surface.mesh.vertex_count; ++i) {
+            points.push_back(glm::make_vec3(samples::value_at(positions, i)));
+        }
+    }
+    return points;
+}
+
+void aim_together(std::span<Panel> panels) {
+    std::vector<glm::vec3> all;
+    for (const Panel& panel : panels) {
+        const std::vector<glm::vec3> points = points_of(panel);
+        all.insert(all.end(), points.begin(), points.end());
+    }
+    for (Panel& panel : panels) panel.aim = all;
 }
 
 render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) {
@@ -73,19 +132,17 @@ render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) 
         const render::CurvesId id = renderer_.upload(layer.curves.view(), layer.look);
         if (layer.magnitude_offset != 0.0f) renderer_.set_magnitude_offset(id, layer.magnitude_offset);
     }
-    render::Scene scene;
+    for (const SurfaceLayer& surface : panel.surfaces) renderer_.upload(surface.mesh, surface.look, surface.field);
+    render::Scene scene = daylight();
     scene.ground = panel.ground;
     renderer_.set_scene(scene);
     render::Target target(renderer_, width * kOversampling, height * kOversampling);
-    const render::Box box = panel.box.empty() ? renderer_.bounds() : panel.box;
-    render::Orbit orbit{frame_box(box, panel.sight, target.aspect())};
-    orbit.zoom(panel.nearer);
-    orbit.pan(panel.shift.x, panel.shift.y);
-    renderer_.draw(target, orbit.camera);
+    const std::vector<glm::vec3> aim = panel.aim.empty() ? points_of(panel) : panel.aim;
+    renderer_.draw(target, render::frame_points(aim, panel.sight, target.aspect(), panel.margin));
     return averaged_down(renderer_.capture(target));
 }
 
-void Studio::take(const std::string& name, const std::vector<Panel>& panels, uint32_t columns, uint32_t width,
+void Studio::take(const std::string& name, std::span<const Panel> panels, uint32_t columns, uint32_t width,
                   uint32_t height) {
     const uint32_t rows = (static_cast<uint32_t>(panels.size()) + columns - 1) / columns;
     const uint32_t panel_width = (width - (columns - 1) * kGap) / columns,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Takes the pictures: panels side by side, each with its curves and its camera, drawn larger and averaged down.
+// Takes the pictures: panels side by side, each with its curves, surfaces and camera, drawn larger and averaged down.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,24 +11,39 @@
 
 namespace flg::gallery {
 
+// Data is alive until the picture is taken.
 struct Layer {
-    Columns curves;  // whose data is alive until the picture is taken
+    Columns curves;
     render::CurveLook look;
     float magnitude_offset = 0.0f;  // of curves with displacements
 };
 
+struct SurfaceLayer {
+    FlgMeshView mesh;
+    render::SurfaceLook look;
+    std::span<const float> field{};
+};
+
 struct Panel {
     std::vector<Layer> layers;
+    std::vector<SurfaceLayer> surfaces;
     glm::vec3 sight = {-0.45f, -0.22f, -1.0f};  // from the eye into the scene
-    float nearer = 0.9f;                        // factor on the distance at which all is seen
-    glm::vec2 shift = {0.0f, 0.0f};             // of the view, right and up, in heights of the picture
+    float margin = 1.10f;                       // the picture's size over that of what it is aimed at
     bool ground = true;
-    // The box that the camera is aimed at; empty: of the layers.
-    render::Box box;
+    // What the camera is aimed at; empty: all that the panel shows.
+    std::vector<glm::vec3> aim;
 };
 
 // The shape alone, without colours and radii that the curves may have.
+Layer shape_of(const FlgCurveSetView& curves, const render::CurveLook& look);
+
 Panel panel_of(const FlgCurveSetView& curves, const render::CurveLook& look, glm::vec3 sight = {-0.2f, -0.12f, -1.0f});
+
+// What the panel shows, radii included.
+std::vector<glm::vec3> points_of(const Panel& panel);
+
+// One camera for all of them.
+void aim_together(std::span<Panel> panels);
 
 class Studio {
 public:
@@ -35,7 +51,7 @@ public:
     explicit Studio(std::string folder) : folder_(std::move(folder)) {}
 
     // Panels from left to right, `columns` of them in a row. Width and height are those of the whole picture.
-    void take(const std::string& name, const std::vector<Panel>& panels, uint32_t columns, uint32_t width,
+    void take(const std::string& name, std::span<const Panel> panels, uint32_t columns, uint32_t width,
               uint32_t height);
 
 private:

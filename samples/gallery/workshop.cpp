@@ -11,23 +11,23 @@ filigree::CurveSet Workshop::curves(std::span<const scenes::Curve> list) {
     return context_.curves(samples::CurveArrays(list).view());
 }
 
-filigree::Style Workshop::style(const scenes::Curve& example, FlgStyleDesc desc) {
-    const filigree::CurveSet drawn = curve(example);
-    desc.style = drawn.get();
-    filigree::Style made = context_.style(desc);
-    context_.finish();
-    made.ready();  // throws if it failed
-    return made;
+filigree::Style Workshop::style(const filigree::CurveSet& example, FlgStyleDesc desc) {
+    desc.style = example.get();
+    return finished(context_.style(desc));
+}
+
+filigree::Style Workshop::style(const filigree::CurveSet& example, std::span<const FlgStyleAttribute> attributes) {
+    FlgStyleDesc desc = flgStyleDefaults();
+    desc.attributes = attributes.data();
+    desc.attribute_count = static_cast<uint32_t>(attributes.size());
+    return style(example, desc);
 }
 
 filigree::CurveSet Workshop::stylize(const filigree::Style& style, const filigree::CurveSet& target,
                                      FlgStylizeDesc desc) {
     desc.style = style.get();
     desc.target = target.get();
-    filigree::CurveSet made = context_.stylize(desc);
-    context_.finish();
-    made.ready();  // throws if it failed
-    return made;
+    return finished(context_.stylize(desc));
 }
 
 FlgStylizeDesc sized(const filigree::Style& style, float displacement_m) {

@@ -16,10 +16,22 @@ public:
     filigree::CurveSet curve(const scenes::Curve& one) { return curves({&one, 1}); }
 
     // Sets desc.style; waits.
-    filigree::Style style(const scenes::Curve& example, FlgStyleDesc desc = flgStyleDefaults());
+    filigree::Style style(const filigree::CurveSet& example, FlgStyleDesc desc = flgStyleDefaults());
+    filigree::Style style(const scenes::Curve& example, const FlgStyleDesc& desc = flgStyleDefaults()) {
+        return style(curve(example), desc);
+    }
+    // With attributes, at the weights given.
+    filigree::Style style(const filigree::CurveSet& example, std::span<const FlgStyleAttribute> attributes);
     // Sets desc.style and desc.target; waits.
     filigree::CurveSet stylize(const filigree::Style& style, const filigree::CurveSet& target,
                                FlgStylizeDesc desc = flgStylizeDefaults());
+    // Waits for what the context makes; throws what it failed with.
+    template <class Made>
+    Made finished(Made made) {
+        context_.finish();
+        made.ready();
+        return made;
+    }
 
     filigree::Context& context() { return context_; }
 

@@ -44,11 +44,16 @@ double hairline(double heading) {
     return kHalfHeight * (-0.35 + 0.93 * smooth_step((front - 0.25) / 0.55));
 }
 
-// Which way the comb goes at a place: from the parting to the sides, a little back, and down.
+// Which way the comb goes at a place: from the parting to the sides, away from the face, and down, along the head.
 Vector comb(const Vector& p) {
-    const double side = std::clamp(p.x / 0.030, -1.0, 1.0);
-    const double above = smooth_step((p.y - 0.02) / 0.08);
-    return unit({1.5 * side * above, -1.0 + 0.45 * above, -0.55 * above});
+    const double side = std::clamp(p.x / 0.012, -1.0, 1.0), above = smooth_step((p.y - 0.03) / 0.07);
+    const double before_face = smooth_step((p.z - 0.02) / 0.05) * smooth_step((p.y + 0.03) / 0.05);
+    const Vector wanted = {(0.9 * above + 0.9 * before_face) * side, -1.0, -0.45 * above - 0.8 * before_face};
+    const double y = std::clamp(p.y, -0.97 * kHalfHeight, 0.97 * kHalfHeight);
+    const Vector normal = normal_at(y, std::atan2(p.x, p.z));
+    // Over the crown the head carries the hair.
+    const double inwards = std::min(dot(wanted, normal), 0.0) * smooth_step((p.y + 0.02) / 0.04);
+    return unit(wanted - inwards * normal);
 }
 
 // Moves a place out of the head's layer of thickness `layer`.
@@ -71,14 +76,14 @@ Curve strand(uint32_t index, const Vector& root, const Vector& normal) {
     const double layer = 0.004 + 0.010 * (0.5 + 0.5 * hand(1.5));
     const double step = length_m / (kStrandPoints - 1);
     Curve curve;
-    Vector p = root, heading = unit(0.55 * normal + comb(root) + 0.12 * Vector{hand(2.5), 0.0, hand(3.5)});
+    Vector p = root, heading = unit(0.35 * normal + comb(root) + 0.12 * Vector{hand(2.5), 0.0, hand(3.5)});
     for (uint32_t i = 0; i < kStrandPoints; ++i) {
         const double u = static_cast<double>(i) / (kStrandPoints - 1);
         curve.points.push_back(to_point(p));
         curve.radii.push_back(static_cast<float>(0.00075 * (1.0 - 0.75 * u * u)));
         const Vector stray = {0.22 * lock(place + 3.0 * u) + 0.08 * hand(4.0 * u), 0.0,
                               0.22 * lock(place + 3.0 * u + 90.0) + 0.08 * hand(4.0 * u + 60.0)};
-        constexpr double kObeys = 0.16;
+        constexpr double kObeys = 0.30;
         heading = unit((1.0 - kObeys) * heading + kObeys * (comb(p) + stray));
         // At the parting the root's own place decides about the side.
         if (std::abs(p.x) < 0.004) heading.x += root.x < 0.0 ? -0.05 : 0.05;

@@ -67,6 +67,9 @@ struct Mesh {
     std::vector<std::array<uint32_t, 3>> triangles;
 };
 
+// A cat of blocks, 1 m long, closed and manifold: to be subdivided. No normals.
+Mesh make_figure();
+
 // The part of the head that hair grows on; and the head as a tube whose radius changes along its axis, for pictures.
 Mesh make_scalp();
 Curve make_head();

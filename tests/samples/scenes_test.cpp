@@ -298,5 +298,18 @@ TEST(Scenes, TheCoasterLeansIntoItsTurns) {
     EXPECT_LT(flattest, 0.85f);
 }
 
+TEST(Scenes, TheFigureIsClosedManifoldAndOfOnePiece) {
+    const Mesh figure = make_figure();
+    std::set<std::pair<uint32_t, uint32_t>> edges;
+    for (const auto& triangle : figure.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_TRUE(edges.insert({triangle[k], triangle[(k + 1) % 3]}).second) << "an edge of more than two";
+        }
+    }
+    for (const auto& [from, to] : edges) EXPECT_TRUE(edges.count({to, from})) << "a border";
+    // A sphere's Euler number: no holes, no pinched vertices, one piece.
+    EXPECT_EQ(figure.vertices.size() - edges.size() / 2 + figure.triangles.size(), 2u);
+}
+
 }  // namespace
 }  // namespace flg::scenes

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Surfaces: distances with isolines, regions cut in, geodesic paths, and isolines with a style.
+#include <algorithm>
+#include <limits>
+
+#include "gallery/looks.h"
+#include "gallery/marks.h"
+#include "gallery/pictures.h"
+#include "support/curve_source.h"
+
+namespace flg::gallery {
+namespace {
+
+constexpr glm::vec3 kClay = {0.56f, 0.50f, 0.44f};
+constexpr float kIsolineEvery = 0.05f;  // metres
+constexpr glm::vec3 kNose = {0.80f, 0.55f, 0.15f}, kTail = {-0.15f, 0.70f, 0.15f};
+
+filigree::Surface figure(Workshop& workshop) {
+    const scenes::Mesh blocks = scenes::make_figure();
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &blocks.vertices[0].x, 0, 0};
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh.vertex_count = static_cast<uint32_t>(blocks.vertices.size());
+    desc.mesh.triangle_count = static_cast<uint32_t>(blocks.triangles.size());
+    desc.mesh.columns = &column;
+    desc.mesh.column_count = 1;
+    desc.mesh.triangles = blocks.triangles[0].data();
+    const filigree::Surface coarse = workshop.context().surface(desc);
+    FlgRefineDesc refine = flgRefineDefaults();
+    refine.surface = coarse.get();
+    refine.scheme = FLG_SUBDIVISION_LOOP;
+    refine.levels = 4;
+    return workshop.finished(workshop.context().refine(refine));
+}
+
+uint32_t vertex_near(const FlgMeshView& mesh, const glm::vec3& place) {
+    uint32_t nearest = 0;
+    float least = std::numeric_limits<float>::max();
+    for (uint32_t i = 0; i < mesh.vertex_count; ++i) {
+        const float* const p = samples::value_at(mesh.columns[0], i);
+        const float distance = glm::distance(glm::vec3(p[0], p[1], p[2]), place);
+        if (distance < least) least = distance, nearest = i;
+    }
+    return nearest;
+}
+
+filigree::Field distances(Workshop& workshop, const filigree::Surface& surface, const glm::vec3& from) {
+    const uint32_t source = vertex_near(surface.view().mesh, from);
+    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    desc.surface = surface.get();
+    desc.vertices = &source;
+    desc.vertex_count = 1;
+    return workshop.finished(workshop.context().geodesic(desc));
+}
+
+Panel panel_with(const filigree::Surface& surface, const render::SurfaceLook& look, std::span<const float> field = {}) {
+    Panel panel;
+    panel.surfaces = {{surface.view().mesh, look, field}};
+    panel.sight = {-0.65f, -0.22f, -1.0f};
+    panel.margin = 1.06f;
+    return panel;
+}
+
+// Rings around the nose, each of them again by rings around the tail: every second piece is gold.
+std::vector<render::Material> cut_chequered(Workshop& workshop, const filigree::Surface& surface) {
+    constexpr uint32_t kRings = 11;
+    const FlgLevels levels = {nullptr, kRings, 0.16f, 0.12f};
+    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+    cut.levels = levels;
+    cut.first_label = 0;
+    const filigree::Field from_nose = distances(workshop, surface, kNose);
+    cut.field = from_nose.get();
+    workshop.finished(workshop.context().cut(cut));
+    std::vector<uint32_t> rings(kRings + 1);
+    for (uint32_t i = 0; i <= kRings; ++i) rings[i] = i;
+    const filigree::Field from_tail = distances(workshop, surface, kTail);
+    cut.field = from_tail.get();
+    cut.regions = rings.data();
+    cut.region_count = kRings + 1;
+    workshop.finished(workshop.context().cut(cut));
+    std::vector<render::Material> materials;
+    for (uint32_t label = 0; label < (kRings + 1) * (kRings + 1); ++label) {
+        const bool gold = (label / (kRings + 1) + label % (kRings + 1)) % 2 == 0;
+        materials.push_back(gold ? render::Material{kGold, 0.0f, 0.45f} : render::Material{kTeal, 0.0f, 0.45f});
+    }
+    return materials;
+}
+
+// From the tail's tip to places all over the figure.
+filigree::CurveSet paths(Workshop& workshop, const filigree::Surface& surface) {
+    constexpr float kApart = 0.14f;
+    FlgSamplingDesc sampling = flgSamplingDefaults();
+    sampling.surface = surface.get();
+    sampling.radius = kApart;
+    const filigree::Field ends = workshop.finished(workshop.context().sample(sampling));
+    const FlgFieldView spread = ends.view();
+    const FlgMeshView mesh = surface.view().mesh;
+    std::vector<FlgSurfacePoint> at_vertex(mesh.vertex_count);
+    for (uint32_t t = 0; t < 3 * mesh.triangle_count; ++t) {
+        at_vertex[mesh.triangles[t]] = {t / 3, t % 3 == 1 ? 1.0f : 0.0f, t % 3 == 2 ? 1.0f : 0.0f};
+    }
+    const uint32_t start = vertex_near(mesh, kTail);
+    std::vector<FlgSurfacePoint> points;
+    std::vector<uint32_t> offsets = {0};
+    for (uint32_t i = 0; i < spread.sample_count; ++i) {
+        if (spread.samples[i] == start) continue;
+        points.insert(points.end(), {at_vertex[start], at_vertex[spread.samples[i]]});
+        offsets.push_back(static_cast<uint32_t>(points.size()));
+    }
+    FlgPathsDesc desc = flgPathsDefaults();
+    desc.surface = surface.get();
+    desc.points = points.data();
+    desc.path_offsets = offsets.data();
+    desc.path_count = static_cast<uint32_t>(offsets.size() - 1);
+    const filigree::SurfaceCurves traced = workshop.context().paths(desc);
+    FlgLiftDesc lift = flgLiftDefaults();
+    lift.curves = traced.get();
+    return workshop.finished(workshop.context().lift(lift));
+}
+
+// Isolines in the surface's own frame, with a style.
+filigree::CurveSet stylized_rings(Workshop& workshop, const filigree::Field& field) {
+    FlgIsolinesDesc desc = flgIsolinesDefaults();
+    desc.field = field.get();
+    desc.levels = {nullptr, 0, 2.0f * kIsolineEvery, 2.0f * kIsolineEvery};
+    const filigree::SurfaceCurves rings = workshop.context().isolines(desc);
+    FlgLiftDesc lift = flgLiftDefaults();
+    lift.curves = rings.get();
+    lift.height = 0.006f;
+    const filigree::CurveSet lifted = workshop.finished(workshop.context().lift(lift));
+    const filigree::Style style = workshop.style(scenes::make_style("knit"));
+    FlgStylizeDesc stylize = sized(style, 0.017f);
+    stylize.frame = FLG_FRAME_SUPPLIED;
+    // The style's plane is the surface's.
+    const float basis[9] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};
+    std::copy(basis, basis + 9, stylize.basis);
+    return workshop.stylize(style, lifted, stylize);
+}
+
+void surface(Workshop& workshop, Studio& studio) {
+    const filigree::Surface cat = figure(workshop), pieces = figure(workshop);
+    const filigree::Field field = distances(workshop, cat, kTail);
+    render::SurfaceLook mapped, clay, chequered;
+    mapped.isoline_spacing = kIsolineEvery;
+    mapped.isoline_width_px = 2.0f;
+    mapped.isoline_color = {1.0f, 1.0f, 1.0f};
+    clay.material = {kClay, 0.0f, 0.6f};
+    chequered.regions = cut_chequered(workshop, pieces);
+    chequered.border_width_px = 3.0f;
+    const filigree::CurveSet geodesics = paths(workshop, cat), rings = stylized_rings(workshop, field);
+    const FlgFieldView values = field.view();
+    std::vector<Panel> panels = {panel_with(cat, mapped, {values.values, values.vertex_count}),
+                                 panel_with(pieces, chequered), panel_with(cat, clay), panel_with(cat, clay)};
+    panels[2].layers = {shape_of(geodesics.view(), tube(kRed, 0.0035f))};
+    panels[3].layers = {shape_of(rings.view(), tube(kInk, 0.0035f))};
+    studio.take("surface", panels, 2, 800, 720);
+}
+
+constexpr Picture kPictures[] = {
+    {"surface", "Geodesic distances, regions cut in, geodesic paths, and isolines with a style", true, surface},
+};
+
+}  // namespace
+
+std::span<const Picture> surface_pictures() {
+    return kPictures;
+}
+
+}  // namespace flg::gallery
