@@ -218,8 +218,10 @@ bool CurveCutter::run(uint32_t count) {
                 count -= std::min(count, division_cost());
                 at_ += divide(at_);
             }
-            if (at_ == slots_.size()) enter(Pass::grow);
-            continue;
+            if (at_ < slots_.size()) break;
+            // Nothing was changed so far: the caller may stop here.
+            enter(Pass::grow);
+            return false;
         }
         const uint32_t end = static_cast<uint32_t>(std::min<uint64_t>(size_of(pass_), uint64_t{at_} + count));
         count -= end - at_;

@@ -41,6 +41,8 @@ public:
     // several passes, a segment within a triangle two and more. Where hundreds of segments meet in one triangle, each
     // takes more with their number.
     bool run(uint32_t count);
+    // False as long as the mesh is as it was; then it may be destroyed.
+    bool is_changing() const { return pass_ >= Pass::grow; }
 
 private:
     enum class Stage { begin, borders, points, segments, improve, ways, pieces, end };

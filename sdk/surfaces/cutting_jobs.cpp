@@ -106,7 +106,10 @@ Task<void> cut_along_curves(Pace& pace, const CutCurvesRequest& request, MeshEdi
     Surface& surface = *request.surface;
     EmbeddedCurves embedded(pace.memory());
     CurveCutter cutter(surface.mesh(), surface.columns, request.curves->curves, edit, embedded, pace.memory());
-    while (!cutter.run(cut_chunk)) co_await pace;
+    while (!cutter.run(cut_chunk)) {
+        if (cutter.is_changing()) pace.commit();
+        co_await pace;
+    }
     if (request.first_label != no_index) {
         pace.stage("label");
         std::pmr::deque<RegionPart> parts(pace.memory());
@@ -139,7 +142,6 @@ Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
 
 Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
     pace.stage("cut");
-    pace.commit();
     MeshEdit edit(pace.memory());
     Task<void> cut = cut_along_curves(pace, request, edit);
     co_await run_or_take_back(pace, *request.surface, edit, cut);

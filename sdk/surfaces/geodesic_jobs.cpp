@@ -171,7 +171,11 @@ Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField
     while (!merge.run(merge_chunk)) co_await pace;
     co_await check_vertices(pace, mesh, request.targets, "desc.targets");
     SolveLimits limits{.distance = request.max_distance, .targets = std::pmr::vector<uint32_t>(pace.memory())};
-    limits.targets.assign(request.targets.begin(), request.targets.end());
+    limits.targets.reserve(request.targets.size());
+    for (const uint32_t target : request.targets) {
+        limits.targets.push_back(target);
+        if (limits.targets.size() % copy_chunk == 0) co_await pace;
+    }
 
     pace.stage("solve");
     const Query query{mesh, request.regions, merge.seeds(), limits, request.labelled, out};

@@ -274,6 +274,33 @@ TEST(CuttingApi, DistancesAfterCutsAreThoseOfASurfaceMadeAnew) {
     }
 }
 
+// How to divide the triangles is found first, which takes longest.
+TEST(CuttingApi, ACutAlongCurvesCanBeCancelledUntilTheSurfaceChanges) {
+    const SurfaceHost host;
+    const FlgSurface surface = host.surface(plane(1));
+    const std::string before = bits(host.view(surface));
+    std::vector<Point> stops;
+    for (int i = 0; i < 80; ++i) {
+        const double t = 0.05 + 0.9 * (i * 7 % 80) / 80.0;
+        stops.push_back(i % 2 == 0 ? Point{t, 0.05, 0} : Point{1 - t, 0.95, 0});
+    }
+    FlgCutCurvesDesc desc = flgCutCurvesDefaults();
+    desc.curves = path(host, surface, stops);
+    FlgJob job{};
+    ASSERT_EQ(flgCutCurves(host.context, &desc, &job), FLG_OK) << flgLastError();
+    for (int tick = 0; tick < 3; ++tick) flgTick(host.context, 10, nullptr);
+    EXPECT_STREQ(host.status_of(job).stage, "cut");
+    ASSERT_EQ(flgJobCancel(host.context, job), FLG_OK);
+    host.finish();
+    EXPECT_EQ(host.result_of(job), FLG_ERROR_CANCELLED);
+    EXPECT_EQ(bits(host.view(surface)), before);
+    desc.curves = path(host, surface, stops);
+    ASSERT_EQ(flgCutCurves(host.context, &desc, &job), FLG_OK) << flgLastError();
+    host.finish();
+    EXPECT_EQ(host.result_of(job), FLG_OK);
+    expect_valid(host.view(surface));
+}
+
 TEST(CuttingApi, ATriangleAndLoosePiecesCanBeCut) {
     const SurfaceHost host;
     const FlgSurface one = host.surface(loose_triangles(1));
