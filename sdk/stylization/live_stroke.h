@@ -33,7 +33,7 @@ public:
     static constexpr uint32_t checkpoint_interval = 6;
     // What keeps a push, and undoing with its checkpoint_interval - 1 samples, below what a frame can spare: a point is
     // about 0.1 us.
-    static constexpr uint32_t units_per_sample = 96;
+    static constexpr uint32_t units_per_sample = 64;
 
     LiveStroke(const LiveStrokeRequest& request, Memory* memory);
     LiveStroke(const LiveStroke&) = delete;

@@ -74,11 +74,11 @@ TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
     for (const FlgLiveSample& sample : samples) {
         host.push(stroke, &sample, 1);
         const uint32_t points = host.info(stroke).point_count;
-        EXPECT_LE(points - before, 96u);
+        EXPECT_LE(points - before, 64u);
         before = points;
     }
     EXPECT_GT(host.info(stroke).waiting_samples, 10u);
-    EXPECT_GT(before, 18u * 96u);
+    EXPECT_GT(before, 18u * 64u);
     const LiveHost::Ended ended = host.end(stroke);
     host.finish(100);
     EXPECT_EQ(host.info(stroke).waiting_samples, 0u);
@@ -105,7 +105,7 @@ TEST(LiveStrokeInput, WhatIsDueIsDeliveredInOrderAtAnyScale) {
     for (const FlgLiveSample& sample : samples) {
         const size_t before = heard.points();
         heard.add(host.push(stroke, &sample, 1));
-        ASSERT_LE(heard.points() - before, 96u);
+        ASSERT_LE(heard.points() - before, 64u);
     }
     EXPECT_GT(host.info(stroke).waiting_samples, 10u);
     EXPECT_TRUE(host.push_in_bursts(host.begin(), samples, {120}) == heard);

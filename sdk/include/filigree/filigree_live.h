@@ -28,11 +28,11 @@
  *                  orientation, carried on from the last point where it did not.
  * Cost             Depends on the new samples only, about 0.2 us a sample and 0.1 us a point. Pushing allocates nothing:
  *                  all memory is taken by flgLiveStrokeBegin.
- * Delivery         A pushed sample makes 96 points at most, so that no push is long (p99 under 20 us, longest under 100 us
+ * Delivery         A pushed sample makes 64 points at most, so that no push is long (p99 under 20 us, longest under 100 us
  *                  of processor time), however far the hand has jumped and however fine the style is. What is due beyond
  *                  that is made by the samples after it, in order, and by the job of flgLiveStrokeEnd. So points come one
- *                  sample late as long as the hand goes no more than 96 steps a sample on average: with steps of 1 mm,
- *                  8 m/s at 90 Hz. A hand that goes further falls behind, and catches up by 96 steps a sample
+ *                  sample late as long as the hand goes no more than 64 steps a sample on average: with steps of 1 mm,
+ *                  5 m/s at 90 Hz. A hand that goes further falls behind, and catches up by 64 steps a sample
  *                  (FlgLiveStrokeInfo::waiting_samples says how many samples it is behind).
  * Style by stroke  flgLiveStrokeEnd's samples as the style of flgStyleCreate: ready in the next frame at 90 Hz (11 ms, one
  *                  worker) for strokes of up to some 600 samples; of 1,200 in about 4 frames, of 2,400 in 6. Preparing grows
