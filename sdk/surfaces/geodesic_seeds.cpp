@@ -2,6 +2,7 @@
 #include "surfaces/geodesic_seeds.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace flg {
@@ -29,19 +30,21 @@ struct Plane {
     Vec3 origin, x_axis, y_axis;
 };
 
+// The point of a segment that is nearest to p.
 struct Foot {
     Vec2 point;
-    bool inside;  // not an end
+    bool on;        // p itself
+    double beyond;  // how far p is beyond the nearest end, seen along the segment; below 0: it is not
+    uint32_t end;   // that one
 };
 
-// The point of a segment that is nearest to p.
 Foot foot_on_segment(const Vec2& p, const Vec2& begin, const Vec2& end) {
     const Vec2 along = end - begin;
-    const double square = along.squaredNorm();
-    const double t = square > 0 ? (p - begin).dot(along) / square : 0.0;
-    if (t <= 0) return {begin, false};
-    if (t >= 1) return {end, false};
-    return {begin + t * along, true};
+    const double length = along.norm();
+    if (!(length > 0)) return {begin, false, (p - begin).norm(), 0};
+    const double t = (p - begin).dot(along) / (length * length);
+    const Vec2 point = t <= 0 ? begin : t >= 1 ? end : Vec2(begin + t * along);
+    return {point, (p - point).norm() <= 1e-6 * length, std::max(-t, t - 1) * length, t > 0.5 ? 1u : 0u};
 }
 
 // Where the corner above the edge a-b lies once its triangle is unfolded to the other side of it, away from `inner`; from its
@@ -67,32 +70,78 @@ bool segments_cross(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) 
 
 }  // namespace
 
-void GeodesicSeeds::add_segment(const SurfacePoint& begin, const SurfacePoint& end, uint32_t label) {
-    const auto place = [&](const SurfacePoint& point) {
-        const Triple& corners = mesh_.triangles[point.triangle];
-        const double u = point.u, v = point.v;
-        return Vec3((1 - u - v) * load_vec3(positions_[corners[0]].data()) +
-                    u * load_vec3(positions_[corners[1]].data()) + v * load_vec3(positions_[corners[2]].data()));
-    };
-    add_from_triangle(begin.triangle, place(begin), place(end), label);
+Vec3 GeodesicSeeds::place(const SurfacePoint& point) const {
+    const Triple& corners = mesh_.triangles[point.triangle];
+    const double u = point.u, v = point.v;
+    return (1 - u - v) * load_vec3(positions_[corners[0]].data()) + u * load_vec3(positions_[corners[1]].data()) +
+           v * load_vec3(positions_[corners[2]].data());
+}
+
+void GeodesicSeeds::add_segment(const SurfacePoint& begin, const SurfacePoint& end, std::array<End, 2> ends,
+                                uint32_t label) {
+    add_from_triangle(begin.triangle, place(begin), place(end), ends, label);
 }
 
 void GeodesicSeeds::add_edge(Corner corner, uint32_t label) {
     add_from_triangle(triangle_of(corner), load_vec3(positions_[mesh_.vertex_at(corner)].data()),
-                      load_vec3(positions_[mesh_.vertex_at(next_corner(corner))].data()), label);
+                      load_vec3(positions_[mesh_.vertex_at(next_corner(corner))].data()), {End::vertex, End::vertex},
+                      label);
 }
 
-void GeodesicSeeds::add_from_triangle(uint32_t triangle, const Vec3& begin, const Vec3& end, uint32_t label) {
+double GeodesicSeeds::angle_at(Corner corner) const {
+    const Vec3 place = load_vec3(positions_[mesh_.vertex_at(corner)].data());
+    const Vec3 a = load_vec3(positions_[mesh_.vertex_at(next_corner(corner))].data()) - place;
+    const Vec3 b = load_vec3(positions_[mesh_.vertex_at(previous_corner(corner))].data()) - place;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+void GeodesicSeeds::add_turn(Corner corner, const RegionSet& regions, uint32_t label) {
+    constexpr uint32_t most_triangles = 64;              // more are no turn but a fan of slivers
+    constexpr double least_turn = 0.3, rounding = 1e-4;  // radians
+    constexpr double quarter = std::numbers::pi / 2;
+    const bool side = regions.contains(mesh_.regions[triangle_of(corner)]);
+    double angle = angle_at(corner);
+    Corner last = corner;
+    for (uint32_t i = 1;; ++i) {
+        const Corner next = mesh_.turn(last);
+        if (next == no_index || regions.contains(mesh_.regions[triangle_of(next)]) != side) break;
+        if (i == most_triangles || next == corner) return;
+        angle += angle_at(next);
+        last = next;
+    }
+    if (angle < 2 * quarter + least_turn) return;
+    const Vec3 centre = load_vec3(positions_[mesh_.vertex_at(corner)].data());
+    double turned = 0;
+    for (Corner at = corner; at != last; at = mesh_.turn(at)) {
+        turned += angle_at(at);
+        if (turned < quarter - rounding || turned > angle - quarter + rounding) continue;
+        if (!within_.contains(mesh_.regions[triangle_of(at)])) continue;
+        const uint32_t neighbour = mesh_.vertex_at(previous_corner(at));
+        const double length = (load_vec3(positions_[neighbour].data()) - centre).norm();
+        found_.push_back({neighbour, static_cast<float>(length), label});
+    }
+}
+
+void GeodesicSeeds::add_from_triangle(uint32_t triangle, const Vec3& begin, const Vec3& end, std::array<End, 2> ends,
+                                      uint32_t label) {
     if (!within_.contains(mesh_.regions[triangle])) return;
     const auto position = [&](uint32_t vertex) { return load_vec3(positions_[vertex].data()); };
     const Triple& vertices = mesh_.triangles[triangle];
     const Plane plane(position(vertices[0]), position(vertices[1]), position(vertices[2]));
     const Vec2 from = plane(begin), to = plane(end);
+    // What is nearest to a vertex of the mesh or, unless it `must` be there, to a joint, is told better by others.
+    const auto add = [&](uint32_t vertex, const Vec2& place, const Foot& foot, bool must) {
+        constexpr double slant = 0.3, rounding = 1e-4;  // beyond an end, of the way to it
+        const double away = (place - foot.point).norm();
+        const End kind = ends[foot.end];
+        const bool upright = foot.on || foot.beyond <= (kind == End::joint ? slant : -rounding) * away;
+        if (!upright && (kind == End::vertex || (!must && kind == End::joint))) return;
+        found_.push_back({vertex, static_cast<float>(away), label, upright || kind == End::joint});
+    };
     std::array<Vec2, 3> corners;
     for (uint32_t k = 0; k < 3; ++k) {
         corners[k] = plane(position(vertices[k]));
-        const Foot foot = foot_on_segment(corners[k], from, to);
-        found_.push_back({vertices[k], static_cast<float>((corners[k] - foot.point).norm()), label, foot.inside});
+        add(vertices[k], corners[k], foot_on_segment(corners[k], from, to), true);
     }
     for (uint32_t k = 0; k < 3; ++k) {
         const Corner across = mesh_.opposite(3 * triangle + k);
@@ -103,16 +152,29 @@ void GeodesicSeeds::add_from_triangle(uint32_t triangle, const Vec3& begin, cons
             unfold(corners[k], corners[next], corners[(k + 2) % 3], (position(vertex) - position(vertices[k])).norm(),
                    (position(vertex) - position(vertices[next])).norm());
         const Foot foot = foot_on_segment(unfolded, from, to);
-        if (!segments_cross(foot.point, unfolded, corners[k], corners[next])) continue;
-        found_.push_back({vertex, static_cast<float>((unfolded - foot.point).norm()), label, foot.inside});
+        if (segments_cross(foot.point, unfolded, corners[k], corners[next])) add(vertex, unfolded, foot, false);
     }
+}
+
+// What the curve is at one of its points. (A segment without length says nothing about directions.)
+GeodesicSeeds::End CurveSeedsKernel::end_at(uint32_t point) const {
+    constexpr double smooth_cosine = 0.87;  // 30 degrees
+    const uint32_t first = curves_.offsets[curve_], last = curves_.offsets[curve_ + 1] - 1;
+    const bool closed = curves_.closed[curve_];
+    if (!closed && (point == first || point == last)) return GeodesicSeeds::End::corner;
+    const Vec3 here = seeds_.place(curves_.points[point]);
+    const Vec3 in = here - seeds_.place(curves_.points[point == first ? last : point - 1]);
+    const Vec3 out = seeds_.place(curves_.points[point == last ? first : point + 1]) - here;
+    return in.dot(out) >= smooth_cosine * in.norm() * out.norm() ? GeodesicSeeds::End::joint
+                                                                 : GeodesicSeeds::End::corner;
 }
 
 bool CurveSeedsKernel::run(uint32_t count) {
     const uint32_t first = curves_.offsets[curve_], end = curves_.offsets[curve_ + 1];
     const uint32_t segments_end = curves_.closed[curve_] ? end : end - 1;
     for (; count > 0 && at_ < segments_end; --count, ++at_) {
-        seeds_.add_segment(curves_.points[at_], curves_.points[at_ + 1 < end ? at_ + 1 : first], label_);
+        const uint32_t next = at_ + 1 < end ? at_ + 1 : first;
+        seeds_.add_segment(curves_.points[at_], curves_.points[next], {end_at(at_), end_at(next)}, label_);
     }
     return at_ >= segments_end;
 }
@@ -124,14 +186,20 @@ bool BorderSeedsKernel::run(uint32_t count) {
         for (Corner corner = 3 * at_; corner < 3 * at_ + 3; ++corner) {
             const Corner across = mesh_.opposite(corner);
             if (across == no_index) {
-                seeds_.add_edge(corner, label_);
+                add(corner);
             } else if (!regions_.contains(mesh_.regions[triangle_of(across)])) {
-                seeds_.add_edge(corner, label_);
-                seeds_.add_edge(across, label_);
+                add(corner);
+                add(across);
             }
         }
     }
     return at_ == triangles;
+}
+
+// An edge of the border, seen from one side.
+void BorderSeedsKernel::add(Corner corner) {
+    seeds_.add_edge(corner, label_);
+    seeds_.add_turn(corner, regions_, label_);
 }
 
 SeedMergeKernel::SeedMergeKernel(const std::pmr::deque<Seed>& found, Memory* memory)

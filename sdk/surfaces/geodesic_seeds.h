@@ -2,6 +2,9 @@
 // From sources to seeds. A source is a vertex, a point on a face, a curve on the surface, or an edge; what solvers start from
 // are vertices and how far they are from it. Distances are straight ones within the triangle that holds the source and, where
 // the straight line leads there, across one edge of it into the neighbour: exact where no shorter way leads around a vertex.
+//
+// A seed also tells whether the front is straight or a circle when it comes by, and a wrong circle makes distances too short
+// all the way on. So what is nearest to the joint of two segments, but to neither's inside, is told by others.
 #pragma once
 
 #include <deque>
@@ -22,16 +25,28 @@ public:
 
     // Each costs less than 1 us. A vertex must have a triangle within the regions: that is not checked.
     void add_vertex(uint32_t vertex, uint32_t label) { found_.push_back({vertex, 0, label}); }
-    void add_point(const SurfacePoint& point, uint32_t label) { add_segment(point, point, label); }
+    void add_point(const SurfacePoint& point, uint32_t label) {
+        add_segment(point, point, {End::corner, End::corner}, label);
+    }
+    // What a segment's end is: the source's end, or a corner of it, from which circles go out; a joint where it goes on with
+    // little of a turn; or a vertex of the mesh.
+    enum class End : uint8_t { corner, joint, vertex };
     // From `begin` to `end` in begin's triangle; `end` may name another triangle that it lies on the border of.
-    void add_segment(const SurfacePoint& begin, const SurfacePoint& end, uint32_t label);
+    void add_segment(const SurfacePoint& begin, const SurfacePoint& end, std::array<End, 2> ends, uint32_t label);
     // The edge that starts at `corner`, seen from its triangle.
     void add_edge(Corner corner, uint32_t label);
+    // Where a border of regions turns away from the triangles on one side of it, circles go out from its vertex: the one at
+    // `corner`, of the triangles from the border's edge that starts there counter-clockwise to its next one.
+    void add_turn(Corner corner, const RegionSet& regions, uint32_t label);
 
     const std::pmr::deque<Seed>& found() const { return found_; }
 
+    Vec3 place(const SurfacePoint& point) const;
+
 private:
-    void add_from_triangle(uint32_t triangle, const Vec3& begin, const Vec3& end, uint32_t label);
+    double angle_at(Corner corner) const;
+    void add_from_triangle(uint32_t triangle, const Vec3& begin, const Vec3& end, std::array<End, 2> ends,
+                           uint32_t label);
 
     const Mesh& mesh_;
     const GrowingBuffer<Position>& positions_;
@@ -47,6 +62,8 @@ public:
     bool run(uint32_t count);
 
 private:
+    GeodesicSeeds::End end_at(uint32_t point) const;
+
     const SurfaceCurves& curves_;
     uint32_t curve_, label_;
     GeodesicSeeds& seeds_;
@@ -62,6 +79,8 @@ public:
     bool run(uint32_t count);
 
 private:
+    void add(Corner corner);
+
     const Mesh& mesh_;
     const RegionSet& regions_;
     uint32_t label_;

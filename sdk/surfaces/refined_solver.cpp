@@ -93,9 +93,9 @@ void RefinedSolver::clear(uint32_t rank) {
 void RefinedSolver::place(const Seed& seed) {
     const uint32_t rank = blocks_.rank_of_vertex[seed.vertex];
     if (!(seed.distance < states_[rank].distance)) return;
-    const float bend = seed.straight && seed.distance > 0 ? -1 / seed.distance : 0.0f;
+    const float front = seed.straight ? 0.0f : seed.distance > 0 ? 1 / seed.distance : sharpest_front;
     if (labelled_) labels_[rank] = seed.label;
-    improve(rank, {seed.distance, bend});
+    improve(rank, {seed.distance, front});
 }
 
 uint32_t RefinedSolver::bucket_of(float distance) const {
@@ -192,9 +192,9 @@ void RefinedSolver::apply(uint32_t rank, const GeodesicBlock& block, const WaveS
         bool is_own_front = false;
         if (fronts_meet_ && ((step.across_next | step.across_previous) >> lane & 1) != 0) {
             const bool across_next = (step.across_next >> lane & 1) != 0;
-            if (const auto distance =
-                    distance_by_own_front(block, states_.data(), states_[rank].distance, lane, across_next)) {
-                state = {*distance, states_[rank].bend};
+            if (const auto distance = distance_by_own_front(block, states_.data(), states_[rank], lane, across_next)) {
+                const WaveState& own = states_[rank];
+                state = {*distance, own.front / (1 + own.front * (*distance - own.distance))};
                 is_own_front = true;
             }
         }

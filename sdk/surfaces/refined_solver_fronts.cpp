@@ -10,7 +10,7 @@ namespace {
 
 // Of the edge from v to m: how much further than from the unfolded point m may be. That point is not where it should be by
 // the surface's curvature and by the distances' errors.
-constexpr float tolerance = 0.03f;
+constexpr float tolerance = 0.015f;
 constexpr uint32_t most_edges = 4;  // looked at around v
 
 struct Angle {
@@ -57,36 +57,51 @@ private:
     Angle turned_;
 };
 
-// From a point at the distance `a`, to one at the distance `b`, that are seen so far apart.
-float third_side(float a, float b, float cosine) {
-    return std::sqrt(std::max(a * a + b * (b - (a + a) * cosine), 0.0f));
+// How much further it is to a point that is `length` from the vertex, the front having that curvature at it and its source
+// being seen at that angle from the point.
+float way_on(float front, float length, float cosine) {
+    const float excess = length * (front * length - (cosine + cosine));
+    return excess / (1 + std::sqrt(std::max(1 + front * excess, 0.0f)));
 }
+
+// What the vertex and the end of one of its edges tell together, as in the step.
+struct Sight {
+    Sight(const WaveState& own, const WaveState& end, float length) {
+        const float ahead_by = own.distance - end.distance, slope = ahead_by / length;
+        const float moved = end.front / (1 + end.front * ahead_by);
+        const float trust = own.distance / std::max(own.distance + end.distance, 1e-30f);
+        front = own.front + trust * (moved - own.front);
+        source.cosine = std::clamp(slope + 0.5f * length * front * (1 - slope * slope), -1.0f, 1.0f);
+        source.sine = std::sqrt((1 - source.cosine) * (1 + source.cosine));
+    }
+    float front;
+    Angle source;  // from the edge, on its other side
+};
 
 }  // namespace
 
-std::optional<float> distance_by_own_front(const GeodesicBlock& block, const WaveState* states, float distance,
+std::optional<float> distance_by_own_front(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
                                            uint32_t lane, bool across_next) {
-    const float target = block.lengths[lane], along = distance + target;
+    const float target = block.lengths[lane], along = own.distance + target;
     FanWalk walk(block, lane, across_next);
     if (!walk.advance()) return {};
     Angle from_target = walk.turned();
     for (uint32_t edge = 0; edge < most_edges; ++edge) {
-        const float length = walk.length(), at_end = states[walk.rank()].distance;
-        if (at_end == std::numeric_limits<float>::infinity()) return along;
-        const float cosine = std::clamp(
-            (length * length + (distance - at_end) * (distance + at_end)) / (2 * length * distance), -1.0f, 1.0f);
-        const Angle source = {cosine, std::sqrt((1 - cosine) * (1 + cosine))};  // from the edge, on its other side
+        const WaveState& end = states[walk.rank()];
+        if (end.distance == std::numeric_limits<float>::infinity()) return along;
+        const Sight sight(own, end, walk.length());
         bool is_one_front = true;
         if (walk.advance()) {
-            const float passed = third_side(distance, walk.length(), (source + -walk.turned()).cosine);
-            is_one_front = passed > std::max(distance, at_end) ||
+            const float passed =
+                own.distance + way_on(sight.front, walk.length(), (sight.source + -walk.turned()).cosine);
+            is_one_front = passed > std::max(own.distance, end.distance) ||
                            states[walk.rank()].distance <= passed + tolerance * walk.length();
         }
         if (is_one_front && edge == 0) return {};
         if (is_one_front) {
-            const Angle apart = source + from_target;
+            const Angle apart = sight.source + from_target;
             const bool is_straight = from_target.sine > 0 && apart.sine >= 0;
-            return is_straight ? std::max(third_side(distance, target, apart.cosine), distance) : along;
+            return is_straight ? own.distance + std::max(way_on(sight.front, target, apart.cosine), 0.0f) : along;
         }
         from_target = from_target + walk.turned();
     }

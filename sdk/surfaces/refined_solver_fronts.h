@@ -17,7 +17,7 @@ namespace flg {
 
 // How far, by v's own front, the neighbour at `lane` is that the step reached across the edge to the lane behind it, or before
 // it. Nothing where the edge's ends have one front: the step's distance holds.
-std::optional<float> distance_by_own_front(const GeodesicBlock& block, const WaveState* states, float distance,
+std::optional<float> distance_by_own_front(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
                                            uint32_t lane, bool across_next);
 
 }  // namespace flg

@@ -2,21 +2,22 @@
 // One step of the refined solver: what a vertex whose distance is known tells its neighbours. Eight triangles at a time.
 //
 // Unfolding. Let v be the vertex, V its distance, and n, t two neighbours that span a triangle with it. Where the distance
-// D of n is known, the source can be unfolded into the triangle's plane: it lies on the other side of the edge v-n, V from v
-// and D from n, and is seen from v at an angle phi from n (law of cosines). With the triangle's angle theta at v, t is
-//   f = sqrt(V^2 + |vt|^2 - 2 V |vt| cos(phi + theta))
-// from it, if the straight way crosses the edge; else the way to t goes along the edge, V + |vt|. Of a triangle's two
-// corners the nearer one is n.
+// D of n is known, the front that has passed v and n is taken for a circle of curvature k where it meets v: 1/V from a point,
+// 0 from a line. With g = (V - D) / L, L the length of the edge v-n, its centre is seen from v at an angle phi from n,
+//   cos(phi) = g + 1/2 k L (1 - g^2)
+// (law of cosines: the centre lies 1/k from v and 1/k - V + D from n, on the other side of the edge). With the triangle's
+// angle theta at v, the distance of t is
+//   V + a / (1 + sqrt(1 + k a)),   a = k |vt|^2 - 2 |vt| cos(phi + theta),
+// if the straight way crosses the edge; else the way to t goes along the edge, V + |vt|. Of a triangle's two corners the
+// nearer one is n. In the plane this is exact for fronts from points and from lines.
 //
-// Curvature. On a curved surface a wave is not the circle about one point that unfolding takes it for. Let 1/d + delta be the
-// curvature of its front at the distance d; delta, its `bend`, is 0 in the plane. Then
-// - along the edge, between its ends, the distance differs from the plane's by a parabola:
-//     -1/2 delta sin^2(phi) x (L - x)      at x of the edge's length L;
-// - on the way on, by the Riccati equation of geodesic deviation, (1/d + delta)' = -(1/d + delta)^2 - K, where K is the
-//   Gaussian curvature, constant in a triangle: from d to e = d / q, h = e - d further on,
-//     delta_e = q^2 delta / (1 + delta h q) - K h (1 + q + q^2) / 3.
-// (The second term is exact where delta is small.) So each vertex keeps, beside its distance, one number; flat meshes keep
-// it at 0, however irregular they are. No paper has this that we know of.
+// Curvature. On a curved surface a front is no circle about a point at the distance V. So each vertex keeps, beside its
+// distance, the curvature of its front, k. On the way on it changes by the Riccati equation of geodesic deviation,
+//   k' = -k^2 - K,
+// where K is the Gaussian curvature, constant in a triangle: from c, over a way h, to
+//   c / (1 + c h) - 1/3 K h (1 + q + q^2),   q = 1 / (1 + c h).
+// (The second term is exact where K h^2 is small.) The front at n is carried back, or on, by V - D to compare it with that at
+// v; of both the one that is nearer to the source is the surer and weighs more, V : D. No paper has this that we know of.
 //
 // The same bits on every machine: only correctly rounded operations, in the order written, no fused ones.
 #pragma once
@@ -30,11 +31,13 @@ namespace flg {
 // The wave at a vertex.
 struct alignas(8) WaveState {
     float distance;  // metres, from the source; infinite where no wave has come yet
-    float bend;      // 1/metres: the curvature of its front less 1/distance
+    float front;     // 1/metres: the curvature of its front, above 0 if it spreads
 };
 
 // Changes of a distance below this part of it are not worth to go on with.
 constexpr float least_improvement = 1e-5f;
+// The front at a source that is a point, 1/metres.
+constexpr float sharpest_front = 1e15f;
 
 struct WaveStep {
     WaveState states[lane_count];  // for each lane the least distance on the ways through the vertex
@@ -45,8 +48,8 @@ struct WaveStep {
     uint32_t improved, across_next, across_previous;
 };
 
-// Of the states by rank, that of rank 0 is -infinity. Bends stay below bend_max and above -bend_max - 1/d, which
-// leaves the wave from a line, -1/d, as it is: fronts that are sharper, or more hollow, are noise of the mesh.
+// Of the states by rank, that of rank 0 is -infinity. Fronts stay between -bend_max and bend_max + 1/d, and a triangle bends
+// them by at most bend_max: what is sharper, or more hollow, is noise of the mesh.
 using WaveStepFunction = void (*)(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
                                   float bend_max, bool labelled, WaveStep& step);
 

@@ -70,38 +70,42 @@ template <class Lanes>
     return least(greatest(a, low), high);
 }
 
-// How the bend of a front changes over the distance `on` in a triangle, `part` of the whole way being behind before.
-[[gnu::always_inline]] inline Float8 carry(Float8 bend, Float8 part, Float8 on, Float8 curvature) {
-    const Float8 one = FLG_LANES(1.0f), half = FLG_LANES(0.5f);
-    const Float8 turned = clamped(bend * on * part, -half, half);
-    const Float8 square = part * part;
-    return bend * square * (one - turned + turned * turned) -
-           curvature * on * (one + part + square) * FLG_LANES(1.0f / 3);
+// The front `way` further on. The last `bent` of it lead through a triangle of that Gaussian curvature; the front's radius
+// before them is `part` of that behind.
+[[gnu::always_inline]] inline Float8 carry(Float8 front, Float8 way, Float8 part, Float8 bent,
+                                     Float8 curvature, Float8 bend_limit) {
+    const Float8 one = FLG_LANES(1.0f);
+    const Float8 bend = curvature * bent * (one + part + part * part) * FLG_LANES(1.0f / 3);
+    return front / (one + front * way) - clamped(bend, -bend_limit, bend_limit);
 }
 
 [[gnu::always_inline]] inline void wave_step(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
                                              float bend_max, bool labelled, WaveStep& step) {
-    const Float8 zero = {}, one = FLG_LANES(1.0f);
+    const Float8 zero = {}, one = FLG_LANES(1.0f), half = FLG_LANES(0.5f);
     const Float8 length = load(block.lengths.data()), tangent = load(block.tangents.data());
     const Float8 curvature = load(block.curvatures.data());
-    const Float8 distance = FLG_LANES(own.distance), own_bend = FLG_LANES(own.bend);
+    const Float8 distance = FLG_LANES(own.distance), own_front = FLG_LANES(own.front);
     const Float8 bend_limit = FLG_LANES(bend_max);
-    const float own_curvature = 1 / own.distance;
-    Float8 far, far_bend;
-    load_states(states, block.lanes.data(), far, far_bend);
+    const Float8 sharpest = FLG_LANES(1 / own.distance + bend_max);
+    Float8 far, far_front;
+    load_states(states, block.lanes.data(), far, far_front);
 
     // In each triangle, across the edge to its nearer corner, the base, to the one that is further, the target.
     const Float8 next_length = from_next(length), next_far = from_next(far);
     const Int8 forth = far < next_far;
     const Float8 base = forth ? length : next_length, target = forth ? next_length : length;
     const Float8 base_distance = least(far, next_far);
-    const Float8 base_bend = forth ? far_bend : from_next(far_bend);
+    const Float8 base_front = forth ? far_front : from_next(far_front);
 
-    // At the source no angle is known, and none needed. No one point is so near to both ends that the cosine is above 1: next
-    // to a line that is the source.
+    // The front at the base when it was at the vertex; then both as one. No circle passes so near to both ends that the cosine
+    // is above 1: next to a line that is the source.
     const Float8 inverse_base = one / base;
-    const Float8 quotient = (base * base + (distance - base_distance) * (distance + base_distance)) * inverse_base *
-                            FLG_LANES(0.5f * own_curvature);
+    const Float8 ahead_by = distance - base_distance;
+    const Float8 moved_front = clamped(base_front / (one + base_front * ahead_by), -bend_limit, sharpest);
+    const Float8 trust = distance / greatest(distance + base_distance, FLG_LANES(1e-30f));
+    const Float8 front = own_front + trust * (moved_front - own_front);
+    const Float8 slope = ahead_by * inverse_base;
+    const Float8 quotient = slope + half * base * front * (one - slope * slope);
     const Float8 cos_phi = clamped(quotient, -one, one);
     const Float8 sin_phi = root((one - cos_phi) * (one + cos_phi));
     const Float8 inverse_secant = one / (one + tangent * tangent);
@@ -110,21 +114,19 @@ template <class Lanes>
     const Float8 cosine = cos_phi * cos_theta - sin_phi * sin_theta;
     const Float8 sine = sin_phi * cos_theta + cos_phi * sin_theta;
 
-    // Heights above the edge: of the source, on its other side, and of the target.
-    const Float8 source_height = distance * sin_phi;
-    const Float8 inverse_height = one / (source_height + target * sin_theta);
-    const Float8 crossing = distance * target * sine * inverse_height, rest = base - crossing;
-    const Float8 square = distance * distance + target * (target - (distance + distance) * cosine);
-    const Float8 straight = root(greatest(square, zero));
-    const Float8 bend = (rest * own_bend + crossing * base_bend) * inverse_base;
-    const Float8 parabola = FLG_LANES(0.5f) * bend * (sin_phi * sin_phi) * crossing * rest;
-    const Float8 parabola_max = FLG_LANES(0.25f) * least(crossing, rest);
-    const Float8 reached =
-        greatest(straight - clamped(parabola, -parabola_max, parabola_max), least(distance, base_distance));
-    const Float8 part = source_height * inverse_height;
-    const Float8 across_bend = carry(bend, part, straight * (one - part), curvature);
-    const Int8 crosses = (sin_theta > zero) & (distance > zero) & (quotient < FLG_LANES(1.001f)) & (sine >= zero) &
-                         (rest >= zero) & (reached < FLG_LANES(huge));
+    // Over the front's radius: heights above the edge, of the source, on its other side, and of the target.
+    const Float8 target_height = target * sin_theta;
+    const Float8 inverse_height = one / (sin_phi + front * target_height);
+    const Float8 crossing = target * sine * inverse_height, rest = base - crossing;
+    const Float8 excess = target * (front * target - (cosine + cosine));
+    const Float8 ratio = root(greatest(one + front * excess, zero));
+    const Float8 on = excess / (one + ratio);
+    const Float8 reached = greatest(distance + on, least(distance, base_distance));
+    const Float8 crossing_front = (rest * own_front + crossing * moved_front) * inverse_base;
+    const Float8 across_front = carry(crossing_front, on, sin_phi * inverse_height,
+                                      ratio * target_height * inverse_height, curvature, bend_limit);
+    const Int8 crosses = (sin_theta > zero) & (quotient < FLG_LANES(1.001f)) & (sine >= zero) & (crossing >= zero) & (rest >= zero) &
+                         (reached < FLG_LANES(huge));
     const Float8 across = crosses ? reached : FLG_LANES(huge);
 
     // To lane l + 1 from triangle l, to lane l from it or along the edge.
@@ -133,10 +135,11 @@ template <class Lanes>
     const Float8 along = distance + length;
     const Int8 takes_back = back < ahead;
     const Float8 best_across = least(back, ahead);
-    const Int8 takes_edge = ~(best_across < along);
+    const Int8 takes_edge = ~(best_across <= along * FLG_LANES(1 + least_improvement));
     const Float8 best = least(best_across, along);
-    const Float8 along_bend = carry(own_bend, distance / along, length, curvature);
-    const Float8 best_bend = takes_edge ? along_bend : takes_back ? across_bend : from_previous(across_bend);
+    const Float8 leaving_front = own.distance > 0 ? own_front : FLG_LANES(sharpest_front);
+    const Float8 along_front = carry(leaving_front, length, one / (one + leaving_front * length), length, curvature, bend_limit);
+    const Float8 best_front = takes_edge ? along_front : takes_back ? across_front : from_previous(across_front);
 
     if (labelled) {
         const Int8 beyond = crossing > rest, after = {1, 1, 1, 1, 1, 1, 1, 1};
@@ -147,7 +150,7 @@ template <class Lanes>
     step.improved = mask(improves);
     step.across_next = mask(improves & takes_back & ~takes_edge);
     step.across_previous = mask(improves & ~(takes_back | takes_edge));
-    store_states(best, clamped(best_bend, -bend_limit - FLG_LANES(own_curvature), bend_limit), step.states);
+    store_states(best, clamped(best_front, -bend_limit, bend_limit + one / best), step.states);
 }
 
 #undef FLG_LANES

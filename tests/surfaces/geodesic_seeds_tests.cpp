@@ -46,8 +46,7 @@ TEST(GeodesicSeeds, OfAPointLeadToItsDistances) {
     EXPECT_LT(rms_error(distances, expected), 0.0005);
 }
 
-// The distance from a line is a plane wave, and unfolding is made for circles: what the bend does not make up for is lost near
-// the line, less than half an edge in all.
+// The front from a line is straight: exact but where no triangle lets the upright way through.
 TEST(GeodesicSeeds, OfABorderLeadToParallels) {
     Plane at(40, 0.3);
     for (Corner corner = 0; corner < 3 * at.mesh.triangle_count(); ++corner) {
@@ -56,7 +55,7 @@ TEST(GeodesicSeeds, OfABorderLeadToParallels) {
         if (a.y() == 0 && b.y() == 0) at.seeds.add_edge(corner, 0);
     }
     const auto distances = Geodesics(at.mesh).distances(merged(at.seeds));
-    for (uint32_t v = 0; v < distances.size(); ++v) EXPECT_NEAR(distances[v], at.mesh.position(v).y(), 0.5 / 40);
+    for (uint32_t v = 0; v < distances.size(); ++v) EXPECT_NEAR(distances[v], at.mesh.position(v).y(), 0.1 / 40);
 }
 
 TEST(GeodesicSeeds, OfACurveAreDistancesFromItsSegments) {
@@ -81,10 +80,12 @@ TEST(GeodesicSeeds, OfACurveAreDistancesFromItsSegments) {
         const double expected = std::abs(at.mesh.position(seed.vertex).y() - 0.525);
         EXPECT_GE(seed.distance, expected - 1e-6);
         EXPECT_LE(seed.distance, expected < 0.026 ? expected + 1e-6 : expected * 1.1);
+        EXPECT_TRUE(seed.straight || at.mesh.position(seed.vertex).x() < 1e-6 ||
+                    at.mesh.position(seed.vertex).x() > 0.9999);
     }
     const auto distances = Geodesics(at.mesh).distances(found);
     for (uint32_t v = 0; v < distances.size(); ++v) {
-        EXPECT_NEAR(distances[v], std::abs(at.mesh.position(v).y() - 0.525), 0.5 / 20);
+        EXPECT_NEAR(distances[v], std::abs(at.mesh.position(v).y() - 0.525), 0.1 / 20);
     }
 }
 

@@ -141,7 +141,7 @@ TEST(RefinedSolver, DoesNotDependOnSlicesOrRegisters) {
             for (uint32_t lane = 0; lane < lane_count; ++lane) {
                 if (block.rank(lane) == nowhere) continue;
                 ASSERT_EQ(step.states[lane].distance, expected.states[lane].distance);
-                ASSERT_EQ(step.states[lane].bend, expected.states[lane].bend);
+                ASSERT_EQ(step.states[lane].front, expected.states[lane].front);
                 ASSERT_EQ(step.sides[lane], expected.sides[lane]);
             }
         }
