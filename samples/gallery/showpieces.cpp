@@ -49,10 +49,29 @@ void thomas(Workshop& workshop, Studio& studio) {
     studio.take("thomas", {&panel, 1}, 1, kThomasWidth, kThomasHeight);
 }
 
+// Fig. 1: the style with its guide, the centre line that it makes of the Lorenz attractor, and the ribbon.
+void lorenz(Workshop& workshop, Studio& studio) {
+    constexpr uint32_t kPoints = 2800;
+    constexpr glm::vec3 kSight = {-0.35f, -0.12f, -1.0f};
+    const filigree::CurveSet drawn = workshop.curve(scenes::make_style("twist")),
+                             target = workshop.curve(scenes::make_target("lorenz", kPoints));
+    const FlgStyleAttribute angle[] = {{FLG_ATTRIBUTE_ANGLE, FLG_METRIC_CIRCLE, 0.01f, 0}};
+    const filigree::Style style = workshop.style(drawn, angle);
+    const filigree::CurveSet guide = style.guide(), result = workshop.stylize(style, target, sized(style, 0.026f));
+    const render::CurveLook band = ribbon(kRed, kGold, 0.016f);
+    std::vector<Panel> panels = {panel_of(drawn.view(), tube(kTeal, 0.007f)),
+                                 panel_of(result.view(), tube(kInk, 0.0050f), kSight),
+                                 panel_of(result.view(), band, kSight)};
+    panels[0].layers.push_back(shape_of(guide.view(), tube(kGrey, 0.005f)));
+    aim_together(std::span(panels).last(2));
+    studio.take("lorenz", panels, 3, kWidth, 360);
+}
+
 constexpr Picture kPictures[] = {
     {"strokes", "Strokes before and after", true, strokes},
     {"magnitude", "One style, uploaded once and shown at three magnitudes", true, magnitude},
-    {"thomas", "A style on the Thomas attractor", true, thomas},
+    {"lorenz", "Fig. 1: a style and its guide; the Lorenz attractor's centre line, stylized; its ribbon", true, lorenz},
+    {"thomas", "Fig. 7: a style on the Thomas attractor", true, thomas},
 };
 
 }  // namespace
