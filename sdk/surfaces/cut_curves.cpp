@@ -13,6 +13,10 @@ namespace {
 constexpr int32_t tolerance = CutTriangulation::tolerance;
 constexpr double unit = 1.0 / CutTriangulation::scale;
 
+uint32_t border_points(const CutTriangle& cut) {
+    return cut.edges[0].points + cut.edges[1].points + cut.edges[2].points;
+}
+
 }  // namespace
 
 CurveCutter::CurveCutter(Mesh& mesh, MeshColumns& columns, const SurfaceCurves& curves, MeshEdit& edit,
@@ -223,23 +227,32 @@ bool CurveCutter::run(uint32_t count) {
             enter(Pass::grow);
             return false;
         }
-        const uint32_t end = static_cast<uint32_t>(std::min<uint64_t>(size_of(pass_), uint64_t{at_} + count));
-        count -= end - at_;
-        for (; at_ < end; ++at_) {
+        for (const uint32_t end = size_of(pass_); count > 0 && at_ < end; ++at_) {
+            uint32_t spent = 1;
             switch (pass_) {
                 case Pass::clear: touched_.set_word(at_, 0); break;
                 case Pass::mark: mark(at_); break;
                 case Pass::sum: touched_.sum_word(at_); break;
                 case Pass::collect: collect(at_); break;
                 case Pass::gather: gather(at_); break;
-                case Pass::number: number(at_); break;
-                case Pass::place: place(at_); break;
-                case Pass::write: write(at_); break;
+                case Pass::number:
+                    number(at_);
+                    spent += border_points(slots_[at_]) / 4;
+                    break;
+                case Pass::place:
+                    place(at_);
+                    spent += (border_points(slots_[at_]) + works_[at_].inner_count) / 4;
+                    break;
+                case Pass::write:
+                    write(at_);
+                    spent += works_[at_].piece_count / 4;
+                    break;
                 case Pass::chain: chain(at_); break;
                 case Pass::divide:
                 case Pass::grow:
                 case Pass::done: break;
             }
+            count -= std::min(count, spent);
         }
         if (at_ == size_of(pass_)) enter(static_cast<Pass>(static_cast<int>(pass_) + 1));
     }
