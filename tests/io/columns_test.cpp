@@ -101,7 +101,7 @@ TEST(CurveColumns, GltfRoundTripsExactly) {
                {FLG_ATTRIBUTE_SPEED, 1},
                {FLG_ATTRIBUTE_DISPLACEMENT, 3},
                {FLG_ATTRIBUTE_NORMAL, 3},
-               {user_0, 1},
+               {user_0, 2},
                {user_7, 4}});
     for (size_t i = 0; i < 24; ++i) rich.values[10].second[i] = i % 3 == i / 8 ? 1.0f : 0.0f;
     ASSERT_EQ(write_all(folder.at("a.glb"), rich), FLG_OK) << flgIoLastError();

@@ -292,6 +292,80 @@ TEST_F(Stylize, AttributesComeFromTheStyle) {
     EXPECT_LT(radii({"--attributes", "radius:0.5"}), 0.005);
 }
 
+// A coil of all kinds of columns, as text.
+std::string rich_coil() {
+    std::string text =
+        "# columns x y z radius radii_0 radii_1 radii_2 angle width speed red green blue user0 user5_0 user5_1\n";
+    char line[256];
+    for (int i = 0; i < 200; ++i) {
+        const double t = 0.25 * i, u = i / 199.0;
+        std::snprintf(line, sizeof line, "%.6f %.6f %.6f %g %g %g %g %g %g %g %g %g %g %g %g %g\n", 0.02 * i,
+                      0.1 * std::cos(t), 0.1 * std::sin(t), 0.01 + 0.01 * u, 0.02, 0.01 + 0.01 * u, t, t, 0.1 + u,
+                      1 + u, u, 1 - u, 0.5, u, u, -u);
+        text += line;
+    }
+    return text;
+}
+
+TEST_F(Stylize, EveryKindOfColumnGoesFromFileToFile) {
+    folder.write("style.xyz", rich_coil());
+    const char* all = "radius:0.5,radii,angle:0,width,speed,color:0,user0:0.1,user5";
+    for (const std::string format : {"xyz", "glb"}) {
+        done({"stylize", "--style", "style.xyz", "--target", "builtin:flourish", "-o", "out." + format, "--attributes",
+              all, "--columns", "--quiet", "--report", "report.json"});
+        EXPECT_EQ(report().at("parameters").at("attributes").back(), "user5");
+        const std::string info = done({"info", "out." + format}).out;
+        for (const char* name : {" radius", " radii", " angle", " width", " speed", " color", " user0", " user5",
+                                 " normal", " time", " style_index", " displacement"}) {
+            EXPECT_NE(info.find(name), std::string::npos) << name << " in " << info;
+        }
+        // What came out is a style as well.
+        done({"stylize", "--style", "out." + format, "--target", "builtin:flourish", "-o", "again.xyz", "--attributes",
+              all, "--quiet"});
+    }
+    EXPECT_EQ(folder.read("out.xyz").rfind("# columns x y z radius nx ny nz", 0), std::string::npos);
+    EXPECT_EQ(folder.read("out.xyz").rfind("# columns x y z radius tangent_0", 0), 0u);
+    // Without --columns the lines are plain.
+    for (const std::string& line : lines_of(folder.read("again.xyz"))) ASSERT_EQ(numbers_of<float>(line).size(), 4u);
+    expect_refused(
+        {"stylize", "--style", "style.xyz", "--target", "builtin:flourish", "-o", "x.xyz", "--attributes", "user1"}, 1,
+        {"no column", "USER + 1"});
+    expect_refused(
+        {"stylize", "--style", "style.xyz", "--target", "builtin:flourish", "-o", "x.xyz", "--attributes", "user"}, 2,
+        {"'user' is none of", "user0"});
+    expect_refused({"stylize", "--style", "style.xyz", "--target", "builtin:flourish", "-o", "x.obj", "--columns"}, 2,
+                   {"--columns", "x.obj holds no columns"});
+}
+
+TEST_F(Stylize, FramesComeFromTheTargetsFile) {
+    folder.write("style.xyz", rich_coil());
+    std::string target = "# columns x y z nx ny nz\n";
+    for (int i = 0; i < 60; ++i) {
+        char line[128];
+        std::snprintf(line, sizeof line, "%g 0 0 0 %.7f %.7f\n", 0.1 * i, std::cos(0.1 * i), std::sin(0.1 * i));
+        target += line;
+    }
+    folder.write("target.xyz", target);
+    done({"stylize", "--style", "style.xyz", "--target", "target.xyz", "-o", "out.xyz", "--frame", "supplied",
+          "--columns", "--quiet"});
+    // x y z, tangent, normal: turned as the file says, up to its interpolation.
+    size_t looked_at = 0;
+    for (const std::string& line : lines_of(folder.read("out.xyz"))) {
+        const std::vector<double> n = numbers_of<double>(line);
+        if (n.size() < 9) continue;
+        ++looked_at;
+        EXPECT_NEAR(n[6], 0, 1e-6);
+        EXPECT_NEAR(n[7] * n[7] + n[8] * n[8], 1, 1e-5);
+    }
+    EXPECT_GT(looked_at, 100u);
+    const std::string supplied = folder.read("out.xyz");
+    done({"stylize", "--style", "style.xyz", "--target", "target.xyz", "-o", "out.xyz", "--columns", "--quiet"});
+    EXPECT_NE(folder.read("out.xyz"), supplied);
+    folder.write("bare.xyz", kTwoLines);
+    expect_refused({"stylize", "--style", "style.xyz", "--target", "bare.xyz", "-o", "x.xyz", "--frame", "supplied"}, 1,
+                   {"NORMAL"});
+}
+
 TEST_F(Stylize, AllOptionsTogether) {
     done({"stylize",      "--style", "builtin:twist", "--target",   "builtin:coaster",    "-o",
           "out.glb",      "--as",    "ribbon",        "--frame",    "supplied",           "--attributes",

@@ -15,7 +15,7 @@
 
 namespace flg::cli {
 
-const char* attribute_name(FlgAttribute attribute) {
+std::string attribute_name(FlgAttribute attribute) {
     switch (attribute) {
         case FLG_ATTRIBUTE_POSITION: return "position";
         case FLG_ATTRIBUTE_RADIUS: return "radius";
@@ -26,7 +26,12 @@ const char* attribute_name(FlgAttribute attribute) {
         case FLG_ATTRIBUTE_PRESSURE: return "pressure";
         case FLG_ATTRIBUTE_ORIENTATION: return "orientation";
         case FLG_ATTRIBUTE_STYLE_INDEX: return "style_index";
-        default: return "user";
+        case FLG_ATTRIBUTE_RADII: return "radii";
+        case FLG_ATTRIBUTE_ANGLE: return "angle";
+        case FLG_ATTRIBUTE_WIDTH: return "width";
+        case FLG_ATTRIBUTE_SPEED: return "speed";
+        case FLG_ATTRIBUTE_DISPLACEMENT: return "displacement";
+        default: return "user" + std::to_string(attribute - FLG_ATTRIBUTE_USER);
     }
 }
 

@@ -2,12 +2,14 @@
 // What `filigree info` says of what it finds: printed, and put into the report.
 #pragma once
 
+#include <string>
+
 #include "mesh_file.h"
 #include "report.h"
 
 namespace flg::cli {
 
-const char* attribute_name(FlgAttribute attribute);
+std::string attribute_name(FlgAttribute attribute);
 
 void describe_mesh(const MeshFile& mesh, Report& report);
 

@@ -23,9 +23,32 @@ constexpr double kWeightPerLength = 0.01;
 const std::map<std::string, FlgAttribute> kAttributes = {
     {"radius", FLG_ATTRIBUTE_RADIUS}, {"radii", FLG_ATTRIBUTE_RADII}, {"angle", FLG_ATTRIBUTE_ANGLE},
     {"width", FLG_ATTRIBUTE_WIDTH},   {"speed", FLG_ATTRIBUTE_SPEED}, {"color", FLG_ATTRIBUTE_COLOR}};
+constexpr std::string_view kUser = "user";
 const std::map<std::string, FlgMetric> kAngles = {{"s1", FLG_METRIC_CIRCLE}, {"rp1", FLG_METRIC_PROJECTIVE}};
 const std::map<std::string, FlgMatching> kMatchings = {{"semi", FLG_MATCHING_SEMI_DISCRETE},
                                                        {"discrete", FLG_MATCHING_DISCRETE}};
+
+// FLG_ATTRIBUTE_POSITION, which no style transfers, for other words.
+FlgAttribute attribute_of(const std::string& word) {
+    const auto found = kAttributes.find(word);
+    if (found != kAttributes.end()) return found->second;
+    uint32_t number = 0;
+    const char* end = word.data() + word.size();
+    if (!word.starts_with(kUser)) return FLG_ATTRIBUTE_POSITION;
+    const auto [stop, error] = std::from_chars(word.data() + kUser.size(), end, number);
+    const bool known =
+        error == std::errc() && stop == end && number < uint32_t{FLG_ATTRIBUTE_FORCE_32BIT} - FLG_ATTRIBUTE_USER;
+    return known ? static_cast<FlgAttribute>(FLG_ATTRIBUTE_USER + number) : FLG_ATTRIBUTE_POSITION;
+}
+
+std::string name_of_attribute(FlgAttribute attribute) {
+    if (attribute < FLG_ATTRIBUTE_USER) return name_of(kAttributes, attribute);
+    return std::string(kUser) + std::to_string(attribute - FLG_ATTRIBUTE_USER);
+}
+
+bool has_angle(FlgAttribute attribute) {
+    return attribute == FLG_ATTRIBUTE_ANGLE || attribute == FLG_ATTRIBUTE_RADII;
+}
 
 bool is_length(FlgAttribute attribute) {
     return attribute == FLG_ATTRIBUTE_RADIUS || attribute == FLG_ATTRIBUTE_RADII || attribute == FLG_ATTRIBUTE_WIDTH;
@@ -91,26 +114,26 @@ void StyleOptions::add_to(CLI::App& app) {
                    "Places on the style that guide points are matched with: anywhere, or its points only"));
     add(app.add_option_function<std::vector<std::string>>(
                "--attributes", [this](const auto& words) { parse_attributes(words); },
-               "What is transferred besides the shape: radius, radii, width, angle, speed, color; a number after a "
-               "colon is "
-               "its weight in metres, how much a difference of 1 counts (angle:0.02); default 1 for lengths, a "
-               "hundredth "
-               "of the style's length for others")
+               "What is transferred besides the shape, of the columns that the style's file has: radius, radii, width, "
+               "angle, speed, color, and the host's own, user0, user1, ...; a number after a colon is its weight in "
+               "metres, how much a difference of 1 counts (angle:0.02; 0: it follows the shape); default 1 for "
+               "lengths, a hundredth of the style's length for others")
             ->delimiter(',')
             ->type_name("NAME[:WEIGHT],..."));
-    add(add_choice(app, "--angle", angle_, kAngles,
-                   "Ribbons whose sides differ (s1) or not (rp1, half a turn changes nothing)"));
+    add(add_choice(
+        app, "--angle", angle_, kAngles,
+        "Ribbons whose sides differ (s1) or not (rp1, half a turn changes nothing), and ellipses (radii) likewise"));
 }
 
 void StyleOptions::parse_attributes(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
         const auto [name, weight] = split(word);
-        const auto found = kAttributes.find(name);
-        if (found == kAttributes.end()) {
-            throw CLI::ValidationError("--attributes",
-                                       "'" + name + "' is none of radius, radii, width, angle, speed, color");
+        Attribute attribute = {attribute_of(name), -1.0f};
+        if (attribute.attribute == FLG_ATTRIBUTE_POSITION) {
+            throw CLI::ValidationError(
+                "--attributes",
+                "'" + name + "' is none of radius, radii, width, angle, speed, color, user0, user1, ...");
         }
-        Attribute attribute = {found->second, -1.0f};
         if (name.size() < word.size() && (!read_number(weight, attribute.weight) || attribute.weight < 0.0f)) {
             throw CLI::ValidationError("--attributes", "'" + weight + "' is not a weight, a number >= 0");
         }
@@ -144,9 +167,9 @@ void StyleOptions::check_usage() const {
     } else {
         require_writable(style_file_);
     }
-    const auto turns = [](const Attribute& a) { return a.attribute == FLG_ATTRIBUTE_ANGLE; };
+    const auto turns = [](const Attribute& a) { return has_angle(a.attribute); };
     if (angle_ != FLG_METRIC_AUTO && std::none_of(attributes_.begin(), attributes_.end(), turns)) {
-        throw UsageError("--angle: needs angle among --attributes");
+        throw UsageError("--angle: needs angle or radii among --attributes");
     }
 }
 
@@ -162,7 +185,7 @@ void StyleOptions::describe(Report& report) const {
     report.parameters["alpha"] = as_written(desc_.alpha);
     report.parameters["beta"] = as_written(desc_.beta);
     report.parameters["matching"] = name_of(kMatchings, desc_.matching);
-    for (const Attribute& a : attributes_) report.parameters["attributes"].push_back(name_of(kAttributes, a.attribute));
+    for (const Attribute& a : attributes_) report.parameters["attributes"].push_back(name_of_attribute(a.attribute));
     if (angle_ != FLG_METRIC_AUTO) report.parameters["angle"] = name_of(kAngles, angle_);
 }
 
@@ -170,7 +193,7 @@ std::vector<FlgStyleAttribute> StyleOptions::attributes(double style_length) con
     std::vector<FlgStyleAttribute> list;
     for (const Attribute& a : attributes_) {
         const double usual = is_length(a.attribute) ? 1.0 : kWeightPerLength * style_length;
-        list.push_back({a.attribute, a.attribute == FLG_ATTRIBUTE_ANGLE ? angle_ : FLG_METRIC_AUTO,
+        list.push_back({a.attribute, has_angle(a.attribute) ? angle_ : FLG_METRIC_AUTO,
                         a.weight < 0.0f ? static_cast<float>(usual) : a.weight, 0});
     }
     return list;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "apply_options.h"
 #include "choices.h"
 #include "command.h"
 #include "failure.h"
@@ -22,21 +23,18 @@ using samples::CurveSource;
 
 struct Options {
     StyleOptions style;
+    ApplyOptions apply;
     std::string target, output;
-    FlgStylizeDesc apply = flgStylizeDefaults();  // the SDK's defaults are the command's
-    bool closed = false, network = false;
-    std::vector<float> basis;
+    uint32_t strokes = flgStylizeDefaults().strokes, max_points = flgStylizeDefaults().max_points;
+    bool closed = false, network = false, columns = false;
     FlgGeometry as = FLG_GEOMETRY_LINES;
     std::string save_guide, save_matching, save_path;
 };
 
 constexpr uint32_t kMostStrokes = 1024;
-constexpr int kBasisNumbers = 9;
 
 const std::map<std::string, FlgFrameMethod> kFrames = {
     {"rmf", FLG_FRAME_ROTATION_MINIMIZING}, {"frenet", FLG_FRAME_FRENET}, {"supplied", FLG_FRAME_SUPPLIED}};
-const std::map<std::string, FlgStart> kStarts = {
-    {"auto", FLG_START_AUTO}, {"style", FLG_START_STYLE}, {"random", FLG_START_RANDOM}};
 
 // The target's curves; all of them closed if so wanted.
 FlgCurveSet create_target(FlgContext context, const CurveSource& source, bool closed) {
@@ -51,21 +49,17 @@ FlgCurveSet create_target(FlgContext context, const CurveSource& source, bool cl
 void describe(const Options& options, Report& report) {
     options.style.describe(report);
     report.parameters["target"] = options.target;
-    report.parameters["sigma"] = as_written(options.apply.magnitude);
-    report.parameters["tau"] = as_written(options.apply.temperature);
-    report.parameters["scale"] = as_written(options.apply.scale);
-    report.parameters["frame"] = name_of(kFrames, options.apply.frame);
-    report.parameters["start"] = name_of(kStarts, options.apply.start);
+    options.apply.describe(report);
     report.parameters["closed"] = options.closed;
     report.parameters["network"] = options.network;
-    report.parameters["strokes"] = options.apply.strokes;
-    for (float value : options.basis) report.parameters["basis"].push_back(as_written(value));
+    report.parameters["strokes"] = options.strokes;
+    report.parameters["columns"] = options.columns;
     report.parameters["as"] = name_of(geometry_names(), options.as);
 }
 
 void run_stylize(const Options& options, const CommonOptions& common) {
-    const StylizeOutput output{options.output, options.save_guide, options.save_matching, options.save_path,
-                               options.as};
+    const StylizeOutput output{options.output,    options.save_guide, options.save_matching,
+                               options.save_path, options.as,         options.columns};
     output.check_paths();
     options.style.check_usage();
     require_writable(common.report);
@@ -75,14 +69,17 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     Session session(common);
     FlgContext context = session.context();
     FlgJob style_job = {}, stylize_job = {};
-    FlgStylizeDesc desc = options.apply;
+    FlgStylizeDesc desc = flgStylizeDefaults();
+    options.apply.set(desc);
+    desc.strokes = options.strokes;
+    desc.max_points = options.max_points;
     desc.style = options.style.start(context, report, style_job);
     const CurveSource target(options.target);
     for (const std::string& warning : target.warnings()) report.warn(target.name() + ": " + warning);
     desc.target = create_target(context, target, options.closed);
     desc.seed = common.seed;
     desc.pin_ends = options.network;
-    std::copy(options.basis.begin(), options.basis.end(), desc.basis);
+    desc.keep_displacement = options.columns;
     FlgCurveSet result = {};
     check(flgStylize(context, &desc, &result, &stylize_job), options.target);
     std::vector<Session::Pending> jobs;
@@ -105,34 +102,22 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
     o->style.add_to(*app);
     app->add_option("--target", o->target, "The curves to stylize: a file, or builtin:NAME")->required();
     app->add_option("-o,--output", o->output, "Result: .xyz, .obj or .glb")->required()->type_name("OUT");
-    app->add_option("--sigma", o->apply.magnitude, "Factor on the displacement; any finite number, 0 = the bare target")
-        ->capture_default_str()
-        ->check(finite());
-    app->add_option(
-           "--tau", o->apply.temperature,
-           "Temperature, >= 0: 0 copies long runs of the style, higher jumps more often; 1 = the median distance "
-           "of a patch to the one most like it")
-        ->capture_default_str()
-        ->check(at_least_zero());
-    app->add_option("--scale", o->apply.scale, "Size of the style on the target, > 0; 1 = as drawn")
-        ->capture_default_str()
-        ->check(above_zero());
-    add_choice(*app, "--frame", o->apply.frame, kFrames,
-               "Moving frame: rotation-minimizing, Frenet, or the target's own normals");
-    app->add_option("--basis", o->basis,
-                    "3 x 3 row by row: turns the style (tangent, first and second normal) within the target's frame")
-        ->delimiter(',')
-        ->expected(kBasisNumbers)
-        ->type_name("B11,...,B33")
-        ->check(finite());
+    o->apply.add_to(
+        *app, kFrames,
+        "Moving frame: rotation-minimizing, Frenet, or the target's own normals (columns nx ny nz of an .xyz file, "
+        "NORMAL of a .glb)");
     app->add_flag("--closed", o->closed, "Take all target curves as closed, their last point joined to the first");
     app->add_flag("--network", o->network, "Ends stay where they are, so that curves that meet still meet");
-    app->add_option("--strokes", o->apply.strokes, "How often each curve is stylized, 1 to 1024")
+    app->add_option("--strokes", o->strokes, "How often each curve is stylized, 1 to 1024")
         ->capture_default_str()
         ->check(CLI::Range(1u, kMostStrokes).description(""));
-    add_choice(*app, "--start", o->apply.start, kStarts,
-               "Where on the style a curve begins: its start, at random, or auto: its start for a lone target");
+    app->add_option("--max-points", o->max_points, "Points that the result may have, to 2^31; 0 = so many")
+        ->capture_default_str()
+        ->check(CLI::Range(0u, 1u << 31).description(""));
     add_choice(*app, "--as", o->as, geometry_names(), "What a .glb holds");
+    app->add_flag("--columns", o->columns,
+                  "Write all columns of the result (.xyz: behind a line `# columns x y z ...`; .glb: lines with "
+                  "_ATTRIBUTES): frames, style index, displacement at --sigma 1, attributes; else radii alone");
     app->add_option("--save-guide", o->save_guide, "Write the guide")->type_name("G.xyz");
     app->add_option("--save-matching", o->save_matching,
                     "Write the matching: one arc length on the style (metres) a guide point")

@@ -35,10 +35,11 @@ float default_radius(const FlgCurveSetView& view) {
     return diagonal > 0.0f ? diagonal * kDefaultRadiusShare : kDefaultRadiusShare;
 }
 
-void write_curves(const std::string& path, const FlgCurveSetView& view, FlgGeometry geometry) {
+void write_curves(const std::string& path, const FlgCurveSetView& view, FlgGeometry geometry, bool all_columns) {
     FlgCurveWriteDesc desc = {};
     flgCurveWriteDescInit(&desc, sizeof desc);
     desc.geometry = geometry;
+    desc.all_columns = all_columns;
     desc.default_radius = default_radius(view);
     if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw InputError(flgIoLastError());
 }
@@ -104,6 +105,9 @@ void StylizeOutput::check_paths() const {
     if (geometry != FLG_GEOMETRY_LINES && !curves.ends_with(".glb")) {
         throw UsageError(curves + ": only .glb holds ribbons and tubes");
     }
+    if (all_columns && (geometry != FLG_GEOMETRY_LINES || curves.ends_with(".obj"))) {
+        throw UsageError("--columns: " + curves + " holds no columns; lines in .xyz and .glb do");
+    }
     if (!guide.empty() && !ends_with_one_of(guide, {".xyz", ".txt", ".obj", ".glb"})) {
         throw UsageError(guide + ": the guide is written as .xyz, .obj or .glb");
     }
@@ -134,11 +138,11 @@ void StylizeOutput::write(FlgContext context, FlgStyle style, FlgCurveSet result
         check(flgStyleGetGuide(context, style, &set), "guide");
         FlgCurveSetView guide_view = flgCurveSetViewDefaults();
         check(flgCurveSetGetView(context, set, &guide_view), "guide");
-        write_curves(guide, guide_view, FLG_GEOMETRY_LINES);
+        write_curves(guide, guide_view, FLG_GEOMETRY_LINES, all_columns);
     }
     if (!matching.empty()) write_text_file(matching, matching_text(info));
     if (!path.empty()) write_text_file(path, path_text(view));
-    write_curves(curves, view, geometry);
+    write_curves(curves, view, geometry, all_columns);
 }
 
 }  // namespace flg::cli

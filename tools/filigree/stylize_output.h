@@ -12,6 +12,7 @@ namespace flg::cli {
 struct StylizeOutput {
     std::string curves, guide, matching, path;  // files; empty: not wanted
     FlgGeometry geometry;
+    bool all_columns = false;
 
     // Refuses files that can't be written, before any work is done.
     void check_paths() const;
