@@ -280,7 +280,8 @@ GltfValues GltfDocument::accessor(uint64_t index, const std::string& place) cons
     if (type != accessor.end() && *type == "VEC2") values.components = 2;
     if (type != accessor.end() && *type == "VEC3") values.components = 3;
     if (type != accessor.end() && *type == "VEC4") values.components = 4;
-    if (values.components == 0) fail(FLG_ERROR_FORMAT, values.place + ".type", "is none of SCALAR, VEC2, VEC3 and VEC4");
+    if (values.components == 0)
+        fail(FLG_ERROR_FORMAT, values.place + ".type", "is none of SCALAR, VEC2, VEC3 and VEC4");
     const uint64_t component_type = gltf_required(accessor, "componentType", values.place);
     values.component_type = component_type <= gltf_float ? static_cast<uint32_t>(component_type) : 0;
     const uint64_t element_size = uint64_t{values.components} * component_size(values.component_type);
