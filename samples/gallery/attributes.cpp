@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Sec. 5: what a style may carry besides its shape.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <numbers>
 
 #include "gallery/looks.h"
 #include "gallery/marks.h"
-#include "gallery/painted.h"
 #include "gallery/pictures.h"
 #include "gallery/sweep.h"
 #include "support/curve_arrays.h"

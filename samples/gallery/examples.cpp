@@ -11,8 +11,6 @@
 #include "gallery/marks.h"
 #include "gallery/painted.h"
 #include "gallery/pictures.h"
-#include "support/curve_arrays.h"
-#include "support/curve_source.h"
 
 namespace flg::gallery {
 namespace {

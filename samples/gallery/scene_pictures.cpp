@@ -88,16 +88,16 @@ void icosahedron(Workshop& workshop, Studio& studio) {
     std::vector<Panel> panels(6);
     for (size_t i = 0; i < 3; ++i) {
         const filigree::CurveSet* const shown[] = {&target, &loose, &held};
-        Panel &whole = panels[i], &near = panels[i + 3];
+        Panel &whole = panels[i], &detail = panels[i + 3];
         whole = panel_of(shown[i]->view(), tube(i == 1 ? kRed : kTeal, 0.0045f), kSight);
-        near = whole;
-        near.layers = {shape_of(one.view(), tube(kGold, 0.008f))};
+        detail = whole;
+        detail.layers = {shape_of(one.view(), tube(kGold, 0.008f))};
         for (uint32_t c = 0; c < arcs.size(); ++c) {
             if (ends[2 * c] != joint && ends[2 * c + 1] != joint) continue;
-            near.layers.push_back({whole.layers[0].curves.range(c, 1), tube(whole.layers[0].look.color, 0.003f)});
+            detail.layers.push_back({whole.layers[0].curves.range(c, 1), tube(whole.layers[0].look.color, 0.003f)});
         }
-        near.aim = around(joint, kReach);
-        near.ground = false;
+        detail.aim = around(joint, kReach);
+        detail.ground = false;
         whole.layers.push_back(shape_of(joints.view(), tube(kGold, 0.011f)));
     }
     aim_together({&panels[0], 3});
