@@ -48,8 +48,12 @@ struct WaveStep {
     uint32_t improved, across_next, across_previous;
 };
 
-// Of the states by rank, that of rank 0 is -infinity. Fronts stay between -bend_max and bend_max + 1/d, and a triangle bends
-// them by at most bend_max: what is sharper, or more hollow, is noise of the mesh.
+// How much more hollow than bent a front may be: as one that closes in on a point about an edge ahead, as those do that meet
+// opposite to their source.
+constexpr float most_hollow = 7;
+
+// Of the states by rank, that of rank 0 is -infinity. Fronts stay between -most_hollow * bend_max and bend_max + 1/d, and a
+// triangle bends them by at most bend_max: what is sharper, or more hollow, is noise of the mesh.
 using WaveStepFunction = void (*)(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
                                   float bend_max, bool labelled, WaveStep& step);
 

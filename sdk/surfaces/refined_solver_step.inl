@@ -72,8 +72,8 @@ template <class Lanes>
 
 // The front `way` further on. The last `bent` of it lead through a triangle of that Gaussian curvature; the front's radius
 // before them is `part` of that behind.
-[[gnu::always_inline]] inline Float8 carry(Float8 front, Float8 way, Float8 part, Float8 bent,
-                                     Float8 curvature, Float8 bend_limit) {
+[[gnu::always_inline]] inline Float8 carry(Float8 front, Float8 way, Float8 part, Float8 bent, Float8 curvature,
+                                     Float8 bend_limit) {
     const Float8 one = FLG_LANES(1.0f);
     const Float8 bend = curvature * bent * (one + part + part * part) * FLG_LANES(1.0f / 3);
     return front / (one + front * way) - clamped(bend, -bend_limit, bend_limit);
@@ -85,7 +85,7 @@ template <class Lanes>
     const Float8 length = load(block.lengths.data()), tangent = load(block.tangents.data());
     const Float8 curvature = load(block.curvatures.data());
     const Float8 distance = FLG_LANES(own.distance), own_front = FLG_LANES(own.front);
-    const Float8 bend_limit = FLG_LANES(bend_max);
+    const Float8 bend_limit = FLG_LANES(bend_max), hollowest = FLG_LANES(-most_hollow * bend_max);
     const Float8 sharpest = FLG_LANES(1 / own.distance + bend_max);
     Float8 far, far_front;
     load_states(states, block.lanes.data(), far, far_front);
@@ -101,7 +101,7 @@ template <class Lanes>
     // is above 1: next to a line that is the source.
     const Float8 inverse_base = one / base;
     const Float8 ahead_by = distance - base_distance;
-    const Float8 moved_front = clamped(base_front / (one + base_front * ahead_by), -bend_limit, sharpest);
+    const Float8 moved_front = clamped(base_front / (one + base_front * ahead_by), hollowest, sharpest);
     const Float8 trust = distance / greatest(distance + base_distance, FLG_LANES(1e-30f));
     const Float8 front = own_front + trust * (moved_front - own_front);
     const Float8 slope = ahead_by * inverse_base;
@@ -123,10 +123,10 @@ template <class Lanes>
     const Float8 on = excess / (one + ratio);
     const Float8 reached = greatest(distance + on, least(distance, base_distance));
     const Float8 crossing_front = (rest * own_front + crossing * moved_front) * inverse_base;
-    const Float8 across_front = carry(crossing_front, on, sin_phi * inverse_height,
-                                      ratio * target_height * inverse_height, curvature, bend_limit);
-    const Int8 crosses = (sin_theta > zero) & (quotient < FLG_LANES(1.001f)) & (sine >= zero) & (crossing >= zero) & (rest >= zero) &
-                         (reached < FLG_LANES(huge));
+    const Float8 bent = ratio * target_height * inverse_height;
+    const Float8 across_front = carry(crossing_front, on, sin_phi * inverse_height, bent, curvature, bend_limit);
+    const Int8 crosses = (sin_theta > zero) & (quotient < FLG_LANES(1.001f)) & (sine >= zero) & (crossing >= zero) &
+                         (rest >= zero) & (reached < FLG_LANES(huge));
     const Float8 across = crosses ? reached : FLG_LANES(huge);
 
     // To lane l + 1 from triangle l, to lane l from it or along the edge.
@@ -138,7 +138,8 @@ template <class Lanes>
     const Int8 takes_edge = ~(best_across <= along * FLG_LANES(1 + least_improvement));
     const Float8 best = least(best_across, along);
     const Float8 leaving_front = own.distance > 0 ? own_front : FLG_LANES(sharpest_front);
-    const Float8 along_front = carry(leaving_front, length, one / (one + leaving_front * length), length, curvature, bend_limit);
+    const Float8 along_front =
+        carry(leaving_front, length, one / (one + leaving_front * length), length, curvature, bend_limit);
     const Float8 best_front = takes_edge ? along_front : takes_back ? across_front : from_previous(across_front);
 
     if (labelled) {
@@ -150,7 +151,7 @@ template <class Lanes>
     step.improved = mask(improves);
     step.across_next = mask(improves & takes_back & ~takes_edge);
     step.across_previous = mask(improves & ~(takes_back | takes_edge));
-    store_states(best, clamped(best_front, -bend_limit, bend_limit + one / best), step.states);
+    store_states(best, clamped(best_front, hollowest, bend_limit + one / best), step.states);
 }
 
 #undef FLG_LANES

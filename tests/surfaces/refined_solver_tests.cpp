@@ -45,6 +45,45 @@ TEST(RefinedSolver, FindsGreatCirclesOnTheSphere) {
     EXPECT_LT(rms_error(distances, expected), 0.0001);
 }
 
+// There the front closes in on a point: only as hollow a one tells how far it still is.
+TEST(RefinedSolver, MeetsOppositeToTheSource) {
+    const Mesh mesh = make_mesh(sphere(4));
+    const auto distances = Geodesics(mesh).distances({{0, 0, 0}});
+    for (uint32_t v = 1; v < mesh.vertex_count(); ++v) {
+        const Vec3 a = mesh.position(0), b = mesh.position(v);
+        EXPECT_NEAR(distances[v], std::atan2(a.cross(b).norm(), a.dot(b)), 0.004);
+    }
+}
+
+// A line that leads through faces, aslant: its front is straight, and nearly exact on the plane.
+TEST(RefinedSolver, KeepsStraightFrontsStraight) {
+    const Mesh mesh = make_mesh(plane(60, 0.2));
+    const Vec3 place(0.5, 0.503, 0), normal(-std::sin(0.3), std::cos(0.3), 0);
+    const auto away = [&](uint32_t v) { return (mesh.position(v) - place).dot(normal); };
+    const RegionSet everywhere(test_memory());
+    GeodesicSeeds seeds(mesh, mesh.positions, everywhere, test_memory());
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        std::vector<SurfacePoint> crossings;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const double from = away(mesh.triangles[t][k]), to = away(mesh.triangles[t][(k + 1) % 3]);
+            if (from * to >= 0) continue;
+            std::array<float, 3> weights = {0, 0, 0};
+            weights[(k + 1) % 3] = static_cast<float>(from / (from - to));
+            weights[k] = 1 - weights[(k + 1) % 3];
+            crossings.push_back({t, weights[1], weights[2]});
+        }
+        constexpr auto joint = GeodesicSeeds::End::joint;
+        if (crossings.size() == 2) seeds.add_segment(crossings[0], crossings[1], {joint, joint}, 0);
+    }
+    const auto distances = Geodesics(mesh).distances(merged(seeds));
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        const Vec3 p = mesh.position(v);
+        // What is upright above one of the line's ends.
+        if ((p - Vec3(0.5, 0.5, 0)).cwiseAbs().maxCoeff() > 0.3) continue;
+        EXPECT_NEAR(distances[v], std::abs(away(v)), 0.1 / 60);
+    }
+}
+
 // In the plane and on the sphere the distance from some points is the least of those from each. What is left of the error is
 // within two edges of where fronts meet: both ends of an edge rarely tell both fronts.
 double front_error(Geodesics& geodesics, const std::vector<Seed>& seeds) {

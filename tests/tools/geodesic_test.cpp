@@ -74,8 +74,8 @@ TEST_F(Geodesic, DistancesOnASphereAreAngles) {
     const TestMesh mesh = sphere(16);
     folder.write("sphere.off", mesh.off());
     const Point pole = mesh.points[8 * 17 + 8];  // the middle of the side -x
-    // Loosest opposite the pole, where the waves from all sides meet.
-    expect_distances(mesh, distances("sphere.off", {"--source", "144"}), 0.02,
+    // The polyhedron itself is up to 0.12 % smaller.
+    expect_distances(mesh, distances("sphere.off", {"--source", "144"}), 0.003,
                      [&](const Point& p) { return 2 * std::asin(std::min(1.0, distance(p, pole) / 2)); });
 }
 
