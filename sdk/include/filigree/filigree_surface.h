@@ -400,7 +400,9 @@ typedef struct FlgCutCurvesDesc {
 
 FLG_API FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_size);
 
-/* Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. */
+/* Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. Finding out
+ * how to divide triangles comes first and takes longest; until then the surface is as it was and the job can be cancelled.
+ * Cost: as flgCutIsolines; n curves that cross each other in one triangle take about n * n us there. */
 FLG_API FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob* out_job);
 
 /* ---- Defaults by value --------------------------------------------------------------------------------------- */
