@@ -48,9 +48,9 @@ struct WaveStep {
     uint32_t improved, across_next, across_previous;
 };
 
-// How much more hollow than bent a front may be: as one that closes in on a point about an edge ahead, as those do that meet
+// How much more hollow than bent a front may be: as one that closes in on a point half an edge ahead, as those do that meet
 // opposite to their source.
-constexpr float most_hollow = 7;
+constexpr float most_hollow = 12;
 
 // Of the states by rank, that of rank 0 is -infinity. Fronts stay between -most_hollow * bend_max and bend_max + 1/d, and a
 // triangle bends them by at most bend_max: what is sharper, or more hollow, is noise of the mesh.
