@@ -22,14 +22,15 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/curves", {"filigree", "core", "runtime"}},
     {"sdk/stylization", {"filigree", "core", "runtime", "curves"}},
     {"sdk/surfaces", {"filigree", "core", "runtime", "curves"}},
-    {"sdk/api", {"filigree", "core", "runtime", "curves", "stylization", "surfaces"}},
+    {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
+    {"sdk/api", {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "tangles"}},
     {"sdk/io", {"filigree"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
     {"renderer", {"filigree"}},
 };
-const Rooms rooms = {"filigree", "core", "runtime", "curves", "stylization",
-                     "surfaces", "api",  "io",      "pick",   "filigree_renderer"};
+const Rooms rooms = {"filigree", "core", "runtime", "curves", "stylization",      "surfaces",
+                     "tangles",  "api",  "io",      "pick",   "filigree_renderer"};
 
 std::set<std::string> violations(const std::string& folder, const Rooms& may_include) {
     std::set<std::string> found;

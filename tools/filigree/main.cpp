@@ -55,7 +55,7 @@ void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
     std::map<std::filesystem::path, std::string> options;  // by their file
     for (const CLI::App* app : {&program, &command}) {
         for (const char* name :
-             {"--report", "--output", "--save-guide", "--save-matching", "--save-path", "--curves"}) {
+             {"--report", "--output", "--save-guide", "--save-matching", "--save-path", "--curves", "--masks"}) {
             const CLI::Option* option = app->get_option_no_throw(name);
             if (option == nullptr || option->count() == 0) continue;
             const std::string file = option->results().back();
@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
     commands.push_back(flg::cli::add_geodesic(program, common));
     commands.push_back(flg::cli::add_path(program, common));
     commands.push_back(flg::cli::add_contour(program, common));
+    commands.push_back(flg::cli::add_tangle(program, common));
 #if defined(FLG_WITH_RENDERER)
     commands.push_back(flg::cli::add_render(program, common));
 #endif

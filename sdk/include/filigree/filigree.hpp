@@ -26,6 +26,7 @@
 #include "filigree.h"
 #include "filigree_live.h"
 #include "filigree_surface.h"
+#include "filigree_tangle.h"
 
 namespace filigree {
 
@@ -193,6 +194,56 @@ public:
     }
 };
 
+// See filigree_tangle.h. What it starts are steps, in this order; jobs may be let go of.
+class Tangle : public detail::Owner<FlgTangle, flgTangleRelease> {
+public:
+    using Owner::Owner;
+    // All zero while a step is under way.
+    FlgTangleInfo info() const {
+        FlgTangleInfo info{};
+        info.struct_size = sizeof info;
+        check(flgTangleGetInfo(context_, handle_, &info));
+        return info;
+    }
+    FlgTangleRegion region(uint32_t region) const {
+        FlgTangleRegion out{};
+        out.struct_size = sizeof out;
+        check(flgTangleGetRegion(context_, handle_, region, &out));
+        return out;
+    }
+    // `desc.tangle` is filled in.
+    Job divide(FlgTangleDivideDesc desc) {
+        desc.tangle = handle_;
+        FlgJob job{};
+        check(flgTangleDivide(context_, &desc, &job));
+        return {context_, job};
+    }
+    Job displace(FlgTangleDisplaceDesc desc) {
+        desc.tangle = handle_;
+        FlgJob job{};
+        check(flgTangleDisplace(context_, &desc, &job));
+        return {context_, job};
+    }
+    Job group(const std::vector<uint32_t>& regions) { return change(flgTangleGroup, regions); }
+    Job join(const std::vector<uint32_t>& regions) { return change(flgTangleJoin, regions); }
+    Job undo() { return step(flgTangleUndo); }
+    Job redo() { return step(flgTangleRedo); }
+
+private:
+    template <class Function>
+    Job change(Function function, const std::vector<uint32_t>& regions) {
+        FlgJob job{};
+        check(function(context_, handle_, regions.data(), static_cast<uint32_t>(regions.size()), &job));
+        return {context_, job};
+    }
+    template <class Function>
+    Job step(Function function) {
+        FlgJob job{};
+        check(function(context_, handle_, &job));
+        return {context_, job};
+    }
+};
+
 // See filigree_live.h.
 class LiveStroke : public detail::Owner<FlgLiveStroke, flgLiveStrokeRelease> {
 public:
@@ -319,6 +370,11 @@ public:
         FlgJob job{};
         check(flgCutCurves(context_, &desc, &job));
         return {context_, job};
+    }
+    Tangle tangle(const Surface& surface) {
+        FlgTangle tangle{};
+        check(flgTangleCreate(context_, surface.get(), &tangle, nullptr));
+        return {context_, tangle};
     }
     // So that live strokes can begin with it.
     Job warm(const Style& style, float temperature = 0.0f) {

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// What tangles refuse, and with which sentence; and what they take although it is odd.
+#include "tangles/tangle_host.h"
+
+namespace flg::test {
+namespace {
+
+const Regions root = {0};
+
+FlgTangleSeeds outer_borders() {
+    FlgTangleSeeds seeds{};
+    seeds.borders = FLG_TANGLE_BORDERS_OUTER;
+    return seeds;
+}
+
+struct Refused {
+    FlgResult result;
+    std::string sentence;
+};
+
+// By the call or by its job.
+Refused divide(const TangleHost& host, const FlgTangleDivideDesc& desc) {
+    FlgJob job{};
+    const FlgResult result = flgTangleDivide(host.context, &desc, &job);
+    if (result != FLG_OK) return {result, flgLastError()};
+    host.finish();
+    const FlgJobStatus status = host.status_of(job);
+    return {status.result, status.error};
+}
+
+class TangleRefusals : public testing::Test {
+protected:
+    void expect_refused(const FlgTangleDivideDesc& desc, const std::string& part) {
+        const std::string before = bits(host.view(surface)) + host.tree_bits(tangle);
+        const Refused refused = divide(host, desc);
+        EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT) << part;
+        EXPECT_NE(refused.sentence.find(part), std::string::npos) << refused.sentence;
+        EXPECT_EQ(bits(host.view(surface)) + host.tree_bits(tangle), before) << "nothing is changed";
+        EXPECT_EQ(host.info(tangle).undo_count, 0u) << "and no step";
+    }
+
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(6));
+    const FlgTangle tangle = host.tangle(surface);
+    const FlgTangleDivideDesc good = contour(tangle, root, outer_borders(), 0.1f, 1);
+};
+
+TEST_F(TangleRefusals, NumbersOutOfRange) {
+    FlgTangleDivideDesc desc = good;
+    for (float delta : {0.0f, -1.0f, NAN, INFINITY}) {
+        desc.delta = delta;
+        expect_refused(desc, "desc.delta");
+    }
+    desc = good;
+    desc.count = 1'000'000;
+    expect_refused(desc, "desc.count is 1000000");
+    desc = good;
+    desc.kind = static_cast<FlgTangleOperator>(4);
+    expect_refused(desc, "desc.kind");
+    desc = good;
+    desc.grouping = static_cast<FlgTangleGrouping>(-1);
+    expect_refused(desc, "desc.grouping");
+    desc = good;
+    desc.cycle = 0;
+    expect_refused(desc, "desc.cycle");
+    desc = good;
+    desc.perturbation = -1;
+    expect_refused(desc, "desc.perturbation");
+    desc = good;
+    desc.frequency = 0;
+    expect_refused(desc, "desc.frequency");
+    desc = good;
+    desc.b = outer_borders();
+    desc.delta = 1;
+    expect_refused(desc, "below 1");
+}
+
+TEST_F(TangleRefusals, RegionsThatAreNotThere) {
+    const Regions none = {7};
+    FlgTangleDivideDesc desc = good;
+    desc.regions = none.data();
+    expect_refused(desc, "desc.regions[0] is 7, the tangle has 1 regions");
+    desc = good;
+    desc.region_count = 0;
+    expect_refused(desc, "desc.region_count");
+    desc = good;
+    desc.regions = nullptr;
+    expect_refused(desc, "desc.regions");
+    EXPECT_EQ(flgTangleGroup(host.context, tangle, nullptr, 1, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    for (const auto change : {flgTangleGroup, flgTangleJoin}) {
+        FlgJob job{};
+        ASSERT_EQ(change(host.context, tangle, none.data(), 1, &job), FLG_OK);
+        host.finish();
+        EXPECT_EQ(host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
+    }
+}
+
+TEST_F(TangleRefusals, SeedsThatComeToNothing) {
+    FlgTangleDivideDesc desc = good;
+    desc.a = {};
+    expect_refused(desc, "desc.a is empty");
+    desc = good;
+    const FlgBorderStretch no_loop = {3, 0, 1}, backwards = {0, 0.5f, 0.2f}, twice_around = {0, 0, 1.5f};
+    desc.a = {};
+    desc.a.stretch_count = 1;
+    desc.a.stretches = &no_loop;
+    expect_refused(desc, "desc.a.stretches[0].loop is 3, the regions have 1 borders");
+    desc.a.stretches = &backwards;
+    expect_refused(desc, "desc.a.stretches[0]");
+    desc.a.stretches = &twice_around;
+    expect_refused(desc, "desc.a.stretches[0]");
+    desc = good;
+    desc.a = {};
+    const FlgSurfacePoint point = {100'000, 0, 0};
+    desc.a.points = &point;
+    desc.a.point_count = 1;
+    expect_refused(desc, "triangle 100000");
+    desc.kind = FLG_TANGLE_POLYLINE;
+    expect_refused(desc, "a polyline needs 2 points");
+    desc = good;
+    desc.kind = FLG_TANGLE_VORONOI;
+    expect_refused(desc, "neither points nor samples");
+    desc = good;
+    desc.kind = FLG_TANGLE_STREAM;
+    desc.a = {};
+    desc.a.sample_radius = 0.2f;
+    expect_refused(desc, "for streams to begin on");
+    desc.a.sample_radius = -1;
+    expect_refused(desc, "desc.a.sample_radius");
+}
+
+TEST(TangleRefusalsOnClosedSurfaces, BordersAreAskedForWhereThereAreNone) {
+    const TangleHost host;
+    const FlgTangle tangle = host.tangle(host.surface(sphere(3)));
+    for (const FlgTangleOperator kind : {FLG_TANGLE_CONTOUR, FLG_TANGLE_STREAM}) {
+        FlgTangleDivideDesc desc = contour(tangle, root, outer_borders(), 0.1f, 1);
+        desc.kind = kind;
+        const Refused refused = divide(host, desc);
+        EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(refused.sentence.find("closed surface"), std::string::npos) << refused.sentence;
+    }
+}
+
+TEST(TangleOddities, ASeedOutsideOfTheRegionDividesNothing) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(12));
+    const FlgTangle tangle = host.tangle(surface);
+    const FlgBorderStretch left = {0, 0.75f, 1};
+    FlgTangleSeeds side{};
+    side.stretches = &left;
+    side.stretch_count = 1;
+    ASSERT_EQ(host.divide(contour(tangle, root, side, 0.5f, 1)), FLG_OK);
+    // A point of the left half; the operator is for the right one.
+    const FlgSurfaceView view = host.view(surface);
+    const FlgSurfacePoint point = point_above(view, 0.2, 0.5);
+    const Regions right = {view.mesh.regions[point_above(view, 0.8, 0.5).triangle]};
+    FlgTangleSeeds seeds{};
+    seeds.points = &point;
+    seeds.point_count = 1;
+    ASSERT_EQ(host.divide(contour(tangle, right, seeds, 0.1f, 2)), FLG_OK);
+    EXPECT_EQ(host.info(tangle).leaf_count, 2u);
+}
+
+TEST(TangleOddities, ARegionOfOneTriangleIsDivided) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(loose_triangles(1));
+    const FlgTangle tangle = host.tangle(surface);
+    ASSERT_EQ(host.divide(contour(tangle, root, outer_borders(), 0.1f, 1)), FLG_OK)
+        << "no vertex is off the border: nothing to divide";
+    EXPECT_EQ(host.info(tangle).leaf_count, 1u);
+    const FlgSurfacePoint corner = {0, 0, 0};
+    FlgTangleSeeds seeds{};
+    seeds.points = &corner;
+    seeds.point_count = 1;
+    ASSERT_EQ(host.divide(contour(tangle, root, seeds, 0.3f, 2)), FLG_OK);
+    EXPECT_EQ(host.info(tangle).leaf_count, 3u);
+    expect_valid(host, surface, tangle, 0.5);
+}
+
+TEST(TangleOddities, WhatOthersCutIsRefusedFromThenOn) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(6));
+    const FlgTangle tangle = host.tangle(surface);
+    const float level = 0.4f;
+    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+    cut.field = host.field(surface, [](const Point& p) { return p[0]; });
+    cut.levels.values = &level;
+    cut.levels.count = 1;
+    ASSERT_EQ(flgCutIsolines(host.context, &cut, nullptr, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    const Refused refused = divide(host, contour(tangle, root, outer_borders(), 0.1f, 1));
+    EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(refused.sentence.find("changed by others"), std::string::npos) << refused.sentence;
+}
+
+TEST(TangleOddities, ACancelledStepIsNone) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(12));
+    const FlgTangle tangle = host.tangle(surface);
+    const std::string before = bits(host.view(surface));
+    const FlgTangleDivideDesc desc = contour(tangle, root, outer_borders(), 0.1f, 1);
+    FlgJob job{};
+    ASSERT_EQ(flgTangleDivide(host.context, &desc, &job), FLG_OK);
+    ASSERT_EQ(flgJobCancel(host.context, job), FLG_OK);
+    host.finish();
+    EXPECT_EQ(host.result_of(job), FLG_ERROR_CANCELLED);
+    EXPECT_EQ(bits(host.view(surface)), before);
+    ASSERT_EQ(host.divide(desc), FLG_OK);
+    EXPECT_EQ(host.info(tangle).leaf_count, 2u);
+}
+
+TEST(TangleDisplacement, HeightsFollowTheProfile) {
+    const TangleHost host;
+    const FlgSurface surface = host.surface(plane(20));
+    const FlgTangle tangle = host.tangle(surface);
+    FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
+    desc.tangle = tangle;
+    desc.regions = root.data();
+    desc.region_count = 1;
+    desc.amount = 0.25f;
+    ASSERT_EQ(flgTangleDisplace(host.context, &desc, nullptr), FLG_OK);
+    host.finish();
+    // A pyramid over the square: distance to the nearest side over the largest, 0.5.
+    const FlgSurfaceView view = host.view(surface);
+    for (uint32_t v = 0; v < view.mesh.vertex_count; ++v) {
+        const Point p = vertex_at(view, v);
+        const double side = std::min({p[0], 1 - p[0], p[1], 1 - p[1]});
+        EXPECT_NEAR(p[2], 0.25 * side / 0.5, 2e-3);
+    }
+    for (const auto& [member, value] : {std::pair{&FlgTangleDisplaceDesc::bias, 0.0f},
+                                        {&FlgTangleDisplaceDesc::bias, 1.0f},
+                                        {&FlgTangleDisplaceDesc::gain, 0.0f},
+                                        {&FlgTangleDisplaceDesc::reach, -1.0f},
+                                        {&FlgTangleDisplaceDesc::amount, NAN}}) {
+        FlgTangleDisplaceDesc bad = desc;
+        bad.*member = value;
+        EXPECT_EQ(flgTangleDisplace(host.context, &bad, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    }
+}
+
+}  // namespace
+}  // namespace flg::test

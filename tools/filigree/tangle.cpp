@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// filigree tangle: decorates a mesh by a script.
+#include <algorithm>
+#include <memory>
+
+#include "command.h"
+#include "failure.h"
+#include "tangle_script.h"
+#include "text_file.h"
+
+namespace flg::cli {
+namespace {
+
+struct Options {
+    std::string mesh, script, output, masks;
+};
+
+// What each leaf is shown as: a group, one number after the other.
+struct Groups {
+    std::vector<uint32_t> of_triangle;
+    uint32_t count = 0;
+};
+
+Groups visible_groups(const TangleScript& script, const FlgMeshView& mesh) {
+    std::map<uint32_t, uint32_t> numbers;
+    std::vector<uint32_t> of_leaf(script.info().region_count, FLG_NO_INDEX);
+    Groups groups;
+    for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
+        uint32_t& group = of_leaf[mesh.regions[t]];
+        if (group == FLG_NO_INDEX) {
+            const uint32_t visible = script.region(mesh.regions[t]).visible_group;
+            group = numbers.emplace(visible, static_cast<uint32_t>(numbers.size())).first->second;
+        }
+        groups.of_triangle.push_back(group);
+    }
+    groups.count = static_cast<uint32_t>(numbers.size());
+    return groups;
+}
+
+void write_masks(const Options& options, const FlgMeshView& mesh, const Groups& groups) {
+    const FlgMeshFaceColumn column = {"group", groups.of_triangle.data()};
+    FlgMeshWriteDesc desc;
+    flgMeshWriteDescInit(&desc, sizeof desc);
+    desc.face_columns = &column;
+    desc.face_column_count = 1;
+    check(flgMeshFileWrite(options.masks.c_str(), &mesh, &desc), options.masks);
+}
+
+void run_tangle(const Options& options, const CommonOptions& common) {
+    require_mesh_output(options.output, Regions::needed);
+    if (!options.masks.empty()) require_mesh_output(options.masks, Regions::needed);
+    require_writable(common.report);
+    const nlohmann::json script = JsonPlace::read(options.script);
+    Report report("tangle", common);
+    report.parameters["mesh"] = options.mesh;
+    report.parameters["script"] = options.script;
+    Session session(common);
+    const MeshSurface surface(session, options.mesh, 0.0f, report);
+    surface.warn_of_repairs(report);
+    TangleScript tangle(session, surface, report);
+    tangle.run(script, options.script);
+
+    const FlgMeshView mesh = surface.view().mesh;
+    const FlgTangleInfo info = tangle.info();
+    const Groups groups = visible_groups(tangle, mesh);
+    report.counts["regions"] = info.region_count;
+    report.counts["leaves"] = info.leaf_count;
+    report.counts["groups"] = groups.count;
+    report.counts["steps"] = info.undo_count;
+    report.counts["depth"] = info.depth;
+    report.counts["cut_vertices"] = mesh.vertex_count;
+    report.counts["cut_triangles"] = mesh.triangle_count;
+    FlgMeshView shown = mesh;
+    shown.regions = groups.of_triangle.data();
+    write_mesh(options.output, shown);
+    if (!options.masks.empty()) write_masks(options, mesh, groups);
+    report.write();
+}
+
+}  // namespace
+
+Command add_tangle(CLI::App& program, const CommonOptions& common) {
+    CLI::App* app = program.add_subcommand("tangle", "Decorates a mesh with recursive ornament, by a script");
+    const auto o = std::make_shared<Options>();
+    app->add_option("MESH", o->mesh, "Mesh: .obj, .ply, .off, .gltf or .glb")->required();
+    app->add_option("SCRIPT", o->script, "Operations, JSON; sdk/tangles/README.md describes them")
+        ->required()
+        ->type_name("SCRIPT.json");
+    app->add_option("-o,--output", o->output, "Result: .glb with a primitive and a material a group, .ply or .obj")
+        ->required()
+        ->type_name("OUT");
+    app->add_option("--masks", o->masks, "Write the cut mesh with the face properties `region` and `group`")
+        ->type_name("M.ply");
+    return {app, [o, &common] { run_tangle(*o, common); }};
+}
+
+}  // namespace flg::cli
