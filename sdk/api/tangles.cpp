@@ -338,6 +338,22 @@ FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* re
         });
 }
 
+FlgResult flgTangleBorders(FlgContext context, FlgTangle tangle, FlgSurfaceCurves* out_curves, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_curves, "out_curves") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const auto of = self.tangles.get(tangle.id, "tangle");
+        Submission submission(self, default_job_options());
+        submission.read(*of, "tangle");
+        submission.read_surface(of->surface, "the surface of the tangle");
+        const auto out = make_object<TracedCurves>(self, of->surface, &self.memory);
+        submission.job().strand.start(trace_borders(submission.pace(), of, out));
+        *out_curves = {submission.commit(self.surface_curves, out, out_job)};
+        return FLG_OK;
+    });
+}
+
 FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job) {
     return change_tangle(context, tangle, out_job, [](TangleChange& change) {
         return undo_step(change.submission.pace(), change.tangle, change.revision());

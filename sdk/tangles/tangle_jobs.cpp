@@ -6,6 +6,7 @@
 #include "core/failure.h"
 #include "surfaces/mesh_edit_replay.h"
 #include "surfaces/surface_update.h"
+#include "tangles/look_borders.h"
 #include "tangles/region_partition.h"
 
 namespace flg {
@@ -17,6 +18,8 @@ constexpr uint32_t label_chunk = 10'000;
 constexpr uint32_t tree_chunk = 500;
 constexpr uint32_t partition_chunk = 100;
 constexpr uint32_t replay_chunk = 4000;
+constexpr uint32_t borders_chunk = 500;
+constexpr uint32_t flatten_chunk = 2000;
 
 // A step: all of it or, if it fails, nothing. It takes no memory to take one back: no call of another task does that.
 Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& change) {
@@ -161,6 +164,14 @@ Task<void> join_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::ve
     Task<void> change = join_leaves(pace, *tangle, leaves, revision, *step);
     co_await run_step(pace, *tangle, *step, change);
     step.keep();
+}
+
+Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out) {
+    pace.stage("borders");
+    LookBordersKernel kernel(tangle->surface->mesh(), tangle->tree, out->curves, pace.memory());
+    while (!kernel.run(borders_chunk)) co_await pace;
+    FlattenCurvesKernel flatten_curves(*out, pace.memory());
+    while (!flatten_curves.run(flatten_chunk)) co_await pace;
 }
 
 // A step is taken back, or made again, whole or not at all. If memory runs out between two that belong together, the job fails

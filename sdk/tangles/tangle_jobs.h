@@ -3,6 +3,7 @@
 // one back.
 #pragma once
 
+#include "surfaces/traced_curves.h"
 #include "tangles/tangle_displacement.h"
 #include "tangles/tangle_operators.h"
 
@@ -22,6 +23,9 @@ Task<void> group_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::v
 Task<void> ungroup_regions(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t group);
 Task<void> join_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<RegionId> regions,
                         uint32_t revision);
+
+// The whole of flgTangleBorders.
+Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out);
 
 // The whole of flgTangleUndo and flgTangleRedo.
 Task<void> undo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revision);

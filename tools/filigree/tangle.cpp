@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "failure.h"
+#include "path_curves.h"
 #include "tangle_script.h"
 #include "text_file.h"
 
@@ -12,7 +13,7 @@ namespace flg::cli {
 namespace {
 
 struct Options {
-    std::string mesh, script, output, masks;
+    std::string mesh, script, output, masks, curves;
 };
 
 // What each leaf is shown as: a group, one number after the other.
@@ -46,9 +47,18 @@ void write_masks(const Options& options, const FlgMeshView& mesh, const Groups& 
     check(flgMeshFileWrite(options.masks.c_str(), &mesh, &desc), options.masks);
 }
 
+FlgCurveSet trace_borders(Session& session, const TangleScript& script, const Options& options, Report& report) {
+    FlgSurfaceCurves borders = {};
+    FlgJob job = {};
+    check(flgTangleBorders(session.context(), script.tangle(), &borders, &job), options.mesh);
+    session.finish({{{job, options.mesh}}}, report);
+    return lift(session, borders, options.mesh, report);
+}
+
 void run_tangle(const Options& options, const CommonOptions& common) {
     require_mesh_output(options.output, Regions::needed);
     if (!options.masks.empty()) require_mesh_output(options.masks, Regions::needed);
+    if (!options.curves.empty()) require_curve_output(options.curves);
     require_writable(common.report);
     const nlohmann::json script = JsonPlace::read(options.script);
     Report report("tangle", common);
@@ -60,6 +70,8 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     TangleScript tangle(session, surface, report);
     tangle.run(script, options.script);
 
+    const FlgCurveSet borders =
+        options.curves.empty() ? FlgCurveSet{} : trace_borders(session, tangle, options, report);
     const FlgMeshView mesh = surface.view().mesh;
     const FlgTangleInfo info = tangle.info();
     const Groups groups = visible_groups(tangle, mesh);
@@ -74,6 +86,9 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     shown.regions = groups.of_triangle.data();
     write_mesh(options.output, shown);
     if (!options.masks.empty()) write_masks(options, mesh, groups);
+    if (!options.curves.empty()) {
+        report.counts["border_points"] = write_curves(session.context(), borders, options.curves);
+    }
     report.write();
 }
 
@@ -91,6 +106,7 @@ Command add_tangle(CLI::App& program, const CommonOptions& common) {
         ->type_name("OUT");
     app->add_option("--masks", o->masks, "Write the cut mesh with the face properties `region` and `group`")
         ->type_name("M.ply");
+    app->add_option("--curves", o->curves, "Write the borders that are seen: .xyz, .obj or .glb")->type_name("C.xyz");
     return {app, [o, &common] { run_tangle(*o, common); }};
 }
 

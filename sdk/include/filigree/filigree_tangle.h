@@ -148,6 +148,11 @@ FLG_API FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_
 FLG_API FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
                                 FlgJob* out_job);
 
+/* Starts a job that gives the borders that are seen as curves on the surface, chains of its edges: to lift into space
+ * (flgLiftCurves), to stylize, to draw as ribbons and tubes. Open ones from meeting point to meeting point, then closed ones;
+ * curve_values are lengths. Where looks are all the same there are none. Cost: about 30 ns a triangle. */
+FLG_API FlgResult flgTangleBorders(FlgContext context, FlgTangle tangle, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+
 /* ---- History ----------------------------------------------------------------------------------------------------- */
 
 /* Starts a job that takes the last step back; it fails if there is none (steps whose job failed are none). Cost: that of
