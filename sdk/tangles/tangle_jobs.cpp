@@ -121,6 +121,34 @@ Task<void> divide_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DivideReque
     step.keep();
 }
 
+// Steps that were forgotten can't come back: so none is until the last operator has come to its end.
+Task<void> divide_in_sequence(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<DivideRequest> requests,
+                              uint32_t revision) {
+    std::pmr::deque<NextStep> steps(pace.memory());
+    std::exception_ptr failure;
+    try {
+        for (const DivideRequest& request : requests) {
+            NextStep& step = steps.emplace_back(*tangle, pace.memory());
+            (*step).goes_on = steps.size() > 1;
+            Task<void> change = divide_regions(pace, *tangle, request, revision, *step);
+            co_await run_step(pace, *tangle, *step, change);
+        }
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    if (!failure) {
+        for (NextStep& step : steps) step.keep();
+        co_return;
+    }
+    if (!steps.empty()) steps.pop_back();  // the one that failed took itself back
+    for (size_t i = steps.size(); i-- > 0;) {
+        TangleStep& step = *steps[i];
+        if (step.edit) co_await take_back_edit(pace, *tangle->surface, *step.edit, revision);
+        tangle->tree.take_back(step.tree);
+    }
+    std::rethrow_exception(failure);
+}
+
 Task<void> displace_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DisplaceRequest request, uint32_t revision) {
     NextStep step(*tangle, pace.memory());
     Task<void> change = displace_regions(pace, *tangle, request, revision, *step);

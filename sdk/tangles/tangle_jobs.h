@@ -15,6 +15,10 @@ Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle);
 // The whole of flgTangleDivide. `revision`: of the surface, after the job; so for all.
 Task<void> divide_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DivideRequest request, uint32_t revision);
 
+// The whole of flgTangleApplyMacro: operators that are one step together.
+Task<void> divide_in_sequence(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<DivideRequest> requests,
+                              uint32_t revision);
+
 // The whole of flgTangleDisplace.
 Task<void> displace_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DisplaceRequest request, uint32_t revision);
 

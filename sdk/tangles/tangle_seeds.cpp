@@ -194,9 +194,15 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
     if (seeds.sample_radius > 0) sources.vertices = co_await sample(pace, surface, leaves, seeds);
     SurfaceCurves spaced(pace.memory());
     const bool outer = seeds.borders == FLG_TANGLE_BORDERS_OUTER;
-    if (outer || !seeds.stretches.empty() || seeds.border_spacing > 0) {
+    if (outer || seeds.other_loops || !seeds.stretches.empty() || seeds.border_spacing > 0) {
         RegionLoops loops(pace.memory());
         co_await find_loops(pace, mesh, leaves, argument, loops);
+        if (seeds.other_loops && loops.count() < 2) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the regions have one border, two are needed to go between them");
+        }
+        for (uint32_t l = 1; seeds.other_loops && l < loops.count(); ++l) {
+            co_await add_stretch(pace, mesh, loops, {.loop = l}, places.edges);
+        }
         if (outer || !seeds.stretches.empty()) {
             const Buffer<BorderStretch> stretches = choose_stretches(loops, seeds, argument, pace.memory());
             for (const BorderStretch& stretch : stretches) {

@@ -15,6 +15,7 @@ struct TangleSeeds {
 
     FlgTangleBorders borders = FLG_TANGLE_BORDERS_NONE;
     std::pmr::vector<BorderStretch> stretches;  // of the outer borders
+    bool other_loops = false;                   // the outer borders but the first
     Buffer<SurfacePoint> points;
     std::shared_ptr<const TracedCurves> curves;  // or null
     float sample_radius = 0;                     // metres; 0: no samples
@@ -25,7 +26,7 @@ struct TangleSeeds {
 
     bool empty() const {
         return borders == FLG_TANGLE_BORDERS_NONE && stretches.empty() && points.empty() && !curves &&
-               sample_radius == 0 && border_spacing == 0;
+               sample_radius == 0 && border_spacing == 0 && !other_loops;
     }
 };
 

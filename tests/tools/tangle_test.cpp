@@ -32,17 +32,20 @@ const char* const kScript = R"({
     {"name": "bands", "op": "contour", "on": "root", "from": {"points": [312]}, "delta": 0.6, "count": 0},
     {"name": "dots", "op": "contour", "on": "bands.background", "each": true,
      "from": {"samples": {"radius": 0.35}}, "delta": 0.1},
-    {"op": "displace", "on": "dots.foreground", "amount": 0.05, "bias": 0.7}
+    {"op": "displace", "on": "dots.foreground", "amount": 0.05, "bias": 0.7},
+    {"name": "rest", "op": "outline", "on": "bands.foreground", "size": 0.05}
   ]})";
 
 TEST_F(Tangle, RunsAScriptAndWritesMasks) {
     folder.write("script.json", kScript);
-    done(command({"--masks", "masks.ply"}));
+    done(command({"--masks", "masks.ply", "--curves", "borders.xyz"}));
+    EXPECT_GT(report().at("counts").at("border_points"), 100);
+    EXPECT_FALSE(folder.read("borders.xyz").empty());
     const nlohmann::json counts = report().at("counts");
     EXPECT_GT(counts.at("leaves"), 20);
     EXPECT_EQ(counts.at("depth"), 2);
-    // Of 6 bands 3 are divided, each by itself, then the dots are raised.
-    EXPECT_EQ(counts.at("steps"), 5);
+    // Of 6 bands 3 are divided, each by itself, then the dots are raised and the others outlined.
+    EXPECT_EQ(counts.at("steps"), 6);
     done({"mesh", "info", "masks.ply", "--report", "info.json"});
     const nlohmann::json info = report("info.json").at("counts");
     EXPECT_EQ(info.at("regions"), counts.at("leaves"));

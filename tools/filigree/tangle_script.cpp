@@ -13,6 +13,7 @@ namespace flg::cli {
 namespace {
 
 constexpr double kLargest = 1e30;
+constexpr size_t kFirstMacro = 7;  // among the names of operations
 constexpr uint32_t kAnyCount = std::numeric_limits<uint32_t>::max();
 
 // A vertex by its number, or three coordinates.
@@ -72,19 +73,25 @@ float TangleScript::length(const JsonPlace& place) const {
 }
 
 void TangleScript::run_operation(const JsonPlace& operation) {
-    operation.allow({"op", "name", "on", "from", "to", "delta", "count", "groups", "cycle", "scaffold", "closed",
-                     "each", "perturbation", "frequency", "seed", "amount", "bias", "gain", "reach"});
+    operation.allow({"op",     "name",   "on",       "from",   "to",    "delta",        "count",
+                     "groups", "cycle",  "scaffold", "closed", "each",  "perturbation", "frequency",
+                     "seed",   "amount", "bias",     "gain",   "reach", "size",         "spacing"});
     const size_t op =
-        operation.at("op").word({"contour", "stream", "voronoi", "polyline", "displace", "group", "join"});
+        operation.at("op").word({"contour", "stream", "voronoi", "polyline", "displace", "group", "join", "sunburst",
+                                 "polka_dots", "frames", "flower", "grid", "outline", "lace", "cells"});
     Result result;
     result.applied = select(operation.at("on"));
     if (result.applied.empty()) operation.at("on").fail("selects no region");
     const uint32_t before = info().region_count;
     const bool each = operation.find("each") && operation.at("each").flag();
-    if (op <= FLG_TANGLE_POLYLINE && each) {
-        for (const uint32_t region : result.applied) divide(operation, static_cast<FlgTangleOperator>(op), {region});
-    } else if (op <= FLG_TANGLE_POLYLINE) {
-        divide(operation, static_cast<FlgTangleOperator>(op), result.applied);
+    const auto divide_all = [&](const std::vector<uint32_t>& regions) {
+        if (op <= FLG_TANGLE_POLYLINE) return divide(operation, static_cast<FlgTangleOperator>(op), regions);
+        apply_macro(operation, static_cast<FlgTangleMacro>(op - kFirstMacro), regions);
+    };
+    if ((op <= FLG_TANGLE_POLYLINE || op >= kFirstMacro) && each) {
+        for (const uint32_t region : result.applied) divide_all({region});
+    } else if (op <= FLG_TANGLE_POLYLINE || op >= kFirstMacro) {
+        divide_all(result.applied);
     } else if (op == 4) {
         displace(operation, result.applied);
     } else {
@@ -131,6 +138,22 @@ void TangleScript::divide(const JsonPlace& operation, FlgTangleOperator kind, co
     if (const auto seed = operation.find("seed")) desc.seed = seed->count(0, kAnyCount);
     FlgJob job = {};
     check(flgTangleDivide(session_.context(), &desc, &job), operation.path());
+    finish(job, operation);
+}
+
+void TangleScript::apply_macro(const JsonPlace& operation, FlgTangleMacro kind, const std::vector<uint32_t>& regions) {
+    FlgTangleMacroDesc desc;
+    flgTangleMacroDescInit(&desc, sizeof desc);
+    desc.kind = kind;
+    desc.tangle = tangle_;
+    desc.regions = regions.data();
+    desc.region_count = static_cast<uint32_t>(regions.size());
+    if (const auto count = operation.find("count")) desc.count = count->count(1, 256);
+    if (const auto size = operation.find("size")) desc.size = length(*size);
+    if (const auto spacing = operation.find("spacing")) desc.spacing = length(*spacing);
+    if (const auto seed = operation.find("seed")) desc.seed = seed->count(0, kAnyCount);
+    FlgJob job = {};
+    check(flgTangleApplyMacro(session_.context(), &desc, &job), operation.path());
     finish(job, operation);
 }
 

@@ -34,6 +34,7 @@ private:
 
     void run_operation(const JsonPlace& operation);
     void divide(const JsonPlace& operation, FlgTangleOperator kind, const std::vector<uint32_t>& regions);
+    void apply_macro(const JsonPlace& operation, FlgTangleMacro kind, const std::vector<uint32_t>& regions);
     void displace(const JsonPlace& operation, const std::vector<uint32_t>& regions);
     std::vector<uint32_t> select(const JsonPlace& selection) const;
     std::vector<uint32_t> select_by_name(const JsonPlace& place) const;

@@ -117,6 +117,43 @@ FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t st
  * regions; with b two, with samples two more) and the cut (flgCutIsolines), and about 10 ns a triangle of the surface. */
 FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
 
+typedef enum FlgTangleMacro {
+    FLG_TANGLE_SUNBURST = 0,   /* strips from the first border to the others: a stream of the blend */
+    FLG_TANGLE_POLKA_DOTS = 1, /* discs around samples: a contour */
+    FLG_TANGLE_FRAMES = 2,     /* bands along the outer borders: contours */
+    FLG_TANGLE_FLOWER = 3,     /* petals between the outer borders and samples: contours of the blend */
+    FLG_TANGLE_GRID =
+        4, /* a chequerboard between the first border and the others: contours of the blend, then a stream */
+    FLG_TANGLE_OUTLINE = 5, /* a band along every border: a contour */
+    FLG_TANGLE_LACE = 6,    /* scallops: a contour of points along the outer borders */
+    FLG_TANGLE_CELLS = 7,   /* Voronoi cells of samples */
+    FLG_TANGLE_MACRO_FORCE_32BIT = 0x7fffffff
+} FlgTangleMacro;
+
+/* The operators that are used together most, sec. 3.4 and Fig. 13. */
+typedef struct FlgTangleMacroDesc {
+    uint32_t struct_size;
+    FlgTangleMacro kind; /* default FLG_TANGLE_SUNBURST */
+    FlgJobOptions job;
+    FlgTangle tangle;
+    const uint32_t* regions; /* as of an operator; copied */
+    uint32_t region_count;   /* at least 1 */
+    uint32_t count;          /* frames, petals one in another, rows of the grid: 1 to 256; default 4 */
+    /* Metres, > 0; default 0.1. Strips and columns: their width along the first border; dots, lace: the radius; frames and
+     * outlines: the width of a band. Flowers and cells have none. */
+    float size;
+    /* Metres, > 0; default 0.3: between samples, at least; between scallops. */
+    float spacing;
+    uint32_t reserved[2];
+    uint64_t seed; /* of samples; default 1 */
+} FlgTangleMacroDesc;
+
+FLG_API FlgResult flgTangleMacroDescInit(FlgTangleMacroDesc* desc, uint32_t struct_size);
+
+/* Starts a job that applies a macro: one step, to be taken back at once. Parts are grouped as FLG_TANGLE_GROUP_TWO does. Fails as
+ * its operators do; sunbursts and grids also if the regions together have fewer than two borders. */
+FLG_API FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleMacroDesc* desc, FlgJob* out_job);
+
 /* Moves vertices of regions along the surface's normals: sec. 3.4, after an operator. Each leaf rises by `amount` at the place
  * that is farthest from its borders, or everywhere `reach` and more away from them; borders stay. In between the height is
  * the profile of the distance, by the bias and gain of Schlick (1994). Distances measured later are those on the new surface. */
@@ -202,6 +239,12 @@ FLG_API FlgResult flgTangleGetRegion(FlgContext context, FlgTangle tangle, uint3
 static inline FlgTangleDivideDesc flgTangleDivideDefaults(void) {
     FlgTangleDivideDesc desc;
     flgTangleDivideDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgTangleMacroDesc flgTangleMacroDefaults(void) {
+    FlgTangleMacroDesc desc;
+    flgTangleMacroDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
