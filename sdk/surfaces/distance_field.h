@@ -36,10 +36,12 @@ struct DistanceField {
     Buffer<uint32_t> labels;  // of the nearest source, no_index where unreachable; empty unless asked for
 };
 
-// Copies the field that a solver of either kind has made out of it, in slices of vertices.
+// Copies the field that a solver has made out of it, in slices of vertices. (refined_solver.h has one of its own.)
 template <class Solver>
 class DistanceFieldKernel {
 public:
+    static constexpr uint32_t chunk = 2000;  // about 10 us
+
     // `field` takes memory for all vertices of the mesh; labels only if the solver keeps them and they are wanted.
     DistanceFieldKernel(const Solver& solver, uint32_t vertex_count, bool labelled, DistanceField& field,
                         Memory* memory)

@@ -29,6 +29,8 @@ void RefinedSolver::begin(std::span<const Seed> seeds, const SolveLimits& limits
     if (states_.size() < ranks) {
         states_ = Buffer<WaveState>(blocks_.blocks.capacity(), memory_);
         waiting_ = Buffer<uint32_t>(blocks_.blocks.capacity(), memory_);
+        touched_ = Buffer<uint8_t>(blocks_.blocks.capacity() / page_size + 1, memory_);
+        std::fill(touched_.begin(), touched_.end(), uint8_t{1});
     }
     if (labelled && labels_.size() < ranks) labels_ = Buffer<uint32_t>(blocks_.blocks.capacity(), memory_);
     labelled_ = labelled;
@@ -60,7 +62,7 @@ bool RefinedSolver::run(uint32_t count) {
         switch (pass_) {
             case Pass::clear:
                 clear(at_);
-                advance(blocks_.rank_count());
+                advance(page_count());
                 break;
             case Pass::find_first:
                 if (at_ < seeds_.size()) bucket_ = std::min(bucket_, bucket_of(seeds_[at_].distance));
@@ -85,9 +87,15 @@ void RefinedSolver::advance(size_t size) {
     pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
 }
 
-void RefinedSolver::clear(uint32_t rank) {
-    states_[rank] = {rank == nowhere ? -unreachable : unreachable, 0};
-    waiting_[rank] = no_index;
+// To the end of the page, whatever ranks there are now: a page is not looked at again until it is touched.
+void RefinedSolver::clear(uint32_t page) {
+    if (touched_[page] == 0) return;
+    touched_[page] = 0;
+    const size_t end = std::min(size_t{page + 1} * page_size, states_.size());
+    for (size_t rank = size_t{page} * page_size; rank < end; ++rank) {
+        states_[rank] = {rank == nowhere ? -unreachable : unreachable, 0};
+        waiting_[rank] = no_index;
+    }
 }
 
 void RefinedSolver::place(const Seed& seed) {
@@ -116,6 +124,7 @@ void RefinedSolver::wait(uint32_t rank) {
 
 void RefinedSolver::improve(uint32_t rank, const WaveState& state) {
     states_[rank] = state;
+    touched_[rank / page_size] = 1;
     wait(rank);
 }
 
@@ -244,6 +253,35 @@ float RefinedSolver::distance(uint32_t vertex) const {
 
 uint32_t RefinedSolver::label(uint32_t vertex) const {
     return distance(vertex) == unreachable ? no_index : labels_[blocks_.rank_of_vertex[vertex]];
+}
+
+DistanceFieldKernel<RefinedSolver>::DistanceFieldKernel(const RefinedSolver& solver, uint32_t vertex_count,
+                                                        bool labelled, DistanceField& field, Memory* memory)
+    : solver_(solver), field_(field) {
+    field.distances = Buffer<float>(vertex_count, memory);
+    field.labels = Buffer<uint32_t>(labelled ? vertex_count : 0, memory);
+}
+
+bool DistanceFieldKernel<RefinedSolver>::run(uint32_t count) {
+    const uint32_t size = static_cast<uint32_t>(field_.distances.size());
+    for (; count > 0 && filled_ < size; --count) fill(filled_);
+    for (; count > 0 && page_ < solver_.page_count(); --count) copy(page_++);
+    return filled_ == size && page_ == solver_.page_count();
+}
+
+void DistanceFieldKernel<RefinedSolver>::fill(uint32_t first) {
+    constexpr uint32_t fill_size = 64;
+    filled_ = std::min(first + fill_size, static_cast<uint32_t>(field_.distances.size()));
+    std::fill(field_.distances.data() + first, field_.distances.data() + filled_, unreachable);
+    if (field_.labels.empty()) return;
+    std::fill(field_.labels.data() + first, field_.labels.data() + filled_, no_index);
+}
+
+void DistanceFieldKernel<RefinedSolver>::copy(uint32_t page) {
+    solver_.visit_page(page, [this](uint32_t vertex, float distance, uint32_t label) {
+        field_.distances[vertex] = distance;
+        if (!field_.labels.empty()) field_.labels[vertex] = label;
+    });
 }
 
 }  // namespace flg

@@ -8,6 +8,7 @@
 // order does not depend on slices, on ranks, or on what the solver was used for before.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "surfaces/bucket_queue.h"
@@ -18,6 +19,7 @@
 namespace flg {
 
 // A solver is scratch memory (12 bytes a vertex, 16 with labels) that serves one field after the other; one for each thread.
+// Ranks come in pages: to clear a field and to read it costs as many of them as it has touched.
 class RefinedSolver {
 public:
     // The blocks must outlive the solver; they may be updated between fields.
@@ -36,6 +38,19 @@ public:
     float distance(uint32_t vertex) const;
     uint32_t label(uint32_t vertex) const;
 
+    static constexpr uint32_t page_size = 64;  // ranks
+    uint32_t page_count() const { return (blocks_.rank_count() + page_size - 1) / page_size; }
+    // Calls take(vertex, distance, label) for those of the page that were reached; labels mean something if they are kept.
+    template <class Take>
+    void visit_page(uint32_t page, Take take) const {
+        if (touched_[page] == 0) return;
+        const uint32_t end = std::min((page + 1) * page_size, blocks_.rank_count());
+        for (uint32_t rank = std::max(page * page_size, nowhere + 1); rank < end; ++rank) {
+            if (!(states_[rank].distance <= reach_) || states_[rank].distance == unreachable) continue;
+            take(blocks_.vertex_of_rank[rank], states_[rank].distance, labelled_ ? labels_[rank] : no_index);
+        }
+    }
+
 private:
     static constexpr uint32_t batch_size = 2;
     struct Batch {
@@ -47,7 +62,7 @@ private:
     enum class Pass { clear, find_first, seed, solve, drain, done };
 
     void advance(size_t size);
-    void clear(uint32_t rank);
+    void clear(uint32_t page);
     void place(const Seed& seed);
     uint32_t bucket_of(float distance) const;
     void wait(uint32_t rank);
@@ -67,6 +82,7 @@ private:
     Buffer<WaveState> states_;  // by rank
     Buffer<uint32_t> waiting_;  // by rank: the bucket that it waits in, or no_index
     Buffer<uint32_t> labels_;   // by rank
+    Buffer<uint8_t> touched_;   // by page: whether a state may differ from a cleared one
     BucketQueue queue_;
     std::span<const Seed> seeds_;
     const SolveLimits* limits_ = nullptr;
@@ -84,6 +100,26 @@ private:
     float reach_ = unreachable;     // the last limit
     Pass pass_ = Pass::done;
     uint32_t at_ = 0;
+};
+
+// Copies the field out. A unit is 64 vertices, to be filled in as unreachable, or a page.
+template <>
+class DistanceFieldKernel<RefinedSolver> {
+public:
+    static constexpr uint32_t chunk = 30;  // about 10 us
+
+    DistanceFieldKernel(const RefinedSolver& solver, uint32_t vertex_count, bool labelled, DistanceField& field,
+                        Memory* memory);
+    bool run(uint32_t count);
+
+private:
+    void fill(uint32_t first);
+    void copy(uint32_t page);
+
+    const RefinedSolver& solver_;
+    DistanceField& field_;
+    uint32_t filled_ = 0;  // vertices
+    uint32_t page_ = 0;
 };
 
 }  // namespace flg

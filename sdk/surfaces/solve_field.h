@@ -11,7 +11,8 @@
 
 namespace flg {
 
-// What a surface's solvers work on. Fails with FLG_ERROR_OUT_OF_MEMORY if it was lost when memory ran out in a cut.
+// What a surface's solvers work on. Fails with FLG_ERROR_OUT_OF_MEMORY if memory ran out when it was built, or
+// followed a cut.
 const GeodesicBlocks& blocks_of(const Surface& surface);
 const GeodesicGraph& graph_of(const Surface& surface);
 
@@ -22,9 +23,8 @@ Task<const GeodesicRegion*> bound_region(Pace& pace, const Mesh& mesh, const Geo
 // Copies a solver's field out.
 template <class Solver>
 Task<void> take_field(Pace& pace, const Solver& solver, uint32_t vertex_count, bool labelled, DistanceField& field) {
-    constexpr uint32_t chunk = 2000;  // vertices, about 10 us
     DistanceFieldKernel copy(solver, vertex_count, labelled, field, pace.memory());
-    while (!copy.run(chunk)) co_await pace;
+    while (!copy.run(copy.chunk)) co_await pace;
 }
 
 Task<Buffer<uint32_t>> flatten(Pace& pace, const std::pmr::deque<uint32_t>& indices);

@@ -275,6 +275,51 @@ TEST(RefinedSolver, ExtendsAFieldBySources) {
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) EXPECT_NEAR(solver.distance(v), together[v], 0.01);
 }
 
+TEST(RefinedSolver, IsAsGoodAsNewAfterAnotherField) {
+    const Mesh mesh = make_mesh(torus(60, 40));
+    Geodesics geodesics(mesh);
+    RefinedSolver solver(geodesics.blocks, test_memory());
+    const SolveLimits unlimited;
+    SolveLimits near;
+    near.distance = 0.3f;
+    const auto again = [&](const std::vector<Seed>& seeds, const SolveLimits& limits) {
+        solver.begin(seeds, limits, false);
+        const auto fresh = geodesics.distances(seeds, limits);
+        EXPECT_EQ(solve(solver, geodesics.vertex_count), fresh);
+        for (uint32_t v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(solver.distance(v), fresh[v]);
+    };
+    again({{7, 0, 0}}, near);
+    again({{1300, 0, 0}}, unlimited);
+    again({{7, 0, 0}, {900, 0, 0}}, near);
+    again({}, unlimited);
+}
+
+TEST(RefinedSolver, CostsWhatItTouches) {
+    const Mesh mesh = make_mesh(plane(300));
+    Geodesics geodesics(mesh);
+    RefinedSolver solver(geodesics.blocks, test_memory());
+    SolveLimits near;
+    near.distance = 0.02f;
+    const std::vector<Seed> seeds = {{mesh.vertex_count() / 3, 0, 0}};
+    uint32_t units = 0;
+    for (int round = 0; round < 2; ++round) {
+        solver.begin(seeds, near, false);
+        for (units = 1; !solver.run(1); ++units) {}
+    }
+    uint32_t pages = 0;
+    for (uint32_t p = 0; p < solver.page_count(); ++p) {
+        uint32_t reached = 0;
+        solver.visit_page(p, [&](uint32_t vertex, float distance, uint32_t) {
+            EXPECT_EQ(distance, solver.distance(vertex));
+            ++reached;
+        });
+        pages += reached > 0;
+    }
+    EXPECT_GT(pages, 0u);
+    EXPECT_LT(pages, 20u);
+    EXPECT_LT(units, mesh.vertex_count() / 20);
+}
+
 TEST(RefinedSolver, DoesNotReachOtherComponents) {
     const Eigen::Affine3d away(Eigen::Translation3d(10, 0, 0));
     const Mesh mesh = make_mesh(both(sphere(2), moved(sphere(2), away)));
