@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "gallery/forms.h"
 #include "gallery/pictures.h"
 #include "support/vulkan_loader.h"
 
@@ -16,7 +17,7 @@ using namespace flg::gallery;
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
     for (const auto pictures : {showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(),
-                                steps(), live_pictures(), surface_pictures()}) {
+                                steps(), live_pictures(), surface_pictures(), tangle_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
     return list;
@@ -43,11 +44,13 @@ void run(const std::vector<std::string>& names, const std::string& folder, bool 
 
 int main(int argc, char** argv) {
     std::vector<std::string> names;
-    std::string folder = "out/gallery";
+    std::string folder = "out/gallery", forms;
     bool readme = false, list = false;
     CLI::App program("Remakes the gallery's pictures, offscreen.", "gallery");
     program.add_option("NAME", names, "Pictures to make; none = all");
     program.add_option("--out", folder, "Folder for the pictures")->capture_default_str();
+    program.add_option("--forms", forms,
+                       "Write the meshes that scripts of samples/tangles decorate to a folder, no pictures");
     program.add_flag("--readme", readme, "Make those that READMEs show, into the repository");
     program.add_flag("--list", list, "Say what there is, and make nothing");
     CLI11_PARSE(program, argc, argv);
@@ -56,6 +59,11 @@ int main(int argc, char** argv) {
         return 0;
     }
     try {
+        if (!forms.empty()) {
+            Workshop workshop;
+            write_forms(workshop, forms);
+            return 0;
+        }
         run(names, readme ? FLG_README_PICTURES : folder, readme);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "gallery: %s\n", error.what());

@@ -23,6 +23,7 @@ std::span<const Picture> attribute_pictures();  // what a style carries besides 
 std::span<const Picture> comparisons();         // what an option does
 std::span<const Picture> steps();               // what a step of the method does
 std::span<const Picture> live_pictures();       // strokes that are being drawn
-std::span<const Picture> surface_pictures();
+std::span<const Picture> surface_pictures();    // distances, paths and regions
+std::span<const Picture> tangle_pictures();     // recursive ornament
 
 }  // namespace flg::gallery

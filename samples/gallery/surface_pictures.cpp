@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "gallery/forms.h"
 #include "gallery/looks.h"
 #include "gallery/marks.h"
 #include "gallery/pictures.h"
@@ -14,23 +15,6 @@ namespace {
 constexpr glm::vec3 kClay = {0.56f, 0.50f, 0.44f};
 constexpr float kIsolineEvery = 0.05f;  // metres
 constexpr glm::vec3 kNose = {0.80f, 0.55f, 0.15f}, kTail = {-0.15f, 0.70f, 0.15f};
-
-filigree::Surface figure(Workshop& workshop) {
-    const scenes::Mesh blocks = scenes::make_figure();
-    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &blocks.vertices[0].x, 0, 0};
-    FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh.vertex_count = static_cast<uint32_t>(blocks.vertices.size());
-    desc.mesh.triangle_count = static_cast<uint32_t>(blocks.triangles.size());
-    desc.mesh.columns = &column;
-    desc.mesh.column_count = 1;
-    desc.mesh.triangles = blocks.triangles[0].data();
-    const filigree::Surface coarse = workshop.context().surface(desc);
-    FlgRefineDesc refine = flgRefineDefaults();
-    refine.surface = coarse.get();
-    refine.scheme = FLG_SUBDIVISION_LOOP;
-    refine.levels = 4;
-    return workshop.finished(workshop.context().refine(refine));
-}
 
 uint32_t vertex_near(const FlgMeshView& mesh, const glm::vec3& place) {
     uint32_t nearest = 0;
@@ -137,8 +121,8 @@ filigree::CurveSet stylized_rings(Workshop& workshop, const filigree::Field& fie
 }
 
 void surface(Workshop& workshop, Studio& studio) {
-    const filigree::Surface cat = figure(workshop), pieces = figure(workshop);
-    const filigree::Field field = distances(workshop, cat, kTail);
+    const filigree::Surface whole = cat(workshop), pieces = cat(workshop);
+    const filigree::Field field = distances(workshop, whole, kTail);
     render::SurfaceLook mapped, clay, chequered;
     mapped.isoline_spacing = kIsolineEvery;
     mapped.isoline_width_px = 2.0f;
@@ -146,10 +130,10 @@ void surface(Workshop& workshop, Studio& studio) {
     clay.material = {kClay, 0.0f, 0.6f};
     chequered.regions = cut_chequered(workshop, pieces);
     chequered.border_width_px = 3.0f;
-    const filigree::CurveSet geodesics = paths(workshop, cat), rings = stylized_rings(workshop, field);
+    const filigree::CurveSet geodesics = paths(workshop, whole), rings = stylized_rings(workshop, field);
     const FlgFieldView values = field.view();
-    std::vector<Panel> panels = {panel_with(cat, mapped, {values.values, values.vertex_count}),
-                                 panel_with(pieces, chequered), panel_with(cat, clay), panel_with(cat, clay)};
+    std::vector<Panel> panels = {panel_with(whole, mapped, {values.values, values.vertex_count}),
+                                 panel_with(pieces, chequered), panel_with(whole, clay), panel_with(whole, clay)};
     panels[2].layers = {shape_of(geodesics.view(), tube(kRed, 0.0035f))};
     panels[3].layers = {shape_of(rings.view(), tube(kInk, 0.0035f))};
     studio.take("surface", panels, 2, 800, 720);

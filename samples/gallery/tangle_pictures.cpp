@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// Tangles: operators, seeds, grouping, scaffolds, perturbation, displacement and macros, after Fig. 7 to 13 of Nazzaro, Puppo,
+// Pellacini: geoTangle (2021).
+#include <cmath>
+#include <deque>
+
+#include "gallery/forms.h"
+#include "gallery/looks.h"
+#include "gallery/ornament.h"
+#include "gallery/pictures.h"
+
+namespace flg::gallery {
+namespace {
+
+constexpr float kBorder = 2.5f;  // pixels, before the picture is made smaller
+
+// Two palettes: glazes of a potter, and enamel.
+constexpr render::Material kCream = {{0.62f, 0.53f, 0.39f}, 0.0f, 0.42f},
+                           kCobalt = {{0.008f, 0.028f, 0.150f}, 0.0f, 0.30f},
+                           kRust = {{0.36f, 0.055f, 0.018f}, 0.0f, 0.36f}, kSage = {{0.13f, 0.20f, 0.11f}, 0.0f, 0.42f};
+constexpr render::Material kIvory = {{0.66f, 0.62f, 0.54f}, 0.0f, 0.35f},
+                           kPetrol = {{0.006f, 0.085f, 0.100f}, 0.0f, 0.28f},
+                           kAmber = {{0.62f, 0.22f, 0.020f}, 0.0f, 0.32f},
+                           kPlum = {{0.110f, 0.012f, 0.045f}, 0.0f, 0.30f};
+
+Panel panel_with(const Moment& moment, const glm::vec3& sight) {
+    Panel panel;
+    panel.surfaces = {moment.layer()};
+    panel.sight = sight;
+    panel.margin = 1.07f;
+    return panel;
+}
+
+// A picture of moments, which are kept until it is taken.
+class Sequence {
+public:
+    explicit Sequence(const glm::vec3& sight) : sight_(sight) {}
+
+    void add(Moment moment) { panels_.push_back(panel_with(moments_.emplace_back(std::move(moment)), sight_)); }
+    void take(Studio& studio, const char* name, uint32_t columns, uint32_t width, uint32_t height) {
+        studio.take(name, panels_, columns, width, height);
+    }
+
+private:
+    glm::vec3 sight_;
+    std::deque<Moment> moments_;
+    std::vector<Panel> panels_;
+};
+
+void paint_by_turns(Ornament& ornament, const Regions& made, const render::Material& even,
+                    const render::Material& odd) {
+    ornament.paint(ornament.even(made), even);
+    ornament.paint(ornament.odd(made), odd);
+}
+
+// ---- Fig. 7
+
+constexpr glm::vec3 kFromAbove = {-0.30f, -0.85f, -1.0f};
+constexpr uint32_t kOuter = 0, kInner = 1;  // loops of the dish
+
+// One operator on a dish.
+Moment on_dish(Workshop& workshop, const FlgTangleDivideDesc& desc, const Seeds& a, const Seeds& b,
+               const render::Material& even, const render::Material& odd) {
+    Ornament ornament(workshop, dish(workshop), odd);
+    paint_by_turns(ornament, ornament.divide(desc, Ornament::root(), a, b), even, odd);
+    return ornament.moment(kBorder);
+}
+
+// Cells in four colours.
+Moment cells_on_dish(Workshop& workshop, const Seeds& seeds) {
+    Ornament ornament(workshop, dish(workshop), kIvory);
+    const Regions cells = ornament.divide(voronoi(), Ornament::root(), seeds);
+    constexpr render::Material kColors[] = {kIvory, kPetrol, kAmber, kPlum};
+    for (size_t i = 0; i < cells.size(); ++i) ornament.paint({cells[i]}, kColors[i % std::size(kColors)]);
+    return ornament.moment(kBorder);
+}
+
+void operators(Workshop& workshop, Studio& studio) {
+    const Seeds inner = Seeds::loop(kInner), outer = Seeds::loop(kOuter);
+    const Ornament plain(workshop, dish(workshop), kCream);
+    const auto on_rim = [&](float x, float y, float z) { return plain.near({x, y, z}); };
+    Sequence sequence(kFromAbove);
+    sequence.add(on_dish(workshop, contour(0.12f), inner, {}, kCream, kCobalt));
+    sequence.add(on_dish(workshop, contour(0.045f, 4), inner, {}, kCream, kCobalt));
+    sequence.add(on_dish(workshop, contour(0.1f, 0), inner, outer, kCream, kCobalt));
+    sequence.add(on_dish(workshop, contour(0.033f), Seeds::sampled(0.1f), {}, kCream, kCobalt));
+    // A cloth's outline begins in a corner; its sides are quarters.
+    const Seeds left = Seeds::loop(0, 0.75f, 1.0f), right = Seeds::loop(0, 0.25f, 0.5f),
+                near = Seeds::loop(0, 0.0f, 0.25f), far = Seeds::loop(0, 0.5f, 0.75f);
+    Ornament chequered(workshop, cloth(workshop), kCream);
+    const Regions stripes = chequered.divide(contour(0.125f, 0), Ornament::root(), left, right);
+    paint_by_turns(chequered, stripes, kCream, kCobalt);
+    sequence.add(chequered.moment(kBorder));
+    const Regions squares = chequered.divide(contour(0.125f, 0), Ornament::root(), near, far);
+    for (const uint32_t square : squares) {
+        const FlgTangleRegion node = chequered.tangle().region(square);
+        const bool is_light = (node.part + chequered.tangle().region(node.parent).part) % 2 == 0;
+        chequered.paint({square}, is_light ? kCream : kCobalt);
+    }
+    sequence.add(chequered.moment(kBorder));
+    sequence.add(on_dish(workshop, stream(0.0346f), inner, {}, kIvory, kPetrol));
+    sequence.add(on_dish(workshop, stream(0.0346f), inner, outer, kIvory, kPetrol));
+    sequence.add(cells_on_dish(workshop, Seeds::sampled(0.12f)));
+    std::vector<FlgSurfacePoint> picked;
+    for (int i = 0; i < 7; ++i) {
+        const float angle = 0.9f * static_cast<float>(i);
+        picked.push_back(on_rim(0.34f * std::cos(angle), 0.22f, 0.34f * std::sin(angle)));
+    }
+    sequence.add(cells_on_dish(workshop, Seeds::at(picked)));
+    std::vector<FlgSurfacePoint> around;
+    for (int i = 0; i < 10; ++i) {
+        const float angle = 0.6283f * static_cast<float>(i), radius = i % 2 == 0 ? 0.40f : 0.22f;
+        around.push_back(on_rim(radius * std::cos(angle), 0.2f, radius * std::sin(angle)));
+    }
+    sequence.add(on_dish(workshop, polyline(true), Seeds::at(around), {}, kAmber, kPlum));
+    const std::vector<FlgSurfacePoint> across = {on_rim(-0.5f, 0.0f, 0.0f), on_rim(-0.2f, 0.23f, 0.2f),
+                                                 on_rim(0.25f, 0.22f, 0.22f), on_rim(0.46f, 0.0f, -0.2f)};
+    sequence.add(on_dish(workshop, polyline(false), Seeds::at(across), {}, kAmber, kPlum));
+    sequence.take(studio, "tangle_operators", 4, 1280, 720);
+}
+
+// ---- Fig. 8
+
+constexpr glm::vec3 kFromTheSide = {-0.25f, -0.50f, -1.0f};
+constexpr uint32_t kFoot = 0, kLip = 1;  // loops of the vase
+
+Regions banded(Ornament& ornament) {
+    const Regions bands =
+        ornament.divide(contour(1.0f / 9.0f, 0), Ornament::root(), Seeds::loop(kFoot), Seeds::loop(kLip));
+    paint_by_turns(ornament, bands, kRust, kCream);
+    return bands;
+}
+
+// Dots on regions together, or on each of them.
+void dot_bands(Ornament& ornament, const Regions& bands, bool each) {
+    const FlgTangleDivideDesc dots = contour(0.022f);
+    const Seeds samples = Seeds::sampled(0.065f);
+    const Regions made = each ? ornament.divide_each(dots, bands, samples) : ornament.divide(dots, bands, samples);
+    ornament.paint(ornament.even(made), kCobalt);
+}
+
+void grouping(Workshop& workshop, Studio& studio) {
+    Ornament by_itself(workshop, vase(workshop), kCream), together(workshop, vase(workshop), kCream);
+    Sequence sequence(kFromTheSide);
+    const Regions bands = banded(by_itself);
+    sequence.add(by_itself.moment(kBorder));
+    dot_bands(by_itself, by_itself.odd(bands), true);
+    sequence.add(by_itself.moment(kBorder));
+    banded(together);
+    const Regions dots = together.divide(contour(0.022f), Ornament::root(), Seeds::sampled(0.065f));
+    for (const uint32_t dot : together.even(dots)) {
+        const bool on_rust = together.tangle().region(together.tangle().region(dot).parent).part % 2 == 0;
+        together.paint({dot}, on_rust ? kCream : kCobalt);
+    }
+    sequence.add(together.moment(kBorder));
+    sequence.take(studio, "tangle_grouping", 3, 1080, 480);
+}
+
+// ---- Fig. 9
+
+void scaffold(Workshop& workshop, Studio& studio) {
+    Ornament ornament(workshop, vase(workshop), kIvory);
+    FlgTangleDivideDesc bands = contour(1.0f / 9.0f, 0), strips = stream(0.089f);
+    bands.scaffold = strips.scaffold = 1;
+    ornament.divide(bands, Ornament::root(), Seeds::loop(kFoot), Seeds::loop(kLip));
+    const Regions cells = ornament.divide(strips, Ornament::root(), Seeds::loop(kFoot), Seeds::loop(kLip));
+    Regions dark;
+    for (const uint32_t cell : cells) {
+        const FlgTangleRegion node = ornament.tangle().region(cell);
+        if ((node.part + ornament.tangle().region(node.parent).part) % 2 == 0) dark.push_back(cell);
+    }
+    ornament.paint(dark, kSage);
+    Sequence sequence(kFromTheSide);
+    sequence.add(ornament.moment(kBorder, true));
+    Seeds seeds = Seeds::sampled(0.05f);
+    seeds.of = dark;
+    const Regions dots = ornament.divide(contour(0.018f), Ornament::root(), seeds);
+    ornament.paint(ornament.even(dots), kPlum);
+    sequence.add(ornament.moment(kBorder, true));
+    sequence.add(ornament.moment(kBorder));
+    sequence.take(studio, "tangle_scaffold", 3, 1080, 480);
+}
+
+// ---- Fig. 10
+
+void perturbation(Workshop& workshop, Studio& studio) {
+    Sequence sequence(kFromTheSide);
+    for (const float amount : {0.0f, 0.03f, 0.08f}) {
+        Ornament ornament(workshop, vase(workshop), kCream);
+        FlgTangleDivideDesc bands = contour(1.0f / 7.0f, 0), dots = contour(0.034f);
+        bands.perturbation = dots.perturbation = amount;
+        bands.frequency = dots.frequency = 9.0f;
+        const Regions made = ornament.divide(bands, Ornament::root(), Seeds::loop(kFoot), Seeds::loop(kLip));
+        paint_by_turns(ornament, made, kCobalt, kCream);
+        const Regions spots = ornament.divide_each(dots, ornament.odd(made), Seeds::sampled(0.09f));
+        ornament.paint(ornament.even(spots), kRust);
+        sequence.add(ornament.moment(kBorder));
+    }
+    sequence.take(studio, "tangle_perturbation", 3, 1080, 480);
+}
+
+// ---- Fig. 11
+
+Moment displaced(Workshop& workshop, float amount, float bias, float gain) {
+    Ornament ornament(workshop, ball(workshop), kIvory);
+    const Regions made = ornament.divide(contour(0.115f), Ornament::root(), Seeds::sampled(0.26f));
+    const Regions spots = ornament.even(made);
+    ornament.paint(spots, kAmber);
+    FlgTangleDisplaceDesc rise = flgTangleDisplaceDefaults();
+    rise.amount = amount;
+    rise.bias = bias;
+    rise.gain = gain;
+    ornament.displace(rise, spots);
+    // Rings by the distance on what has risen.
+    const Regions rings = ornament.divide(contour(0.03f, 0), spots, Seeds::outline());
+    paint_by_turns(ornament, rings, kPlum, kAmber);
+    return ornament.moment();
+}
+
+void displacement(Workshop& workshop, Studio& studio) {
+    Sequence sequence(kFromTheSide);
+    sequence.add(displaced(workshop, 0.12f, 0.5f, 0.5f));
+    sequence.add(displaced(workshop, 0.09f, 0.85f, 0.5f));
+    sequence.add(displaced(workshop, 0.24f, 0.22f, 0.5f));
+    sequence.add(displaced(workshop, 0.12f, 0.5f, 0.12f));
+    sequence.take(studio, "tangle_displacement", 4, 1280, 340);
+}
+
+// ---- Fig. 13
+
+void sunburst_to_flower(Workshop& workshop, Sequence& sequence) {
+    Ornament ornament(workshop, dish(workshop), kCream);
+    const Regions wedges = ornament.divide(stream(0.0576f), Ornament::root(), Seeds::loop(kInner), Seeds::loop(kOuter));
+    const Regions light = ornament.even(wedges), blue = ornament.odd(wedges);
+    paint_by_turns(ornament, wedges, kCream, kCobalt);
+    sequence.add(ornament.moment(kBorder));
+    const Regions dots = ornament.divide_each(contour(0.011f), blue, Seeds::sampled(0.034f));
+    ornament.paint(ornament.even(dots), kCream);
+    sequence.add(ornament.moment(kBorder));
+    // The outermost frame first, each within the one before.
+    Regions inside = light;
+    for (int i = 0; i < 2; ++i) {
+        const Regions frames = ornament.divide_each(contour(0.012f), inside, Seeds::outline());
+        ornament.paint(ornament.even(frames), i == 0 ? kCream : kRust);
+        inside = ornament.odd(frames);
+        ornament.paint(inside, kCream);
+    }
+    sequence.add(ornament.moment(kBorder));
+    const Regions petals = ornament.divide_each(contour(0.33f, 2), inside, Seeds::outline(), Seeds::sampled(0.085f));
+    ornament.paint(ornament.part(petals, 1), kSage);
+    ornament.paint(ornament.part(petals, 2), kCobalt);
+    sequence.add(ornament.moment(kBorder));
+}
+
+void grid_to_cells(Workshop& workshop, Sequence& sequence) {
+    Ornament ornament(workshop, dish(workshop), kIvory);
+    ornament.divide(contour(0.25f, 0), Ornament::root(), Seeds::loop(kInner), Seeds::loop(kOuter));
+    const Regions grid = ornament.divide(stream(0.0576f), Ornament::root(), Seeds::loop(kInner), Seeds::loop(kOuter));
+    Regions light, dark;
+    for (const uint32_t square : grid) {
+        const FlgTangleRegion node = ornament.tangle().region(square);
+        ((node.part + ornament.tangle().region(node.parent).part) % 2 == 0 ? light : dark).push_back(square);
+    }
+    ornament.paint(dark, kPetrol);
+    sequence.add(ornament.moment(kBorder));
+    const Regions light_outlines = ornament.divide_each(contour(0.009f), light, Seeds::outline());
+    const Regions dark_outlines = ornament.divide_each(contour(0.009f), dark, Seeds::outline());
+    ornament.paint(ornament.even(light_outlines), kAmber);
+    ornament.paint(ornament.even(dark_outlines), kAmber);
+    sequence.add(ornament.moment(kBorder));
+    const Regions lace =
+        ornament.divide_each(contour(0.013f, 2), ornament.odd(light_outlines), Seeds::along_borders(0.03f));
+    ornament.paint(ornament.part(lace, 0), kPlum);
+    ornament.paint(ornament.part(lace, 1), kAmber);
+    sequence.add(ornament.moment(kBorder));
+    const Regions cells = ornament.divide_each(voronoi(), ornament.odd(dark_outlines), Seeds::sampled(0.035f));
+    constexpr render::Material kBlues[] = {
+        kPetrol, {{0.020f, 0.17f, 0.18f}, 0.0f, 0.3f}, {{0.07f, 0.29f, 0.28f}, 0.0f, 0.3f}};
+    for (size_t i = 0; i < cells.size(); ++i) ornament.paint({cells[i]}, kBlues[i % std::size(kBlues)]);
+    sequence.add(ornament.moment(kBorder));
+}
+
+void macros(Workshop& workshop, Studio& studio) {
+    Sequence sequence(kFromAbove);
+    sunburst_to_flower(workshop, sequence);
+    grid_to_cells(workshop, sequence);
+    sequence.take(studio, "tangle_macros", 4, 1600, 760);
+}
+
+constexpr Picture kPictures[] = {
+    {"tangle_operators", "All four operators of tangles, from different seeds", true, operators},
+    {"tangle_grouping", "Stripes, dots in each of them, and dots on all of them together", true, grouping},
+    {"tangle_scaffold", "A grid that places dots and is not seen", true, scaffold},
+    {"tangle_perturbation", "The same ornament with more and more noise on the metric", true, perturbation},
+    {"tangle_displacement", "What bias and gain make of displaced dots", true, displacement},
+    {"tangle_macros", "Eight combinations of operators, one after the other", true, macros},
+};
+
+}  // namespace
+
+std::span<const Picture> tangle_pictures() {
+    return kPictures;
+}
+
+}  // namespace flg::gallery
