@@ -25,8 +25,8 @@ void check_labels(const uint32_t* labels, uint32_t count, const char* argument) 
 
 using Builder = Task<void> (*)(Pace&, std::shared_ptr<Surface>);
 
-// Its job is hidden from the host. If it fails, so do those that wait for it, and the next one that asks starts another;
-// also if what it made was lost since.
+// Its job is hidden from the host. The next one that asks starts another if it made nothing for want of memory,
+// or if what it made was lost since.
 std::shared_ptr<Job> start_build(Context& context, const std::shared_ptr<Surface>& surface, Builder build,
                                  const std::atomic<bool>& present, std::shared_ptr<SolverBuild>& made) {
     if (made && made->visible_result() == FLG_OK && present) return nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/geodesic_jobs.h"
 
+#include <new>
+
 #include "core/failure.h"
 #include "surfaces/field_blend.h"
 #include "surfaces/geodesic_seeds.h"
@@ -140,18 +142,22 @@ Task<void> solve_perturbed(Pace& pace, const Query& query, FlgAccuracy accuracy,
 
 Task<void> build_blocks(Pace& pace, std::shared_ptr<Surface> surface) {
     pace.stage("blocks");
-    GeodesicBlocks blocks(pace.memory());
-    co_await fill_blocks(pace, surface->mesh(), surface->mesh().positions, blocks);
-    surface->solvers.blocks.emplace(std::move(blocks));
-    surface->solvers.has_blocks = true;
+    try {
+        GeodesicBlocks blocks(pace.memory());
+        co_await fill_blocks(pace, surface->mesh(), surface->mesh().positions, blocks);
+        surface->solvers.blocks.emplace(std::move(blocks));
+        surface->solvers.has_blocks = true;
+    } catch (const std::bad_alloc&) {}
 }
 
 Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface) {
     pace.stage("graph");
-    GeodesicGraph graph(pace.memory());
-    co_await fill_graph(pace, surface->mesh(), surface->mesh().positions, graph);
-    surface->solvers.graph.emplace(std::move(graph));
-    surface->solvers.has_graph = true;
+    try {
+        GeodesicGraph graph(pace.memory());
+        co_await fill_graph(pace, surface->mesh(), surface->mesh().positions, graph);
+        surface->solvers.graph.emplace(std::move(graph));
+        surface->solvers.has_graph = true;
+    } catch (const std::bad_alloc&) {}
 }
 
 Task<void> solve_geodesic(Pace& pace, GeodesicRequest request) {

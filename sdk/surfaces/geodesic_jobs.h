@@ -11,7 +11,7 @@
 namespace flg {
 
 // Build what a surface's solvers work on, once. Jobs of their own, so that those that need it wait for it and go on side by
-// side.
+// side. If memory runs out they make nothing and do not fail: those that need it say so, see blocks_of().
 Task<void> build_blocks(Pace& pace, std::shared_ptr<Surface> surface);
 Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface);
 

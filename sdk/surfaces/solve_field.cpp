@@ -10,7 +10,8 @@ namespace {
 template <class T>
 const T& present(const std::optional<T>& made) {
     if (!made) {
-        throw Failure(FLG_ERROR_OUT_OF_MEMORY, "what the solver needs was lost when memory ran out in a cut");
+        throw Failure(FLG_ERROR_OUT_OF_MEMORY,
+                      "memory ran out when what distances are computed with was built, or followed a cut");
     }
     return *made;
 }
