@@ -12,14 +12,40 @@ namespace {
 
 constexpr uint32_t scan_chunk = 10'000;  // values, about 10 us
 
-// The largest finite value, or `first` if none is larger.
-Task<float> largest_value(Pace& pace, const Buffer<float>& values, float first) {
-    float largest = first;
+// The least and the largest finite value; infinite and -infinite if there is none.
+struct Extent {
+    float least = unreachable, largest = -unreachable;
+};
+
+Task<Extent> extent_of(Pace& pace, const Buffer<float>& values) {
+    Extent extent;
     for (size_t i = 0; i < values.size(); ++i) {
-        if (values[i] > largest && std::isfinite(values[i])) largest = values[i];
+        if (std::isfinite(values[i])) {
+            extent.least = std::min(extent.least, values[i]);
+            extent.largest = std::max(extent.largest, values[i]);
+        }
         if (i % scan_chunk == 0) co_await pace;
     }
-    co_return largest;
+    co_return extent;
+}
+
+struct Steps {
+    double first = 0, end = 0;  // whole numbers
+};
+
+// Which k the levels first + k * every of the request have that lie within the values, or, if it says how many there are to
+// be, not above them.
+Steps steps_within(const Extent& extent, const LevelRequest& request) {
+    const auto step_of = [&](float value) { return (double{value} - request.first) / request.every; };
+    Steps steps;
+    if (extent.largest < request.first) return steps;
+    steps.end = std::floor(step_of(extent.largest)) + 1;
+    if (request.count != 0) {
+        steps.end = std::min<double>(request.count, steps.end);
+    } else {
+        steps.first = std::clamp(std::ceil(step_of(extent.least)), 0.0, steps.end);
+    }
+    return steps;
 }
 
 }  // namespace
@@ -30,16 +56,17 @@ Task<Buffer<float>> list_levels(Pace& pace, const Buffer<float>& values, const L
         levels = Buffer<float>(request.values.size(), pace.memory());
         std::copy(request.values.begin(), request.values.end(), levels.begin());
     } else {
-        const double largest = co_await largest_value(pace, values, request.first);
-        const double reachable = std::floor((largest - request.first) / request.every) + 1;
-        const double count = request.count == 0 ? reachable : std::min<double>(request.count, reachable);
+        const Extent extent = co_await extent_of(pace, values);
+        const Steps steps = steps_within(extent, request);
+        const double count = steps.end - steps.first;
         if (count > most) {
             throw Failure(FLG_ERROR_LIMIT, "levels every %g from %g to %g are %.0f, more than %u",
-                          static_cast<double>(request.every), static_cast<double>(request.first), largest, count, most);
+                          static_cast<double>(request.every), request.first + steps.first * request.every,
+                          static_cast<double>(extent.largest), count, most);
         }
         levels = Buffer<float>(static_cast<size_t>(count), pace.memory());
         for (size_t k = 0; k < levels.size(); ++k) {
-            levels[k] = static_cast<float>(request.first + static_cast<double>(k) * request.every);
+            levels[k] = static_cast<float>(request.first + (steps.first + static_cast<double>(k)) * request.every);
         }
     }
     if (levels.size() > most) throw Failure(FLG_ERROR_LIMIT, "%zu levels are more than %u", levels.size(), most);

@@ -95,6 +95,31 @@ TEST(TracingApi, EvenLevelsAreAsManyAsAskedForOrAsTheFieldHas) {
     }
 }
 
+TEST(TracingApi, EvenLevelsBelowTheFieldAreNotCounted) {
+    const SurfaceHost host;
+    const FlgSurface surface = host.surface(plane(7));
+    FlgIsolinesDesc desc = flgIsolinesDefaults();
+    desc.field = host.field(surface, [](const Point& p) { return 100'000 + along_x(p); });
+    desc.levels.first = 0.25f;
+    desc.levels.every = 0.5f;  // 200,000 are below
+    FlgSurfaceCurves curves{};
+    ASSERT_EQ(flgTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    const FlgSurfaceCurvesView lines = host.view(curves);
+    ASSERT_EQ(lines.curve_count, 2u);
+    EXPECT_EQ(lines.curve_values[0], 100'000.25f);
+    EXPECT_EQ(lines.curve_values[1], 100'000.75f);
+
+    // None between two values, nor where the first is above all.
+    for (const float first : {0.0f, 200'000.0f}) {
+        desc.levels.first = first;
+        desc.levels.every = 7;
+        ASSERT_EQ(flgTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+        host.finish();
+        EXPECT_EQ(host.view(curves).curve_count, 0u) << first;
+    }
+}
+
 TEST(TracingApi, ClosedIsolinesAndThoseThatEndAtRegions) {
     const SurfaceHost host;
     MeshArrays input = plane(24);
