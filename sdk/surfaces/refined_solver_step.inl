@@ -122,7 +122,9 @@ template <class Lanes>
     const Float8 ratio = root(greatest(one + front * excess, zero));
     const Float8 on = excess / (one + ratio);
     const Float8 reached = greatest(distance + on, least(distance, base_distance));
-    const Float8 crossing_front = (rest * own_front + crossing * moved_front) * inverse_base;
+    const Float8 less_hollow = FLG_LANES(hollow_ratio) * greatest(own_front, moved_front);
+    const Float8 crossing_front = greatest((rest * own_front + crossing * moved_front) * inverse_base,
+                                           least(less_hollow, FLG_LANES(-hollow_share * bend_max)));
     const Float8 bent = ratio * target_height * inverse_height;
     const Float8 across_front = carry(crossing_front, on, sin_phi * inverse_height, bent, curvature, bend_limit);
     const Int8 crosses = (sin_theta > zero) & (quotient < FLG_LANES(1.001f)) & (sine >= zero) & (crossing >= zero) &
