@@ -21,6 +21,7 @@ const std::vector<Group>& groups() {
         {"hair", run_hair},
         {"ribbon", run_ribbon},
         {"cutting", run_cutting},
+        {"tangles", run_tangles},
 #if defined(FLG_WITH_PICK)
         {"picking", run_picking},
 #endif
