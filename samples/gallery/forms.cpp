@@ -70,19 +70,19 @@ scenes::Mesh turned(std::span<const glm::vec2> profile, uint32_t columns, uint32
 
 }  // namespace
 
-filigree::Surface cat(Workshop& workshop, uint32_t levels) {
+filigree::Surface cat(Workshop& workshop) {
     const filigree::Surface coarse = surface_of(workshop, scenes::make_figure());
     FlgRefineDesc refine = flgRefineDefaults();
     refine.surface = coarse.get();
     refine.scheme = FLG_SUBDIVISION_LOOP;
-    refine.levels = levels;
+    refine.levels = 4;
     return workshop.finished(workshop.context().refine(refine));
 }
 
-filigree::Surface vase(Workshop& workshop, uint32_t columns, uint32_t rows) {
+filigree::Surface vase(Workshop& workshop) {
     constexpr glm::vec2 kProfile[] = {{0.17f, 0.00f}, {0.15f, 0.07f}, {0.27f, 0.27f}, {0.35f, 0.47f}, {0.34f, 0.66f},
                                       {0.23f, 0.83f}, {0.14f, 0.95f}, {0.14f, 1.06f}, {0.19f, 1.14f}};
-    return surface_of(workshop, turned(kProfile, columns, rows));
+    return surface_of(workshop, turned(kProfile, 640, 320));
 }
 
 filigree::Surface dish(Workshop& workshop) {

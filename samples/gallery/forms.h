@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tangles and distances are drawn on: surfaces of 100 to 400 thousand triangles, made here.
+// What tangles and distances are drawn on: surfaces of 70 to 410 thousand triangles, made here.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace flg::gallery {
 
-// The figure of the scenes, made round by Loop's subdivision: each level has four times the triangles.
-filigree::Surface cat(Workshop& workshop, uint32_t levels = 4);
+// The figure of the scenes, made round by Loop's subdivision.
+filigree::Surface cat(Workshop& workshop);
 
-// Turned about the y axis. `columns` vertices around, `rows` from below to above. The border below is loop 0, that above loop 1.
-filigree::Surface vase(Workshop& workshop, uint32_t columns = 640, uint32_t rows = 320);
-// A shallow dish of five lobes, hollow side down, with a round hole in its middle: the outer border is loop 0, the hole's loop 1.
+// Turned about the y axis, open above and below. The border below is loop 0, that above loop 1.
+filigree::Surface vase(Workshop& workshop);
+// A shallow dish of five lobes, hollow side down, with a hole in its middle. Its rim is loop 0, the hole loop 1.
 filigree::Surface dish(Workshop& workshop);
 
 // A cube blown up.

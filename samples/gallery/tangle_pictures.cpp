@@ -12,7 +12,7 @@
 namespace flg::gallery {
 namespace {
 
-constexpr float kBorder = 2.5f;  // pixels, before the picture is made smaller
+constexpr float kBorder = 2.5f;  // pixels, of the larger picture it is averaged from
 
 // Two palettes: glazes of a potter, and enamel.
 constexpr render::Material kCream = {{0.62f, 0.53f, 0.39f}, 0.0f, 0.42f},
