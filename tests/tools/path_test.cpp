@@ -124,7 +124,7 @@ TEST_F(Path, BadInputExitsWithOneAndIsNamed) {
                              const std::vector<std::string>& words) {
         expect_refused({"path", file, "--from", from, "--to", to, "-o", "a.xyz"}, 1, words);
     };
-    refused("two.off", "0", "4", {"two.off: --from 0 --to 4: ", "no way"});
+    refused("two.off", "0", "4", {"two.off: --from 0 --to 4: ", "no way leads from vertex 0 to vertex 4"});
     refused("two.off", "8", "0", {"two.off: --from: there is no vertex 8, they are 0 to 7"});
     refused("two.off", "0", "8", {"two.off: --to: there is no vertex 8"});
     refused("two.off", "5", "5", {"two.off: --from 5 --to 5: ", "the same place"});

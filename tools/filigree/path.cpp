@@ -2,6 +2,8 @@
 // filigree path: a locally shortest path along a mesh.
 #include <array>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "command.h"
 #include "failure.h"
@@ -16,6 +18,20 @@ struct Options {
     std::string mesh, output;
     Place from, to;
 };
+
+std::string named(const Place& place) {
+    return place.vertex ? "vertex " + place.text : place.text;
+}
+
+// The SDK's sentence with its names of the ends replaced by the user's.
+InputError in_users_words(std::string sentence, const Options& options) {
+    const std::pair<std::string, std::string> names[] = {{"desc.points[0]", named(options.from)},
+                                                         {"desc.points[1]", named(options.to)}};
+    for (const auto& [name, word] : names) {
+        if (const size_t at = sentence.find(name); at != std::string::npos) sentence.replace(at, name.size(), word);
+    }
+    return InputError(sentence);
+}
 
 void run_path(const Options& options, const CommonOptions& common) {
     require_curve_output(options.output);
@@ -41,7 +57,11 @@ void run_path(const Options& options, const CommonOptions& common) {
     FlgJob job = {};
     const std::string subject = options.mesh + ": --from " + options.from.text + " --to " + options.to.text;
     check(flgTracePaths(session.context(), &desc, &path, &job), subject);
-    session.finish({{{job, subject}}}, report);
+    try {
+        session.finish({{{job, subject}}}, report);
+    } catch (const InputError& error) {
+        throw in_users_words(error.what(), options);
+    }
 
     const FlgSurfaceCurvesView traced = view_of(session.context(), path);
     if (traced.curve_count == 0) throw InputError(subject + ": they are the same place, so there is no path");
