@@ -76,7 +76,6 @@ public:
 
     // Borders are lines where looks differ; all of them, scaffolds too, if so asked.
     Moment moment(float border_width_px = 0.0f, bool with_scaffolds = false) const;
-    const filigree::Surface& surface() const { return surface_; }
     const filigree::Tangle& tangle() const { return tangle_; }
 
 private:

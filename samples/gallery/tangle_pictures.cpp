@@ -131,23 +131,17 @@ Regions banded(Ornament& ornament) {
     return bands;
 }
 
-// Dots on regions together, or on each of them.
-void dot_bands(Ornament& ornament, const Regions& bands, bool each) {
-    const FlgTangleDivideDesc dots = contour(0.022f);
-    const Seeds samples = Seeds::sampled(0.065f);
-    const Regions made = each ? ornament.divide_each(dots, bands, samples) : ornament.divide(dots, bands, samples);
-    ornament.paint(ornament.even(made), kCobalt);
-}
-
 void grouping(Workshop& workshop, Studio& studio) {
     Ornament by_itself(workshop, vase(workshop), kCream), together(workshop, vase(workshop), kCream);
     Sequence sequence(kFromTheSide);
     const Regions bands = banded(by_itself);
     sequence.add(by_itself.moment(kBorder));
-    dot_bands(by_itself, by_itself.odd(bands), true);
+    const FlgTangleDivideDesc spots = contour(0.022f);
+    const Seeds samples = Seeds::sampled(0.065f);
+    by_itself.paint(by_itself.even(by_itself.divide_each(spots, by_itself.odd(bands), samples)), kCobalt);
     sequence.add(by_itself.moment(kBorder));
     banded(together);
-    const Regions dots = together.divide(contour(0.022f), Ornament::root(), Seeds::sampled(0.065f));
+    const Regions dots = together.divide(spots, Ornament::root(), samples);
     for (const uint32_t dot : together.even(dots)) {
         const bool on_rust = together.tangle().region(together.tangle().region(dot).parent).part % 2 == 0;
         together.paint({dot}, on_rust ? kCream : kCobalt);
