@@ -22,15 +22,6 @@ constexpr uint32_t divide_chunk = 100;    // about 10 us
 constexpr uint32_t copy_chunk = 4000;     // values, about 10 us
 constexpr uint32_t label_chunk = 10'000;  // triangles, about 10 us
 
-Task<GrowingBuffer<float>> copy_values(Pace& pace, const Buffer<float>& from) {
-    GrowingBuffer<float> copy(from.size(), pace.memory());
-    for (size_t i = 0; i < from.size(); i += copy_chunk) {
-        std::copy_n(from.data() + i, std::min<size_t>(copy_chunk, from.size() - i), copy.data() + i);
-        co_await pace;
-    }
-    co_return copy;
-}
-
 // The labels that are there, rising.
 Task<std::pmr::vector<uint32_t>> list_regions(Pace& pace, const Mesh& mesh) {
     std::pmr::vector<uint64_t> bits(pace.memory());

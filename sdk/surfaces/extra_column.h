@@ -2,9 +2,14 @@
 // A column that a cut carries along, taken away again at the end, however it ends.
 #pragma once
 
+#include "runtime/pace.h"
+#include "runtime/task.h"
 #include "surfaces/mesh_growth.h"
 
 namespace flg {
+
+// A field's values, to be carried along.
+Task<GrowingBuffer<float>> copy_values(Pace& pace, const Buffer<float>& from);
 
 class ExtraColumn {
 public:

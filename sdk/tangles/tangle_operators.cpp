@@ -72,15 +72,6 @@ bool is_divided(const Buffer<NewLeaf>& leaves) {
 
 // ---- Contours
 
-Task<GrowingBuffer<float>> copy_values(Pace& pace, const Buffer<float>& from) {
-    GrowingBuffer<float> copy(from.size(), pace.memory());
-    for (size_t i = 0; i < from.size(); i += copy_chunk) {
-        std::copy_n(from.data() + i, std::min<size_t>(copy_chunk, from.size() - i), copy.data() + i);
-        co_await pace;
-    }
-    co_return copy;
-}
-
 // While it is cut, leaf i of the list has the labels first + i * (levels + 1) and up, one a band between levels.
 Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const DistanceField& field, TangleStep& step) {
     LevelRequest asked;

@@ -93,6 +93,19 @@ inline FlgTangleDivideDesc contour(FlgTangle tangle, const Regions& regions, con
     return desc;
 }
 
+// Regions that touch are of different groups.
+inline void expect_chequered(const TangleHost& host, FlgSurface surface, FlgTangle tangle) {
+    const FlgSurfaceView view = host.view(surface);
+    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t other = view.neighbours[3 * t + k];
+            if (other == FLG_NO_INDEX || view.mesh.regions[other] == view.mesh.regions[t]) continue;
+            EXPECT_NE(host.region(tangle, view.mesh.regions[t]).group,
+                      host.region(tangle, view.mesh.regions[other]).group);
+        }
+    }
+}
+
 // How many pieces, joined by edges, the triangles of each label are in.
 inline std::map<uint32_t, uint32_t> count_pieces(const FlgSurfaceView& view) {
     std::map<uint32_t, uint32_t> pieces;
