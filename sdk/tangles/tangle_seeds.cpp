@@ -223,9 +223,10 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
         sources.points[i] = i < seeds.points.size() ? seeds.points[i] : spaced.points[i - seeds.points.size()];
         if (i % point_chunk == 0) co_await pace;
     }
-    if (sources.vertices.empty() && sources.points.empty() && !sources.edges && !sources.curves) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s %s", argument,
-                      seeds.empty() ? "is empty" : "comes to nothing: no borders, no room for samples");
+    // Where no sample fits there is nothing to begin at; but borders that are not there are a mistake.
+    const bool none = sources.vertices.empty() && sources.points.empty() && !sources.edges && !sources.curves;
+    if (none && seeds.sample_radius == 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s comes to nothing: the regions have no borders", argument);
     }
     co_return sources;
 }

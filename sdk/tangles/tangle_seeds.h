@@ -49,7 +49,7 @@ struct SeedPlaces {
 };
 
 // `leaves`: those of the seeds' regions. `argument` is what errors call the seeds. Fails if borders are asked for where there
-// are none, if a stretch names a loop that does not exist, or if nothing comes of the seeds.
+// are none, or if a stretch names a loop that does not exist. Where no sample fits there may be no sources.
 Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet& leaves, const TangleSeeds& seeds,
                                    const char* argument, SeedPlaces& places);
 

@@ -161,6 +161,22 @@ TEST(TangleOddities, ASeedOutsideOfTheRegionDividesNothing) {
     EXPECT_EQ(host.info(tangle).leaf_count, 2u);
 }
 
+TEST(TangleOddities, WithoutRoomForSamplesNothingIsDivided) {
+    for (const FlgTangleOperator kind : {FLG_TANGLE_CONTOUR, FLG_TANGLE_VORONOI}) {
+        const TangleHost host;
+        const FlgSurface surface = host.surface(plane(8));
+        const FlgTangle tangle = host.tangle(surface);
+        const std::string before = bits(host.view(surface));
+        FlgTangleSeeds samples{};
+        samples.sample_radius = 5;
+        FlgTangleDivideDesc desc = contour(tangle, root, samples, 0.1f, 1);
+        desc.kind = kind;
+        ASSERT_EQ(host.divide(desc), FLG_OK);
+        EXPECT_EQ(bits(host.view(surface)), before);
+        EXPECT_EQ(host.info(tangle).undo_count, 1u);
+    }
+}
+
 TEST(TangleOddities, ARegionOfOneTriangleIsDivided) {
     const TangleHost host;
     const FlgSurface surface = host.surface(loose_triangles(1));

@@ -48,7 +48,7 @@ TEST_F(Tangle, RunsAScriptAndWritesMasks) {
     EXPECT_EQ(counts.at("steps"), 6);
     done({"mesh", "info", "masks.ply", "--report", "info.json"});
     const nlohmann::json info = report("info.json").at("counts");
-    EXPECT_EQ(info.at("regions"), counts.at("leaves"));
+    EXPECT_EQ(info.at("input_regions"), counts.at("leaves"));
     EXPECT_EQ(info.at("triangles"), counts.at("cut_triangles"));
     EXPECT_EQ(folder.read("out.glb").substr(0, 4), "glTF");
 }

@@ -111,8 +111,8 @@ typedef struct FlgTangleDivideDesc {
 
 FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t struct_size);
 
-/* Starts a job that divides regions by an operator. One that leaves them whole (delta beyond the field, a line that does not
- * separate) is a step that changes nothing. Fails if a region does not exist, if borders are asked for where there are
+/* Starts a job that divides regions by an operator. One that leaves them whole (delta beyond the field, no room for samples,
+ * a line that does not separate) is a step that changes nothing. Fails if a region does not exist, if borders are asked for where there are
  * none, if streams have no line to begin on, or with more than FLG_REGION_MAX regions. Cost: a field (40 ns a triangle of the
  * regions; with b two, with samples two more) and the cut (flgCutIsolines), and about 10 ns a triangle of the surface. */
 FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
