@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "surfaces/region_loops.h"
+#include "tangles/passes.h"
 
 namespace flg {
 
@@ -118,12 +119,7 @@ bool LookBordersKernel::step() {
 }
 
 bool LookBordersKernel::run(uint32_t count) {
-    for (; count > 0 && pass_ != Pass::done; --count) {
-        if (step()) continue;
-        at_ = 0;
-        pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
-    }
-    return pass_ == Pass::done;
+    return run_passes(count, pass_, at_, [this] { return step(); });
 }
 
 }  // namespace flg

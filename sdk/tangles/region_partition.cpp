@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "tangles/passes.h"
+
 namespace flg {
 
 namespace {
@@ -103,12 +105,7 @@ bool RegionPartitionKernel::step() {
 }
 
 bool RegionPartitionKernel::run(uint32_t count) {
-    for (; count > 0 && pass_ != Pass::done; --count) {
-        if (step()) continue;
-        at_ = 0;
-        pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
-    }
-    return pass_ == Pass::done;
+    return run_passes(count, pass_, at_, [this] { return step(); });
 }
 
 }  // namespace flg

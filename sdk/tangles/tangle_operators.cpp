@@ -50,8 +50,7 @@ Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, Distan
     }
 }
 
-// Makes leaves of a partition's components and labels the triangles with them, unless all are one part. `parts`: what the
-// operator calls the part of each component.
+// Makes leaves of a partition's components and labels the triangles with them.
 Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const RegionPartitionKernel& partition,
                        const Buffer<NewLeaf>& leaves, MeshEdit& edit, TreeEdit& tree_edit) {
     const LeafRules rules{scene.request.grouping, scene.request.cycle, scene.request.scaffold};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "tangles/passes.h"
 
 namespace flg {
 
@@ -173,12 +174,7 @@ bool VoronoiBordersKernel::step() {
 }
 
 bool VoronoiBordersKernel::run(uint32_t count) {
-    for (; count > 0 && pass_ != Pass::done; --count) {
-        if (step()) continue;
-        at_ = 0;
-        pass_ = static_cast<Pass>(static_cast<int>(pass_) + 1);
-    }
-    return pass_ == Pass::done;
+    return run_passes(count, pass_, at_, [this] { return step(); });
 }
 
 }  // namespace flg

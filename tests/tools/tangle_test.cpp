@@ -65,6 +65,7 @@ TEST_F(Tangle, ScriptsThatCantBeRunSayWhere) {
     expect_refused("{", "script.json");
     expect_refused("[]", "must be an object");
     expect_refused("{}", "needs `operations`");
+    expect_refused(R"({"operations": [], "materials": {}})", "does not know `materials`");
     expect_refused(R"({"operations": [{"op": "spiral", "on": "root"}]})", "operations[0].op: is `spiral`");
     expect_refused(R"({"operations": [{"op": "contour", "on": "root", "form": {}}]})", "does not know `form`");
     expect_refused(R"({"operations": [{"op": "contour", "on": "root"}]})", "operations[0]: needs `from`");

@@ -59,7 +59,7 @@ void TangleScript::finish(FlgJob job, const JsonPlace& subject) {
 
 void TangleScript::run(const nlohmann::json& script, const std::string& name) {
     const JsonPlace whole(script, name + ": script");
-    whole.allow({"unit", "operations", "materials"});
+    whole.allow({"unit", "operations"});
     if (const auto unit = whole.find("unit"); unit && unit->word({"metres", "size"}) == 1) {
         const FlgSurfaceReport& report = surface_.report();
         unit_ = std::hypot(report.box_max[0] - report.box_min[0], report.box_max[1] - report.box_min[1],

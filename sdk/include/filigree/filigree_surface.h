@@ -108,7 +108,7 @@ FLG_API FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint32_t struct_size)
  * or the one that makes the surface, isn't published. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceView* out_view);
 
-/* Triangles that are new or whose vertices are others than at an earlier revision (0: when the surface was made): those to
+/* Triangles that are new, have moved or have other vertices than at an earlier revision (0: when it was made): those to
  * upload again, or to put into a picking scene. Regions may have changed anywhere. Writes at most `capacity` indices, each
  * once, rising, and their whole number; `out_triangles` may be null when capacity is 0. Not ready when the view isn't.
  * Cost: about 0.5 ns a triangle of the surface. */

@@ -112,9 +112,10 @@ typedef struct FlgTangleDivideDesc {
 FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t struct_size);
 
 /* Starts a job that divides regions by an operator. One that leaves them whole (delta beyond the field, no room for samples,
- * a line that does not separate) is a step that changes nothing. Fails if a region does not exist, if borders are asked for where there are
- * none, if streams have no line to begin on, or with more than FLG_REGION_MAX regions. Cost: a field (40 ns a triangle of the
- * regions; with b two, with samples two more) and the cut (flgCutIsolines), and about 10 ns a triangle of the surface. */
+ * a line that does not separate) is a step that changes nothing. Fails if a region does not exist, if borders are asked for
+ * where there are none, if streams have no line to begin on, or with more than FLG_REGION_MAX regions. Cost: a field (40 ns a
+ * triangle of the regions; with b two, with samples two more), the cut (flgCutIsolines), and several passes over the surface
+ * (2 million triangles: 100 to 150 ms, however small the regions). */
 FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
 
 typedef enum FlgTangleMacro {
@@ -144,7 +145,6 @@ typedef struct FlgTangleMacroDesc {
     float size;
     /* Metres, > 0; default 0.3: between samples, at least; between scallops. */
     float spacing;
-    uint32_t reserved[2];
     uint64_t seed; /* of samples; default 1 */
 } FlgTangleMacroDesc;
 
@@ -174,14 +174,17 @@ FLG_API FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint32_
 /* Starts a job that displaces regions; a step. Cost: a field and about 2 us a vertex that moves. */
 FLG_API FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceDesc* desc, FlgJob* out_job);
 
-/* All these regions get one new group. Any region may be named, leaf or not. */
+/* Starts a job that gives all these regions one new group, sec. 3.4 and appendix A; a step. Any region may be named, leaf or
+ * not; it fails if one does not exist. Cost: tens of nanoseconds a region. */
 FLG_API FlgResult flgTangleGroup(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
                                  FlgJob* out_job);
 
-/* Each region of the group gets a new group of its own. */
+/* Starts a job that gives each region of the group a new group of its own; a step. It fails if there is no such group. Cost:
+ * tens of nanoseconds a region of the tangle. */
 FLG_API FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group, FlgJob* out_job);
 
-/* The leaves of these regions become one region, with the lowest of their identifiers. Fails if they are not connected. */
+/* Starts a job that makes the leaves of these regions one region, with the lowest of their identifiers; a step. It fails if
+ * they are not connected. Cost: about 20 ns a triangle of the surface. */
 FLG_API FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
                                 FlgJob* out_job);
 
@@ -219,9 +222,10 @@ typedef struct FlgTangleRegion {
     uint32_t struct_size;
     uint32_t parent; /* FLG_NO_INDEX: the root */
     uint32_t group;
-    uint32_t look;        /* borders are seen where looks differ */
-    uint32_t operation;   /* the number of the step that made it, counted from 1 over all operators; the root: 0 */
-    uint32_t part;        /* of that operator */
+    uint32_t look; /* borders are seen where looks differ */
+    uint32_t
+        operation; /* the number of the operator that made it, counted from 1, a macro's each by itself; the root: 0 */
+    uint32_t part; /* of that operator */
     uint32_t first_child; /* children have consecutive identifiers */
     uint32_t child_count;
     uint32_t joined_into; /* the region it belongs to since they were joined; FLG_NO_INDEX: none */
