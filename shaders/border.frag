@@ -3,11 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
 #include "lighting.glsl"
-#include "surface_draw.glsl"
 
+layout(location = 0) in vec3 color;
 layout(location = 0) out vec4 out_color;
 
 void main() {
     // As if it were lit by the sky alone: lines read the same everywhere.
-    out_color = vec4(tone_map(draw.border_color * view.sky_color.rgb), 1.0);
+    out_color = vec4(tone_map(color * view.sky_color.rgb), 1.0);
 }

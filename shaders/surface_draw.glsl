@@ -4,8 +4,6 @@
 layout(push_constant) uniform Draw {
     vec3 isoline_color;
     float isoline_half_width_px;
-    vec3 border_color;
-    float border_half_width_px;
     float field_low;
     float colors_per_unit;
     float isolines_per_unit;

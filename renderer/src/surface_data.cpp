@@ -20,6 +20,8 @@ void check_material(const Material& material) {
     check_color(material.color, "color");
     check_in(material.metallic, 0.0f, 1.0f, "metallic");
     check_in(material.roughness, 0.0f, 1.0f, "roughness");
+    if (material.border_width_px != 0.0f) check_in(material.border_width_px, 0.5f, 64.0f, "border_width_px");
+    check_color(material.border_color, "border_color");
 }
 
 void check_look(const SurfaceLook& look) {
@@ -73,10 +75,7 @@ public:
     SurfaceData build() {
         read_positions();
         read_field();
-        std::vector<glm::vec3> normals;
-        if (look_.smooth && !normal_) normals = vertex_normals(data_.positions, triangles_);
         SplitVertices split = split_regions();
-        data_.indices = std::move(split.indices);
         const uint32_t count = mesh_.vertex_count + static_cast<uint32_t>(split.copied.size());
         if (count > most_vertices)
             fail(
@@ -84,11 +83,13 @@ public:
                 count, most_vertices);
         data_.vertices.reserve(count);
         data_.positions.reserve(count);
+        for (const uint32_t source : split.copied) data_.positions.push_back(data_.positions[source]);
+        if (look_.smooth && !normal_) normals_ = creased_normals(data_.positions, split.indices, split.copied);
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t source = i < mesh_.vertex_count ? i : split.copied[i - mesh_.vertex_count];
-            if (i >= mesh_.vertex_count) data_.positions.push_back(data_.positions[source]);
-            add_vertex(source, split.label_of.empty() ? 0 : split.label_of[i], normals);
+            add_vertex(i, source, split.label_of.empty() ? 0 : split.label_of[i]);
         }
+        data_.indices = std::move(split.indices);
         return std::move(data_);
     }
 
@@ -124,18 +125,30 @@ private:
     }
 
     SplitVertices split_regions() {
-        const bool borders = mesh_.regions && look_.border_width_px > 0.0f;
         const bool colors = mesh_.regions && look_.regions.size() > 1;
         const std::span<const uint32_t> labels(mesh_.regions, mesh_.regions ? mesh_.triangle_count : 0);
-        if (borders)
-            for (const auto& [from, to] : border_edges(triangles_, labels, mesh_.vertex_count))
-                data_.borders.push_back({data_.positions[from], data_.positions[to]});
+        if (mesh_.regions && has_borders())
+            for (const LabelledEdge& edge : border_edges(triangles_, labels, mesh_.vertex_count)) add_border(edge);
         if (colors) return split_vertices(triangles_, labels, mesh_.vertex_count);
         return {{triangles_.begin(), triangles_.end()}, {}, {}};
     }
 
-    void add_vertex(uint32_t source, uint32_t label, const std::vector<glm::vec3>& normals) {
-        const auto normal = normal_ ? normal_.at<glm::vec3>(source) : normals.empty() ? glm::vec3(0) : normals[source];
+    bool has_borders() const {
+        return look_.border_width_px > 0.0f ||
+               std::ranges::any_of(look_.regions, [](const Material& m) { return m.border_width_px > 0.0f; });
+    }
+
+    void add_border(const LabelledEdge& edge) {
+        const Material* material = look_.regions.empty() ? nullptr : &look_.regions[edge.label % look_.regions.size()];
+        if (material && material->border_width_px == 0.0f) material = nullptr;
+        const float width_px = material ? material->border_width_px : look_.border_width_px;
+        if (width_px == 0.0f) return;
+        data_.borders.push_back({data_.positions[edge.low], data_.positions[edge.high],
+                                 pack_color(material ? material->border_color : look_.border_color), 0.5f * width_px});
+    }
+
+    void add_vertex(uint32_t index, uint32_t source, uint32_t label) {
+        const auto normal = normal_ ? normal_.at<glm::vec3>(source) : normals_.empty() ? glm::vec3(0) : normals_[index];
         if (!is_usable(normal)) fail("Vertex %u has a normal that is not finite.", source);
         PackedMaterial material = materials_[label % materials_.size()];
         if (look_.regions.empty() && color_) {
@@ -155,6 +168,7 @@ private:
     const std::span<const uint32_t> triangles_;
     const Column normal_, color_;
     std::vector<PackedMaterial> materials_;  // by label
+    std::vector<glm::vec3> normals_;         // of vertices and copies, or empty
     SurfaceData data_;
 };
 

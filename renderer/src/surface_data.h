@@ -23,6 +23,8 @@ struct SurfaceVertex {
 // Mirrors the vertex input of shaders/border.vert.
 struct BorderEdge {
     glm::vec3 from, to;
+    uint32_t color;  // sRGB, 4 x unorm8
+    float half_width_px;
 };
 
 struct SurfaceData {

@@ -9,6 +9,9 @@ namespace flg::render {
 namespace {
 
 constexpr float half_pi = 1.57079633f;
+// Cosines of the angle between a side's normal and that of all sides, about half the angle that the surface bends by: up to the
+// first it is smooth, from the second on a crease.
+constexpr float cosine_smooth = 0.985f, cosine_creased = 0.940f;
 
 // atan(q) of q in 0 to 1 within 1e-5: Abramowitz, Stegun, Handbook of Mathematical Functions, 4.4.49.
 float arc_tangent(float q) {
@@ -45,6 +48,33 @@ std::vector<glm::vec3> vertex_normals(std::span<const glm::vec3> positions, std:
         for (int k = 0; k < 3; ++k) {
             const float angle = angle_of(-glm::dot(edges[k], edges[(k + 2) % 3]), area2);
             normals[corners[k]] += cross * (angle / area2);
+        }
+    }
+    return normals;
+}
+
+std::vector<glm::vec3> creased_normals(std::span<const glm::vec3> positions, std::span<const uint32_t> triangles,
+                                       std::span<const uint32_t> copied) {
+    std::vector<glm::vec3> normals = vertex_normals(positions, triangles);
+    const size_t first_copy = positions.size() - copied.size();
+    // Sums over sides are those over all triangles around.
+    std::vector<glm::vec3> sums(normals.begin(), normals.begin() + static_cast<ptrdiff_t>(first_copy));
+    std::vector<uint8_t> has_sides(first_copy, 0);
+    for (size_t i = 0; i < copied.size(); ++i) {
+        sums[copied[i]] += normals[first_copy + i];
+        has_sides[copied[i]] = 1;
+    }
+    for (size_t i = 0; i < normals.size(); ++i) {
+        const size_t source = i < first_copy ? i : copied[i - first_copy];
+        if (!has_sides[source]) continue;
+        const glm::vec3 sum = sums[source];
+        const float sizes = glm::length(normals[i]) * glm::length(sum);
+        const float cosine = sizes > 0.0f ? glm::dot(normals[i], sum) / sizes : 1.0f;
+        const float crease = std::clamp((cosine_smooth - cosine) / (cosine_smooth - cosine_creased), 0.0f, 1.0f);
+        if (sizes > 0.0f) {
+            normals[i] = glm::mix(glm::normalize(sum), glm::normalize(normals[i]), crease);
+        } else {
+            normals[i] = sum;
         }
     }
     return normals;

@@ -26,7 +26,9 @@ constexpr VkVertexInputAttributeDescription vertex_attributes[] = {
 constexpr VkVertexInputBindingDescription edge_binding[] = {{0, sizeof(BorderEdge), VK_VERTEX_INPUT_RATE_INSTANCE}};
 constexpr VkVertexInputAttributeDescription edge_attributes[] = {
     {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(BorderEdge, from)},
-    {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(BorderEdge, to)}};
+    {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(BorderEdge, to)},
+    {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(BorderEdge, color)},
+    {3, 0, VK_FORMAT_R32_SFLOAT, offsetof(BorderEdge, half_width_px)}};
 
 }  // namespace
 

@@ -12,8 +12,6 @@ namespace flg::render {
 struct SurfacePush {
     glm::vec3 isoline_color;
     float isoline_half_width_px;
-    glm::vec3 border_color;
-    float border_half_width_px;
     float field_low;
     float colors_per_unit;    // 1 / what the map spans
     float isolines_per_unit;  // 0 = none

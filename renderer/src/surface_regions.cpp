@@ -30,10 +30,9 @@ struct LabelledCorner {
     auto key() const { return std::tie(vertex, label, corner); }
 };
 
-struct LabelledEdge {
-    uint32_t low, high, label;
-    auto key() const { return std::tie(low, high, label); }
-};
+auto key_of(const LabelledEdge& edge) {
+    return std::tie(edge.low, edge.high, edge.label);
+}
 
 }  // namespace
 
@@ -58,8 +57,8 @@ SplitVertices split_vertices(std::span<const uint32_t> triangles, std::span<cons
     return split;
 }
 
-std::vector<std::pair<uint32_t, uint32_t>> border_edges(std::span<const uint32_t> triangles,
-                                                        std::span<const uint32_t> labels, uint32_t vertex_count) {
+std::vector<LabelledEdge> border_edges(std::span<const uint32_t> triangles, std::span<const uint32_t> labels,
+                                       uint32_t vertex_count) {
     const std::vector<uint8_t> mixed = find_mixed(triangles, labels, vertex_count).mixed;
     std::vector<LabelledEdge> edges;
     for (size_t corner = 0; corner < triangles.size(); ++corner) {
@@ -67,13 +66,16 @@ std::vector<std::pair<uint32_t, uint32_t>> border_edges(std::span<const uint32_t
         if (mixed[here] && mixed[next])
             edges.push_back({std::min(here, next), std::max(here, next), labels[corner / 3]});
     }
-    std::ranges::sort(edges, {}, &LabelledEdge::key);
-    std::vector<std::pair<uint32_t, uint32_t>> borders;
-    for (size_t i = 1; i < edges.size(); ++i) {
-        const LabelledEdge &edge = edges[i], &before = edges[i - 1];
-        const std::pair pair(edge.low, edge.high);
-        if (pair != std::pair(before.low, before.high) || edge.label == before.label) continue;
-        if (borders.empty() || borders.back() != pair) borders.push_back(pair);
+    std::ranges::sort(edges, {}, key_of);
+    std::vector<LabelledEdge> borders;
+    size_t first = 0;
+    for (size_t i = 0; i < edges.size(); ++i) {
+        const auto is_same = [&](const LabelledEdge& other) {
+            return other.low == edges[i].low && other.high == edges[i].high;
+        };
+        if (!is_same(edges[first])) first = i;
+        const bool is_last = i + 1 == edges.size() || !is_same(edges[i + 1]);
+        if (is_last && edges[first].label != edges[i].label) borders.push_back(edges[i]);
     }
     return borders;
 }

@@ -18,8 +18,13 @@ struct SplitVertices {
 SplitVertices split_vertices(std::span<const uint32_t> triangles, std::span<const uint32_t> labels,
                              uint32_t vertex_count);
 
-// Pairs of vertices, each edge between triangles of different labels once, in order.
-std::vector<std::pair<uint32_t, uint32_t>> border_edges(std::span<const uint32_t> triangles,
-                                                        std::span<const uint32_t> labels, uint32_t vertex_count);
+struct LabelledEdge {
+    uint32_t low, high;  // vertices
+    uint32_t label;      // the largest of the triangles around
+};
+
+// Each edge between triangles of different labels once, in order.
+std::vector<LabelledEdge> border_edges(std::span<const uint32_t> triangles, std::span<const uint32_t> labels,
+                                       uint32_t vertex_count);
 
 }  // namespace flg::render

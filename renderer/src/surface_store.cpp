@@ -9,8 +9,6 @@ SurfacePush push_of(const SurfaceData& data, const SurfaceLook& look) {
     SurfacePush push{};
     push.isoline_color = look.isoline_color;
     push.isoline_half_width_px = 0.5f * look.isoline_width_px;
-    push.border_color = look.border_color;
-    push.border_half_width_px = 0.5f * look.border_width_px;
     push.field_low = data.field_low;
     push.colors_per_unit = span != 0.0f ? 1.0f / span : 0.0f;
     push.isolines_per_unit = data.has_field && look.isoline_spacing > 0.0f ? 1.0f / look.isoline_spacing : 0.0f;

@@ -68,21 +68,49 @@ scenes::Mesh turned(std::span<const glm::vec2> profile, uint32_t columns, uint32
     return mesh;
 }
 
+// A cube of side * side vertices a face, blown up to a ball of the radius 1, whose points `place` then moves.
+template <class Place>
+filigree::Surface blown(Workshop& workshop, uint32_t side, Place&& place) {
+    constexpr float kSame = 1e-6f;
+    scenes::Mesh mesh;
+    for (int face = 0; face < 6; ++face) {
+        const auto first = static_cast<uint32_t>(mesh.vertices.size());
+        for (uint32_t row = 0; row < side; ++row) {
+            for (uint32_t i = 0; i < side; ++i) {
+                // Equal angles along the middle of a face, so that triangles are of much the same size.
+                const auto along = [&](uint32_t k) {
+                    return static_cast<float>(std::tan(std::numbers::pi / 4 * (2.0 * k / (side - 1.0) - 1.0)));
+                };
+                glm::vec3 p(0.0f);
+                const int axis = face / 2;
+                const float sign = face % 2 == 0 ? 1.0f : -1.0f;
+                p[axis] = sign;
+                p[(axis + 1) % 3] = sign * along(i);
+                p[(axis + 2) % 3] = along(row);
+                p = place(glm::normalize(p));
+                mesh.vertices.push_back({p.x, p.y, p.z});
+            }
+        }
+        add_squares(mesh, first, side, side, false);
+    }
+    return surface_of(workshop, mesh, kSame);
+}
+
 }  // namespace
 
-filigree::Surface cat(Workshop& workshop) {
+filigree::Surface cat(Workshop& workshop, uint32_t levels) {
     const filigree::Surface coarse = surface_of(workshop, scenes::make_figure());
     FlgRefineDesc refine = flgRefineDefaults();
     refine.surface = coarse.get();
     refine.scheme = FLG_SUBDIVISION_LOOP;
-    refine.levels = 4;
+    refine.levels = levels;
     return workshop.finished(workshop.context().refine(refine));
 }
 
-filigree::Surface vase(Workshop& workshop) {
+filigree::Surface vase(Workshop& workshop, uint32_t columns) {
     constexpr glm::vec2 kProfile[] = {{0.17f, 0.00f}, {0.15f, 0.07f}, {0.27f, 0.27f}, {0.35f, 0.47f}, {0.34f, 0.66f},
                                       {0.23f, 0.83f}, {0.14f, 0.95f}, {0.14f, 1.06f}, {0.19f, 1.14f}};
-    return surface_of(workshop, turned(kProfile, 640, 320));
+    return surface_of(workshop, turned(kProfile, columns, columns / 2));
 }
 
 filigree::Surface dish(Workshop& workshop) {
@@ -100,29 +128,16 @@ filigree::Surface dish(Workshop& workshop) {
 
 filigree::Surface ball(Workshop& workshop) {
     constexpr uint32_t kSide = 150;
-    constexpr float kRadius = 0.5f, kSame = 1e-6f;
-    scenes::Mesh mesh;
-    for (int face = 0; face < 6; ++face) {
-        const auto first = static_cast<uint32_t>(mesh.vertices.size());
-        for (uint32_t row = 0; row < kSide; ++row) {
-            for (uint32_t i = 0; i < kSide; ++i) {
-                // Equal angles along the middle of a face, so that triangles are of much the same size.
-                const auto along = [](uint32_t k) {
-                    return static_cast<float>(std::tan(std::numbers::pi / 4 * (2.0 * k / (kSide - 1.0) - 1.0)));
-                };
-                glm::vec3 p(0.0f);
-                const int axis = face / 2;
-                const float side = face % 2 == 0 ? 1.0f : -1.0f;
-                p[axis] = side;
-                p[(axis + 1) % 3] = side * along(i);
-                p[(axis + 2) % 3] = along(row);
-                p = kRadius * glm::normalize(p);
-                mesh.vertices.push_back({p.x, p.y, p.z});
-            }
-        }
-        add_squares(mesh, first, kSide, kSide, false);
-    }
-    return surface_of(workshop, mesh, kSame);
+    constexpr float kRadius = 0.5f;
+    return blown(workshop, kSide, [](glm::vec3 p) { return kRadius * p; });
+}
+
+filigree::Surface egg(Workshop& workshop) {
+    constexpr uint32_t kSide = 355;
+    return blown(workshop, kSide, [](glm::vec3 p) {
+        const float width = 0.37f * (1.0f - p.y * (0.16f + 0.02f * p.y));
+        return glm::vec3(width * p.x, 0.5f + 0.5f * p.y, width * p.z);
+    });
 }
 
 filigree::Surface cloth(Workshop& workshop) {
@@ -139,17 +154,23 @@ filigree::Surface cloth(Workshop& workshop) {
     return surface_of(workshop, mesh);
 }
 
+void write_form(const filigree::Surface& surface, const std::string& path) {
+    const FlgMeshView mesh = surface.view().mesh;
+    if (flgMeshFileWrite(path.c_str(), &mesh, nullptr) != FLG_OK) throw std::runtime_error(flgIoLastError());
+}
+
 void write_forms(Workshop& workshop, const std::string& folder) {
     std::filesystem::create_directories(folder);
     const auto write = [&](const char* name, const filigree::Surface& surface) {
         const std::string path = folder + "/" + name + ".ply";
-        const FlgMeshView mesh = surface.view().mesh;
-        if (flgMeshFileWrite(path.c_str(), &mesh, nullptr) != FLG_OK) throw std::runtime_error(flgIoLastError());
+        write_form(surface, path);
         std::printf("wrote %s\n", path.c_str());
     };
-    write("cat", cat(workshop));
-    write("vase", vase(workshop));
+    write("cat", cat(workshop, kFineCat));
+    write("vase", vase(workshop, kFineVase));
     write("ball", ball(workshop));
+    write("dish", dish(workshop));
+    write("egg", egg(workshop));
 }
 
 }  // namespace flg::gallery

@@ -20,6 +20,9 @@ std::vector<Picture> all_pictures() {
                                 steps(), live_pictures(), surface_pictures(), tangle_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
+#if defined(FLG_WITH_SCRIPTS)
+    list.insert(list.end(), piece_pictures().begin(), piece_pictures().end());
+#endif
     return list;
 }
 

@@ -25,5 +25,8 @@ std::span<const Picture> steps();               // what a step of the method doe
 std::span<const Picture> live_pictures();       // strokes that are being drawn
 std::span<const Picture> surface_pictures();    // distances, paths and regions
 std::span<const Picture> tangle_pictures();     // recursive ornament
+#if defined(FLG_WITH_SCRIPTS)
+std::span<const Picture> piece_pictures();  // finished pieces, by scripts
+#endif
 
 }  // namespace flg::gallery

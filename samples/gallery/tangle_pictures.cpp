@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tangles: operators, seeds, grouping, scaffolds, perturbation, displacement and macros, after Fig. 7 to 13 of Nazzaro, Puppo,
+// Tangles: operators, seeds, grouping, scaffolds, perturbation, displacement and macros, after Fig. 5 and 7 to 13 of Nazzaro, Puppo,
 // Pellacini: geoTangle (2021).
 #include <cmath>
 #include <deque>
@@ -53,6 +53,58 @@ void paint_by_turns(Ornament& ornament, const Regions& made, const render::Mater
     ornament.paint(ornament.odd(made), odd);
 }
 
+// ---- Fig. 5
+
+constexpr glm::vec3 kFromTop = {-0.05f, -1.0f, -0.35f};
+
+// Dark where the sum of the parts of a region and of that around it is odd.
+void chequer(Ornament& ornament, const Regions& made, const render::Material& even, const render::Material& odd) {
+    for (const uint32_t region : made) {
+        const FlgTangleRegion node = ornament.tangle().region(region);
+        const bool is_even = (node.part + ornament.tangle().region(node.parent).part) % 2 == 0;
+        ornament.paint({region}, is_even ? even : odd);
+    }
+}
+
+void patterns(Workshop& workshop, Studio& studio) {
+    // A cloth's outline begins in a corner; its sides are quarters.
+    const Seeds left = Seeds::loop(0, 0.75f, 1.0f), near = Seeds::loop(0, 0.0f, 0.25f);
+    Sequence sequence(kFromTop);
+    const auto add = [&](const render::Material& odd, auto&& draw) {
+        Ornament ornament(workshop, cloth(workshop), kCream);
+        draw(ornament, odd);
+        sequence.add(ornament.moment(kBorder));
+    };
+    add(kCobalt, [](Ornament& ornament, const render::Material& odd) {
+        paint_by_turns(ornament, ornament.divide(contour(0.05f, 9), Ornament::root(), Seeds::outline()), odd, kCream);
+    });
+    add(kRust, [&](Ornament& ornament, const render::Material& odd) {
+        paint_by_turns(ornament, ornament.divide(contour(0.0625f, 0), Ornament::root(), left), kCream, odd);
+    });
+    add(kSage, [&](Ornament& ornament, const render::Material& odd) {
+        ornament.divide(contour(0.125f, 0), Ornament::root(), left);
+        chequer(ornament, ornament.divide(contour(0.125f, 0), Ornament::root(), near), kCream, odd);
+    });
+    add(kPlum, [](Ornament& ornament, const render::Material& odd) {
+        paint_by_turns(ornament, ornament.divide(contour(0.042f), Ornament::root(), Seeds::sampled(0.115f)), odd,
+                       kCream);
+    });
+    add(kPetrol, [](Ornament& ornament, const render::Material& odd) {
+        const Regions cells = ornament.divide(voronoi(), Ornament::root(), Seeds::sampled(0.15f));
+        constexpr render::Material kColors[] = {kIvory, kCream, kSage};
+        for (size_t i = 0; i < cells.size(); ++i) ornament.paint({cells[i]}, i % 4 == 3 ? odd : kColors[i % 4]);
+    });
+    add(kAmber, [](Ornament& ornament, const render::Material& odd) {
+        const Seeds middle = Seeds::at({ornament.near({0.5f, 0.0f, 0.5f})});
+        const Regions around = ornament.divide(contour(0.09f), Ornament::root(), middle);
+        ornament.paint(ornament.even(around), kPlum);
+        // Loop 0 is the outline of the cloth, 1 that of the disc in its middle.
+        const Regions rays = ornament.divide(stream(0.0236f), ornament.odd(around), Seeds::loop(1));
+        paint_by_turns(ornament, rays, odd, kCream);
+    });
+    sequence.take(studio, "tangle_patterns", 6, 1440, 250);
+}
+
 // ---- Fig. 7
 
 constexpr glm::vec3 kFromAbove = {-0.30f, -0.85f, -1.0f};
@@ -91,12 +143,7 @@ void operators(Workshop& workshop, Studio& studio) {
     const Regions stripes = chequered.divide(contour(0.125f, 0), Ornament::root(), left, right);
     paint_by_turns(chequered, stripes, kCream, kCobalt);
     sequence.add(chequered.moment(kBorder));
-    const Regions squares = chequered.divide(contour(0.125f, 0), Ornament::root(), near, far);
-    for (const uint32_t square : squares) {
-        const FlgTangleRegion node = chequered.tangle().region(square);
-        const bool is_light = (node.part + chequered.tangle().region(node.parent).part) % 2 == 0;
-        chequered.paint({square}, is_light ? kCream : kCobalt);
-    }
+    chequer(chequered, chequered.divide(contour(0.125f, 0), Ornament::root(), near, far), kCream, kCobalt);
     sequence.add(chequered.moment(kBorder));
     sequence.add(on_dish(workshop, stream(0.0346f), inner, {}, kIvory, kPetrol));
     sequence.add(on_dish(workshop, stream(0.0346f), inner, outer, kIvory, kPetrol));
@@ -195,16 +242,21 @@ void perturbation(Workshop& workshop, Studio& studio) {
 
 // ---- Fig. 11
 
+FlgTangleDisplaceDesc rise(float amount, float bias) {
+    FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
+    desc.amount = amount;
+    desc.bias = bias;
+    return desc;
+}
+
 Moment displaced(Workshop& workshop, float amount, float bias, float gain) {
     Ornament ornament(workshop, ball(workshop), kIvory);
     const Regions made = ornament.divide(contour(0.115f), Ornament::root(), Seeds::sampled(0.26f));
     const Regions spots = ornament.even(made);
     ornament.paint(spots, kAmber);
-    FlgTangleDisplaceDesc rise = flgTangleDisplaceDefaults();
-    rise.amount = amount;
-    rise.bias = bias;
-    rise.gain = gain;
-    ornament.displace(rise, spots);
+    FlgTangleDisplaceDesc desc = rise(amount, bias);
+    desc.gain = gain;
+    ornament.displace(desc, spots);
     // Rings by the distance on what has risen.
     const Regions rings = ornament.divide(contour(0.03f, 0), spots, Seeds::outline());
     paint_by_turns(ornament, rings, kPlum, kAmber);
@@ -218,6 +270,89 @@ void displacement(Workshop& workshop, Studio& studio) {
     sequence.add(displaced(workshop, 0.24f, 0.22f, 0.5f));
     sequence.add(displaced(workshop, 0.12f, 0.5f, 0.12f));
     sequence.take(studio, "tangle_displacement", 4, 1280, 340);
+}
+
+// ---- Fig. 12
+
+// Stripes and grids as structures for more.
+Moment structured(Workshop& workshop) {
+    Ornament ornament(workshop, vase(workshop), kCream);
+    const Seeds foot = Seeds::loop(kFoot), lip = Seeds::loop(kLip);
+    const Regions bands = ornament.divide(contour(1.0f / 9.0f, 0), Ornament::root(), foot, lip);
+    Regions wide;
+    for (const uint32_t band : ornament.even(bands)) {
+        const Regions rims = ornament.divide(contour(0.012f), {band}, Seeds::outline());
+        ornament.paint(ornament.even(rims), kCobalt);
+        const Regions inside = ornament.odd(rims);
+        ornament.paint(inside, kSage);
+        wide.insert(wide.end(), inside.begin(), inside.end());
+    }
+    const Regions dots = ornament.divide_each(contour(0.026f), wide, Seeds::sampled(0.075f));
+    const Regions discs = ornament.even(dots);
+    ornament.displace(rise(0.012f, 0.75f), discs);
+    paint_by_turns(ornament, ornament.divide(contour(0.008f, 0), discs, Seeds::outline()), kRust, kCream);
+    const Regions odd = ornament.odd(bands);
+    ornament.divide_each(contour(0.5f), odd, Seeds::loop(0), Seeds::loop(1));
+    Regions squares;
+    for (const uint32_t band : odd) {
+        const Regions some = ornament.divide(stream(0.055f), {band}, Seeds::loop(0), Seeds::loop(1));
+        squares.insert(squares.end(), some.begin(), some.end());
+    }
+    Regions dark;
+    for (const uint32_t square : squares) {
+        const FlgTangleRegion node = ornament.tangle().region(square);
+        if ((node.part + ornament.tangle().region(node.parent).part) % 2 == 1) dark.push_back(square);
+    }
+    ornament.paint(dark, kCobalt);
+    const Regions tiles = ornament.divide_each(contour(0.012f), dark, Seeds::outline());
+    ornament.paint(ornament.odd(tiles), kCream);
+    return ornament.moment(kBorder);
+}
+
+// Outline, cells, outline, displacement.
+Moment crusted(Workshop& workshop) {
+    Ornament ornament(workshop, dish(workshop), kIvory);
+    const Regions two = ornament.divide(contour(0.085f), Ornament::root(), Seeds::outline());
+    const Regions small = ornament.divide_each(voronoi(), ornament.even(two), Seeds::sampled(0.042f));
+    const Regions large = ornament.divide_each(voronoi(), ornament.odd(two), Seeds::sampled(0.09f));
+    const Seeds borders = {.borders = FLG_TANGLE_BORDERS_EACH};
+    const Regions small_framed = ornament.divide(contour(0.005f), small, borders);
+    const Regions large_framed = ornament.divide(contour(0.007f), large, borders);
+    const Regions pebbles = ornament.odd(small_framed), stones = ornament.odd(large_framed);
+    ornament.displace(rise(0.016f, 0.75f), pebbles);
+    ornament.displace(rise(0.030f, 0.75f), stones);
+    ornament.paint(pebbles, kPetrol);
+    ornament.paint(stones, kAmber);
+    return ornament.moment();
+}
+
+// Many regions, each in the colour of its group: even or odd.
+Moment by_parity(Workshop& workshop) {
+    Ornament ornament(workshop, ball(workshop), kIvory);
+    const Regions cells = ornament.divide(voronoi(), Ornament::root(), Seeds::sampled(0.3f));
+    Regions rings;
+    for (const uint32_t cell : cells) {
+        const FlgTangleDivideDesc bands = contour(0.026f, 0);
+        const Regions some = ornament.divide(bands, {cell}, Seeds::outline());
+        rings.insert(rings.end(), some.begin(), some.end());
+    }
+    // Across the rings, all at once.
+    const Regions squares = ornament.divide(contour(0.055f, 0), Ornament::root(), Seeds::sampled(0.4f));
+    for (const uint32_t square : squares) {
+        const bool is_even = ornament.tangle().region(square).group % 2 == 0;
+        ornament.paint({square}, is_even ? kIvory : kPlum);
+    }
+    return ornament.moment(kBorder);
+}
+
+void recursion(Workshop& workshop, Studio& studio) {
+    std::deque<Moment> moments;
+    moments.push_back(structured(workshop));
+    moments.push_back(crusted(workshop));
+    moments.push_back(by_parity(workshop));
+    std::vector<Panel> panels = {panel_with(moments[0], kFromTheSide), panel_with(moments[1], kFromAbove),
+                                 panel_with(moments[2], kFromTheSide)};
+    studio.take("tangle_recursion", panels, 3, 1260, 480);
 }
 
 // ---- Fig. 13
@@ -282,11 +417,14 @@ void macros(Workshop& workshop, Studio& studio) {
 }
 
 constexpr Picture kPictures[] = {
+    {"tangle_patterns", "Outline, hatch, grid, polka dots, Voronoi, radial", true, patterns},
     {"tangle_operators", "All four operators of tangles, from different seeds", true, operators},
     {"tangle_grouping", "Stripes, dots in each of them, and dots on all of them together", true, grouping},
     {"tangle_scaffold", "A grid that places dots and is not seen", true, scaffold},
     {"tangle_perturbation", "The same ornament with more and more noise on the metric", true, perturbation},
     {"tangle_displacement", "What bias and gain make of displaced dots", true, displacement},
+    {"tangle_recursion", "Patterns that others are made on: stripes and grids, outlines of cells, groups by parity",
+     true, recursion},
     {"tangle_macros", "Eight combinations of operators, one after the other", true, macros},
 };
 

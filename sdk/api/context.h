@@ -13,6 +13,7 @@ class Surface;
 class Field;
 class TracedCurves;
 class Tangle;
+class HeldStraightSkeleton;
 }  // namespace flg
 
 // In the global namespace because the C header declares it.
@@ -27,6 +28,7 @@ struct FlgContextT {
           fields(flg::HandleKind::field, salt, &memory),
           surface_curves(flg::HandleKind::surface_curves, salt, &memory),
           tangles(flg::HandleKind::tangle, salt, &memory),
+          straight_skeletons(flg::HandleKind::straight_skeleton, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -40,6 +42,7 @@ struct FlgContextT {
     flg::HandleTable<flg::Field> fields;
     flg::HandleTable<flg::TracedCurves> surface_curves;
     flg::HandleTable<flg::Tangle> tangles;
+    flg::HandleTable<flg::HeldStraightSkeleton> straight_skeletons;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };

@@ -2,22 +2,16 @@
 // What the entry points share that change tangles.
 #pragma once
 
-#include <cmath>
-
 #include "api/surface_inputs.h"
 #include "tangles/tangle_jobs.h"
 
 namespace flg {
 
-inline bool is_positive(float value) {
-    return value > 0 && std::isfinite(value);
-}
-
-inline std::pmr::vector<RegionId> read_region_ids(const uint32_t* regions, uint32_t count, const char* argument,
-                                                  Memory* memory) {
-    std::pmr::vector<RegionId> list(memory);
-    if (count > 0) list.assign(&require(regions, argument), regions + count);
-    return list;
+// Whether a tangle can be seen now.
+inline FlgResult visible_result_now(const Tangle& tangle) {
+    const FlgResult result = tangle.visible_result();
+    if (result < 0) return set_last_error(result, tangle.error());
+    return result == FLG_OK ? visible_result_now(*tangle.surface) : result;
 }
 
 // A job that changes a tangle.
@@ -40,6 +34,10 @@ public:
         submission.job().strand.start(std::move(task));
         submission.commit(make_object<SurfaceChange>(context_, tangle->surface, nullptr), out_job);
         tangle->revision = tangle->surface->order.revision();
+    }
+
+    void make_step(StepRecords records, FlgJob* out_job) {
+        commit(flg::make_step(submission.pace(), tangle, std::move(records), revision()), out_job);
     }
 
     const std::shared_ptr<Tangle> tangle;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Isolines, streams and paths on surfaces; curves on surfaces shown, lifted into space and released.
+// Isolines, streams and paths on surfaces; curves on surfaces shown, lifted into space and released; curves in space laid onto
+// surfaces.
 #include <algorithm>
 #include <cmath>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "api/surface_inputs.h"
+#include "filigree/filigree_project.h"
 #include "surfaces/lift_curves.h"
+#include "surfaces/project_curves.h"
 #include "surfaces/tracing_jobs.h"
 
 namespace flg {
@@ -188,6 +191,33 @@ FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurface
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");
         submission.job().strand.start(trace_paths(submission.pace(), std::move(request)));
+        *out_curves = {submission.commit(self.surface_curves, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgProjectDescInit(FlgProjectDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_desc<FlgProjectDesc>(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgProjectCurves(FlgContext context, const FlgProjectDesc* desc, FlgSurfaceCurves* out_curves,
+                           FlgJob* out_job) {
+    return guarded([&] {
+        require(out_curves, "out_curves") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgProjectDesc read = read_struct(desc, default_desc<FlgProjectDesc>(), "desc");
+        Submission submission(self, read.job);
+        const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
+        const auto curves = self.curve_sets.get(read.curves.id, "desc.curves");
+        const auto out = make_object<TracedCurves>(self, surface, &self.memory);
+        submission.read(*curves, "desc.curves");
+        submission.wait_for(start_blocks(self, surface));
+        submission.read_surface(surface, "desc.surface");
+        submission.job().strand.start(project_curves(submission.pace(), curves, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
         return FLG_OK;
     });

@@ -24,12 +24,16 @@ public:
     std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
     std::span<const FlgMeshFaceColumn> face_columns() const { return {desc_.face_columns, desc_.face_column_count}; }
     bool split_regions() const { return desc_.split_regions != 0; }
+    // By label; empty: none are given.
+    std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
 
     Column position, color, normal;
 
 private:
     void check_triangles() const;
     void check_face_column(uint32_t index) const;
+    void check_material(uint32_t index) const;
+    void check_labels() const;
 
     FlgMeshView view_ = {};
     FlgMeshWriteDesc desc_ = mesh_write_defaults();

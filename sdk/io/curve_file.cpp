@@ -14,6 +14,7 @@
 #include "io/gltf_writer.h"
 #include "io/limits.h"
 #include "io/obj_lines.h"
+#include "io/svg_reader.h"
 #include "io/tilt_reader.h"
 #include "io/xyz_format.h"
 
@@ -36,12 +37,13 @@ CurveData read_curves(const std::filesystem::path& path) {
     const std::string extension = extension_of(path);
     if (extension == ".tilt") return read_tilt(path);
     if (extension == ".gltf" || extension == ".glb") return read_gltf(path);
-    const bool obj = extension == ".obj";
-    if (!obj && extension != ".xyz" && extension != ".txt") {
-        fail(FLG_ERROR_FORMAT, "", "is of no known format: %s is none of .xyz .txt .obj .gltf .glb .tilt",
+    const bool obj = extension == ".obj", svg = extension == ".svg";
+    if (!obj && !svg && extension != ".xyz" && extension != ".txt") {
+        fail(FLG_ERROR_FORMAT, "", "is of no known format: %s is none of .xyz .txt .obj .svg .gltf .glb .tilt",
              cited(extension).c_str());
     }
     const ByteBlock file = read_file(path, "");
+    if (svg) return read_svg(as_text(file.bytes()));
     return obj ? read_obj(as_text(file.bytes())) : read_xyz(as_text(file.bytes()));
 }
 

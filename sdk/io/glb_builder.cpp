@@ -2,9 +2,9 @@
 #include "io/glb_builder.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "io/failure.h"
+#include "io/json_text.h"
 #include "io/limits.h"
 
 namespace flg::io {
@@ -21,12 +21,6 @@ constexpr size_t glb_alignment = 4;
 
 void separate(std::string& list) {
     if (!list.empty()) list += ',';
-}
-
-// A float's shortest text as a double: JSON readers get exactly the float.
-void append_exact(std::string& text, float value) {
-    char buffer[32];
-    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, double{value}).ptr);
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, 
         bounds += name;
         for (size_t k = 0; k < components; ++k) {
             if (k != 0) bounds += ',';
-            append_exact(bounds, values[k]);
+            bounds += json_number(values[k]);
         }
         bounds += ']';
     }

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "io/byte_reader.h"
+#include "io/json_value.h"
 #include "io/limits.h"
 
 namespace flg::io {
@@ -35,17 +36,7 @@ Json parse_json(Bytes text) {
     if (text.size() > max_json) {
         fail(FLG_ERROR_LIMIT, "", "holds %zu bytes of JSON, more than the limit of 512 MiB", text.size());
     }
-    const auto check_depth = [](int depth, Json::parse_event_t, Json&) {
-        if (depth > max_depth) fail(FLG_ERROR_LIMIT, "", "its JSON nests deeper than %d levels", max_depth);
-        return true;
-    };
-    try {
-        return Json::parse(text.begin(), text.end(), check_depth);
-    } catch (const Json::parse_error& error) {
-        fail(FLG_ERROR_FORMAT, byte_place("", error.byte), "is no JSON");
-    } catch (const Json::exception& error) {
-        fail(FLG_ERROR_FORMAT, "", "is no JSON: %s", error.what());
-    }
+    return JsonValue::parse(text, max_depth);
 }
 
 int base64_value(char c) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 
+#include "io/gltf_materials.h"
 #include "io/gltf_scene.h"
 
 namespace flg::io {
@@ -29,6 +30,7 @@ public:
             data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, std::move(colors_)});
         }
         if (regions_.size() == 1) data_.regions.clear();
+        if (!says_color_) data_.materials.clear();
         data_.warn(others_, "primitive", "of points or lines, left out: only triangles are read");
         data_.warn(open_, "primitive", "of triangles that are not complete, the rest left out");
         return std::move(data_);
@@ -64,7 +66,12 @@ private:
         const uint64_t material = gltf_unsigned(primitive.json, "material", no_material, primitive.place);
         const uint32_t next = static_cast<uint32_t>(regions_.size());
         if (data_.regions.size() < data_.triangle_count()) {
-            data_.regions.resize(data_.triangle_count(), regions_.try_emplace(material, next).first->second);
+            const auto [found, is_first] = regions_.try_emplace(material, next);
+            data_.regions.resize(data_.triangle_count(), found->second);
+            if (!is_first) return;
+            GltfMaterial look = read_material(document_, material, primitive.place + ".material");
+            says_color_ |= look.says_color;
+            data_.materials.push_back(std::move(look.data));
         }
     }
 
@@ -113,6 +120,7 @@ private:
     SharedVertices shared_ = {};
     uint32_t first_vertex_ = 0;
     std::map<uint64_t, uint32_t> regions_;  // of materials
+    bool says_color_ = false;               // at least one of them
     Tally others_, open_;
 };
 

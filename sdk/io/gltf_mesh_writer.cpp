@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Source: Khronos, glTF 2.0 specification (3.7.2 primitives). All primitives share their vertices; 32-bit indices. With
-// split regions a primitive holds the triangles of one region, in their order; its material is named after the region.
+// split regions a primitive holds the triangles of one region, in their order; its material is that of the host's table, or
+// without one it is named after the region. Border lines, which glTF has no place for, are `extras` of the material.
 #include "io/gltf_mesh_writer.h"
 
 #include <algorithm>
 #include <map>
 
 #include "io/glb_builder.h"
+#include "io/json_text.h"
 #include "io/vec3.h"
 
 namespace flg::io {
@@ -37,8 +39,28 @@ std::vector<float> unit_normals(const CheckedMesh& mesh) {
     return normals;
 }
 
-std::string material(const std::string& name) {
+std::string plain_material(const std::string& name) {
     return "{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
+}
+
+std::string json_color(const float* color) {
+    return json_number(color[0]) + "," + json_number(color[1]) + "," + json_number(color[2]);
+}
+
+std::string material_of(const CheckedMesh& mesh, uint32_t region) {
+    if (!mesh.split_regions()) return plain_material("surface");
+    const std::string default_name = "region " + std::to_string(region);
+    if (mesh.materials().empty()) return plain_material(default_name);
+    const FlgMeshMaterial& material = mesh.materials()[region];
+    std::string json = "{\"name\":" + json_text(material.name ? material.name : default_name) +
+                       ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + json_color(material.color) +
+                       ",1],\"metallicFactor\":" + json_number(material.metallic) +
+                       ",\"roughnessFactor\":" + json_number(material.roughness) + "}";
+    if (material.border_width_px > 0) {
+        json += ",\"extras\":{\"border_color\":[" + json_color(material.border_color) +
+                "],\"border_width_px\":" + json_number(material.border_width_px) + "}";
+    }
+    return json + "}";
 }
 
 }  // namespace
@@ -69,7 +91,7 @@ std::string write_glb_mesh(const CheckedMesh& mesh) {
             attributes, glb_triangles,
             ",\"indices\":" + std::to_string(accessor) + ",\"material\":" + std::to_string(material_count++));
         if (!materials.empty()) materials += ',';
-        materials += material(mesh.split_regions() ? "region " + std::to_string(region) : "surface");
+        materials += material_of(mesh, region);
     }
     return glb.finish("\"materials\":[" + materials + "],");
 }

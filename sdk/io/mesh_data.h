@@ -23,6 +23,15 @@ struct FaceColumn {
     std::vector<uint32_t> values;
 };
 
+// Of a region; as FlgMeshMaterial.
+struct MaterialData {
+    std::string name;
+    float color[3] = {1, 1, 1};
+    float metallic = 1, roughness = 1;
+    float border_color[3] = {0, 0, 0};
+    float border_width_px = 0;
+};
+
 // A face of more than three corners; its fan lies at `first` in the triangles.
 struct PolygonFan {
     uint32_t first;
@@ -36,6 +45,7 @@ struct MeshData {
     std::vector<uint32_t> triangles;    // three vertices each
     std::vector<uint32_t> regions;      // one a triangle, or empty
     std::vector<FaceColumn> face_columns;
+    std::vector<MaterialData> materials;  // by region, or empty
     std::vector<PolygonFan> fans;
     uint64_t polygon_count = 0;
     std::vector<std::string> warnings;

@@ -22,6 +22,7 @@ struct FlgMeshFileT {
     flg::io::MeshMeasures measures;
     std::vector<FlgColumn> columns;
     std::vector<FlgMeshFaceColumn> face_columns;
+    std::vector<FlgMeshMaterial> materials;
     std::vector<const char*> warnings;
 };
 
@@ -49,6 +50,17 @@ std::string write_mesh(const std::string& extension, const CheckedMesh& mesh) {
     fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .ply .obj .off .glb", cited(extension).c_str());
 }
 
+FlgMeshMaterial view_of(const MaterialData& data) {
+    FlgMeshMaterial material = {};
+    material.name = data.name.c_str();
+    std::copy_n(data.color, 3, material.color);
+    material.metallic = data.metallic;
+    material.roughness = data.roughness;
+    std::copy_n(data.border_color, 3, material.border_color);
+    material.border_width_px = data.border_width_px;
+    return material;
+}
+
 }  // namespace
 
 }  // namespace flg::io
@@ -74,6 +86,7 @@ FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file) {
         for (const FaceColumn& column : data.face_columns) {
             file->face_columns.push_back({column.name.c_str(), column.values.data()});
         }
+        for (const MaterialData& material : data.materials) file->materials.push_back(view_of(material));
         for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
         *out_file = file.release();
     });
@@ -105,6 +118,19 @@ FlgResult flgMeshFileGetFaceColumns(FlgMeshFile file, const FlgMeshFaceColumn** 
         if (file->face_columns.empty()) return;
         *out_columns = file->face_columns.data();
         *out_count = static_cast<uint32_t>(file->face_columns.size());
+    });
+}
+
+FlgResult flgMeshFileGetMaterials(FlgMeshFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count) {
+    if (out_materials) *out_materials = nullptr;
+    if (out_count) *out_count = 0;
+    return guarded("flgMeshFileGetMaterials", [&] {
+        check_argument(file, "file");
+        check_argument(out_materials, "out_materials");
+        check_argument(out_count, "out_count");
+        if (file->materials.empty()) return;
+        *out_materials = file->materials.data();
+        *out_count = static_cast<uint32_t>(file->materials.size());
     });
 }
 

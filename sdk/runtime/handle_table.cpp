@@ -13,6 +13,7 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::field: return "field";
         case HandleKind::surface_curves: return "set of surface curves";
         case HandleKind::tangle: return "tangle";
+        case HandleKind::straight_skeleton: return "straight skeleton";
     }
     return "handle";
 }

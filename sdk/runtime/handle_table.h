@@ -13,7 +13,17 @@
 
 namespace flg {
 
-enum class HandleKind : uint8_t { job = 1, curve_set, style, live_stroke, surface, field, surface_curves, tangle };
+enum class HandleKind : uint8_t {
+    job = 1,
+    curve_set,
+    style,
+    live_stroke,
+    surface,
+    field,
+    surface_curves,
+    tangle,
+    straight_skeleton
+};
 
 const char* handle_kind_name(HandleKind kind);
 

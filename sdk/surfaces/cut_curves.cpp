@@ -230,7 +230,7 @@ bool CurveCutter::run(uint32_t count) {
         for (const uint32_t end = size_of(pass_); count > 0 && at_ < end; ++at_) {
             uint32_t spent = 1;
             switch (pass_) {
-                case Pass::clear: touched_.set_word(at_, 0); break;
+                case Pass::clear: touched_.clear_word(at_); break;
                 case Pass::mark: mark(at_); break;
                 case Pass::sum: touched_.sum_word(at_); break;
                 case Pass::collect: collect(at_); break;

@@ -35,26 +35,39 @@ IsolineCutter::IsolineCutter(Mesh& mesh, MeshColumns& columns, uint32_t field, c
     edit.begin(mesh);
 }
 
-// Labels 64 triangles that no level touches, marks the others.
+// Of 64 triangles labels those of the regions that no level touches, marks the others.
 void IsolineCutter::scan(uint32_t word) {
     const uint32_t first = 64 * word, end = std::min(first + 64, mesh_.triangle_count());
-    uint64_t crossed = 0;
+    uint32_t others = 0;  // labels
+    for (uint32_t triangle = first; triangle < end; ++triangle) others |= mesh_.regions[triangle] ^ region_;
+    if (others == 0 && listed_ == nullptr) return;
     for (uint32_t triangle = first; triangle < end; ++triangle) {
-        const Triple& vertices = mesh_.triangles[triangle];
-        const float a = value(vertices[0]), b = value(vertices[1]), c = value(vertices[2]);
-        const bool inside = (a > low_) & (a < high_) & (b > low_) & (b < high_) & (c > low_) & (c < high_);
-        if (!inside && scan_doubtful(triangle)) {
-            crossed |= uint64_t{1} << triangle % 64;
-            continue;
-        }
         const uint32_t region = mesh_.regions[triangle];
         if (region != region_) {
             region_ = region;
             listed_ = levels_.find(region);
         }
-        if (listed_ != nullptr) edit_.set_region(mesh_, triangle, listed_->label_above(interval_));
+        if (listed_ == nullptr) continue;
+        const Triple& vertices = mesh_.triangles[triangle];
+        const float a = value(vertices[0]), b = value(vertices[1]), c = value(vertices[2]);
+        const bool inside = (a > low_) & (a < high_) & (b > low_) & (b < high_) & (c > low_) & (c < high_);
+        if (!inside && scan_doubtful(triangle)) {
+            insert_crossed(triangle);
+        } else {
+            edit_.set_region(mesh_, triangle, listed_->label_above(interval_));
+        }
     }
-    crossed_.set_word(word, crossed);
+}
+
+// With those across its split edges, whatever their region: they stay joined to it.
+void IsolineCutter::insert_crossed(uint32_t triangle) {
+    crossed_.insert(triangle);
+    const Triple& vertices = mesh_.triangles[triangle];
+    for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t beside = mesh_.neighbours[triangle][k];
+        if (beside == no_index) continue;
+        if (levels_.between(value(vertices[k]), value(vertices[(k + 1) % 3])).count > 0) crossed_.insert(beside);
+    }
 }
 
 // True if a level passes; otherwise the triangle's interval is the current one from now on.
@@ -154,6 +167,7 @@ void IsolineCutter::place(const CutTriangle& slot) {
 
 uint32_t IsolineCutter::size_of(Pass pass) const {
     switch (pass) {
+        case Pass::clear:
         case Pass::scan:
         case Pass::sum:
         case Pass::collect: return crossed_.word_count();
@@ -183,6 +197,7 @@ bool IsolineCutter::run(uint32_t count) {
         count -= end - at_;
         for (; at_ < end; ++at_) {
             switch (pass_) {
+                case Pass::clear: crossed_.clear_word(at_); break;
                 case Pass::scan: scan(at_); break;
                 case Pass::sum: crossed_.sum_word(at_); break;
                 case Pass::collect: collect(at_); break;

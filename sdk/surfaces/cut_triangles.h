@@ -17,8 +17,8 @@ public:
     uint32_t word_count() const { return static_cast<uint32_t>(words_.size()); }
     uint32_t size() const { return size_; }
 
-    // Every word must be set before any is asked for; words before sums.
-    void set_word(uint32_t word, uint64_t bits) { words_[word].bits = bits; }
+    // Every word must be cleared before any is filled; words before sums.
+    void clear_word(uint32_t word) { words_[word].bits = 0; }
     void insert(uint32_t triangle) { words_[triangle / 64].bits |= uint64_t{1} << triangle % 64; }
     // In rising order.
     void sum_word(uint32_t word) {

@@ -84,6 +84,14 @@ Task<void> run_or_take_back(Pace& pace, Surface& surface, MeshEdit& edit, Task<v
     std::rethrow_exception(failure);
 }
 
+// Gives back some of the memory of an edit that is over; true when there is no more. (All at once, that of an edit of many
+// triangles would take milliseconds. It is no task: that would take memory.)
+bool release(MeshEdit& edit) {
+    auto& words = edit.words();
+    for (uint32_t i = 0; i < copy_chunk && !words.empty(); ++i) words.pop_back();
+    return words.empty();
+}
+
 Task<void> cut_along_isolines(Pace& pace, const CutIsolinesRequest& request, const CutLevels& levels,
                               const ExtraColumn& field, MeshEdit& edit) {
     Surface& surface = *request.surface;
@@ -129,6 +137,7 @@ Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
     const ExtraColumn field(surface.columns, std::move(values));
     Task<void> cut = cut_along_isolines(pace, request, cut_levels, field, edit);
     co_await run_or_take_back(pace, surface, edit, cut);
+    while (!release(edit)) co_await pace;
 }
 
 Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
@@ -136,6 +145,7 @@ Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
     MeshEdit edit(pace.memory());
     Task<void> cut = cut_along_curves(pace, request, edit);
     co_await run_or_take_back(pace, *request.surface, edit, cut);
+    while (!release(edit)) co_await pace;
 }
 
 }  // namespace flg

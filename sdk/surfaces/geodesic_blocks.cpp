@@ -10,8 +10,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t fetch_ahead = 16;  // vertices
-constexpr double tangent_max = 1e6;   // of angles near a half turn
+constexpr double tangent_max = 1e6;  // of angles near a half turn
 
 // Room for cuts to come, so that not every one has to move the arrays.
 uint32_t with_slack(uint32_t size) {
@@ -170,18 +169,16 @@ void GeodesicBlocksKernel::place(uint32_t i) {
     const uint32_t vertex = order_.vertex_at(i), rank = i + 1;
     blocks_.vertex_of_rank[rank] = vertex;
     blocks_.rank_of_vertex[vertex] = rank;
-    blocks_.blocks[rank].lanes[lane_count - 1] = nowhere;
 }
 
-// What the fans to come begin with.
-void GeodesicBlocksKernel::fetch() const {
-    if (mesh_.vertex_count() - at_ <= fetch_ahead) return;
-    const uint32_t vertex = order_.vertex_at(at_ + fetch_ahead), sooner = order_.vertex_at(at_ + fetch_ahead / 2);
-    __builtin_prefetch(&mesh_.corner_of_vertex[vertex]);
-    __builtin_prefetch(&positions_[vertex]);
-    const uint32_t triangle = triangle_of(mesh_.corner_of_vertex[sooner]);
-    __builtin_prefetch(&mesh_.triangles[triangle]);
-    __builtin_prefetch(&mesh_.neighbours[triangle]);
+// What the fans to come will read.
+[[gnu::always_inline]] inline void GeodesicBlocksKernel::fetch() const {
+    fetch_fans(
+        mesh_, [this](uint32_t i) { return order_.vertex_at(at_ + i); }, mesh_.vertex_count() - at_,
+        [this](uint32_t vertex) __attribute__((always_inline)) {
+            __builtin_prefetch(&positions_[vertex]);
+            __builtin_prefetch(&blocks_.rank_of_vertex[vertex]);
+        });
 }
 
 bool GeodesicBlocksKernel::run(uint32_t count) {
@@ -194,8 +191,9 @@ bool GeodesicBlocksKernel::run(uint32_t count) {
                 break;
             case Pass::place: place(at_++); break;
             case Pass::fans:
-                fetch();
-                fans_.build(++at_);
+                if (at_ % fans_fetched == 0) fetch();
+                blocks_.blocks[++at_].lanes[lane_count - 1] = nowhere;
+                fans_.build(at_);
                 break;
             case Pass::curvatures: fans_.finish(++at_); break;
             case Pass::done: break;

@@ -16,7 +16,7 @@
 #include <array>
 #include <deque>
 
-#include "surfaces/mesh.h"
+#include "surfaces/fan_walk.h"
 #include "surfaces/spatial_order.h"
 
 namespace flg {
@@ -107,19 +107,6 @@ private:
     double cosine_ = 1, sine_ = 0;
     uint32_t half_turns_ = 0;
 };
-
-// The neighbours of a vertex counter-clockwise, of a closed fan the first again at the end.
-template <class Take>
-void visit_fan(const Mesh& mesh, uint32_t vertex, Take take) {
-    const Corner first = mesh.corner_of_vertex[vertex];
-    Corner corner = first, last = first;
-    do {
-        take(mesh.vertex_at(next_corner(corner)));
-        last = corner;
-        corner = mesh.turn(corner);
-    } while (corner != first && corner != no_index);
-    take(mesh.vertex_at(previous_corner(last)));
-}
 
 // Makes the blocks of one vertex after the other.
 class FanBuilder {

@@ -7,19 +7,25 @@ namespace flg {
 
 GeodesicRegionKernel::GeodesicRegionKernel(const Mesh& mesh, const GeodesicBlocks& blocks, const RegionSet& within,
                                            GeodesicRegion& region, Memory* memory)
-    : mesh_(mesh), surface_(blocks), within_(within), region_(region), memory_(memory), ends_(memory) {}
+    : mesh_(mesh),
+      surface_(blocks),
+      within_(within),
+      region_(region),
+      memory_(memory),
+      ends_(memory),
+      cursor_(mesh, within) {}
 
-size_t GeodesicRegionKernel::pass_size() const {
+bool GeodesicRegionKernel::at_end() const {
     switch (pass_) {
-        case Pass::find: return mesh_.triangle_count();
-        case Pass::clear: return region_.slots_.size();
-        default: return ends_.size();
+        case Pass::find: return cursor_.at_end();
+        case Pass::clear: return at_ == region_.slots_.size();
+        default: return at_ == ends_.size();
     }
 }
 
 bool GeodesicRegionKernel::run(uint32_t count) {
     while (pass_ != Pass::done) {
-        if (at_ >= pass_size()) {
+        if (at_end()) {
             at_ = 0;
             if (pass_ == Pass::find && !ends_.empty()) {
                 region_.slots_ = Buffer<GeodesicRegion::Slot>(std::bit_ceil(2 * ends_.size()), memory_);
@@ -30,7 +36,7 @@ bool GeodesicRegionKernel::run(uint32_t count) {
         }
         if (count-- == 0) return false;
         switch (pass_) {
-            case Pass::find: find_ends(static_cast<uint32_t>(at_++)); break;
+            case Pass::find: find_ends(cursor_.next()); break;
             case Pass::clear: region_.slots_[at_++] = {nowhere, 0}; break;
             default: close(ends_[at_++]); break;
         }
@@ -40,7 +46,7 @@ bool GeodesicRegionKernel::run(uint32_t count) {
 
 // A fan that is partly outside has an edge between its inner and outer triangles.
 void GeodesicRegionKernel::find_ends(uint32_t triangle) {
-    if (!within_.contains(mesh_.regions[triangle])) return;
+    if (triangle == no_index) return;
     for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t neighbour = mesh_.neighbours[triangle][k];
         if (neighbour == no_index || within_.contains(mesh_.regions[neighbour])) continue;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "surfaces/geodesic_blocks.h"
-#include "surfaces/region_set.h"
+#include "surfaces/region_cursor.h"
 
 namespace flg {
 
@@ -41,7 +41,7 @@ private:
     uint32_t mask_ = 0;
 };
 
-// A unit is a triangle, or a vertex where the regions end.
+// A unit is 64 triangles outside, a triangle within, or a vertex where the regions end.
 class GeodesicRegionKernel {
 public:
     // All outlive the kernel.
@@ -54,7 +54,7 @@ private:
 
     void find_ends(uint32_t triangle);
     void close(uint32_t vertex);
-    size_t pass_size() const;
+    bool at_end() const;
 
     const Mesh& mesh_;
     const GeodesicBlocks& surface_;
@@ -62,6 +62,7 @@ private:
     GeodesicRegion& region_;
     Memory* memory_;
     std::pmr::deque<uint32_t> ends_;  // vertices where the regions end, some more than once
+    RegionCursor cursor_;
     Pass pass_ = Pass::find;
     size_t at_ = 0;
 };

@@ -76,9 +76,15 @@ void GeodesicPathKernel::begin_follow() {
     }
     // The start is an end of the way down already.
     if (from_.on == SurfacePlace::On::vertex) {
-        Corner corner = mesh_.corner_of_vertex[from_.index];
-        while (corner != no_index && !is_open(triangle_of(corner))) corner = mesh_.turn(corner);
-        if (corner != no_index) sleeve_->enter(triangle_of(corner));
+        const Corner first = mesh_.corner_of_vertex[from_.index];
+        Corner corner = first;
+        do {
+            if (is_open(triangle_of(corner))) {
+                sleeve_->enter(triangle_of(corner));
+                break;
+            }
+            corner = mesh_.turn(corner);
+        } while (corner != first && corner != no_index);
     } else if (is_open(start_.triangle)) {
         sleeve_->enter(start_.triangle);
     }

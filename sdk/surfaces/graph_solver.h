@@ -82,7 +82,7 @@ private:
     Buffer<uint32_t> labels_;     // by node
     Buffer<uint32_t> waiting_;    // by node: the bucket that it waits in, or no_index
     Buffer<uint8_t> is_bounded_;  // by node: it has a triangle beside one that is not of the regions
-    BucketQueue queue_;
+    BucketQueue<uint32_t> queue_;
     float buckets_per_metre_ = 1;
     uint32_t bucket_ = 0;  // that is being emptied; nearer nodes have their distance
     uint32_t met_ = 0;     // the first targets that have their distance

@@ -11,16 +11,6 @@ namespace {
 constexpr uint32_t curve_chunk = 1000;
 constexpr uint32_t point_chunk = 10;  // about 10 us
 
-Vec3 smooth_normal(const Mesh& mesh, const SurfacePoint& point) {
-    const Triple& corners = mesh.triangles[point.triangle];
-    const double weights[] = {1.0 - point.u - point.v, point.u, point.v};
-    Vec3 sum = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) {
-        if (weights[k] > 0) sum += weights[k] * vertex_normal(mesh, corners[k]);
-    }
-    return sum.stableNormalized();
-}
-
 }  // namespace
 
 Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, float height,

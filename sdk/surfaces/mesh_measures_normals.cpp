@@ -31,6 +31,16 @@ Vec3 vertex_normal(const Mesh& mesh, uint32_t vertex) {
     return sum.stableNormalized();
 }
 
+Vec3 smooth_normal(const Mesh& mesh, const SurfacePoint& point) {
+    const Triple& corners = mesh.triangles[point.triangle];
+    const double weights[] = {1.0 - point.u - point.v, point.u, point.v};
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        if (weights[k] > 0) sum += weights[k] * vertex_normal(mesh, corners[k]);
+    }
+    return sum.stableNormalized();
+}
+
 VertexNormalsKernel::VertexNormalsKernel(const Mesh& mesh, Memory* memory)
     : mesh_(mesh), normals_(mesh.vertex_count(), memory) {}
 

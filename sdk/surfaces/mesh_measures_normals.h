@@ -4,7 +4,7 @@
 // triangles, as those weighted by area do.
 #pragma once
 
-#include "surfaces/mesh.h"
+#include "surfaces/surface_point.h"
 
 namespace flg {
 
@@ -22,6 +22,9 @@ inline Vec3 triangle_normal(const Mesh& mesh, uint32_t triangle) {
 
 // Of one vertex: unit length, 0 where no triangle around has an area or all cancel out. About 50 ns a triangle there.
 Vec3 vertex_normal(const Mesh& mesh, uint32_t vertex);
+
+// Of a point: between those of the vertices around it, of unit length or 0.
+Vec3 smooth_normal(const Mesh& mesh, const SurfacePoint& point);
 
 // Normals of all vertices: the same, in slices. A unit is a corner: about 50 ns.
 class VertexNormalsKernel {

@@ -28,12 +28,11 @@ void RefinedSolver::begin(std::span<const Seed> seeds, const SolveLimits& limits
     const uint32_t ranks = blocks_.rank_count();
     if (states_.size() < ranks) {
         states_ = Buffer<WaveState>(blocks_.blocks.capacity(), memory_);
-        waiting_ = Buffer<uint32_t>(blocks_.blocks.capacity(), memory_);
         touched_ = Buffer<uint8_t>(blocks_.blocks.capacity() / page_size + 1, memory_);
         std::fill(touched_.begin(), touched_.end(), uint8_t{1});
     }
     if (labelled && labels_.size() < ranks) labels_ = Buffer<uint32_t>(blocks_.blocks.capacity(), memory_);
-    labelled_ = labelled;
+    labelled_ = labels_tell_fronts_ = labelled;
     const float width = std::max(bucket_width * blocks_.edges.mean(), blocks_.edges.longest() / most_buckets);
     buckets_per_metre_ = 1 / width;
     bend_max_ = sharpest_bend / blocks_.edges.mean();
@@ -50,7 +49,7 @@ void RefinedSolver::extend(std::span<const Seed> seeds, const SolveLimits& limit
     bucket_ = no_index;
     fronts_meet_ = true;
     any_beyond_ring_ = false;
-    batches_[0].size = batches_[1].size = 0;
+    queue_.clear();
     targets_met_ = 0;
     furthest_target_ = 0;
     at_ = 0;
@@ -72,8 +71,10 @@ bool RefinedSolver::run(uint32_t count) {
                 if (at_ < seeds_.size()) place(seeds_[at_]);
                 advance(seeds_.size());
                 break;
-            case Pass::solve: solve_batch(); break;
-            case Pass::drain: drain(); break;
+            case Pass::solve:
+                solve_batch();
+                count -= std::min(count, wave_step_vertices) - 1;
+                break;
             case Pass::done: break;
         }
     }
@@ -94,7 +95,6 @@ void RefinedSolver::clear(uint32_t page) {
     const size_t end = std::min(size_t{page + 1} * page_size, states_.size());
     for (size_t rank = size_t{page} * page_size; rank < end; ++rank) {
         states_[rank] = {rank == nowhere ? -unreachable : unreachable, 0};
-        waiting_[rank] = no_index;
     }
 }
 
@@ -103,6 +103,7 @@ void RefinedSolver::place(const Seed& seed) {
     if (!(seed.distance < states_[rank].distance)) return;
     const float front = seed.straight ? 0.0f : seed.distance > 0 ? 1 / seed.distance : sharpest_front;
     if (labelled_) labels_[rank] = seed.label;
+    if (seed.straight) labels_tell_fronts_ = false;
     improve(rank, {seed.distance, front});
 }
 
@@ -110,110 +111,112 @@ uint32_t RefinedSolver::bucket_of(float distance) const {
     return static_cast<uint32_t>(std::min(distance * buckets_per_metre_, 4e9f));
 }
 
-// Never into a bucket that is behind, nor beyond the ring's end: from there it goes on when its time has come.
-void RefinedSolver::wait(uint32_t rank) {
-    uint32_t bucket = std::max(bucket_of(states_[rank].distance), bucket_);
-    if (bucket - bucket_ >= queue_.span()) {
-        bucket = bucket_ + queue_.span() - 1;
-        any_beyond_ring_ = true;
-    }
-    if (waiting_[rank] == bucket) return;
-    waiting_[rank] = bucket;
-    queue_.push(bucket, rank);
-}
-
-void RefinedSolver::improve(uint32_t rank, const WaveState& state) {
-    states_[rank] = state;
-    touched_[rank / page_size] = 1;
-    wait(rank);
-}
-
+// (Inlined: GCC drops calls of functions that do nothing but prefetch.)
 [[gnu::always_inline]] inline void prefetch_block(const GeodesicBlock& block) {
     __builtin_prefetch(&block);
     __builtin_prefetch(&block.tangents);
 }
 
-// Memory is slow: what the vertices that come next will read is asked for ahead. (Inlined: GCC drops calls of functions that
-// do nothing but prefetch.)
-[[gnu::always_inline]] inline void RefinedSolver::prefetch() const {
-    const uint32_t later = queue_.upcoming(bucket_, 8);
-    prefetch_block(blocks_.blocks[later]);
-    __builtin_prefetch(&states_[later]);
-    const uint32_t sooner = queue_.upcoming(bucket_, 4);
-    for (uint32_t lane : blocks_.blocks[sooner].lanes) __builtin_prefetch(&states_[lane & ~block_continues]);
-    if (blocks_.blocks[sooner].continues()) __builtin_prefetch(&blocks_.overflow_of_rank[sooner]);
+// Never into a bucket that is behind, nor beyond the ring's end: from there it goes on when its time has come.
+inline void RefinedSolver::wait(const Waiting& waiting) {
+    uint32_t bucket = std::max(bucket_of(waiting.distance), bucket_);
+    if (bucket - bucket_ >= queue_.span()) {
+        bucket = bucket_ + queue_.span() - 1;
+        any_beyond_ring_ = true;
+    }
+    queue_.push(bucket, waiting);
+}
+
+// Memory is slow: the block is asked for when its vertex begins to wait, thousands of cycles before it is looked at.
+inline void RefinedSolver::improve(uint32_t rank, const WaveState& state) {
+    states_[rank] = state;
+    touched_[rank / page_size] = 1;
+    prefetch_block(blocks_.blocks[rank]);
+    wait({rank, state.distance});
 }
 
 // The next vertex of the bucket that still waits there.
-bool RefinedSolver::take(uint32_t& rank) {
+inline bool RefinedSolver::take(Waiting& taken) {
     for (;;) {
-        prefetch();
-        if (!queue_.pop(bucket_, rank)) return false;
-        if (waiting_[rank] != bucket_) continue;
-        waiting_[rank] = no_index;
-        if (!any_beyond_ring_ || bucket_of(states_[rank].distance) <= bucket_) return true;
-        wait(rank);
+        if (!queue_.pop(bucket_, taken)) return false;
+        if (states_[taken.rank].distance != taken.distance) continue;
+        if (!any_beyond_ring_ || bucket_of(taken.distance) <= bucket_) return true;
+        wait(taken);
     }
 }
 
-// The steps of some vertices at a time, and what the ones before them found: so the processor works on many steps at once,
-// and a branch that it guessed wrong never waits for one.
+// The steps of some vertices at a time, so that the processor works on them at once.
 void RefinedSolver::solve_batch() {
-    Batch& batch = batches_[turn_];
-    const Batch& before = batches_[1 - turn_];
-    turn_ = 1 - turn_;
-    batch.size = 0;
-    while (batch.size < batch_size && take(batch.ranks[batch.size])) ++batch.size;
+    Batch batch;
+    for (Waiting taken; batch.size < wave_step_vertices && take(taken); ++batch.size) {
+        const GeodesicBlock* bounded = region_ != nullptr ? region_->find(taken.rank) : nullptr;
+        const GeodesicBlock* block = bounded != nullptr ? bounded : &blocks_.blocks[taken.rank];
+        batch.ranks[batch.size] = taken.rank;
+        batch.vertices[batch.size] = {block, states_[taken.rank]};
+        if (block->continues() && bounded == nullptr) {
+            prefetch_block(blocks_.overflow[blocks_.overflow_of_rank[taken.rank]]);
+        }
+    }
+    if (batch.size == 0) return next_bucket();
+    spread(batch);
+    spread_on(batch);
+}
+
+void RefinedSolver::spread(Batch& batch) {
+    step_(batch.vertices.data(), batch.size, states_.data(), bend_max_, labelled_, batch.step);
+    apply(batch);
+}
+
+// The further blocks of vertices.
+void RefinedSolver::spread_on(const Batch& batch) {
+    Batch parts;
     for (uint32_t i = 0; i < batch.size; ++i) {
         const uint32_t rank = batch.ranks[i];
-        const GeodesicBlock* bounded = region_ != nullptr ? region_->find(rank) : nullptr;
-        batch.blocks[i] = bounded != nullptr ? bounded : &blocks_.blocks[rank];
-        if (batch.blocks[i]->continues() && bounded == nullptr) {
-            prefetch_block(blocks_.overflow[blocks_.overflow_of_rank[rank]]);
+        const GeodesicBlock* block = batch.vertices[i].block;
+        const bool bounded = region_ != nullptr && region_->find(rank) != nullptr;
+        for (uint32_t part = 0; block->continues(); ++part) {
+            block = bounded ? &region_->block(rank, part + 1)
+                            : &blocks_.overflow[size_t{blocks_.overflow_of_rank[rank]} + part];
+            parts.ranks[parts.size] = rank;
+            parts.vertices[parts.size++] = {block, states_[rank]};
+            if (parts.size < wave_step_vertices) continue;
+            spread(parts);
+            parts.size = 0;
         }
-        step_(*batch.blocks[i], states_.data(), states_[rank], bend_max_, labelled_, batch.steps[i]);
     }
-    for (uint32_t i = 0; i < before.size; ++i) apply(before.ranks[i], *before.blocks[i], before.steps[i]);
-    for (uint32_t i = 0; i < before.size; ++i) {
-        if (before.blocks[i]->continues()) spread_on(before.ranks[i]);
-    }
-    if (batch.size + before.size == 0) next_bucket();
+    if (parts.size != 0) spread(parts);
 }
 
-// The further blocks of a vertex.
-void RefinedSolver::spread_on(uint32_t rank) {
-    const bool bounded = region_ != nullptr && region_->find(rank) != nullptr;
-    for (uint32_t i = 0;; ++i) {
-        const GeodesicBlock& block =
-            bounded ? region_->block(rank, i + 1) : blocks_.overflow[size_t{blocks_.overflow_of_rank[rank]} + i];
-        WaveStep step;
-        step_(block, states_.data(), states_[rank], bend_max_, labelled_, step);
-        apply(rank, block, step);
-        if (!block.continues()) return;
-    }
-}
-
-void RefinedSolver::apply(uint32_t rank, const GeodesicBlock& block, const WaveStep& step) {
+void RefinedSolver::apply(const Batch& batch) {
+    const WaveStep& step = batch.step;
     for (uint32_t improved = step.improved; improved != 0; improved &= improved - 1) {
-        const uint32_t lane = static_cast<uint32_t>(std::countr_zero(improved));
-        const uint32_t neighbour = block.rank(lane);
-        WaveState state = step.states[lane];
-        bool is_own_front = false;
-        if (fronts_meet_ && ((step.across_next | step.across_previous) >> lane & 1) != 0) {
-            const bool across_next = (step.across_next >> lane & 1) != 0;
-            if (const auto distance = distance_by_own_front(block, states_.data(), states_[rank], lane, across_next)) {
-                const WaveState& own = states_[rank];
-                state = {*distance, own.front / (1 + own.front * (*distance - own.distance))};
-                is_own_front = true;
-            }
-        }
+        const uint32_t place = static_cast<uint32_t>(std::countr_zero(improved));
+        const GeodesicBlock& block = *batch.vertices[place / lane_count].block;
+        const uint32_t neighbour = block.rank(place % lane_count);
+        WaveState state = {step.distances[place], step.fronts[place]};
+        const bool is_own_front = fronts_meet_ && has_own_front(batch, place, state);
         if (!(state.distance < states_[neighbour].distance)) continue;
         if (labelled_) {
-            const int32_t side = is_own_front ? 0 : step.sides[lane];
-            labels_[neighbour] = labels_[side == 0 ? rank : block.rank(lane + static_cast<uint32_t>(side))];
+            const int32_t side = is_own_front ? 0 : step.sides[place];
+            labels_[neighbour] = labels_[side == 0 ? batch.ranks[place / lane_count]
+                                                   : block.rank(place % lane_count + static_cast<uint32_t>(side))];
         }
         improve(neighbour, state);
     }
+}
+
+// Where the ends of the edge that the way crosses have different fronts, the state by the vertex's own.
+bool RefinedSolver::has_own_front(const Batch& batch, uint32_t place, WaveState& state) const {
+    const bool across_next = (batch.step.across_next >> place & 1) != 0;
+    if (!across_next && (batch.step.across_previous >> place & 1) == 0) return false;
+    const uint32_t rank = batch.ranks[place / lane_count], lane = place % lane_count;
+    const GeodesicBlock& block = *batch.vertices[place / lane_count].block;
+    if (labels_tell_fronts_ && labels_[rank] == labels_[block.rank(across_next ? lane + 1 : lane - 1)]) return false;
+    const WaveState& own = states_[rank];
+    const auto distance = distance_by_own_front(block, states_.data(), own, lane, across_next);
+    if (!distance) return false;
+    state = {*distance, own.front / (1 + own.front * (*distance - own.distance))};
+    return true;
 }
 
 // Nothing further than the bucket's beginning can improve what is nearer by more than an edge: a distance across an edge
@@ -221,7 +224,7 @@ void RefinedSolver::apply(uint32_t rank, const GeodesicBlock& block, const WaveS
 void RefinedSolver::next_bucket() {
     ++bucket_;
     const float final = static_cast<float>(bucket_) / buckets_per_metre_ - blocks_.edges.longest();
-    if (queue_.size() == 0 || final > limits_->distance || targets_are_nearer_than(final)) pass_ = Pass::drain;
+    if (queue_.size() == 0 || final > limits_->distance || targets_are_nearer_than(final)) pass_ = Pass::done;
 }
 
 bool RefinedSolver::targets_are_nearer_than(float distance) {
@@ -233,17 +236,6 @@ bool RefinedSolver::targets_are_nearer_than(float distance) {
         furthest_target_ = std::max(furthest_target_, target);
     }
     return furthest_target_ < distance;
-}
-
-void RefinedSolver::drain() {
-    uint32_t rank;
-    if (queue_.size() == 0) {
-        pass_ = Pass::done;
-    } else if (queue_.pop(bucket_, rank)) {
-        waiting_[rank] = no_index;
-    } else {
-        ++bucket_;
-    }
 }
 
 float RefinedSolver::distance(uint32_t vertex) const {

@@ -6,18 +6,20 @@
 
 namespace flg {
 
+#define FLG_VERTICES 1
+
 namespace portable {
 #include "surfaces/refined_solver_step.inl"
 }  // namespace portable
 
-void wave_step_portable(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
+void wave_step_portable(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,
                         bool labelled, WaveStep& step) {
-    portable::wave_step(block, states, own, bend_max, labelled, step);
+    portable::wave_steps(vertices, count, states, bend_max, labelled, step);
 }
 
 #ifdef __x86_64__
 
-#define FLG_MOVE_MASK __builtin_ia32_movmskps256
+#define FLG_MASK(lanes) static_cast<uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<Float8>(lanes)))
 
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
@@ -30,9 +32,9 @@ namespace avx2 {
 #include "surfaces/refined_solver_step.inl"
 }  // namespace avx2
 
-void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
-                    bool labelled, WaveStep& step) {
-    avx2::wave_step(block, states, own, bend_max, labelled, step);
+void wave_step_avx2(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max, bool labelled,
+                    WaveStep& step) {
+    avx2::wave_steps(vertices, count, states, bend_max, labelled, step);
 }
 
 #ifdef __clang__
@@ -44,14 +46,18 @@ void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const W
 #pragma GCC target("avx2,avx512f,avx512vl,avx512dq,avx512bw")
 #endif
 
-// The same registers of eight lanes, but twice as many, and masks apart from them: a fifth faster.
+#undef FLG_VERTICES
+#undef FLG_MASK
+#define FLG_VERTICES 2
+#define FLG_MASK(lanes) static_cast<uint32_t>(__builtin_ia32_cvtd2mask512(lanes))
+
 namespace avx512 {
 #include "surfaces/refined_solver_step.inl"
 }  // namespace avx512
 
-void wave_step_avx512(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
+void wave_step_avx512(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,
                       bool labelled, WaveStep& step) {
-    avx512::wave_step(block, states, own, bend_max, labelled, step);
+    avx512::wave_steps(vertices, count, states, bend_max, labelled, step);
 }
 
 #ifdef __clang__

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One step of the refined solver: what a vertex whose distance is known tells its neighbours. Eight triangles at a time.
+// One step of the refined solver: what a vertex whose distance is known tells its neighbours. Those of some vertices
+// at a time.
 //
 // Unfolding. Let v be the vertex, V its distance, and n, t two neighbours that span a triangle with it. Where the distance
 // D of n is known, the front that has passed v and n is taken for a circle of curvature k where it meets v: 1/V from a point,
@@ -39,10 +40,20 @@ constexpr float least_improvement = 1e-5f;
 // The front at a source that is a point, 1/metres.
 constexpr float sharpest_front = 1e15f;
 
-struct WaveStep {
-    WaveState states[lane_count];  // for each lane the least distance on the ways through the vertex
+// A vertex, or a part of a large fan, that tells its neighbours.
+struct WaveVertex {
+    const GeodesicBlock* block;
+    WaveState state;
+};
+constexpr uint32_t wave_step_vertices = 4;
+
+// What some vertices tell, by lane: eight of each, one behind the other.
+struct alignas(64) WaveStep {
+    static constexpr uint32_t lanes = wave_step_vertices * lane_count;
+    // The least distance on the ways through the vertex, and the front there.
+    float distances[lanes], fronts[lanes];
     int32_t sides
-        [lane_count];  // which lane the way passes nearest to: the next one, the one before, or 0: the vertex. If labelled
+        [lanes];  // which lane the way passes nearest to: the next one, the one before, or 0: the vertex. If labelled
     // Bits of lanes: those that are improved by it; of them, those to which the way crosses the edge to the next lane, or to
     // the one before. Else it goes along the edge.
     uint32_t improved, across_next, across_previous;
@@ -58,15 +69,16 @@ constexpr float hollow_share = 0.25f;
 
 // Of the states by rank, that of rank 0 is -infinity. Fronts stay between -most_hollow * bend_max and bend_max + 1/d, and a
 // triangle bends them by at most bend_max: what is sharper, or more hollow, is noise of the mesh.
-using WaveStepFunction = void (*)(const GeodesicBlock& block, const WaveState* states, const WaveState& own,
-                                  float bend_max, bool labelled, WaveStep& step);
+// `count` is from 1 to wave_step_vertices.
+using WaveStepFunction = void (*)(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,
+                                  bool labelled, WaveStep& step);
 
-void wave_step_portable(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
+void wave_step_portable(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,
                         bool labelled, WaveStep& step);
 #ifdef __x86_64__
-void wave_step_avx2(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
-                    bool labelled, WaveStep& step);
-void wave_step_avx512(const GeodesicBlock& block, const WaveState* states, const WaveState& own, float bend_max,
+void wave_step_avx2(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max, bool labelled,
+                    WaveStep& step);
+void wave_step_avx512(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,
                       bool labelled, WaveStep& step);
 #endif
 

@@ -4,12 +4,35 @@
 namespace flg {
 
 RegionLoopsKernel::RegionLoopsKernel(const Mesh& mesh, const RegionSet& regions, RegionLoops& out, Memory* memory)
-    : mesh_(mesh), regions_(regions), out_(out), visited_((3 * size_t{mesh.triangle_count()} + 63) / 64, memory) {}
+    : mesh_(mesh),
+      regions_(regions),
+      out_(out),
+      visited_((3 * size_t{mesh.triangle_count()} + 63) / 64, memory),
+      cursor_(mesh, regions) {}
 
 bool RegionLoopsKernel::is_border(Corner edge) const {
     if (!regions_.contains(mesh_.regions[triangle_of(edge)])) return false;
     const uint32_t across = mesh_.neighbour_at(edge);
     return across == no_index || !regions_.contains(mesh_.regions[across]);
+}
+
+// The next edge of the triangle that begins a loop, or the next triangle.
+void RegionLoopsKernel::find() {
+    for (; at_ < end_; ++at_) {
+        if ((visited_[at_ / 64] >> at_ % 64 & 1) != 0 || !is_border(at_)) continue;
+        turning_ = at_;
+        length_ = -1;
+        pass_ = Pass::walk;
+        return;
+    }
+    if (cursor_.at_end()) {
+        pass_ = Pass::done;
+        return;
+    }
+    const uint32_t triangle = cursor_.next();
+    if (triangle == no_index) return;
+    at_ = 3 * triangle;
+    end_ = at_ + 3;
 }
 
 // Takes the edge, then turns about its end, through the regions' triangles, until it meets the next one.
@@ -31,28 +54,16 @@ void RegionLoopsKernel::walk() {
 }
 
 bool RegionLoopsKernel::run(uint32_t count) {
-    const Corner edges = 3 * mesh_.triangle_count();
     for (; count > 0 && pass_ != Pass::done; --count) {
         switch (pass_) {
             case Pass::clear:
-                if (at_ < visited_.size()) {
-                    visited_[at_++] = 0;
+                if (cleared_ < visited_.size()) {
+                    visited_[cleared_++] = 0;
                 } else {
-                    at_ = 0;
                     pass_ = Pass::find;
                 }
                 break;
-            case Pass::find:
-                if (at_ == edges) {
-                    pass_ = Pass::done;
-                } else if ((visited_[at_ / 64] >> at_ % 64 & 1) != 0 || !is_border(at_)) {
-                    ++at_;
-                } else {
-                    turning_ = at_;
-                    length_ = -1;
-                    pass_ = Pass::walk;
-                }
-                break;
+            case Pass::find: find(); break;
             case Pass::walk: walk(); break;
             case Pass::done: break;
         }

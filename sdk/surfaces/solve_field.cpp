@@ -28,7 +28,7 @@ const GeodesicGraph& graph_of(const Surface& surface) {
 
 Task<const GeodesicRegion*> bound_region(Pace& pace, const Mesh& mesh, const GeodesicBlocks& blocks,
                                          const RegionSet& regions, GeodesicRegion& region) {
-    constexpr uint32_t chunk = 500;  // triangles, about 10 us
+    constexpr uint32_t chunk = 200;  // about 10 us
     if (regions.all()) co_return nullptr;
     GeodesicRegionKernel kernel(mesh, blocks, regions, region, pace.memory());
     while (!kernel.run(chunk)) co_await pace;

@@ -7,12 +7,6 @@
 
 namespace flg {
 
-namespace {
-
-constexpr uint32_t skip = 16;  // triangles outside that one unit passes over
-
-}  // namespace
-
 RegionPartitionKernel::RegionPartitionKernel(const Mesh& mesh, const RegionSet& leaves,
                                              const std::pmr::deque<Corner>& edges, Memory* memory)
     : mesh_(mesh),
@@ -20,13 +14,15 @@ RegionPartitionKernel::RegionPartitionKernel(const Mesh& mesh, const RegionSet& 
       edges_(edges),
       cells_(mesh.triangle_count(), memory),
       waiting_(mesh.triangle_count(), memory),
+      borders_(memory),
       components_(memory),
-      joined_(memory) {}
+      joined_(memory),
+      cursor_(mesh, leaves) {}
 
 void RegionPartitionKernel::mark(Corner edge) {
-    cells_[edge / 3] |= 1u << edge % 3;
-    const Corner across = mesh_.opposite(edge);
-    if (across != no_index) cells_[across / 3] |= 1u << across % 3;
+    for (const Corner side : {edge, mesh_.opposite(edge)}) {
+        if (side != no_index && is_within(triangle_of(side))) cells_[triangle_of(side)] |= 1u << side % 3;
+    }
 }
 
 // Takes a triangle into the last component.
@@ -38,8 +34,12 @@ void RegionPartitionKernel::visit(uint32_t triangle) {
 void RegionPartitionKernel::flood(uint32_t triangle) {
     for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t other = mesh_.neighbours[triangle][k];
-        if (other == no_index || (cells_[triangle] >> k & 1) != 0 || cells_[other] >= 8) continue;
-        if (mesh_.regions[other] == mesh_.regions[triangle]) visit(other);
+        if (other == no_index || (cells_[triangle] >> k & 1) != 0) continue;
+        if (mesh_.regions[other] == mesh_.regions[triangle]) {
+            if (cells_[other] < 8) visit(other);
+        } else if (other < triangle && is_within(other)) {
+            borders_.push_back(3 * triangle + k);
+        }
     }
 }
 
@@ -49,13 +49,10 @@ uint32_t RegionPartitionKernel::root_of(uint32_t component) {
 }
 
 // Across the borders between leaves a part goes on.
-void RegionPartitionKernel::join(uint32_t triangle) {
-    for (uint32_t k = 0; k < 3; ++k) {
-        const uint32_t other = mesh_.neighbours[triangle][k];
-        if (other == no_index || other > triangle || cells_[other] < 8 || (cells_[triangle] >> k & 1) != 0) continue;
-        const uint32_t a = root_of(component_of(triangle)), b = root_of(component_of(other));
-        joined_[std::max(a, b)] = std::min(a, b);
-    }
+void RegionPartitionKernel::join(Corner edge) {
+    const uint32_t a = root_of(component_of(triangle_of(edge)));
+    const uint32_t b = root_of(component_of(mesh_.neighbour_at(edge)));
+    joined_[std::max(a, b)] = std::min(a, b);
 }
 
 void RegionPartitionKernel::number(uint32_t component) {
@@ -65,11 +62,13 @@ void RegionPartitionKernel::number(uint32_t component) {
 
 // A unit; false at the end of a pass.
 bool RegionPartitionKernel::step() {
-    const uint32_t triangles = mesh_.triangle_count();
+    uint32_t triangle = no_index;
     switch (pass_) {
         case Pass::clear:
-            for (const uint32_t end = std::min(triangles, at_ + skip); at_ < end; ++at_) cells_[at_] = 0;
-            return at_ < triangles;
+            cursor_.next_64([this](uint32_t cleared) { cells_[cleared] = 0; });
+            if (!cursor_.at_end()) return true;
+            cursor_.restart();
+            return false;
         case Pass::mark:
             if (at_ == edges_.size()) return false;
             mark(edges_[at_++]);
@@ -79,22 +78,16 @@ bool RegionPartitionKernel::step() {
                 flood(waiting_[--waiting_count_]);
                 return true;
             }
-            for (const uint32_t end = std::min(triangles, at_ + skip); at_ < end; ++at_) {
-                if (cells_[at_] >= 8 || !leaves_.contains(mesh_.regions[at_])) continue;
-                joined_.push_back(static_cast<uint32_t>(components_.size()));
-                components_.push_back({mesh_.regions[at_], 0, at_});
-                visit(at_);
-                return true;
-            }
-            return at_ < triangles;
+            triangle = cursor_.next();
+            if (triangle == no_index || cells_[triangle] >= 8) return !cursor_.at_end();
+            joined_.push_back(static_cast<uint32_t>(components_.size()));
+            components_.push_back({mesh_.regions[triangle], 0, triangle});
+            visit(triangle);
+            return true;
         case Pass::join:
-            for (const uint32_t end = std::min(triangles, at_ + skip); at_ < end;) {
-                const uint32_t triangle = at_++;
-                if (cells_[triangle] < 8) continue;
-                join(triangle);
-                break;
-            }
-            return at_ < triangles;
+            if (at_ == borders_.size()) return false;
+            join(borders_[at_++]);
+            return true;
         case Pass::number:
             if (at_ == components_.size()) return false;
             number(at_++);

@@ -12,7 +12,7 @@
 #include <deque>
 
 #include "surfaces/mesh.h"
-#include "surfaces/region_set.h"
+#include "surfaces/region_cursor.h"
 
 namespace flg {
 
@@ -29,16 +29,17 @@ public:
     RegionPartitionKernel(const Mesh& mesh, const RegionSet& leaves, const std::pmr::deque<Corner>& edges,
                           Memory* memory);
 
-    // Spends `count` units of about 0.1 us; true when done. 16 triangles outside of the leaves take one, a triangle
-    // within them two, an edge one.
+    // Spends `count` units of about 0.1 us; true when done. 64 triangles outside of the leaves take two, a triangle
+    // within them one, an edge one.
     bool run(uint32_t count);
 
     // After run() returned true.
     const std::pmr::deque<RegionComponent>& components() const { return components_; }
     uint32_t part_count() const { return part_count_; }
-    // No_index outside of the leaves.
+    RegionCursor triangles() const { return {mesh_, leaves_}; }
+    bool is_within(uint32_t triangle) const { return leaves_.contains(mesh_.regions[triangle]); }
+    // Of one within the leaves.
     uint32_t component_of(uint32_t triangle) const { return cells_[triangle] / 8 - 1; }
-    bool is_within(uint32_t triangle) const { return cells_[triangle] >= 8; }
 
 private:
     enum class Pass { clear, mark, flood, join, number, done };
@@ -47,19 +48,22 @@ private:
     void visit(uint32_t triangle);
     void flood(uint32_t triangle);
     void mark(Corner edge);
-    void join(uint32_t triangle);
+    void join(Corner edge);
     uint32_t root_of(uint32_t component);
     void number(uint32_t component);
 
     const Mesh& mesh_;
     const RegionSet& leaves_;
     const std::pmr::deque<Corner>& edges_;
-    Buffer<uint32_t> cells_;    // bits 0 to 2: the edge is of a curve; above: 1 + component, 0 outside
+    // Of triangles within the leaves: bits 0 to 2: the edge is of a curve; above: 1 + component. Others are not kept.
+    Buffer<uint32_t> cells_;
     Buffer<uint32_t> waiting_;  // triangles whose neighbours are to be looked at; the last one next
     uint32_t waiting_count_ = 0;
+    std::pmr::deque<Corner> borders_;  // edges between leaves, but those of curves
     std::pmr::deque<RegionComponent> components_;
     std::pmr::deque<uint32_t> joined_;  // by component: one it is joined with, of a lower number, or itself
     uint32_t part_count_ = 0;
+    RegionCursor cursor_;
     Pass pass_ = Pass::clear;
     uint32_t at_ = 0;
 };

@@ -14,14 +14,18 @@
 #include <optional>
 
 #include "surfaces/mesh_edit.h"
+#include "surfaces/mesh_fingerprint.h"
 #include "surfaces/surface.h"
 #include "tangles/region_tree.h"
 
 namespace flg {
 
+struct StepRecord;
+
 struct TangleStep {
     explicit TangleStep(Memory* memory) : tree(memory) {}
 
+    std::shared_ptr<StepRecord> record;
     std::optional<MeshEdit> edit;  // none: only the tree changed
     TreeEdit tree;
     bool goes_on = false;  // it is taken back and made again together with the one before it
@@ -33,12 +37,16 @@ public:
         : surface(std::move(of_surface)), revision(surface->order.revision()), tree(memory), steps(memory) {}
 
     std::shared_ptr<Surface> surface;
-    // Host's thread: the surface's, after the last change that was started for the tangle.
+    // Host's thread: the surface's, after the last change that was started for the tangle; the arrays of the history that
+    // it was shown last.
     uint32_t revision;
+    std::shared_ptr<void> shown_history;
 
     // Jobs, as the surface's order lets them.
     RegionTree tree;
-    std::pmr::deque<TangleStep> steps;  // those made, then those taken back
+    MeshFingerprint base;  // of the mesh it began with
+    // Those made, then those taken back; while a job makes steps, these behind all others.
+    std::pmr::deque<std::shared_ptr<TangleStep>> steps;
     size_t made = 0;
 };
 

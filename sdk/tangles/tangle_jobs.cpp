@@ -4,24 +4,28 @@
 #include <exception>
 
 #include "core/failure.h"
-#include "surfaces/mesh_edit_replay.h"
 #include "surfaces/surface_update.h"
 #include "tangles/look_borders.h"
 #include "tangles/region_partition.h"
+#include "tangles/seed_location.h"
+#include "tangles/step_removal.h"
+#include "tangles/tangle_operators.h"
 
 namespace flg {
 
 namespace {
 
 // Each about 10 us.
+constexpr uint32_t fingerprint_chunk = 3000;
 constexpr uint32_t label_chunk = 10'000;
+constexpr uint32_t join_chunk = 200;
 constexpr uint32_t tree_chunk = 500;
 constexpr uint32_t partition_chunk = 100;
 constexpr uint32_t replay_chunk = 4000;
 constexpr uint32_t borders_chunk = 500;
 constexpr uint32_t flatten_chunk = 2000;
 
-// A step: all of it or, if it fails, nothing. It takes no memory to take one back: no call of another task does that.
+// A step: all of it or, if it fails, nothing.
 Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& change) {
     tangle.tree.begin(step.tree);
     std::exception_ptr failure;
@@ -32,31 +36,42 @@ Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& ch
         failure = std::current_exception();
     }
     if (!failure) co_return;
-    tangle.tree.take_back(step.tree);
-    if (step.edit) {
-        drop_solvers(*tangle.surface);  // they may have followed it
-        MeshEditReplay back(tangle.surface->mesh(), tangle.surface->columns, *step.edit,
-                            MeshEditReplay::Direction::abandon);
-        while (!back.run(replay_chunk)) co_await pace;
-    }
+    StepRemoval removal(tangle, step);
+    while (!removal.run(replay_chunk)) co_await pace;
     std::rethrow_exception(failure);
 }
 
-// A place for a step behind those made. Steps that were taken back are forgotten once it has come to its end.
-class NextStep {
+// The steps of a job, behind all others until they are kept: so no memory is needed once they have come to their end. Steps that
+// were taken back are forgotten only then.
+class NewSteps {
 public:
-    NextStep(Tangle& tangle, Memory* memory) : tangle_(tangle), step_(memory) {}
+    NewSteps(Tangle& tangle, Memory* memory) : tangle_(tangle), memory_(memory), others_(tangle.steps.size()) {}
+    ~NewSteps() {
+        while (!kept_ && count() > 0) drop_last();
+    }
 
-    TangleStep& operator*() { return step_; }
+    TangleStep& add(std::shared_ptr<StepRecord> record) {
+        const std::pmr::polymorphic_allocator<TangleStep> allocator(memory_);
+        tangle_.steps.push_back(std::allocate_shared<TangleStep>(allocator, memory_));
+        last().record = std::move(record);
+        last().goes_on = count() > 1;
+        return last();
+    }
+    size_t count() const { return tangle_.steps.size() - others_; }
+    TangleStep& last() { return *tangle_.steps.back(); }
+    void drop_last() { tangle_.steps.pop_back(); }
     void keep() {
-        while (tangle_.steps.size() > tangle_.made) tangle_.steps.pop_back();
-        tangle_.steps.push_back(std::move(step_));
-        ++tangle_.made;
+        const auto at = [&](size_t i) { return tangle_.steps.begin() + static_cast<std::ptrdiff_t>(i); };
+        tangle_.steps.erase(at(tangle_.made), at(others_));
+        tangle_.made = tangle_.steps.size();
+        kept_ = true;
     }
 
 private:
     Tangle& tangle_;
-    TangleStep step_;
+    Memory* memory_;
+    const size_t others_;
+    bool kept_ = false;
 };
 
 Task<void> change_groups(Pace& pace, Tangle& tangle, const std::pmr::vector<RegionId>& regions, bool each,
@@ -94,12 +109,70 @@ Task<void> join_leaves(Pace& pace, Tangle& tangle, const LeafSet& leaves, uint32
     MeshEdit& edit = step.edit.emplace(pace.memory());
     edit.begin(mesh);
     tangle.tree.join(step.tree, leaves.list);
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        if (leaves.set.contains(mesh.regions[t])) edit.set_region(mesh, t, leaves.list[0]);
-        if (t % label_chunk == 0) co_await pace;
+    RegionCursor joined(mesh, leaves.set);
+    for (uint32_t passed = 1; !joined.at_end(); ++passed) {
+        const uint32_t t = joined.next();
+        if (t != no_index) edit.set_region(mesh, t, leaves.list[0]);
+        if (passed % join_chunk == 0) co_await pace;
     }
     edit.end(mesh);
     co_await update_after_edit(pace, surface, edit, revision);
+}
+
+Task<void> divide(Pace& pace, Tangle& tangle, const DivideRequest& request, uint32_t revision, TangleStep& step) {
+    StepRecord& record = *step.record;
+    const Mesh& mesh = tangle.surface->mesh();
+    co_await locate_seeds(pace, mesh, record);
+    co_await record_seeds(pace, mesh, record);
+    co_await divide_regions(pace, tangle, request, revision, step);
+    co_await record_places(pace, mesh, tangle.tree.size(), record);
+}
+
+Task<void> group(Pace& pace, Tangle& tangle, const GroupRequest& request, TangleStep& step) {
+    check_regions(tangle.tree, request.regions);
+    pace.commit();
+    co_await change_groups(pace, tangle, request.regions, false, step.tree);
+}
+
+Task<void> ungroup(Pace& pace, Tangle& tangle, const UngroupRequest& request, TangleStep& step) {
+    if (request.group >= tangle.tree.group_count()) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "group is %u, the tangle has %u groups", request.group,
+                      tangle.tree.group_count());
+    }
+    std::pmr::vector<RegionId> regions(pace.memory());
+    for (RegionId r = 0; r < tangle.tree.size(); ++r) {
+        const RegionNode& node = tangle.tree[r];
+        if (node.group == request.group && node.joined_into == no_region) regions.push_back(r);
+        if (r % tree_chunk == 0) co_await pace;
+    }
+    step.record->first_region = regions.empty() ? no_region : regions[0];
+    pace.commit();
+    co_await change_groups(pace, tangle, regions, true, step.tree);
+}
+
+Task<void> join(Pace& pace, Tangle& tangle, const JoinRequest& request, uint32_t revision, TangleStep& step) {
+    pace.stage("join");
+    const LeafSet leaves = co_await list_leaves(pace, tangle.tree, request.regions, "regions");
+    co_await check_connected(pace, tangle.surface->mesh(), leaves);
+    pace.commit();
+    co_await join_leaves(pace, tangle, leaves, revision, step);
+}
+
+// What the step's record asks for.
+Task<void> change_tangle(Pace& pace, Tangle& tangle, uint32_t revision, TangleStep& step) {
+    StepRecord& record = *step.record;
+    record.first_region = tangle.tree.size();
+    if (const auto* const to_divide = std::get_if<DivideRequest>(&record.request)) {
+        co_await divide(pace, tangle, *to_divide, revision, step);
+    } else if (const auto* const to_displace = std::get_if<DisplaceRequest>(&record.request)) {
+        co_await displace_regions(pace, tangle, *to_displace, revision, step);
+    } else if (const auto* const to_group = std::get_if<GroupRequest>(&record.request)) {
+        co_await group(pace, tangle, *to_group, step);
+    } else if (const auto* const to_ungroup = std::get_if<UngroupRequest>(&record.request)) {
+        co_await ungroup(pace, tangle, *to_ungroup, step);
+    } else {
+        co_await join(pace, tangle, std::get<JoinRequest>(record.request), revision, step);
+    }
 }
 
 }  // namespace
@@ -108,90 +181,39 @@ Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle) {
     pace.stage("labels");
     pace.commit();
     Mesh& mesh = tangle->surface->mesh();
+    MeshFingerprintKernel fingerprint(mesh);
+    while (!fingerprint.run(fingerprint_chunk)) co_await pace;
+    tangle->base = fingerprint.fingerprint();
     for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
         mesh.regions[t] = 0;
         if (t % label_chunk == 0) co_await pace;
     }
 }
 
-Task<void> divide_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DivideRequest request, uint32_t revision) {
-    NextStep step(*tangle, pace.memory());
-    Task<void> change = divide_regions(pace, *tangle, request, revision, *step);
-    co_await run_step(pace, *tangle, *step, change);
-    step.keep();
-}
-
-// Steps that were forgotten can't come back: so none is until the last operator has come to its end.
-Task<void> divide_in_sequence(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<DivideRequest> requests,
-                              uint32_t revision) {
-    std::pmr::deque<NextStep> steps(pace.memory());
+Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, uint32_t revision) {
+    NewSteps steps(*tangle, pace.memory());
     std::exception_ptr failure;
+    size_t done = 0;
     try {
-        for (const DivideRequest& request : requests) {
-            NextStep& step = steps.emplace_back(*tangle, pace.memory());
-            (*step).goes_on = steps.size() > 1;
-            Task<void> change = divide_regions(pace, *tangle, request, revision, *step);
-            co_await run_step(pace, *tangle, *step, change);
+        for (std::shared_ptr<StepRecord>& record : records) {
+            TangleStep& step = steps.add(std::move(record));
+            Task<void> change = change_tangle(pace, *tangle, revision, step);
+            co_await run_step(pace, *tangle, step, change);
+            ++done;
         }
     } catch (...) {
         failure = std::current_exception();
     }
     if (!failure) {
-        for (NextStep& step : steps) step.keep();
+        steps.keep();
         co_return;
     }
-    if (!steps.empty()) steps.pop_back();  // the one that failed took itself back
-    for (size_t i = steps.size(); i-- > 0;) {
-        TangleStep& step = *steps[i];
-        if (step.edit) co_await take_back_edit(pace, *tangle->surface, *step.edit, revision);
-        tangle->tree.take_back(step.tree);
+    if (steps.count() > done) steps.drop_last();  // took itself back
+    for (; steps.count() > 0; steps.drop_last()) {
+        StepRemoval removal(*tangle, steps.last());
+        while (!removal.run(replay_chunk)) co_await pace;
     }
     std::rethrow_exception(failure);
-}
-
-Task<void> displace_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DisplaceRequest request, uint32_t revision) {
-    NextStep step(*tangle, pace.memory());
-    Task<void> change = displace_regions(pace, *tangle, request, revision, *step);
-    co_await run_step(pace, *tangle, *step, change);
-    step.keep();
-}
-
-Task<void> group_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<RegionId> regions) {
-    check_regions(tangle->tree, regions);
-    pace.commit();
-    NextStep step(*tangle, pace.memory());
-    Task<void> change = change_groups(pace, *tangle, regions, false, (*step).tree);
-    co_await run_step(pace, *tangle, *step, change);
-    step.keep();
-}
-
-Task<void> ungroup_regions(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t group) {
-    if (group >= tangle->tree.group_count()) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "group is %u, the tangle has %u groups", group,
-                      tangle->tree.group_count());
-    }
-    std::pmr::vector<RegionId> regions(pace.memory());
-    for (RegionId r = 0; r < tangle->tree.size(); ++r) {
-        if (tangle->tree[r].group == group && tangle->tree[r].joined_into == no_region) regions.push_back(r);
-        if (r % tree_chunk == 0) co_await pace;
-    }
-    pace.commit();
-    NextStep step(*tangle, pace.memory());
-    Task<void> change = change_groups(pace, *tangle, regions, true, (*step).tree);
-    co_await run_step(pace, *tangle, *step, change);
-    step.keep();
-}
-
-Task<void> join_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<RegionId> regions,
-                        uint32_t revision) {
-    pace.stage("join");
-    const LeafSet leaves = co_await list_leaves(pace, tangle->tree, regions, "regions");
-    co_await check_connected(pace, tangle->surface->mesh(), leaves);
-    pace.commit();
-    NextStep step(*tangle, pace.memory());
-    Task<void> change = join_leaves(pace, *tangle, leaves, revision, *step);
-    co_await run_step(pace, *tangle, *step, change);
-    step.keep();
 }
 
 Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out) {
@@ -208,7 +230,7 @@ Task<void> undo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revisi
     if (tangle->made == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the tangle has no step to take back");
     pace.commit();
     for (bool goes_on = true; goes_on && tangle->made > 0; --tangle->made) {
-        TangleStep& step = tangle->steps[tangle->made - 1];
+        TangleStep& step = *tangle->steps[tangle->made - 1];
         if (step.edit) co_await take_back_edit(pace, *tangle->surface, *step.edit, revision);
         tangle->tree.take_back(step.tree);
         goes_on = step.goes_on;
@@ -221,7 +243,7 @@ Task<void> redo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revisi
     }
     pace.commit();
     do {
-        TangleStep& step = tangle->steps[tangle->made];
+        TangleStep& step = *tangle->steps[tangle->made];
         tangle->tree.make_again(step.tree);
         try {
             if (step.edit) co_await make_edit_again(pace, *tangle->surface, *step.edit, revision);
@@ -230,7 +252,7 @@ Task<void> redo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revisi
             throw;
         }
         ++tangle->made;
-    } while (tangle->made < tangle->steps.size() && tangle->steps[tangle->made].goes_on);
+    } while (tangle->made < tangle->steps.size() && tangle->steps[tangle->made]->goes_on);
 }
 
 }  // namespace flg

@@ -4,29 +4,17 @@
 #pragma once
 
 #include "surfaces/traced_curves.h"
-#include "tangles/tangle_displacement.h"
-#include "tangles/tangle_operators.h"
+#include "tangles/step_record.h"
+#include "tangles/tangle.h"
 
 namespace flg {
 
 // The whole of flgTangleCreate.
 Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle);
 
-// The whole of flgTangleDivide. `revision`: of the surface, after the job; so for all.
-Task<void> divide_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DivideRequest request, uint32_t revision);
-
-// The whole of flgTangleApplyMacro: operators that are one step together.
-Task<void> divide_in_sequence(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<DivideRequest> requests,
-                              uint32_t revision);
-
-// The whole of flgTangleDisplace.
-Task<void> displace_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, DisplaceRequest request, uint32_t revision);
-
-// The whole of flgTangleGroup, flgTangleUngroup and flgTangleJoin.
-Task<void> group_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<RegionId> regions);
-Task<void> ungroup_regions(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t group);
-Task<void> join_regions(Pace& pace, std::shared_ptr<Tangle> tangle, std::pmr::vector<RegionId> regions,
-                        uint32_t revision);
+// The whole of flgTangleDivide, flgTangleApplyMacro, flgTangleDisplace, flgTangleGroup, flgTangleUngroup and flgTangleJoin: one
+// step, whatever it consists of. `revision`: of the surface, after the job; so for all.
+Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, uint32_t revision);
 
 // The whole of flgTangleBorders.
 Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out);

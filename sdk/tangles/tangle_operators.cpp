@@ -11,6 +11,7 @@
 #include "surfaces/mesh_edit_replay.h"
 #include "surfaces/surface_update.h"
 #include "surfaces/tracing_jobs.h"
+#include "tangles/lines_within.h"
 #include "tangles/new_leaves.h"
 #include "tangles/region_partition.h"
 #include "tangles/voronoi_borders.h"
@@ -26,6 +27,8 @@ constexpr uint32_t borders_chunk = 40;
 constexpr uint32_t streams_chunk = 100;
 constexpr uint32_t copy_chunk = 4000;
 constexpr uint32_t list_chunk = 1000;
+constexpr uint32_t line_chunk = 300;
+constexpr uint32_t label_chunk = 10;
 
 // What an operator looks at: where it acts.
 struct Scene {
@@ -56,9 +59,10 @@ Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const Reg
     const LeafRules rules{scene.request.grouping, scene.request.cycle, scene.request.scaffold};
     const Buffer<RegionId> regions = co_await add_leaves(pace, tangle.tree, tree_edit, leaves, rules);
     Mesh& mesh = scene.surface.mesh();
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        if (partition.is_within(t)) edit.set_region(mesh, t, regions[partition.component_of(t)]);
-        if (t % list_chunk == 0) co_await pace;
+    RegionCursor divided = partition.triangles();
+    for (uint32_t passed = 1; !divided.at_end(); ++passed) {
+        divided.next_64([&](uint32_t t) { edit.set_region(mesh, t, regions[partition.component_of(t)]); });
+        if (passed % label_chunk == 0) co_await pace;
     }
 }
 
@@ -126,6 +130,19 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
 
 // ---- Curves
 
+// The part to the left of the edge between two vertices; no_index if that is none of the regions', or there is no such edge.
+uint32_t part_left_of(const Mesh& mesh, const RegionPartitionKernel& partition, uint32_t from, uint32_t to) {
+    // The corner of the edge's first vertex that its second one follows.
+    const Corner begin = mesh.corner_of_vertex[from];
+    Corner corner = begin;
+    do {
+        if (mesh.vertex_at(next_corner(corner)) == to) break;
+        corner = mesh.turn(corner);
+    } while (corner != begin && corner != no_index);
+    if (corner == no_index || !partition.is_within(triangle_of(corner))) return no_index;
+    return partition.components()[partition.component_of(triangle_of(corner))].part;
+}
+
 // Strips between streams: the part to the left of curve c has the number c + 1, what no curve has to its left 0. Parts to the
 // left of several curves go by the first.
 Task<void> number_strips(Pace& pace, const Mesh& mesh, const EmbeddedCurves& embedded,
@@ -134,20 +151,56 @@ Task<void> number_strips(Pace& pace, const Mesh& mesh, const EmbeddedCurves& emb
     for (uint32_t c = 0; c + 1 < embedded.offsets.size(); ++c) {
         const uint32_t first = embedded.offsets[c], end = embedded.offsets[c + 1];
         for (uint32_t i = first; i + 1 < end; ++i) {
-            // The corner of the stretch's first vertex that its second one follows.
-            const Corner begin = mesh.corner_of_vertex[embedded.vertices[i]];
-            Corner corner = begin;
-            do {
-                if (mesh.vertex_at(next_corner(corner)) == embedded.vertices[i + 1]) break;
-                corner = mesh.turn(corner);
-            } while (corner != begin && corner != no_index);
-            if (corner != no_index && partition.is_within(triangle_of(corner))) {
-                uint32_t& number = numbers[partition.components()[partition.component_of(triangle_of(corner))].part];
-                if (number == 0) number = c + 1;
-            }
+            const uint32_t part = part_left_of(mesh, partition, embedded.vertices[i], embedded.vertices[i + 1]);
+            if (part != no_index && numbers[part] == 0) numbers[part] = c + 1;
             if (++passed % list_chunk == 0) co_await pace;
         }
     }
+}
+
+// Sides of lines: 0 for parts of whose border more metres have them to their left than to their right, else 1. So a spike or
+// a small loop the wrong way round does not count.
+Task<void> number_sides(Pace& pace, const Mesh& mesh, const SurfaceCurves& curves, const EmbeddedCurves& embedded,
+                        const RegionPartitionKernel& partition, Buffer<uint32_t>& numbers) {
+    Buffer<double> left(numbers.size(), pace.memory());
+    for (size_t p = 0; p < left.size(); ++p) {
+        left[p] = 0;
+        if (p % copy_chunk == 0) co_await pace;
+    }
+    uint32_t passed = 0;
+    for (uint32_t c = 0; c + 1 < embedded.offsets.size(); ++c) {
+        const uint32_t first = embedded.offsets[c], end = embedded.offsets[c + 1];
+        for (uint32_t i = first; i < (curves.closed[c] ? end : end - 1); ++i) {
+            const uint32_t from = embedded.vertices[i], to = embedded.vertices[i + 1 < end ? i + 1 : first];
+            const double length = (mesh.position(to) - mesh.position(from)).norm();
+            const uint32_t at_left = part_left_of(mesh, partition, from, to);
+            const uint32_t at_right = part_left_of(mesh, partition, to, from);
+            if (at_left != no_index) left[at_left] += length;
+            if (at_right != no_index) left[at_right] -= length;
+            if (++passed % list_chunk == 0) co_await pace;
+        }
+    }
+    for (uint32_t p = 0; p < numbers.size(); ++p) {
+        numbers[p] = left[p] > 0 ? 0 : 1;
+        if (p % copy_chunk == 0) co_await pace;
+    }
+}
+
+// One number a part: of strips, of sides, or by their order.
+Task<Buffer<uint32_t>> number_parts(Pace& pace, const Scene& scene, const SurfaceCurves& curves,
+                                    const EmbeddedCurves& embedded, const RegionPartitionKernel& partition) {
+    const Mesh& mesh = scene.surface.mesh();
+    const bool strips = scene.request.kind == FLG_TANGLE_STREAM;
+    Buffer<uint32_t> numbers(partition.part_count(), pace.memory());
+    for (uint32_t p = 0; p < numbers.size(); ++p) {
+        numbers[p] = strips ? 0 : p;
+        if (p % copy_chunk == 0) co_await pace;
+    }
+    if (strips) co_await number_strips(pace, mesh, embedded, partition, numbers);
+    if (scene.request.kind == FLG_TANGLE_POLYLINE && scene.request.a.curves) {
+        co_await number_sides(pace, mesh, curves, embedded, partition, numbers);
+    }
+    co_return numbers;
 }
 
 Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const SurfaceCurves& curves, TangleStep& step) {
@@ -163,13 +216,7 @@ Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const Surfa
     pace.stage("regions");
     RegionPartitionKernel partition(mesh, scene.leaves.set, embedded.edges, pace.memory());
     while (!partition.run(partition_chunk)) co_await pace;
-    Buffer<uint32_t> numbers(partition.part_count(), pace.memory());
-    const bool strips = scene.request.kind == FLG_TANGLE_STREAM;
-    for (uint32_t p = 0; p < numbers.size(); ++p) {
-        numbers[p] = strips ? 0 : p;
-        if (p % copy_chunk == 0) co_await pace;
-    }
-    if (strips) co_await number_strips(pace, mesh, embedded, partition, numbers);
+    const Buffer<uint32_t> numbers = co_await number_parts(pace, scene, curves, embedded, partition);
     if (partition.part_count() > 1) {
         Buffer<NewLeaf> leaves(partition.components().size(), pace.memory());
         for (size_t c = 0; c < leaves.size(); ++c) {
@@ -208,7 +255,7 @@ Task<void> trace_cells(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCu
     while (!kernel.run(borders_chunk)) co_await pace;
 }
 
-Task<void> trace_polyline(Pace& pace, const Scene& scene, SurfaceCurves& curves) {
+Task<void> trace_shortest_ways(Pace& pace, const Scene& scene, SurfaceCurves& curves) {
     const Buffer<SurfacePoint>& points = scene.request.a.points;
     RegionSet bound = scene.leaves.set;
     Buffer<uint32_t> offsets(2, pace.memory());
@@ -221,6 +268,15 @@ Task<void> trace_polyline(Pace& pace, const Scene& scene, SurfaceCurves& curves)
                       .closed = scene.request.closed,
                       .regions = std::move(bound)};
     co_await trace_polylines(pace, scene.surface, paths, "desc.a.points", curves);
+}
+
+// Between points, and along lines.
+Task<void> trace_polyline(Pace& pace, const Scene& scene, SurfaceCurves& curves) {
+    const TangleSeeds& a = scene.request.a;
+    if (!a.points.empty()) co_await trace_shortest_ways(pace, scene, curves);
+    if (!a.curves) co_return;
+    LinesWithinKernel lines(scene.surface.mesh(), scene.leaves.set, a.curves->curves, curves);
+    while (!lines.run(line_chunk)) co_await pace;
 }
 
 }  // namespace

@@ -17,19 +17,22 @@ namespace {
 // Each about 10 us.
 constexpr uint32_t loop_chunk = 500;
 constexpr uint32_t scan_chunk = 3000;
+constexpr uint32_t look_chunk = 20;
 constexpr uint32_t seed_chunk = 50;
 constexpr uint32_t merge_chunk = 1000;
 constexpr uint32_t sample_chunk = 50;
 constexpr uint32_t point_chunk = 2000;
 constexpr uint32_t tree_chunk = 200;
 
-Task<void> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const char* argument, RegionLoops& loops) {
+Task<void> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
+                      const char* argument, RegionLoops& loops) {
     RegionLoopsKernel kernel(mesh, leaves, loops, pace.memory());
     while (!kernel.run(loop_chunk)) co_await pace;
     if (loops.count() == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s asks for borders, but the regions are all of a closed surface",
                       argument);
     }
+    if (seeds.anchors) co_await anchor_loops(pace, mesh, loops, *seeds.anchors);
 }
 
 // The stretches asked for, or all loops whole.
@@ -65,19 +68,19 @@ Task<void> add_stretch(Pace& pace, const Mesh& mesh, const RegionLoops& loops, B
 
 // Edges where leaves end, seen from within; those between two leaves once.
 Task<void> add_each_border(Pace& pace, const Mesh& mesh, const RegionSet& leaves, std::pmr::deque<Corner>& edges) {
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        if (t % scan_chunk == 0) co_await pace;
-        const uint32_t label = mesh.regions[t];
-        if (!leaves.contains(label)) continue;
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t across = mesh.neighbours[t][k];
-            if (across == no_index) {
-                edges.push_back(3 * t + k);
-                continue;
+    const auto is_border = [&](uint32_t t, uint32_t across) {
+        if (across == no_index) return true;
+        const uint32_t other = mesh.regions[across];
+        return other != mesh.regions[t] && (t < across || !leaves.contains(other));
+    };
+    RegionCursor within(mesh, leaves);
+    for (uint32_t passed = 1; !within.at_end(); ++passed) {
+        within.next_64([&](uint32_t t) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                if (is_border(t, mesh.neighbours[t][k])) edges.push_back(3 * t + k);
             }
-            const uint32_t other = mesh.regions[across];
-            if (other != label && (t < across || !leaves.contains(other))) edges.push_back(3 * t + k);
-        }
+        });
+        if (passed % look_chunk == 0) co_await pace;
     }
 }
 
@@ -191,12 +194,16 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
     co_await check_points(pace, mesh, seeds.points, argument);
     GeodesicSources sources;
     sources.curves = seeds.curves;
-    if (seeds.sample_radius > 0) sources.vertices = co_await sample(pace, surface, leaves, seeds);
+    const bool located = seeds.anchors && seeds.anchors->given;
+    if (seeds.sample_radius > 0 && !located) {
+        sources.vertices = co_await sample(pace, surface, leaves, seeds);
+        if (seeds.anchors) seeds.anchors->samples = co_await positions_of(pace, mesh, sources.vertices);
+    }
     SurfaceCurves spaced(pace.memory());
     const bool outer = seeds.borders == FLG_TANGLE_BORDERS_OUTER;
     if (outer || seeds.other_loops || !seeds.stretches.empty() || seeds.border_spacing > 0) {
         RegionLoops loops(pace.memory());
-        co_await find_loops(pace, mesh, leaves, argument, loops);
+        co_await find_loops(pace, mesh, leaves, seeds, argument, loops);
         if (seeds.other_loops && loops.count() < 2) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the regions have one border, two are needed to go between them");
         }
@@ -218,9 +225,12 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
     }
     if (seeds.borders == FLG_TANGLE_BORDERS_EACH) co_await add_each_border(pace, mesh, leaves, places.edges);
     if (!places.edges.empty()) sources.edges = &places.edges;
-    sources.points = Buffer<SurfacePoint>(seeds.points.size() + spaced.points.size(), pace.memory());
+    const size_t samples = located ? seeds.anchors->sample_points.size() : 0, own = samples + seeds.points.size();
+    sources.points = Buffer<SurfacePoint>(own + spaced.points.size(), pace.memory());
     for (size_t i = 0; i < sources.points.size(); ++i) {
-        sources.points[i] = i < seeds.points.size() ? seeds.points[i] : spaced.points[i - seeds.points.size()];
+        sources.points[i] = i < samples ? seeds.anchors->sample_points[i]
+                            : i < own   ? seeds.points[i - samples]
+                                        : spaced.points[i - own];
         if (i % point_chunk == 0) co_await pace;
     }
     // Where no sample fits there is nothing to begin at; but borders that are not there are a mistake.
@@ -259,7 +269,7 @@ Task<Buffer<SurfacePoint>> find_stream_starts(Pace& pace, Surface& surface, cons
     std::pmr::deque<SurfacePoint> points(pace.memory());
     if (seeds.borders == FLG_TANGLE_BORDERS_OUTER || !seeds.stretches.empty()) {
         RegionLoops loops(pace.memory());
-        co_await find_loops(pace, mesh, leaves, argument, loops);
+        co_await find_loops(pace, mesh, leaves, seeds, argument, loops);
         const Buffer<BorderStretch> stretches = choose_stretches(loops, seeds, argument, pace.memory());
         SurfaceCurves sampled(pace.memory());
         co_await sample_loops(pace, mesh, loops, stretches, spacing, sampled);

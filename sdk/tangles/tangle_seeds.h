@@ -7,6 +7,7 @@
 #include "surfaces/border_sampling.h"
 #include "surfaces/geodesic_jobs.h"
 #include "tangles/region_tree.h"
+#include "tangles/seed_anchors.h"
 
 namespace flg {
 
@@ -23,6 +24,7 @@ struct TangleSeeds {
     float border_spacing = 0;                    // metres; 0: no points along the outer borders
     uint64_t seed = 1;
     std::pmr::vector<RegionId> regions;  // whose borders, and where to sample; empty: those of the operator
+    SeedAnchors* anchors = nullptr;      // what to find again, or else to remember; null: nothing
 
     bool empty() const {
         return borders == FLG_TANGLE_BORDERS_NONE && stretches.empty() && points.empty() && !curves &&

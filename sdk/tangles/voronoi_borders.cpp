@@ -12,7 +12,7 @@ namespace flg {
 
 namespace {
 
-constexpr size_t scan_step = 64;
+constexpr size_t clear_step = 64;
 
 // The distance at the apex of a triangle whose other corners, so far from it and from each other, are at distances db and
 // dc from a source beyond them: unfolded, the straight line from the source, if it enters between the two.
@@ -35,14 +35,14 @@ double unfold(double db, double dc, double ab, double ac, double bc) {
 
 VoronoiBordersKernel::VoronoiBordersKernel(const Mesh& mesh, const RegionSet& regions, const DistanceField& cells,
                                            SurfaceCurves& curves, Memory* memory)
-    : mesh_(mesh), regions_(regions), cells_(cells), curves_(curves), memory_(memory), crossed_(memory) {}
+    : mesh_(mesh), cells_(cells), curves_(curves), memory_(memory), crossed_(memory), cursor_(mesh, regions) {}
 
 void VoronoiBordersKernel::scan(uint32_t triangle) {
     const auto& [a, b, c] = mesh_.triangles[triangle];
     const Buffer<uint32_t>& labels = cells_.labels;
     if (labels[a] == labels[b] && labels[b] == labels[c]) return;
     if (labels[a] == no_index || labels[b] == no_index || labels[c] == no_index) return;
-    if (regions_.contains(mesh_.regions[triangle])) crossed_.push_back(triangle);
+    crossed_.push_back(triangle);
 }
 
 // The entry of a vertex and a label, or the empty one where it belongs.
@@ -140,20 +140,15 @@ void VoronoiBordersKernel::trace(uint32_t triangle) {
 
 // A unit; false at the end of a pass.
 bool VoronoiBordersKernel::step() {
-    size_t end = crossed_.size();
+    const size_t end = crossed_.size();
     switch (pass_) {
-        case Pass::scan:
-            end = mesh_.triangle_count();
-            for (const size_t stop = std::min(end, at_ + scan_step); at_ < stop; ++at_) {
-                scan(static_cast<uint32_t>(at_));
-            }
-            return at_ < end;
+        case Pass::scan: cursor_.next_64([this](uint32_t triangle) { scan(triangle); }); return !cursor_.at_end();
         case Pass::size:
             // At most 6 entries a triangle, each shared by two triangles or more but at borders.
             table_ = Buffer<Far>(std::bit_ceil(12 * crossed_.size() + 1), memory_);
             return false;
         case Pass::clear:
-            for (const size_t stop = std::min(table_.size(), at_ + scan_step); at_ < stop; ++at_) {
+            for (const size_t stop = std::min(table_.size(), at_ + clear_step); at_ < stop; ++at_) {
                 table_[at_].vertex = no_index;
             }
             return at_ < table_.size();

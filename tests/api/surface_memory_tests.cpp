@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every allocation of every entry point fails once: what needed it says so, surfaces stay valid, nothing is lost.
 #include "api/surface_inputs.h"
+#include "filigree/filigree_project.h"
 
 namespace flg::test {
 namespace {
@@ -11,12 +12,17 @@ struct Bench {
     FlgSurface surface{};
     FlgField field{};
     FlgSurfaceCurves curves{};
+    FlgCurveSet lifted{};
     std::string before;
     std::vector<float> zeros;
 
     Bench() : surface(host.surface(plane(5))) {
         field = host.field(surface, [](const Point& p) { return distance(p, {0.1, 0.05, 0}); });
         curves = host.isolines(field, {0.5f});
+        FlgLiftDesc lift = flgLiftDefaults();
+        lift.curves = curves;
+        EXPECT_EQ(flgLiftCurves(host.context, &lift, &lifted, nullptr), FLG_OK) << flgLastError();
+        host.finish();
         before = bits(host.view(surface));
         zeros.resize(36);
     }
@@ -190,6 +196,13 @@ TEST(SurfaceMemory, CurvesAreTracedOrRefused) {
         desc.curves = bench.curves;
         FlgCurveSet made{};
         return flgLiftCurves(bench.host.context, &desc, &made, job);
+    });
+    fail_each([](Bench& bench, FlgJob* job) {
+        FlgProjectDesc desc = flgProjectDefaults();
+        desc.surface = bench.surface;
+        desc.curves = bench.lifted;
+        FlgSurfaceCurves made{};
+        return flgProjectCurves(bench.host.context, &desc, &made, job);
     });
 }
 

@@ -22,15 +22,16 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/curves", {"filigree", "core", "runtime"}},
     {"sdk/stylization", {"filigree", "core", "runtime", "curves"}},
     {"sdk/surfaces", {"filigree", "core", "runtime", "curves"}},
+    {"sdk/skeletons", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
-    {"sdk/api", {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "tangles"}},
+    {"sdk/api", {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "skeletons", "tangles"}},
     {"sdk/io", {"filigree"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
     {"renderer", {"filigree"}},
 };
-const Rooms rooms = {"filigree", "core", "runtime", "curves", "stylization",      "surfaces",
-                     "tangles",  "api",  "io",      "pick",   "filigree_renderer"};
+const Rooms rooms = {"filigree",  "core",    "runtime", "curves", "stylization", "surfaces",
+                     "skeletons", "tangles", "api",     "io",     "pick",        "filigree_renderer"};
 
 std::set<std::string> violations(const std::string& folder, const Rooms& may_include) {
     std::set<std::string> found;

@@ -97,6 +97,16 @@ TEST(Fuzz, TextAndGltf) {
     }
 }
 
+TEST(Fuzz, Svg) {
+    const Folder folder;
+    damage(folder.at("a.svg"),
+           "<?xml version='1.0'?><svg><!-- x --><g transform='translate(1,2) rotate(30 1 1) scale(2)'>"
+           "<path d='M1 2l3-4.5.5H6v7C1 2 3 4 5 6s1 2 3 4Q1 2 3 4t1 2A5 4 30 1 0 9 9a5 4 30 01 1 1z'/>"
+           "<circle cx='1' cy='2px' r='3'/><rect x='1' width='4' height='5' rx='1'/>"
+           "<polygon points='0,0 1,0 1,1'/></g><ellipse rx='3' ry='2'/></svg>",
+           3000, read_curves);
+}
+
 MeshInput sample_mesh() {
     MeshInput mesh;
     mesh.colors.assign(16, 0.5f);

@@ -151,6 +151,119 @@ TEST(GltfMesh, RoundTripsEveryBit) {
     EXPECT_EQ(split.regions, (Indices{0, 1, 2, 2}));
 }
 
+FlgMeshMaterial gold() {
+    FlgMeshMaterial material = {};
+    material.name = "g\"\xc3\xb6\\ld";
+    for (size_t k = 0; k < 3; ++k) material.color[k] = 0.1f + 0.3f * static_cast<float>(k);
+    material.metallic = 1;
+    material.roughness = 0.3f;
+    material.border_color[1] = 0.7f;
+    material.border_width_px = 1.3f;
+    return material;
+}
+
+// A tetrahedron whose faces have the materials 2, 0, 2, 3 of four.
+MeshInput painted() {
+    MeshInput mesh;
+    mesh.regions = {2, 0, 2, 3};
+    mesh.materials.resize(4, FlgMeshMaterial{});
+    mesh.materials[2] = gold();
+    mesh.split_regions = true;
+    return mesh;
+}
+
+TEST(GltfMesh, MaterialsRoundTripWithoutThoseThatNoRegionHas) {
+    const Folder folder;
+    MeshInput mesh = painted();
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoLastError();
+    ReadMesh again = read_mesh(folder.at("a.glb"));
+    ASSERT_EQ(again.result, FLG_OK) << again.error;
+    EXPECT_EQ(again.positions(), mesh.positions) << "vertices are shared";
+    EXPECT_EQ(again.regions, (Indices{0, 1, 1, 2}));
+    EXPECT_EQ(again.material_names, (std::vector<std::string>{"region 0", gold().name, "region 3"}));
+    const FlgMeshMaterial &read = again.materials[1], written = gold();
+    EXPECT_TRUE(std::equal(read.color, read.color + 3, written.color));
+    EXPECT_EQ(read.metallic, written.metallic);
+    EXPECT_EQ(read.roughness, written.roughness);
+    EXPECT_TRUE(std::equal(read.border_color, read.border_color + 3, written.border_color));
+    EXPECT_EQ(read.border_width_px, written.border_width_px);
+    EXPECT_EQ(again.materials[2].border_width_px, 0.0f);
+    // Of one region there are no labels, but there is its material.
+    mesh.regions.assign(4, 2);
+    ASSERT_EQ(write_mesh(folder.at("b.glb"), mesh), FLG_OK) << flgIoLastError();
+    again = read_mesh(folder.at("b.glb"));
+    EXPECT_EQ(again.regions, Indices{});
+    EXPECT_EQ(again.material_names, std::vector<std::string>{gold().name});
+    // Without a table materials have no colour, and are not handed out.
+    mesh.materials.clear();
+    mesh.regions = {2, 0, 2, 3};
+    ASSERT_EQ(write_mesh(folder.at("c.glb"), mesh), FLG_OK) << flgIoLastError();
+    EXPECT_TRUE(read_mesh(folder.at("c.glb")).materials.empty());
+}
+
+TEST(GltfMesh, MaterialsOfOtherProgramsHaveTheFormatsDefaults) {
+    const Folder folder;
+    const auto material_of = [&](const std::string& materials) {
+        Document document = document_of(R"({"attributes": {"POSITION": 0}, "indices": 1, "material": 0})");
+        add_indices(document, {0, 1, 2});
+        document.nodes = "\"materials\": [" + materials + "],";
+        return read_mesh(folder.put("a.gltf", document.text()));
+    };
+    EXPECT_TRUE(material_of(R"({"pbrMetallicRoughness": {"metallicFactor": 0}})").materials.empty());
+    ReadMesh mesh = material_of(R"({"extras": 7, "pbrMetallicRoughness": {"baseColorFactor": [0.25, 2, -1, 1]}})");
+    ASSERT_EQ(mesh.materials.size(), 1u) << mesh.error;
+    EXPECT_EQ(mesh.material_names[0], "");
+    EXPECT_EQ(Floats(mesh.materials[0].color, mesh.materials[0].color + 3), (Floats{0.25f, 1, 0}));
+    EXPECT_EQ(mesh.materials[0].metallic, 1.0f);
+    EXPECT_EQ(mesh.materials[0].roughness, 1.0f);
+    EXPECT_EQ(mesh.materials[0].border_width_px, 0.0f);
+    const auto refuse = [&](const std::string& material, const std::string& place, const std::string& reason) {
+        const ReadMesh refused = material_of(material);
+        EXPECT_EQ(refused.result, FLG_ERROR_FORMAT);
+        EXPECT_NE(refused.error.find(":" + place + ": "), std::string::npos) << refused.error;
+        EXPECT_NE(refused.error.find(reason), std::string::npos) << refused.error;
+    };
+    refuse("3", "materials[0]", "no object");
+    refuse(R"({"pbrMetallicRoughness": 1})", "materials[0].pbrMetallicRoughness", "no object");
+    refuse(R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 1]}})",
+           "materials[0].pbrMetallicRoughness.baseColorFactor", "has 2 numbers");
+    refuse(R"({"pbrMetallicRoughness": {"baseColorFactor": ["1", 1, 1, 1]}})",
+           "materials[0].pbrMetallicRoughness.baseColorFactor", "no number");
+    refuse(R"({"pbrMetallicRoughness": {"roughnessFactor": []}})", "materials[0].pbrMetallicRoughness.roughnessFactor",
+           "no number");
+    refuse(R"({"extras": {"border_width_px": null}})", "materials[0].extras.border_width_px", "no number");
+}
+
+TEST(GltfMesh, MaterialsThatCantBeWrittenAreRefused) {
+    const Folder folder;
+    const auto refuse = [&](MeshInput mesh, const std::string& sentence) {
+        EXPECT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(flgIoLastError()).find(sentence), std::string::npos) << flgIoLastError();
+    };
+    const auto refuse_material = [&](auto change, const std::string& sentence) {
+        MeshInput mesh = painted();
+        change(mesh.materials[3]);
+        refuse(mesh, "desc.materials[3]." + sentence);
+    };
+    const std::string long_name(256, 'x');
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    refuse_material([](FlgMeshMaterial& m) { m.color[2] = 1.5f; }, "color: is 1.5, must be from 0 to 1");
+    refuse_material([](FlgMeshMaterial& m) { m.metallic = -1; }, "metallic: is -1, must be from 0 to 1");
+    refuse_material([&](FlgMeshMaterial& m) { m.roughness = nan; }, "roughness: is nan, must be from 0 to 1");
+    refuse_material([](FlgMeshMaterial& m) { m.border_color[0] = 2; }, "border_color: is 2, must be from 0 to 1");
+    refuse_material([](FlgMeshMaterial& m) { m.border_width_px = 65; }, "border_width_px: is 65, must be from 0 to 64");
+    refuse_material([](FlgMeshMaterial& m) { m.name = "\xff"; }, "name: must be UTF-8");
+    refuse_material([&](FlgMeshMaterial& m) { m.name = long_name.c_str(); }, "name: must be UTF-8");
+    MeshInput mesh = painted();
+    mesh.regions[1] = 4;
+    refuse(mesh, "view.regions[1]: is 4, but there are 4 materials");
+    const FlgMeshView view = mesh.view();
+    FlgMeshWriteDesc desc = mesh.desc();
+    desc.materials = nullptr;
+    EXPECT_EQ(flgMeshFileWrite(folder.at("a.glb").c_str(), &view, &desc), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgIoLastError()).find("desc.materials"), std::string::npos) << flgIoLastError();
+}
+
 tinygltf::Model load_model(const std::string& path) {
     tinygltf::TinyGLTF loader;
     tinygltf::Model model;
@@ -196,6 +309,19 @@ TEST(GltfMesh, AnotherReaderFindsTheSame) {
     const float third = -1 / std::sqrt(3.0f);
     for (size_t k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(normals[k], third);
     for (size_t k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(normals[3 + k], k == 0 ? 1.0f : 0.0f);
+
+    MeshInput with_materials = painted();
+    ASSERT_EQ(write_mesh(folder.at("c.glb"), with_materials), FLG_OK) << flgIoLastError();
+    const tinygltf::Model colored = load_model(folder.at("c.glb"));
+    ASSERT_EQ(colored.meshes[0].primitives.size(), 3u);
+    ASSERT_EQ(colored.materials.size(), 3u);
+    EXPECT_EQ(colored.materials[1].name, gold().name);
+    const tinygltf::PbrMetallicRoughness& factors = colored.materials[1].pbrMetallicRoughness;
+    for (size_t k = 0; k < 3; ++k) EXPECT_EQ(static_cast<float>(factors.baseColorFactor[k]), gold().color[k]);
+    EXPECT_EQ(factors.baseColorFactor[3], 1.0);
+    EXPECT_EQ(factors.metallicFactor, 1.0);
+    EXPECT_EQ(static_cast<float>(factors.roughnessFactor), gold().roughness);
+    EXPECT_EQ(colored.meshes[0].primitives[1].material, 1);
 
     MeshInput given;
     given.normals = {2, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, -1};

@@ -64,6 +64,13 @@ TEST(MeshFile, ArgumentsAreChecked) {
     EXPECT_EQ(columns, nullptr);
     EXPECT_EQ(count, 0u);
 
+    const FlgMeshMaterial* materials = reinterpret_cast<const FlgMeshMaterial*>(1);
+    count = 9;
+    EXPECT_EQ(flgMeshFileGetMaterials(nullptr, &materials, &count), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_STREQ(flgIoLastError(), "flgMeshFileGetMaterials:file: is null");
+    EXPECT_EQ(materials, nullptr);
+    EXPECT_EQ(count, 0u);
+
     FlgMeshWriteDesc desc = {};
     EXPECT_EQ(flgMeshWriteDescInit(nullptr, sizeof desc), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(flgMeshWriteDescInit(&desc, 4), FLG_ERROR_INVALID_ARGUMENT);

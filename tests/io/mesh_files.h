@@ -18,6 +18,8 @@ struct ReadMesh {
     std::map<uint32_t, Floats> columns;  // by attribute
     Indices triangles, regions;
     std::map<std::string, Indices> face_columns;
+    std::vector<FlgMeshMaterial> materials;  // whose names are in
+    std::vector<std::string> material_names;
     std::string warnings, format;
     FlgMeshFileInfo info = {};
 
@@ -66,6 +68,13 @@ inline ReadMesh read_mesh(const std::string& path) {
         read.face_columns[face_columns[i].name].assign(face_columns[i].values,
                                                        face_columns[i].values + view.triangle_count);
     }
+    const FlgMeshMaterial* materials = nullptr;
+    uint32_t material_count = 0;
+    EXPECT_EQ(flgMeshFileGetMaterials(file, &materials, &material_count), FLG_OK);
+    for (uint32_t i = 0; i < material_count; ++i) {
+        read.materials.push_back(materials[i]);
+        read.material_names.emplace_back(materials[i].name);
+    }
     read.info.struct_size = sizeof read.info;
     EXPECT_EQ(flgMeshFileGetInfo(file, &read.info), FLG_OK);
     EXPECT_EQ(read.info.vertex_count, view.vertex_count);
@@ -83,6 +92,7 @@ struct MeshInput {
     Indices triangles = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
     Indices regions;
     std::vector<FlgMeshFaceColumn> face_columns;
+    std::vector<FlgMeshMaterial> materials;
     bool split_regions = false;
     std::vector<FlgColumn> columns;
 
@@ -110,6 +120,8 @@ struct MeshInput {
         desc.face_columns = face_columns.data();
         desc.face_column_count = static_cast<uint32_t>(face_columns.size());
         desc.split_regions = split_regions;
+        desc.materials = materials.data();
+        desc.material_count = static_cast<uint32_t>(materials.size());
         return desc;
     }
 };

@@ -196,6 +196,61 @@ TEST_F(SurfaceColors, BordersAreLinesOfTheirWidth) {
     EXPECT_EQ(differing_pixels(seen(mesh, look), without), 0u) << "no borders in a single region";
 }
 
+// Between two regions the line is that of the higher label, and the look's where its material has none.
+TEST_F(SurfaceColors, BordersAreThoseOfTheHigherLabel) {
+    Mesh mesh = sheet(size_m, size_m, 9, 1);
+    for (uint32_t t = 0; t < mesh.triangles.size() / 3; ++t) mesh.regions.push_back(2 - t / 6);
+    SurfaceLook look;
+    look.regions.resize(3);
+    look.regions[1].border_width_px = 4.0f;
+    look.regions[1].border_color = {1, 0, 0};
+    const auto lines = [&](float look_width) {
+        look.border_width_px = look_width;
+        look.border_color = {0, 0, 1};
+        return seen(mesh, look);
+    };
+    const float length_px = size_m * pixels_per_metre();
+    const Image without = plain(SurfaceLook{}.material.color), one = lines(0.0f), both = lines(2.0f);
+    EXPECT_NEAR(differing_pixels(one, without), 4.0f * length_px, 0.2f * length_px);
+    EXPECT_NEAR(differing_pixels(both, without), 6.0f * length_px, 0.3f * length_px);
+    const glm::ivec2 high = pixel_of(-size_m / 6, 0), low = pixel_of(size_m / 6, 0);
+    EXPECT_GT(both.at(low.x, low.y)[0], both.at(low.x, low.y)[2] + 60) << "red, between 0 and 1";
+    EXPECT_GT(both.at(high.x, high.y)[2], both.at(high.x, high.y)[0] + 60) << "blue, between 1 and 2";
+}
+
+// A roof, seen from above, whose sides are regions of one colour.
+TEST_F(SurfaceColors, CreasesBetweenRegionsAreSharpAndGentleBendsAreNot) {
+    const auto roof = [](float slope) {
+        Mesh mesh = sheet(size_m, size_m, 2, 8);
+        for (glm::vec3& p : mesh.positions) p.z = -slope * std::abs(p.x);
+        for (size_t t = 0; t < mesh.triangles.size(); t += 3) {
+            const float x = mesh.positions[mesh.triangles[t]].x + mesh.positions[mesh.triangles[t + 1]].x +
+                            mesh.positions[mesh.triangles[t + 2]].x;
+            mesh.regions.push_back(x < 0 ? 0 : 1);
+        }
+        return mesh;
+    };
+    const auto drawn = [&](float slope, bool smooth, bool regions) {
+        Mesh mesh = roof(slope);
+        SurfaceLook look;
+        look.smooth = smooth;
+        look.casts_shadow = false;
+        if (regions) look.regions.resize(2);
+        return seen(mesh, look);
+    };
+    const auto most = [](const Image& a, const Image& b) {
+        int difference = 0;
+        for (uint32_t y = 0; y < picture_size; ++y)
+            for (uint32_t x = 0; x < picture_size; ++x)
+                difference = std::max(difference, most_difference(a.at(x, y), b.at(x, y)));
+        return difference;
+    };
+    constexpr float steep = 0.8f, gentle = 0.08f;
+    EXPECT_GT(most(drawn(steep, true, false), drawn(steep, false, false)), 20) << "one region is smooth";
+    EXPECT_LE(most(drawn(steep, true, true), drawn(steep, false, true)), 2) << "each side is flat";
+    EXPECT_EQ(most(drawn(gentle, true, true), drawn(gentle, true, false)), 0) << "the border isn't seen";
+}
+
 // On the side of a ball, seen at a grazing angle, the surface does not swallow half of the line.
 TEST_F(SurfaceColors, BordersStayWholeOnSlopes) {
     Mesh mesh = sphere(0.9f, 48);

@@ -102,6 +102,8 @@ TEST_F(SurfaceErrors, Looks) {
     expect_refused(view, "isoline_color", {.isoline_color = {0, 2, 0}});
     expect_refused(view, "border_width_px", {.border_width_px = 0.1f});
     expect_refused(view, "border_color", {.border_color = {0, 0, nan}});
+    expect_refused(view, "border_width_px", {.material = {.border_width_px = 65}});
+    expect_refused(view, "border_color", {.regions = {{.border_color = {2, 0, 0}}}});
 }
 
 TEST_F(SurfaceErrors, AFailedUpdateChangesNothing) {

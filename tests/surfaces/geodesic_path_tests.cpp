@@ -340,6 +340,25 @@ TEST(GeodesicPath, IsNoneBetweenComponents) {
     EXPECT_TRUE(path.curves.points.empty());
 }
 
+TEST(GeodesicPath, IsNoneFromOutsideOfTheRegions) {
+    Mesh mesh = make_mesh(plane(8));
+    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+        mesh.regions[t] = mesh.position(mesh.triangles[t][0]).x() < 0.45 ? 1 : 2;
+    }
+    const uint32_t label = 2;
+    const RegionSet right(&label, 1, test_memory());
+    // Vertices in the midst of the left half, and of the right one.
+    const SurfacePoint left = at_vertex(mesh, 4 * 9 + 2), beside = at_vertex(mesh, 5 * 9 + 2),
+                       inside = at_vertex(mesh, 4 * 9 + 7);
+    ASSERT_LT(position_of(mesh, left).x(), 0.3);
+    ASSERT_GT(position_of(mesh, inside).x(), 0.7);
+    for (const auto& [from, to] : {std::pair{left, beside}, std::pair{left, inside}, std::pair{inside, left}}) {
+        const Path path = find_path(mesh, from, to, right);
+        EXPECT_FALSE(path.found);
+        EXPECT_TRUE(path.curves.points.empty());
+    }
+}
+
 TEST(GeodesicPath, OfNoLengthIsNone) {
     const Mesh mesh = make_mesh(plane(3));
     // One vertex, seen from two triangles; and the same point inside of one.

@@ -95,6 +95,42 @@ TEST(PoissonSampling, TakesTheFurthestVertex) {
     }
 }
 
+// A sphere of 40962 vertices: enough for the first points to be chosen in space.
+TEST(PoissonSampling, OnLargeMeshesPointsAreApartAndAsManyAsWanted) {
+    const Mesh mesh = make_mesh(sphere(6));
+    const auto angle = [&](uint32_t a, uint32_t b) {
+        return std::acos(std::clamp(mesh.position(a).dot(mesh.position(b)), -1.0, 1.0));
+    };
+    for (const Question& question : {Question{.radius = 1e-3f, .max_count = 100}, Question{.radius = 0.3f}}) {
+        const Sampling sampling = sample(mesh, question);
+        double nearest = 4;
+        for (size_t i = 0; i < sampling.samples.size(); ++i) {
+            for (size_t j = 0; j < i; ++j) {
+                nearest = std::min(nearest, angle(sampling.samples[i], sampling.samples[j]));
+            }
+        }
+        const double furthest = *std::max_element(sampling.field.distances.begin(), sampling.field.distances.end());
+        // Each of the last points was the furthest vertex, by the graph's distances, which are up to 1 / cos(22.5 degrees) too
+        // long; the first ones are at least as far apart as in the lattice.
+        EXPECT_GE(nearest, 0.99 * furthest * std::cos(std::numbers::pi / 8));
+        if (question.max_count == no_index) {
+            EXPECT_LT(furthest, question.radius);
+            EXPECT_GE(nearest, question.radius * std::cos(std::numbers::pi / 8));
+        } else {
+            EXPECT_EQ(sampling.samples.size(), question.max_count);
+            // Discs of this radius cover the sphere, whose area is 4 pi: 2 (1 - cos r) n >= 4; and no worse than twice that.
+            EXPECT_LE(furthest, 2 * std::acos(1 - 2.0 / question.max_count));
+        }
+        std::vector<Seed> seeds;
+        for (uint32_t i = 0; i < sampling.samples.size(); ++i) seeds.push_back({sampling.samples[i], 0, i});
+        std::sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.vertex < b.vertex; });
+        const GraphField anew = solve_graph(mesh, make_graph(mesh), seeds);
+        EXPECT_EQ(sampling.field.distances, anew.distances) << "the field is that of all points together";
+        EXPECT_EQ(sampling.samples,
+                  sample(mesh, {.radius = question.radius, .max_count = question.max_count, .slice = 7}).samples);
+    }
+}
+
 TEST(PoissonSampling, DependsOnItsSeedAndNotOnSlices) {
     const Mesh mesh = make_mesh(torus(30, 16));
     const Sampling first = sample(mesh, {.seed = 1}), again = sample(mesh, {.seed = 1, .slice = 1}),

@@ -182,19 +182,31 @@ TEST(RefinedSolver, DoesNotDependOnSlicesOrRegisters) {
         states[rank] = {whole[geodesics.blocks.vertex_of_rank[rank]] * (rank % 3 == 0 ? 1.5f : 1.0f), 0.1f};
     }
     states[0] = {-unreachable, 0};
-    for (uint32_t rank = 1; rank < states.size(); ++rank) {
-        const GeodesicBlock& block = geodesics.blocks.blocks[rank];
+    const auto vertex = [&](uint32_t rank) { return WaveVertex{&geodesics.blocks.blocks[rank], states[rank]}; };
+    for (uint32_t rank = 1; rank + wave_step_vertices <= states.size(); ++rank) {
         WaveStep expected;
-        wave_step_portable(block, states.data(), states[rank], 10, true, expected);
+        const WaveVertex alone = vertex(rank);
+        wave_step_portable(&alone, 1, states.data(), 10, true, expected);
         for (const WaveStepFunction other : others) {
-            WaveStep step;
-            other(block, states.data(), states[rank], 10, true, step);
-            ASSERT_EQ(step.improved, expected.improved);
-            for (uint32_t lane = 0; lane < lane_count; ++lane) {
-                if (block.rank(lane) == nowhere) continue;
-                ASSERT_EQ(step.states[lane].distance, expected.states[lane].distance);
-                ASSERT_EQ(step.states[lane].front, expected.states[lane].front);
-                ASSERT_EQ(step.sides[lane], expected.sides[lane]);
+            for (uint32_t count = 1; count <= wave_step_vertices; ++count) {
+                // Whichever vertices it is taken with, and as whichever of them.
+                const uint32_t place = rank % count;
+                std::vector<WaveVertex> some;
+                for (uint32_t i = 0; i < count; ++i) some.push_back(vertex(i == place ? rank : 1 + i));
+                WaveStep step;
+                other(some.data(), count, states.data(), 10, true, step);
+                const auto bits = [&](uint32_t mask) { return mask >> place * lane_count & 0xff; };
+                ASSERT_EQ(bits(step.improved), expected.improved);
+                ASSERT_EQ(uint64_t{step.improved} >> count * lane_count, 0u);
+                ASSERT_EQ(bits(step.across_next) & expected.improved, expected.across_next & expected.improved);
+                ASSERT_EQ(bits(step.across_previous) & expected.improved, expected.across_previous & expected.improved);
+                for (uint32_t lane = 0; lane < lane_count; ++lane) {
+                    if (some[place].block->rank(lane) == nowhere) continue;
+                    const uint32_t at = place * lane_count + lane;
+                    ASSERT_EQ(step.distances[at], expected.distances[lane]);
+                    ASSERT_EQ(step.fronts[at], expected.fronts[lane]);
+                    ASSERT_EQ(step.sides[at], expected.sides[lane]);
+                }
             }
         }
     }

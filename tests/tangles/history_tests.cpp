@@ -1,44 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Steps taken back and made again; groups and joins; sequences of random operations.
-#include <random>
-
-#include "tangles/tangle_host.h"
+// Steps taken back and made again; groups and joins.
+#include "tangles/random_session.h"
 
 namespace flg::test {
 namespace {
 
 const Regions root = {0};
-
-FlgTangleSeeds samples(float radius) {
-    FlgTangleSeeds seeds{};
-    seeds.sample_radius = radius;
-    return seeds;
-}
-
-FlgTangleSeeds borders(FlgTangleBorders which) {
-    FlgTangleSeeds seeds{};
-    seeds.borders = which;
-    return seeds;
-}
-
-// Operation `index` of a sequence: any operator, on any region that is there.
-FlgResult random_operation(const TangleHost& host, FlgTangle tangle, uint64_t seed, uint32_t index) {
-    std::mt19937_64 random(seed * 1000 + index);
-    const auto draw = [&](uint32_t count) { return static_cast<uint32_t>(random() % count); };
-    const uint32_t count = host.info(tangle).region_count;
-    const Regions on = {draw(count)};
-    FlgTangleDivideDesc desc = contour(tangle, on, samples(0.2f + 0.1f * float(draw(5))), 0.05f, 1 + draw(2));
-    desc.seed = index;
-    switch (draw(4)) {
-        case 0: break;
-        case 1: desc.a = borders(FLG_TANGLE_BORDERS_OUTER); break;
-        case 2: desc.a = borders(FLG_TANGLE_BORDERS_EACH); break;
-        case 3: desc.kind = FLG_TANGLE_VORONOI; break;
-    }
-    desc.grouping = static_cast<FlgTangleGrouping>(draw(4));
-    desc.scaffold = draw(5) == 0;
-    return host.divide(desc);
-}
 
 TEST(TangleHistory, StepsAreTakenBackAndMadeAgainToTheBit) {
     const TangleHost host;
@@ -117,38 +84,14 @@ TEST(TangleHistory, ANewStepForgetsThoseTakenBack) {
     EXPECT_EQ(host.info(tangle).undo_count, 1u);
 }
 
-TEST(TangleHistory, RandomOperationsKeepEveryInvariant) {
-    for (uint64_t seed : {1, 2}) {
-        const TangleHost host;
-        const FlgSurface surface = host.surface(sphere(8));
-        const FlgTangle tangle = host.tangle(surface);
-        const double area = host.report(surface).area;
-        std::vector<std::string> states = {bits(host.view(surface))};
-        for (uint32_t i = 0; i < 20; ++i) {
-            const FlgResult result = random_operation(host, tangle, seed, i);
-            if (result != FLG_OK) {
-                EXPECT_EQ(result, FLG_ERROR_INVALID_ARGUMENT) << "seed " << seed << ", operation " << i;
-                continue;
-            }
-            expect_valid(host, surface, tangle, area);
-            ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << ", operation " << i;
-            states.push_back(bits(host.view(surface)));
-        }
-        EXPECT_GT(host.info(tangle).leaf_count, 20u) << "seed " << seed;
-        for (size_t i = states.size() - 1; i-- > 0;) {
-            ASSERT_EQ(host.undo(tangle), FLG_OK);
-            ASSERT_EQ(bits(host.view(surface)), states[i]) << "seed " << seed << ", back to " << i;
-        }
-    }
-}
-
 TEST(TangleHistory, SameBitsWithAnyWorkersAndBudget) {
     std::string expected;
     for (const auto& [workers, budget] : {std::pair{0u, 0u}, {0u, 100u}, {1u, 0u}, {4u, 50u}}) {
         const TangleHost host(workers, budget);
         const FlgSurface surface = host.surface(sphere(8));
         const FlgTangle tangle = host.tangle(surface);
-        for (uint32_t i = 0; i < 6; ++i) random_operation(host, tangle, 7, i);
+        RandomSession session(host, surface, tangle, 7);
+        for (uint32_t i = 0; i < 12; ++i) session.step();
         const std::string got = bits(host.view(surface)) + host.tree_bits(tangle);
         if (expected.empty()) expected = got;
         EXPECT_EQ(got, expected) << workers << " workers, " << budget << " us";

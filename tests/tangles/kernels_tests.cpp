@@ -41,8 +41,8 @@ TEST(RegionPartition, ComponentsAndPartsOfAChequeredPlane) {
         std::vector<uint32_t> found;
         for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
             ASSERT_EQ(kernel.is_within(t), mesh.regions[t] != 3);
-            found.push_back(kernel.component_of(t));
             if (!kernel.is_within(t)) continue;
+            found.push_back(kernel.component_of(t));
             const RegionComponent& component = kernel.components()[kernel.component_of(t)];
             EXPECT_EQ(component.label, mesh.regions[t]);
             EXPECT_EQ(component.part, centre(t).x() < 0.25 ? 0u : 1u);

@@ -19,12 +19,6 @@ FlgTangleSeeds at_stretch(const FlgBorderStretch& stretch) {
     return seeds;
 }
 
-FlgTangleSeeds at_borders(FlgTangleBorders borders) {
-    FlgTangleSeeds seeds{};
-    seeds.borders = borders;
-    return seeds;
-}
-
 const Regions root = {0};
 
 TEST(TangleOperators, ContoursAreRingsOfTwoGroups) {
@@ -211,7 +205,7 @@ TEST(TangleOperators, EachBorderIsASeedOfItsOwn) {
     const FlgBorderStretch left = {0, 0.75f, 1};
     ASSERT_EQ(host.divide(contour(tangle, root, at_stretch(left), 0.5f, 1)), FLG_OK);
     ASSERT_EQ(host.info(tangle).leaf_count, 2u);
-    ASSERT_EQ(host.divide(contour(tangle, root, at_borders(FLG_TANGLE_BORDERS_EACH), 0.1f, 1)), FLG_OK);
+    ASSERT_EQ(host.divide(contour(tangle, root, borders(FLG_TANGLE_BORDERS_EACH), 0.1f, 1)), FLG_OK);
     expect_valid(host, surface, tangle, 1);
     const std::map<uint32_t, double> parts = areas(host.view(surface));
     ASSERT_EQ(parts.size(), 4u);
@@ -282,7 +276,7 @@ TEST(TangleOperators, BeyondTheFieldNothingIsDivided) {
     const FlgSurface surface = host.surface(plane(8));
     const FlgTangle tangle = host.tangle(surface);
     const std::string before = bits(host.view(surface));
-    ASSERT_EQ(host.divide(contour(tangle, root, at_borders(FLG_TANGLE_BORDERS_OUTER), 10, 3)), FLG_OK);
+    ASSERT_EQ(host.divide(contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 10, 3)), FLG_OK);
     EXPECT_EQ(bits(host.view(surface)), before);
     EXPECT_EQ(host.info(tangle).region_count, 1u);
     EXPECT_EQ(host.info(tangle).undo_count, 1u);

@@ -141,15 +141,23 @@ TEST(TangleRefusalsOnClosedSurfaces, BordersAreAskedForWhereThereAreNone) {
     }
 }
 
-TEST(TangleOddities, ASeedOutsideOfTheRegionDividesNothing) {
+// A plane, cut in two by a contour of its left side.
+class TangleInHalves : public testing::Test {
+protected:
+    void SetUp() override {
+        const FlgBorderStretch left = {0, 0.75f, 1};
+        FlgTangleSeeds side{};
+        side.stretches = &left;
+        side.stretch_count = 1;
+        ASSERT_EQ(host.divide(contour(tangle, root, side, 0.5f, 1)), FLG_OK);
+    }
+
     const TangleHost host;
     const FlgSurface surface = host.surface(plane(12));
     const FlgTangle tangle = host.tangle(surface);
-    const FlgBorderStretch left = {0, 0.75f, 1};
-    FlgTangleSeeds side{};
-    side.stretches = &left;
-    side.stretch_count = 1;
-    ASSERT_EQ(host.divide(contour(tangle, root, side, 0.5f, 1)), FLG_OK);
+};
+
+TEST_F(TangleInHalves, ASeedOutsideOfTheRegionDividesNothing) {
     // A point of the left half; the operator is for the right one.
     const FlgSurfaceView view = host.view(surface);
     const FlgSurfacePoint point = point_above(view, 0.2, 0.5);
@@ -158,6 +166,22 @@ TEST(TangleOddities, ASeedOutsideOfTheRegionDividesNothing) {
     seeds.points = &point;
     seeds.point_count = 1;
     ASSERT_EQ(host.divide(contour(tangle, right, seeds, 0.1f, 2)), FLG_OK);
+    EXPECT_EQ(host.info(tangle).leaf_count, 2u);
+}
+
+TEST_F(TangleInHalves, APolylineOutsideOfTheRegionIsRefused) {
+    const FlgSurfaceView view = host.view(surface);
+    const Regions right = {view.mesh.regions[point_above(view, 0.8, 0.5).triangle]};
+    // Vertices, all triangles around which are in the left half.
+    const FlgSurfacePoint points[] = {{point_above(view, 0.17, 0.33).triangle, 0, 0},
+                                      {point_above(view, 0.17, 0.67).triangle, 0, 0}};
+    FlgTangleDivideDesc desc = contour(tangle, right, {}, 0.1f, 1);
+    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.a.points = points;
+    desc.a.point_count = 2;
+    const Refused refused = divide(host, desc);
+    EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(refused.sentence.find("no way leads from"), std::string::npos) << refused.sentence;
     EXPECT_EQ(host.info(tangle).leaf_count, 2u);
 }
 

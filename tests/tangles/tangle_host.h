@@ -81,6 +81,18 @@ private:
 };
 
 // Isolines of the distance from what `seeds` says.
+inline FlgTangleSeeds samples(float radius) {
+    FlgTangleSeeds seeds{};
+    seeds.sample_radius = radius;
+    return seeds;
+}
+
+inline FlgTangleSeeds borders(FlgTangleBorders which) {
+    FlgTangleSeeds seeds{};
+    seeds.borders = which;
+    return seeds;
+}
+
 inline FlgTangleDivideDesc contour(FlgTangle tangle, const Regions& regions, const FlgTangleSeeds& seeds, float delta,
                                    uint32_t count) {
     FlgTangleDivideDesc desc = flgTangleDivideDefaults();
@@ -104,6 +116,12 @@ inline void expect_chequered(const TangleHost& host, FlgSurface surface, FlgTang
                       host.region(tangle, view.mesh.regions[other]).group);
         }
     }
+}
+
+inline double whole_area(const FlgSurfaceView& view) {
+    double sum = 0;
+    for (const auto& [label, area] : areas(view)) sum += area;
+    return sum;
 }
 
 // How many pieces, joined by edges, the triangles of each label are in.

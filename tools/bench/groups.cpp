@@ -22,6 +22,7 @@ const std::vector<Group>& groups() {
         {"ribbon", run_ribbon},
         {"cutting", run_cutting},
         {"tangles", run_tangles},
+        {"skeletons", run_skeletons},
 #if defined(FLG_WITH_PICK)
         {"picking", run_picking},
 #endif

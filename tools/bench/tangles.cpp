@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A session of tangles on a mesh of 2 million triangles: what operators cost, everything included, what it costs to take
-// them back, and how much memory the surface, its solvers and the history have in the end.
+// them back, and how much memory the surface, its solvers and the history have in the end; and what a host's frames see of it.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <new>
+#include <string_view>
+#include <thread>
 
 #include "bench/groups.h"
 #include "bench/host.h"
@@ -15,6 +18,8 @@ namespace {
 
 constexpr uint32_t kTriangles = 2'000'000, kCells = 130, kSteps = 200;
 constexpr double kOperatorMs = 100, kUndoMs = 30, kSamplesOverSolve = 2, kCellsOverSolve = 2.5, kMemoryMb = 400;
+constexpr uint32_t kFrameSteps = 40, kBudgetUs = 2000;
+constexpr double kTickUs = 2500, kVisibleMs = 200, kFrameMs = 1000.0 / 90;
 
 // Counts what is held; without workers, so without locks.
 class CountingMemory {
@@ -41,7 +46,8 @@ uint64_t processor_ns(void*) {
 
 class Session {
 public:
-    Session() : host_(memory_.hooks(), FlgClock{nullptr, processor_ns}) {
+    explicit Session(const FlgAllocator& memory = {}, const FlgClock& clock = {}, uint32_t workers = 0)
+        : host_(memory, clock, workers) {
         const MeshArrays mesh = bumpy_torus(kTriangles);
         FlgColumn column;
         FlgSurfaceDesc desc = flgSurfaceDefaults();
@@ -56,6 +62,7 @@ public:
     double finish(FlgJob job) {
         host_.run();
         host_.check_done(job);
+        last_ = job;
         FlgJobStatus status{};
         status.struct_size = sizeof status;
         check(flgJobGetStatus(host_.context(), job, &status));
@@ -87,7 +94,7 @@ public:
         check(flgFieldRelease(host_.context(), field));
         return ms;
     }
-    double divide(FlgTangleOperator kind, uint32_t region, const FlgTangleSeeds& seeds, float delta, uint32_t count) {
+    FlgJob divide(FlgTangleOperator kind, uint32_t region, const FlgTangleSeeds& seeds, float delta, uint32_t count) {
         FlgTangleDivideDesc desc = flgTangleDivideDefaults();
         desc.tangle = tangle_;
         desc.kind = kind;
@@ -98,8 +105,28 @@ public:
         desc.count = count;
         FlgJob job{};
         check(flgTangleDivide(host_.context(), &desc, &job));
-        return finish(job);
+        return job;
     }
+    // Of the last job that was finished: its stages of these names together.
+    double stages_ms(std::initializer_list<std::string_view> names) {
+        FlgStageTime stages[16];
+        uint32_t count = 0;
+        check(flgJobGetStages(host_.context(), last_, stages, 16, &count));
+        double us = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            if (std::find(names.begin(), names.end(), stages[i].name) != names.end()) us += stages[i].busy_us;
+        }
+        return us * 1e-3;
+    }
+    // A frame: how long the tick took, by the host's clock.
+    double tick(uint32_t budget_us, FlgFrameReport& report) {
+        report = {};
+        report.struct_size = sizeof report;
+        const auto begin = std::chrono::steady_clock::now();
+        check(flgTick(host_.context(), budget_us, &report));
+        return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+    }
+    void check_done(FlgJob job) { host_.check_done(job); }
     double undo() { return step(flgTangleUndo); }
     double redo() { return step(flgTangleRedo); }
     FlgTangleInfo info() {
@@ -108,7 +135,6 @@ public:
         check(flgTangleGetInfo(host_.context(), tangle_, &info));
         return info;
     }
-    double held_mb() const { return memory_.held_mb(); }
 
 private:
     double step(FlgResult (*go)(FlgContext, FlgTangle, FlgJob*)) {
@@ -117,10 +143,10 @@ private:
         return finish(job);
     }
 
-    CountingMemory memory_;
     Host host_;
     FlgSurface surface_{};
     FlgTangle tangle_{};
+    FlgJob last_{};
 };
 
 FlgTangleSeeds borders(FlgTangleBorders which) {
@@ -137,22 +163,46 @@ FlgTangleSeeds samples(float radius, uint32_t count) {
 }
 
 // As a designer goes on: the cells, a band along each, then one region after the other.
-std::vector<double> run_steps(Session& session) {
-    std::vector<double> ms;
-    ms.push_back(session.divide(FLG_TANGLE_VORONOI, 0, samples(0.05f, kCells), 1, 1));
-    ms.push_back(session.divide(FLG_TANGLE_CONTOUR, 0, borders(FLG_TANGLE_BORDERS_EACH), 0.02f, 1));
-    const uint32_t first = 1, cells = kCells;
-    while (ms.size() < kSteps) {
-        const auto n = static_cast<uint32_t>(ms.size());
-        const uint32_t cell = first + n % cells;
-        if (n % 3 == 0) {
-            ms.push_back(session.divide(FLG_TANGLE_CONTOUR, cell, samples(0.05f, 12), 0.015f, 1));
-        } else {
-            ms.push_back(
-                session.divide(FLG_TANGLE_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), 0.03f + 0.002f * n, 2));
+FlgJob begin_step(Session& session, uint32_t n) {
+    constexpr uint32_t first = 1, cells = kCells;
+    if (n == 0) return session.divide(FLG_TANGLE_VORONOI, 0, samples(0.05f, kCells), 1, 1);
+    if (n == 1) return session.divide(FLG_TANGLE_CONTOUR, 0, borders(FLG_TANGLE_BORDERS_EACH), 0.02f, 1);
+    const uint32_t cell = first + n % cells;
+    if (n % 3 == 0) return session.divide(FLG_TANGLE_CONTOUR, cell, samples(0.05f, 12), 0.015f, 1);
+    const float delta = 0.03f + 0.002f * static_cast<float>(n);
+    return session.divide(FLG_TANGLE_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), delta, 2);
+}
+
+struct Frames {
+    std::vector<double> ticks_us, visible_ms;
+    float longest_chunk_us = 0;
+    std::string longest_chunk_stage;
+};
+
+// A host with one worker that ticks 90 times a second: how long ticks take, and how long until an edit is seen.
+Frames play_frames() {
+    using Clock = std::chrono::steady_clock;
+    const auto ms = [](Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); };
+    Session session({}, {}, 1);
+    Frames frames;
+    for (uint32_t n = 0; n < kFrameSteps; ++n) {
+        const Clock::time_point asked = Clock::now();
+        const FlgJob job = begin_step(session, n);
+        FlgFrameReport report = {};
+        for (report.jobs_pending = 1; report.jobs_pending > 0;) {
+            const Clock::time_point frame = Clock::now();
+            frames.ticks_us.push_back(session.tick(kBudgetUs, report));
+            if (report.longest_chunk_us > frames.longest_chunk_us) {
+                frames.longest_chunk_us = report.longest_chunk_us;
+                frames.longest_chunk_stage = report.longest_chunk_stage;
+            }
+            if (report.jobs_pending > 0)
+                std::this_thread::sleep_until(frame + std::chrono::duration<double, std::milli>(kFrameMs));
         }
+        session.check_done(job);
+        frames.visible_ms.push_back(ms(Clock::now() - asked));
     }
-    return ms;
+    return frames;
 }
 
 double mean(const std::vector<double>& values) {
@@ -165,7 +215,8 @@ double mean(const std::vector<double>& values) {
 
 std::vector<Row> run_tangles() {
     std::vector<Row> rows;
-    Session session;
+    CountingMemory memory;
+    Session session(memory.hooks(), {nullptr, processor_ns});
     const double solve = median_ms(3, [&] { return session.solve_ms(); });
     const double sampling = session.samples_ms(kCells);
     char note[160];
@@ -174,15 +225,20 @@ std::vector<Row> run_tangles() {
                   sampling / solve);
     rows.push_back(below("2 M triangles: 130 samples over a solve", sampling / solve, "x", kSamplesOverSolve, note));
 
-    const std::vector<double> steps = run_steps(session);
+    std::vector<double> steps;
+    double cells = 0;
+    for (uint32_t n = 0; n < kSteps; ++n) {
+        steps.push_back(session.finish(begin_step(session, n)));
+        if (n == 0) cells = session.stages_ms({"sources", "solve", "cells"});
+    }
+    std::snprintf(note, sizeof note, "field and borders; sampled, cut and labelled in %.0f ms", steps[0]);
+    rows.push_back(below("2 M triangles: 130 cells over a solve", cells / solve, "x", kCellsOverSolve, note));
     std::snprintf(note, sizeof note, "cells %.0f ms, a band along each %.0f ms, slowest of the rest %.0f ms", steps[0],
                   steps[1], *std::max_element(steps.begin() + 2, steps.end()));
-    rows.push_back(below("2 M triangles: 130 cells over a solve", (steps[0] - sampling) / solve, "x", kCellsOverSolve,
-                         "without the sampling"));
     rows.push_back(below("2 M triangles: an operator, mean of 200", mean(steps), "ms", kOperatorMs, note));
     const FlgTangleInfo info = session.info();
     std::snprintf(note, sizeof note, "%u regions", info.region_count);
-    rows.push_back(below("2 M triangles: memory after 200 steps", session.held_mb(), "MB", kMemoryMb, note));
+    rows.push_back(below("2 M triangles: memory after 200 steps", memory.held_mb(), "MB", kMemoryMb, note));
 
     std::vector<double> undo, redo;
     for (uint32_t i = 0; i < info.undo_count; ++i) undo.push_back(session.undo());
@@ -191,6 +247,18 @@ std::vector<Row> run_tangles() {
     rows.push_back(below("2 M triangles: undo, median of 200", median(undo), "ms", kUndoMs, note));
     std::snprintf(note, sizeof note, "mean %.1f ms; of the cells %.0f ms", mean(redo), redo.front());
     rows.push_back(below("2 M triangles: redo, median of 200", median(redo), "ms", kUndoMs, note));
+
+    const Frames frames = play_frames();
+    std::snprintf(note, sizeof note, "%zu ticks, median %.0f us; the worker's longest chunk %.0f us (%s)",
+                  frames.ticks_us.size(), median(frames.ticks_us), static_cast<double>(frames.longest_chunk_us),
+                  frames.longest_chunk_stage.c_str());
+    rows.push_back(below("2 M triangles: longest tick at 2 ms, one worker",
+                         *std::max_element(frames.ticks_us.begin(), frames.ticks_us.end()), "us", kTickUs, note));
+    std::snprintf(note, sizeof note, "longest %.0f ms but for the cells (%.0f ms) and a band along each (%.0f ms)",
+                  *std::max_element(frames.visible_ms.begin() + 2, frames.visible_ms.end()), frames.visible_ms[0],
+                  frames.visible_ms[1]);
+    rows.push_back(
+        below("2 M triangles: until an edit is seen, mean of 40", mean(frames.visible_ms), "ms", kVisibleMs, note));
     return rows;
 }
 

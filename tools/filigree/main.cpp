@@ -72,7 +72,7 @@ void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
 
 int main(int argc, char** argv) {
     CLI::App program(
-        "Filigree: real-time expressive curves. Curves are read from .xyz, .obj, .gltf, .glb and .tilt files,\n"
+        "Filigree: real-time expressive curves. Curves are read from .xyz, .obj, .gltf, .glb, .tilt and .svg files,\n"
         "or made: builtin:NAME or builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...).\n"
         "Meshes are read from .ply, .obj, .off, .gltf and .glb files.",
         "filigree");
@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
     commands.push_back(flg::cli::add_geodesic(program, common));
     commands.push_back(flg::cli::add_path(program, common));
     commands.push_back(flg::cli::add_contour(program, common));
+    commands.push_back(flg::cli::add_straight_skeleton(program, common));
     commands.push_back(flg::cli::add_tangle(program, common));
 #if defined(FLG_WITH_RENDERER)
     commands.push_back(flg::cli::add_render(program, common));

@@ -32,6 +32,13 @@ std::vector<FlgMeshFaceColumn> MeshFile::face_columns() const {
     return {columns, columns + count};
 }
 
+std::vector<FlgMeshMaterial> MeshFile::materials() const {
+    const FlgMeshMaterial* materials = nullptr;
+    uint32_t count = 0;
+    check_io(flgMeshFileGetMaterials(file_.get(), &materials, &count));
+    return {materials, materials + count};
+}
+
 const FlgColumn& positions_of(const FlgMeshView& mesh) {
     return *std::find_if(mesh.columns, mesh.columns + mesh.column_count,
                          [](const FlgColumn& column) { return column.attribute == FLG_ATTRIBUTE_POSITION; });

@@ -20,6 +20,8 @@ public:
     const FlgMeshView& view() const { return view_; }
     const FlgMeshFileInfo& info() const { return info_; }
     std::vector<FlgMeshFaceColumn> face_columns() const;
+    // By region; empty where the file has none with a colour.
+    std::vector<FlgMeshMaterial> materials() const;
 
 private:
     std::string name_;

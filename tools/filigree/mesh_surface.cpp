@@ -95,10 +95,12 @@ void require_mesh_output(const std::string& path, Regions regions) {
     require_writable(path);
 }
 
-void write_mesh(const std::string& path, const FlgMeshView& mesh) {
+void write_mesh(const std::string& path, const FlgMeshView& mesh, std::span<const FlgMeshMaterial> materials) {
     FlgMeshWriteDesc desc;
     flgMeshWriteDescInit(&desc, sizeof desc);
     desc.split_regions = mesh.regions != nullptr;
+    desc.materials = materials.data();
+    desc.material_count = static_cast<uint32_t>(materials.size());
     if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw InputError(flgIoLastError());
 }
 

@@ -45,7 +45,7 @@ enum class Regions { kept, needed };
 // InputError.
 void require_mesh_output(const std::string& path, Regions regions);
 
-// Writes a mesh by its extension. Throws InputError.
-void write_mesh(const std::string& path, const FlgMeshView& mesh);
+// Writes a mesh by its extension; .glb with these materials, by region. Throws InputError.
+void write_mesh(const std::string& path, const FlgMeshView& mesh, std::span<const FlgMeshMaterial> materials = {});
 
 }  // namespace flg::cli

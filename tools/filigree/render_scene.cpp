@@ -35,6 +35,21 @@ std::vector<render::Material> region_materials() {
     return materials;
 }
 
+// Those that the file gives its regions.
+std::vector<render::Material> materials_of(const MeshFile& mesh) {
+    constexpr float kThinnestPx = 0.5f;  // that the renderer draws
+    std::vector<render::Material> materials;
+    for (const FlgMeshMaterial& from : mesh.materials()) {
+        render::Material& to = materials.emplace_back();
+        to.color = {from.color[0], from.color[1], from.color[2]};
+        to.metallic = from.metallic;
+        to.roughness = from.roughness;
+        if (from.border_width_px > 0.0f) to.border_width_px = std::max(from.border_width_px, kThinnestPx);
+        to.border_color = {from.border_color[0], from.border_color[1], from.border_color[2]};
+    }
+    return materials;
+}
+
 // 1, 2 or 5 times a power of ten: the one that gives the most levels up to the usual number.
 double round_spacing(double span) {
     const double least = span / kUsualLevels;
@@ -96,9 +111,14 @@ void RenderScene::read_field(Report& report) {
 
 render::SurfaceLook RenderScene::look_of(const MeshFile& mesh) const {
     render::SurfaceLook look;
-    if (mesh.info().region_count > 1) {
+    const std::vector<render::Material> materials = materials_of(mesh);
+    if (mesh.info().region_count > 1 && materials.empty()) {
         look.regions = region_materials();
         look.border_width_px = kBorderWidthPx;
+    } else if (mesh.info().region_count > 1) {
+        look.regions = materials;
+    } else if (!materials.empty()) {
+        look.material = materials[0];
     }
     look.isoline_spacing = static_cast<float>(spacing_);
     return look;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // filigree tangle: decorates a mesh by a script.
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 #include "command.h"
 #include "failure.h"
 #include "path_curves.h"
+#include "tangle_document.h"
 #include "tangle_script.h"
 #include "text_file.h"
 
@@ -13,7 +16,7 @@ namespace flg::cli {
 namespace {
 
 struct Options {
-    std::string mesh, script, output, masks, curves;
+    std::string mesh, script, output, document, masks, curves;
 };
 
 // What each leaf is shown as: a group, one number after the other.
@@ -38,6 +41,22 @@ Groups visible_groups(const TangleScript& script, const FlgMeshView& mesh) {
     return groups;
 }
 
+// The cut mesh, by the script's materials, or by groups where it has none.
+void write_result(const Options& options, FlgMeshView mesh, const TangleScript& script, const Groups& groups) {
+    const TangleMaterials& materials = script.materials();
+    if (materials.table.empty()) {
+        mesh.regions = groups.of_triangle.data();
+        write_mesh(options.output, mesh);
+        return;
+    }
+    std::vector<uint32_t> of_triangle;
+    for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
+        of_triangle.push_back(materials.of_region[mesh.regions[t]]);
+    }
+    mesh.regions = of_triangle.data();
+    write_mesh(options.output, mesh, materials.table);
+}
+
 void write_masks(const Options& options, const FlgMeshView& mesh, const Groups& groups) {
     const FlgMeshFaceColumn column = {"group", groups.of_triangle.data()};
     FlgMeshWriteDesc desc;
@@ -47,18 +66,42 @@ void write_masks(const Options& options, const FlgMeshView& mesh, const Groups& 
     check(flgMeshFileWrite(options.masks.c_str(), &mesh, &desc), options.masks);
 }
 
+// What is written must not take the place of what is read, or of something else that is written.
+void require_distinct(const Options& options, const CommonOptions& common) {
+    std::map<std::filesystem::path, const char*> files;
+    const auto add = [&](const std::string& file, const char* what) {
+        if (file.empty()) return;
+        const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+        const auto [found, is_new] = files.emplace(place, what);
+        if (!is_new) throw UsageError(file + ": is both the " + found->second + " and the " + what);
+    };
+    add(options.mesh, "mesh");
+    add(options.script, "script");
+    add(options.output, "output");
+    add(options.document, "document");
+    add(options.masks, "masks");
+    add(options.curves, "curves");
+    add(common.report, "report");
+}
+
 FlgCurveSet trace_borders(Session& session, const TangleScript& script, const Options& options, Report& report) {
     FlgSurfaceCurves borders = {};
     FlgJob job = {};
     check(flgTangleBorders(session.context(), script.tangle(), &borders, &job), options.mesh);
     session.finish({{{job, options.mesh}}}, report);
+    if (view_of(session.context(), borders).curve_count == 0) {
+        report.warn(options.curves + ": not written, no border is seen");
+        return {};
+    }
     return lift(session, borders, options.mesh, report);
 }
 
 void run_tangle(const Options& options, const CommonOptions& common) {
+    require_distinct(options, common);
     require_mesh_output(options.output, Regions::needed);
     if (!options.masks.empty()) require_mesh_output(options.masks, Regions::needed);
     if (!options.curves.empty()) require_curve_output(options.curves);
+    if (!options.document.empty()) require_writable(options.document);
     require_writable(common.report);
     const nlohmann::json script = JsonPlace::read(options.script);
     Report report("tangle", common);
@@ -68,7 +111,11 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     const MeshSurface surface(session, options.mesh, 0.0f, report);
     surface.warn_of_repairs(report);
     TangleScript tangle(session, surface, report);
-    tangle.run(script, options.script);
+    if (is_document(script)) {
+        replay_document(session, tangle.tangle(), options.script, report);
+    } else {
+        tangle.run(script, options.script);
+    }
 
     const FlgCurveSet borders =
         options.curves.empty() ? FlgCurveSet{} : trace_borders(session, tangle, options, report);
@@ -82,13 +129,13 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     report.counts["depth"] = info.depth;
     report.counts["cut_vertices"] = mesh.vertex_count;
     report.counts["cut_triangles"] = mesh.triangle_count;
-    FlgMeshView shown = mesh;
-    shown.regions = groups.of_triangle.data();
-    write_mesh(options.output, shown);
+    report.counts["materials"] = tangle.materials().table.size();
+    write_result(options, mesh, tangle, groups);
     if (!options.masks.empty()) write_masks(options, mesh, groups);
-    if (!options.curves.empty()) {
+    if (borders.id != 0) {
         report.counts["border_points"] = write_curves(session.context(), borders, options.curves);
     }
+    if (!options.document.empty()) write_document(session, tangle.tangle(), options.document);
     report.write();
 }
 
@@ -98,12 +145,18 @@ Command add_tangle(CLI::App& program, const CommonOptions& common) {
     CLI::App* app = program.add_subcommand("tangle", "Decorates a mesh with recursive ornament, by a script");
     const auto o = std::make_shared<Options>();
     app->add_option("MESH", o->mesh, "Mesh: .obj, .ply, .off, .gltf or .glb")->required();
-    app->add_option("SCRIPT", o->script, "Operations, JSON; sdk/tangles/README.md describes them")
+    app->add_option(
+           "SCRIPT", o->script,
+           "Operations, JSON; sdk/tangles/README.md describes them. Or a document, to be made again on this mesh")
         ->required()
         ->type_name("SCRIPT.json");
-    app->add_option("-o,--output", o->output, "Result: .glb with a primitive and a material a group, .ply or .obj")
+    app->add_option(
+           "-o,--output", o->output,
+           "Result: .glb with a primitive a material, or a group where the script has no materials; .ply or .obj")
         ->required()
         ->type_name("OUT");
+    app->add_option("--document", o->document, "Write all steps, to be made again on this mesh or on a finer one")
+        ->type_name("D");
     app->add_option("--masks", o->masks, "Write the cut mesh with the face properties `region` and `group`")
         ->type_name("M.ply");
     app->add_option("--curves", o->curves, "Write the borders that are seen: .xyz, .obj or .glb")->type_name("C.xyz");

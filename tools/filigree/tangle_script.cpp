@@ -7,13 +7,17 @@
 
 #include "failure.h"
 #include "mesh_places.h"
+#include "tangle_borders.h"
+#include "tangle_shapes.h"
 
 namespace flg::cli {
 
 namespace {
 
 constexpr double kLargest = 1e30;
-constexpr size_t kFirstMacro = 7;  // among the names of operations
+constexpr float kShapeSize = 0.8f;  // of the circle that has room
+// Among the names of operations.
+constexpr size_t kFirstMacro = 7, kLastMacro = 14, kShapes = 15, kStylize = 16;
 constexpr uint32_t kAnyCount = std::numeric_limits<uint32_t>::max();
 
 // A vertex by its number, or three coordinates.
@@ -59,13 +63,26 @@ void TangleScript::finish(FlgJob job, const JsonPlace& subject) {
 
 void TangleScript::run(const nlohmann::json& script, const std::string& name) {
     const JsonPlace whole(script, name + ": script");
-    whole.allow({"unit", "operations"});
+    whole.allow({"unit", "operations", "materials"});
     if (const auto unit = whole.find("unit"); unit && unit->word({"metres", "size"}) == 1) {
         const FlgSurfaceReport& report = surface_.report();
         unit_ = std::hypot(report.box_max[0] - report.box_min[0], report.box_max[1] - report.box_min[1],
                            report.box_max[2] - report.box_min[2]);
     }
+    folder_ = std::filesystem::path(name).parent_path();
     for (const JsonPlace& operation : whole.at("operations").items()) run_operation(operation);
+    if (const auto materials = whole.find("materials")) take_materials(*materials);
+}
+
+void TangleScript::take_materials(const JsonPlace& list) {
+    std::vector<ScriptMaterial> entries = read_materials(list, [this](const JsonPlace& on) {
+        const std::vector<uint32_t> regions = select(on);
+        if (regions.empty()) report_.warn(on.path() + ": selects no region");
+        return regions;
+    });
+    std::vector<FlgTangleRegion> regions;
+    for (uint32_t r = 0; r < info().region_count; ++r) regions.push_back(region(r));
+    materials_ = spread_materials(std::move(entries), regions);
 }
 
 float TangleScript::length(const JsonPlace& place) const {
@@ -73,12 +90,12 @@ float TangleScript::length(const JsonPlace& place) const {
 }
 
 void TangleScript::run_operation(const JsonPlace& operation) {
-    operation.allow({"op",     "name",   "on",       "from",   "to",    "delta",        "count",
-                     "groups", "cycle",  "scaffold", "closed", "each",  "perturbation", "frequency",
-                     "seed",   "amount", "bias",     "gain",   "reach", "size",         "spacing"});
-    const size_t op =
-        operation.at("op").word({"contour", "stream", "voronoi", "polyline", "displace", "group", "join", "sunburst",
-                                 "polka_dots", "frames", "flower", "grid", "outline", "lace", "cells"});
+    operation.allow({"op",    "name",     "on",     "from", "to",           "delta",     "count", "groups",
+                     "cycle", "scaffold", "closed", "each", "perturbation", "frequency", "seed",  "amount",
+                     "bias",  "gain",     "reach",  "size", "spacing",      "svg",       "turn",  "style"});
+    const size_t op = operation.at("op").word({"contour", "stream", "voronoi", "polyline", "displace", "group", "join",
+                                               "sunburst", "polka_dots", "frames", "flower", "grid", "outline", "lace",
+                                               "cells", "shapes", "stylize"});
     Result result;
     result.applied = select(operation.at("on"));
     if (result.applied.empty()) operation.at("on").fail("selects no region");
@@ -88,10 +105,15 @@ void TangleScript::run_operation(const JsonPlace& operation) {
         if (op <= FLG_TANGLE_POLYLINE) return divide(operation, static_cast<FlgTangleOperator>(op), regions);
         apply_macro(operation, static_cast<FlgTangleMacro>(op - kFirstMacro), regions);
     };
-    if ((op <= FLG_TANGLE_POLYLINE || op >= kFirstMacro) && each) {
+    const bool divides = op <= FLG_TANGLE_POLYLINE || (op >= kFirstMacro && op <= kLastMacro);
+    if (divides && each) {
         for (const uint32_t region : result.applied) divide_all({region});
-    } else if (op <= FLG_TANGLE_POLYLINE || op >= kFirstMacro) {
+    } else if (divides) {
         divide_all(result.applied);
+    } else if (op == kShapes) {
+        cut_shapes(operation, result.applied);
+    } else if (op == kStylize) {
+        stylize_borders(operation, result.applied);
     } else if (op == 4) {
         displace(operation, result.applied);
     } else {
@@ -102,9 +124,16 @@ void TangleScript::run_operation(const JsonPlace& operation) {
               operation.path());
         finish(job, operation);
     }
-    for (uint32_t r = before; r < info().region_count; ++r) result.made.push_back(r);
+    const uint32_t after = info().region_count;
+    const bool may_divide = divides || op == kShapes || op == kStylize;
+    if (may_divide && after == before) report_.warn(operation.path() + " divides nothing");
+    for (uint32_t r = before; r < after; ++r) {
+        const FlgTangleRegion node = region(r);
+        if (node.child_count == 0 && node.joined_into == FLG_NO_INDEX) result.made.push_back(r);
+    }
     if (const auto name = operation.find("name")) {
         if (name->text() == "root") name->fail("is taken by the whole surface");
+        if (name->text() == "default") name->fail("is taken by the material of all that has no other");
         if (!results_.emplace(name->text(), std::move(result)).second) name->fail("was given before");
     }
 }
@@ -119,17 +148,12 @@ void TangleScript::divide(const JsonPlace& operation, FlgTangleOperator kind, co
     SeedArrays from, to;
     desc.a = read_seeds(operation.at("from"), from);
     if (const auto seeds = operation.find("to")) desc.b = read_seeds(*seeds, to);
-    if (const auto delta = operation.find("delta")) {
-        // A share of the blend has no unit.
-        const bool is_share = kind == FLG_TANGLE_CONTOUR && operation.find("to");
-        desc.delta = is_share ? delta->number(0, 1) : length(*delta);
-    }
+    // A share of the blend has no unit.
+    const bool is_share = kind == FLG_TANGLE_CONTOUR && operation.find("to");
+    if (!is_share) desc.delta = in_metres(desc.delta);
+    if (const auto delta = operation.find("delta")) desc.delta = is_share ? delta->number(0, 1) : length(*delta);
     if (const auto count = operation.find("count")) desc.count = count->count(0, 256);
-    if (const auto groups = operation.find("groups")) {
-        desc.grouping = static_cast<FlgTangleGrouping>(groups->word({"two", "one", "each", "cycle"}));
-    }
-    if (const auto cycle = operation.find("cycle")) desc.cycle = cycle->count(1, 65536);
-    if (const auto scaffold = operation.find("scaffold")) desc.scaffold = scaffold->flag() ? 1 : 0;
+    read_groups(operation, desc);
     if (const auto closed = operation.find("closed")) desc.closed = closed->flag() ? 1 : 0;
     if (const auto perturbation = operation.find("perturbation")) desc.perturbation = length(*perturbation);
     if (const auto frequency = operation.find("frequency")) {
@@ -141,6 +165,122 @@ void TangleScript::divide(const JsonPlace& operation, FlgTangleOperator kind, co
     finish(job, operation);
 }
 
+void TangleScript::read_groups(const JsonPlace& operation, FlgTangleDivideDesc& desc) const {
+    if (const auto groups = operation.find("groups")) {
+        desc.grouping = static_cast<FlgTangleGrouping>(groups->word({"two", "one", "each", "cycle"}));
+    }
+    if (const auto cycle = operation.find("cycle")) desc.cycle = cycle->count(1, 65536);
+    if (const auto scaffold = operation.find("scaffold")) desc.scaffold = scaffold->flag() ? 1 : 0;
+}
+
+// The leaves below regions, rising.
+std::vector<uint32_t> TangleScript::leaves_of(const std::vector<uint32_t>& regions) const {
+    const std::set<uint32_t> chosen(regions.begin(), regions.end());
+    std::set<uint32_t> leaves;
+    const uint32_t count = info().region_count;
+    for (uint32_t r = 0; r < count; ++r) {
+        uint32_t at = r;
+        while (at != FLG_NO_INDEX && !chosen.contains(at)) at = region(at).parent;
+        if (at == FLG_NO_INDEX || region(r).child_count > 0) continue;
+        uint32_t leaf = r;
+        while (region(leaf).joined_into != FLG_NO_INDEX) leaf = region(leaf).joined_into;
+        leaves.insert(leaf);
+    }
+    return {leaves.begin(), leaves.end()};
+}
+
+// A file that a script names: from the script's folder on.
+std::string TangleScript::file_of(const JsonPlace& place) const {
+    return (folder_ / place.text()).string();
+}
+
+// Along lines on the surface as it is; one step.
+void TangleScript::cut_lines(const JsonPlace& operation, const std::vector<uint32_t>& regions, FlgSurfaceCurves lines) {
+    FlgTangleDivideDesc desc;
+    flgTangleDivideDescInit(&desc, sizeof desc);
+    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.tangle = tangle_;
+    desc.regions = regions.data();
+    desc.region_count = static_cast<uint32_t>(regions.size());
+    desc.a.curves = lines;
+    read_groups(operation, desc);
+    FlgJob job = {};
+    check(flgTangleDivide(session_.context(), &desc, &job), operation.path());
+    finish(job, operation);
+}
+
+// Cut into the regions, then into those around them; what these lose is joined to the regions, whose identifiers are lower.
+void TangleScript::stylize_borders(const JsonPlace& operation, const std::vector<uint32_t>& regions) {
+    const std::vector<uint32_t> inside = leaves_of(regions);
+    const RegionBorders borders = find_borders(surface_.view(), {inside.begin(), inside.end()});
+    if (borders.around.empty()) operation.at("on").fail("has no borders on the surface");
+    StrokeLook look = {file_of(operation.at("style")), double{length(operation.at("size"))}, 1};
+    if (!(look.length > 0)) operation.at("size").fail("must be above 0");
+    if (const auto seed = operation.find("seed")) look.seed = seed->count(0, kAnyCount);
+    const FlgCurveSet lines = stylize_lines(session_, borders.lines, look, operation.path(), report_);
+    const auto cut = [&](const std::vector<uint32_t>& divided) {
+        const FlgSurfaceCurves laid = lay_lines(session_, surface_.handle(), lines, operation.path(), report_);
+        cut_lines(operation, divided, laid);
+        flgSurfaceCurvesRelease(session_.context(), laid);
+    };
+    cut(inside);
+    const uint32_t first = info().region_count;
+    cut({borders.around.begin(), borders.around.end()});
+    flgCurveSetRelease(session_.context(), lines);
+    for (const auto& [region, won] : won_regions(leaves_of(regions), first)) {
+        std::vector<uint32_t> joined = {region};
+        joined.insert(joined.end(), won.begin(), won.end());
+        FlgJob job = {};
+        check(flgTangleJoin(session_.context(), tangle_, joined.data(), static_cast<uint32_t>(joined.size()), &job),
+              operation.path());
+        finish(job, operation);
+    }
+}
+
+// Of the regions from the first one on, those to the left of lines: by the one of others, to the left of lines as well, with
+// which they have most edges in common.
+std::map<uint32_t, std::vector<uint32_t>> TangleScript::won_regions(const std::vector<uint32_t>& others,
+                                                                    uint32_t first) const {
+    const FlgSurfaceView surface = surface_.view();
+    const std::set<uint32_t> inside(others.begin(), others.end());
+    std::map<uint32_t, std::map<uint32_t, uint32_t>> edges;
+    for (uint32_t edge = 0; edge < 3 * surface.mesh.triangle_count; ++edge) {
+        const uint32_t across = surface.neighbours[edge];
+        if (across == FLG_NO_INDEX) continue;
+        const uint32_t a = surface.mesh.regions[edge / 3], b = surface.mesh.regions[across];
+        if (a >= first && inside.contains(b) && region(a).part == 0 && region(b).part == 0) ++edges[a][b];
+    }
+    std::map<uint32_t, std::vector<uint32_t>> won;
+    for (const auto& [sliver, touched] : edges) {
+        const auto most = std::max_element(touched.begin(), touched.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        won[most->first].push_back(sliver);
+    }
+    return won;
+}
+
+void TangleScript::cut_shapes(const JsonPlace& operation, const std::vector<uint32_t>& regions) {
+    SpaceLines shape = read_lines(file_of(operation.at("svg")), report_);
+    prepare_shape(shape);
+    const float size = operation.find("size") ? operation.at("size").number(0, kLargest) : kShapeSize;
+    const float turn = operation.find("turn") ? operation.at("turn").number(-kLargest, kLargest) : 0;
+    const std::vector<uint32_t> cells = leaves_of(regions);
+    const std::vector<CellMiddle> middles = find_middles(session_, surface_, cells, operation.path(), report_);
+    const FlgMeshView mesh = surface_.view().mesh;
+    SpaceLines all;
+    for (const CellMiddle& middle : middles) {
+        if (middle.vertex == FLG_NO_INDEX) continue;
+        place_shape(shape, vertex_at(mesh, middle.vertex), middle.normal, double{size} * middle.radius,
+                    turn * M_PI / 180, all);
+    }
+    if (all.count() == 0) operation.fail("has no room in any of its regions");
+    const FlgCurveSet set = create_set(session_.context(), all, operation.path());
+    const FlgSurfaceCurves laid = lay_lines(session_, surface_.handle(), set, operation.path(), report_);
+    cut_lines(operation, cells, laid);
+    flgCurveSetRelease(session_.context(), set);
+    flgSurfaceCurvesRelease(session_.context(), laid);
+}
+
 void TangleScript::apply_macro(const JsonPlace& operation, FlgTangleMacro kind, const std::vector<uint32_t>& regions) {
     FlgTangleMacroDesc desc;
     flgTangleMacroDescInit(&desc, sizeof desc);
@@ -149,6 +289,8 @@ void TangleScript::apply_macro(const JsonPlace& operation, FlgTangleMacro kind, 
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
     if (const auto count = operation.find("count")) desc.count = count->count(1, 256);
+    desc.size = in_metres(desc.size);
+    desc.spacing = in_metres(desc.spacing);
     if (const auto size = operation.find("size")) desc.size = length(*size);
     if (const auto spacing = operation.find("spacing")) desc.spacing = length(*spacing);
     if (const auto seed = operation.find("seed")) desc.seed = seed->count(0, kAnyCount);
@@ -163,6 +305,7 @@ void TangleScript::displace(const JsonPlace& operation, const std::vector<uint32
     desc.tangle = tangle_;
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
+    desc.amount = in_metres(desc.amount);
     if (const auto amount = operation.find("amount")) {
         desc.amount = static_cast<float>(unit_ * double{amount->number(-kLargest, kLargest)});
     }
@@ -211,16 +354,39 @@ FlgTangleSeeds TangleScript::read_seeds(const JsonPlace& place, SeedArrays& arra
 }
 
 std::vector<uint32_t> TangleScript::select(const JsonPlace& selection) const {
-    if (!selection.is_array()) return select_by_name(selection);
+    if (selection.is_string()) return select_by_name(selection);
+    if (!selection.is_array()) return select_inside(selection);
     std::set<uint32_t> all;
     for (const JsonPlace& item : selection.items()) {
-        const std::vector<uint32_t> some = select_by_name(item);
+        const std::vector<uint32_t> some = select(item);
         all.insert(some.begin(), some.end());
     }
     return {all.begin(), all.end()};
 }
 
-// NAME, NAME.regions, NAME.foreground, NAME.background or NAME.part:N.
+// {"of": SELECTION, "in": SELECTION}: those of the first that are, or lie in, one of the second.
+std::vector<uint32_t> TangleScript::select_inside(const JsonPlace& selection) const {
+    selection.allow({"of", "in"});
+    const std::vector<uint32_t> around = select(selection.at("in"));
+    const std::set<uint32_t> places(around.begin(), around.end());
+    std::vector<uint32_t> inside;
+    for (const uint32_t chosen : select(selection.at("of"))) {
+        uint32_t at = chosen;
+        while (at != FLG_NO_INDEX && !places.contains(at)) at = region(at).parent;
+        if (at != FLG_NO_INDEX) inside.push_back(chosen);
+    }
+    return inside;
+}
+
+// Of foreground, background, light and dark.
+bool TangleScript::is_of(uint32_t number, const std::string& which) const {
+    const FlgTangleRegion node = region(number);
+    if (which == "foreground" || which == "background") return (node.part % 2 == 1) == (which == "background");
+    const uint32_t around = node.parent == FLG_NO_INDEX ? 0 : region(node.parent).part;
+    return ((node.part + around) % 2 == 1) == (which == "dark");
+}
+
+// NAME, NAME.regions, NAME.foreground, NAME.background, NAME.light, NAME.dark or NAME.part:N.
 std::vector<uint32_t> TangleScript::select_by_name(const JsonPlace& place) const {
     const std::string text = place.text();
     if (text == "root") return {0};
@@ -231,22 +397,20 @@ std::vector<uint32_t> TangleScript::select_by_name(const JsonPlace& place) const
     const std::string which = text.substr(dot + 1);
     if (which == "regions") return found->second.made;
     const bool by_part = which.rfind("part:", 0) == 0;
-    if (!by_part && which != "foreground" && which != "background") {
-        place.fail("knows .regions, .foreground, .background and .part:N, not `." + which + "`");
+    if (!by_part && which != "foreground" && which != "background" && which != "light" && which != "dark") {
+        place.fail("knows .regions, .foreground, .background, .light, .dark and .part:N, not `." + which + "`");
     }
-    uint64_t wanted = which == "background" ? 1 : 0;
+    uint32_t part = 0;
     if (by_part) {
         const std::string digits = which.substr(5);
         if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) {
             place.fail("needs a number after `.part:`");
         }
-        wanted = std::stoul(digits);
+        part = static_cast<uint32_t>(std::stoul(digits));
     }
     std::vector<uint32_t> chosen;
-    for (const uint32_t r : found->second.made) {
-        const uint32_t number = region(r).part;
-        if ((by_part ? number : number % 2) == wanted) chosen.push_back(r);
-    }
+    std::copy_if(found->second.made.begin(), found->second.made.end(), std::back_inserter(chosen),
+                 [&](uint32_t r) { return by_part ? region(r).part == part : is_of(r, which); });
     return chosen;
 }
 

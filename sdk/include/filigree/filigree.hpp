@@ -25,6 +25,7 @@
 
 #include "filigree.h"
 #include "filigree_live.h"
+#include "filigree_project.h"
 #include "filigree_surface.h"
 #include "filigree_tangle.h"
 
@@ -226,6 +227,18 @@ public:
     }
     Job group(const std::vector<uint32_t>& regions) { return change(flgTangleGroup, regions); }
     Job join(const std::vector<uint32_t>& regions) { return change(flgTangleJoin, regions); }
+    // Valid until the tangle changes, or it is called again.
+    FlgTangleHistory history() const {
+        FlgTangleHistory history{};
+        history.struct_size = sizeof history;
+        check(flgTangleGetHistory(context_, handle_, &history));
+        return history;
+    }
+    Job replay(const FlgTangleHistory& history) {
+        FlgJob job{};
+        check(flgTangleReplay(context_, handle_, &history, &job));
+        return {context_, job};
+    }
     Job undo() { return step(flgTangleUndo); }
     Job redo() { return step(flgTangleRedo); }
 
@@ -358,6 +371,9 @@ public:
     }
     SurfaceCurves paths(const FlgPathsDesc& desc, Job* out_job = nullptr) {
         return start<SurfaceCurves, FlgSurfaceCurves>(flgTracePaths, desc, out_job);
+    }
+    SurfaceCurves project(const FlgProjectDesc& desc, Job* out_job = nullptr) {
+        return start<SurfaceCurves, FlgSurfaceCurves>(flgProjectCurves, desc, out_job);
     }
     CurveSet lift(const FlgLiftDesc& desc, Job* out_job = nullptr) {
         return start<CurveSet, FlgCurveSet>(flgLiftCurves, desc, out_job);

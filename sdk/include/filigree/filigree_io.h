@@ -17,7 +17,7 @@
  *                 where all curves have them; lengths, speeds and directions go with their nodes. .glb is written, as
  *                 lines, ribbons or tubes. No sparse accessors; buffers only embedded or below the file's folder
  *   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system
- *
+ *   .svg          shapes' and paths' outlines, read only; y upwards, a metre a px, curves flattened to 1/1000 of their size
  * Formats of meshes, by extension; read and written, .gltf only read:
  *   .ply          ascii and binary are read, little-endian binary is written. Vertices: positions, colours (0 to 1 if
  *                 they are integers), normals and the columns this library writes, by the names below. Faces: the list
@@ -27,7 +27,8 @@
  *                 from 0 in the order of first use, and written as such. Texture coordinates and normals are passed over
  *   .off          also COFF, NOFF and CNOFF; colours (0 to 255 if one is above 1) but no regions
  *   .gltf .glb    TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN with COLOR_0, placed by the scene's nodes; regions are
- *                 materials, numbered from 0 in the order of first use. .glb is written. Limits as for curves
+ *                 materials, numbered from 0 in the order of first use; their factors are read, textures passed over.
+ *                 .glb is written. Limits as for curves
  * Columns have these names in .ply and .xyz: x y z; nx ny nz; red green blue alpha; radius, time, pressure,
  * style_index, angle, width, speed; tangent_0 to _2, orientation_0 to _3, radii_0 to _2, displacement_0 to _2;
  * FLG_ATTRIBUTE_USER + N: userN, or userN_0, userN_1, ... of several components. Of meshes the other formats hold
@@ -38,6 +39,7 @@
 
 #include "filigree.h"
 #include "filigree_surface.h"
+#include "filigree_tangle.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -143,6 +145,22 @@ typedef struct FlgMeshFaceColumn {
 FLG_API FlgResult flgMeshFileGetFaceColumns(FlgMeshFile file, const FlgMeshFaceColumn** out_columns,
                                             uint32_t* out_count);
 
+/* How a region looks: glTF's metallic-roughness model, and a line where it meets another. Colours are linear RGB. */
+typedef struct FlgMeshMaterial {
+    const char* name;       /* UTF-8, at most 255 bytes; null: `region N` */
+    float color[3];         /* 0 to 1 each */
+    float metallic;         /* 0 = paint, clay, wood to 1 = bare metal */
+    float roughness;        /* 0 = polished to 1 = matte */
+    float border_color[3];  /* of the lines to regions that come before it in the table, 0 to 1 each */
+    float border_width_px;  /* of these lines, 0 to 64 pixels; 0: none */
+    uint32_t reserved;
+} FlgMeshMaterial;
+
+/* The materials of a .gltf or .glb file, one a region of the view (the only one where that has no regions), if at least one
+ * says a colour; else null and 0. Factors that a material leaves out are glTF's: white, metallic 1, roughness 1. Lines are
+ * read from this library's files: glTF has none. Lives until the file is released. */
+FLG_API FlgResult flgMeshFileGetMaterials(FlgMeshFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count);
+
 typedef struct FlgMeshFileInfo {
     uint32_t struct_size;
     uint32_t vertex_count;        /* as stored: formats that keep normals or texture with vertices repeat positions */
@@ -166,7 +184,8 @@ typedef struct FlgMeshWriteDesc {
     uint32_t face_column_count;            /* 0 to 16. Default 0 */
     const FlgMeshFaceColumn* face_columns; /* written to .ply, different names; the other formats have no place for them */
     uint32_t split_regions;                /* nonzero: a primitive and a material for each region in .glb. Default 0 */
-    uint32_t reserved;
+    uint32_t material_count;               /* with split_regions: above all regions' labels. Default 0: named, without colour */
+    const FlgMeshMaterial* materials;      /* those of .glb, by label; materials that no region has are left out */
 } FlgMeshWriteDesc;
 
 FLG_API FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint32_t struct_size);
@@ -176,6 +195,31 @@ FLG_API FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint32_t struct_s
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
  * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshWriteDesc* desc);
+
+/* ---- Documents of tangles ------------------------------------------------------------------------------------- */
+
+/* A history read from a file, with its memory. */
+typedef struct FlgTangleFileT* FlgTangleFile;
+
+/* Writes the history of a tangle (flgTangleGetHistory) as JSON that can be read, with a side file for arrays of more than twelve
+ * numbers: `PATH.CHECKSUM.bin`, beside it. The JSON is put into its place last, and then the side file of the document that
+ * was there is removed: a save that is cut short leaves the document as it was. Where the history needs no side file none is
+ * written. The same history gives the same bytes.
+ * Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that aren't finite), FLG_ERROR_FILE, FLG_ERROR_LIMIT (8 MiB of JSON, 2 GiB
+ * of arrays). */
+FLG_API FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history);
+
+/* Reads a document, and checks it as far as that can be done without its mesh: version, keys, types, sizes, the side file's size
+ * and checksum, finite numbers. What the numbers may not be flgTangleReplay finds out. Nothing is read twice, so that what is
+ * made of a file is no larger than some multiple of it.
+ * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. */
+FLG_API FlgResult flgTangleFileRead(const char* path, FlgTangleFile* out_file);
+
+/* The history, ready for flgTangleReplay; lives until the file is released. */
+FLG_API FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* out_history);
+
+/* Null is allowed. */
+FLG_API void flgTangleFileRelease(FlgTangleFile file);
 
 #ifdef __cplusplus
 }

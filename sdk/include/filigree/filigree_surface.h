@@ -279,8 +279,8 @@ typedef struct FlgSamplingDesc {
 
 FLG_API FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint32_t struct_size);
 
-/* Starts a job that spreads points over the surface, each as far as possible from those before it: Poisson-disk samples in
- * the geodesic metric (sec. 4.2), at vertices. The field tells the distance to the nearest point; its labels are the Voronoi cells. */
+/* Starts a job that spreads points over the surface, each as far as possible from those before it (of more than 16,384 vertices most in
+ * space): Poisson-disk samples in the geodesic metric (sec. 4.2), at vertices. The field: distances to the nearest one; labels: its cell. */
 FLG_API FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgField* out_field,
                                    FlgJob* out_job);
 

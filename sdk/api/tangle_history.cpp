@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Histories of tangles: shown to hosts.
+#include <algorithm>
+#include <span>
+
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "api/tangle_change.h"
+#include "api/tangle_requests.h"
+
+namespace flg {
+
+namespace {
+
+// What an FlgTangleHistory points to. Arrays that records hold in the host's form already are shown where they are.
+class ShownHistory {
+public:
+    ShownHistory(const Tangle& tangle, Memory* memory)
+        : records_(memory),
+          steps_(memory),
+          divides_(memory),
+          macros_(memory),
+          displaces_(memory),
+          stretches_(memory),
+          points_(memory),
+          places_(memory),
+          made_(memory) {
+        for (size_t i = 0; i < tangle.steps.size(); ++i) {
+            if (!tangle.steps[i]->goes_on) begin_step(*tangle.steps[i]->record);
+            add_record(tangle.steps[i]->record);
+        }
+        for (size_t i = 0; i < steps_.size(); ++i) {
+            steps_[i].places = places_[i].data();
+            steps_[i].place_count = static_cast<uint32_t>(places_[i].size());
+            steps_[i].made = made_[i].empty() ? nullptr : made_[i][0].data();
+            steps_[i].made_count = static_cast<uint32_t>(made_[i].size());
+        }
+    }
+
+    std::span<const FlgTangleStep> steps() const { return steps_; }
+
+private:
+    void begin_step(const StepRecord& record) {
+        FlgTangleStep step{};
+        step.struct_size = sizeof step;
+        step.first_region = record.first_region;
+        if (record.macro) {
+            step.kind = FLG_TANGLE_STEP_MACRO;
+            step.macro = &macros_.emplace_back(describe(*record.macro));
+        } else if (const auto* const divide = std::get_if<DivideRequest>(&record.request)) {
+            step.kind = FLG_TANGLE_STEP_DIVIDE;
+            step.divide = &divides_.emplace_back(describe(*divide));
+        } else if (const auto* const displace = std::get_if<DisplaceRequest>(&record.request)) {
+            step.kind = FLG_TANGLE_STEP_DISPLACE;
+            step.displace = &displaces_.emplace_back(describe(*displace));
+        } else if (const auto* const group = std::get_if<GroupRequest>(&record.request)) {
+            step.kind = FLG_TANGLE_STEP_GROUP;
+            show(group->regions, step.regions, step.region_count);
+        } else if (const auto* const ungroup = std::get_if<UngroupRequest>(&record.request)) {
+            step.kind = FLG_TANGLE_STEP_UNGROUP;
+            step.group = ungroup->group;
+        } else {
+            step.kind = FLG_TANGLE_STEP_JOIN;
+            show(std::get<JoinRequest>(record.request).regions, step.regions, step.region_count);
+        }
+        steps_.push_back(step);
+        places_.emplace_back();
+        made_.emplace_back();
+    }
+
+    void add_record(const std::shared_ptr<const StepRecord>& record) {
+        records_.push_back(record);
+        if (const auto* const divide = std::get_if<DivideRequest>(&record->request)) {
+            places_.back().push_back(describe(divide->a, record->a));
+            places_.back().push_back(describe(divide->b, record->b));
+        }
+        if (record->a.given || record->b.given) steps_.back().placed = 1;
+        made_.back().insert(made_.back().end(), record->places.begin(), record->places.end());
+    }
+
+    static void show(const std::pmr::vector<RegionId>& regions, const uint32_t*& out, uint32_t& count) {
+        out = regions.data();
+        count = static_cast<uint32_t>(regions.size());
+    }
+    static const float* first_of(const Buffer<Position>& positions) {
+        return positions.empty() ? nullptr : positions[0].data();
+    }
+
+    FlgTangleSeedPlaces describe(const TangleSeeds& seeds, const SeedAnchors& anchors) {
+        FlgTangleSeedPlaces places{};
+        places.points = first_of(anchors.points);
+        places.point_count = static_cast<uint32_t>(anchors.points.size());
+        places.loops = first_of(anchors.loops);
+        places.loop_count = static_cast<uint32_t>(anchors.loops.size());
+        places.samples = first_of(anchors.samples);
+        places.sample_count = static_cast<uint32_t>(anchors.samples.size());
+        if (!seeds.curves) return places;
+        const TracedCurves& curves = anchors.given ? *anchors.given_curves : *seeds.curves;
+        const TracedCurves::Flat& flat = curves.flat;
+        places.curves.struct_size = sizeof places.curves;
+        places.curves.curve_count = curves.curves.curve_count();
+        places.curves.curve_offsets = flat.offsets.data();
+        places.curves.curve_flags = flat.flags.data();
+        places.curves.curve_values = flat.values.data();
+        places.curves.points = flat.points.data();
+        places.curve_points = first_of(anchors.curve_points);
+        return places;
+    }
+
+    FlgTangleSeeds describe(const TangleSeeds& seeds) {
+        FlgTangleSeeds shown{};
+        shown.borders = seeds.borders;
+        std::pmr::vector<FlgBorderStretch>& stretches = stretches_.emplace_back();
+        for (const BorderStretch& stretch : seeds.stretches) {
+            stretches.push_back({stretch.loop, static_cast<float>(stretch.begin), static_cast<float>(stretch.end)});
+        }
+        shown.stretches = stretches.data();
+        shown.stretch_count = static_cast<uint32_t>(stretches.size());
+        std::pmr::vector<FlgSurfacePoint>& points = points_.emplace_back();
+        for (const SurfacePoint& point : seeds.points) points.push_back({point.triangle, point.u, point.v});
+        shown.points = points.data();
+        shown.point_count = static_cast<uint32_t>(points.size());
+        shown.sample_count = seeds.sample_count;
+        shown.sample_radius = seeds.sample_radius;
+        shown.border_spacing = seeds.border_spacing;
+        show(seeds.regions, shown.regions, shown.region_count);
+        return shown;
+    }
+
+    FlgTangleDivideDesc describe(const DivideRequest& request) {
+        FlgTangleDivideDesc desc = default_divide_desc();
+        desc.kind = request.kind;
+        show(request.regions, desc.regions, desc.region_count);
+        desc.count = request.count;
+        desc.a = describe(request.a);
+        desc.b = describe(request.b);
+        desc.delta = request.delta;
+        desc.grouping = request.grouping;
+        desc.cycle = request.cycle;
+        desc.scaffold = request.scaffold ? 1 : 0;
+        desc.closed = request.closed ? 1 : 0;
+        desc.perturbation = request.perturbation.amount;
+        desc.frequency = request.perturbation.frequency;
+        desc.seed = request.perturbation.seed;
+        return desc;
+    }
+
+    static FlgTangleMacroDesc describe(const MacroRequest& request) {
+        FlgTangleMacroDesc desc = default_macro_desc();
+        desc.kind = request.kind;
+        show(request.regions, desc.regions, desc.region_count);
+        desc.count = request.count;
+        desc.size = request.size;
+        desc.spacing = request.spacing;
+        desc.seed = request.seed;
+        return desc;
+    }
+
+    static FlgTangleDisplaceDesc describe(const DisplaceRequest& request) {
+        FlgTangleDisplaceDesc desc = default_displace_desc();
+        show(request.regions, desc.regions, desc.region_count);
+        desc.amount = request.amount;
+        desc.bias = request.bias;
+        desc.gain = request.gain;
+        desc.reach = request.reach;
+        return desc;
+    }
+
+    std::pmr::vector<std::shared_ptr<const StepRecord>> records_;
+    std::pmr::vector<FlgTangleStep> steps_;
+    std::pmr::deque<FlgTangleDivideDesc> divides_;
+    std::pmr::deque<FlgTangleMacroDesc> macros_;
+    std::pmr::deque<FlgTangleDisplaceDesc> displaces_;
+    std::pmr::deque<std::pmr::vector<FlgBorderStretch>> stretches_;
+    std::pmr::deque<std::pmr::vector<FlgSurfacePoint>> points_;
+    std::pmr::deque<std::pmr::vector<FlgTangleSeedPlaces>> places_;  // by step
+    std::pmr::deque<std::pmr::vector<Position>> made_;               // likewise
+};
+
+FlgTangleHistory describe(const Tangle& tangle, const ShownHistory& shown) {
+    FlgTangleHistory history{};
+    history.struct_size = sizeof history;
+    history.steps = shown.steps().data();
+    history.step_count = static_cast<uint32_t>(shown.steps().size());
+    for (size_t i = 0; i < tangle.made; ++i) history.made_count += tangle.steps[i]->goes_on ? 0 : 1;
+    history.base = tangle.base.number;
+    std::copy_n(tangle.base.lower.data(), 3, history.box_min);
+    std::copy_n(tangle.base.upper.data(), 3, history.box_max);
+    return history;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgTangleGetHistory(FlgContext context, FlgTangle tangle, FlgTangleHistory* out_history) {
+    return guarded([&] {
+        FlgTangleHistory none{};
+        none.struct_size = sizeof none;
+        write_struct(out_history, none, "out_history");
+        Context& self = get_context(context);
+        Tangle& of = *self.tangles.get(tangle.id, "tangle");
+        const FlgResult result = visible_result_now(of);
+        if (result != FLG_OK) return result;
+        const auto shown = make_object<ShownHistory>(self, of, &self.memory);
+        of.shown_history = shown;
+        write_struct(out_history, describe(of, *shown), "out_history");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Histories of tangles: read from hosts, and made again.
+#include "tangles/tangle_replay.h"
+
+#include <cmath>
+
+#include "api/descriptors.h"
+#include "api/inputs.h"
+#include "api/tangle_change.h"
+#include "api/tangle_requests.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t flatten_chunk = 1u << 20;
+
+Buffer<Position> read_positions(const float* positions, uint32_t count, const char* argument, Memory* memory) {
+    if (count > 0) require(positions, argument);
+    Buffer<Position> copy(count, memory);
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+            copy[i][k] = positions[3 * i + k];
+            if (is_coordinate(copy[i][k])) continue;
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%zu] is %g, must be finite and at most 1e30 in size",
+                          argument, 3 * i + k, static_cast<double>(copy[i][k]));
+        }
+    }
+    return copy;
+}
+
+// Lines of a history. Whether their triangles exist the job finds out.
+std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurvesView& view,
+                                         const std::shared_ptr<Surface>& surface) {
+    if (view.curve_count == 0) return nullptr;
+    const uint32_t* const offsets = &require(view.curve_offsets, "curves.curve_offsets");
+    const uint8_t* const flags = &require(view.curve_flags, "curves.curve_flags");
+    const float* const values = &require(view.curve_values, "curves.curve_values");
+    if (offsets[0] != 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curves.curve_offsets[0] is %u, must be 0", offsets[0]);
+    }
+    auto lines = make_object<TracedCurves>(context, surface, &context.memory);
+    for (uint32_t c = 0; c < view.curve_count; ++c) {
+        const bool closed = (flags[c] & FLG_CURVE_CLOSED) != 0;
+        if (offsets[c + 1] < uint64_t{offsets[c]} + (closed ? 3 : 2)) {
+            throw Failure(
+                FLG_ERROR_INVALID_ARGUMENT,
+                "curves.curve_offsets[%u] is %u after %u; a curve has two points at least, a closed one three", c + 1,
+                offsets[c + 1], offsets[c]);
+        }
+        check_range(!std::isnan(values[c]), "curves.curve_values", values[c], "a number");
+        lines->curves.offsets.push_back(offsets[c + 1]);
+        lines->curves.closed.push_back(closed);
+        lines->curves.values.push_back(values[c]);
+    }
+    const Buffer<SurfacePoint> points =
+        read_points(view.points, offsets[view.curve_count], "curves.points", &context.memory);
+    lines->curves.points.assign(points.begin(), points.end());
+    FlattenCurvesKernel flatten_curves(*lines, &context.memory);
+    while (!flatten_curves.run(flatten_chunk)) {}
+    return lines;
+}
+
+void read_places(Context& context, const FlgTangleSeedPlaces& places, bool placed,
+                 const std::shared_ptr<Surface>& surface, TangleSeeds& seeds, SeedAnchors& anchors) {
+    Memory* const memory = &context.memory;
+    if (places.point_count != 0 && places.point_count != seeds.points.size()) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "places.point_count is %u, but the seeds have %zu points",
+                      places.point_count, seeds.points.size());
+    }
+    anchors.points = read_positions(places.points, places.point_count, "places.points", memory);
+    anchors.loops = read_positions(places.loops, places.loop_count, "places.loops", memory);
+    anchors.samples = read_positions(places.samples, places.sample_count, "places.samples", memory);
+    anchors.given_curves = read_lines(context, places.curves, surface);
+    if (anchors.given_curves) {
+        anchors.located_curves = make_object<TracedCurves>(context, surface, memory);
+        const auto count = static_cast<uint32_t>(anchors.given_curves->curves.points.size());
+        anchors.curve_points = read_positions(places.curve_points, count, "places.curve_points", memory);
+    }
+    seeds.curves = anchors.given_curves;
+    anchors.known = true;
+    anchors.given = placed;
+}
+
+StepRecords read_request(const FlgTangleStep& step, Memory* memory) {
+    switch (step.kind) {
+        case FLG_TANGLE_STEP_DIVIDE:
+            return record_step(read_divide(read_struct(step.divide, default_divide_desc(), "divide"), memory), memory);
+        case FLG_TANGLE_STEP_MACRO:
+            return record_macro(read_macro(read_struct(step.macro, default_macro_desc(), "macro"), memory), memory);
+        case FLG_TANGLE_STEP_DISPLACE:
+            return record_step(read_displace(read_struct(step.displace, default_displace_desc(), "displace"), memory),
+                               memory);
+        case FLG_TANGLE_STEP_UNGROUP: return record_step(UngroupRequest{step.group}, memory);
+        default: break;
+    }
+    check_range(step.region_count >= 1, "region_count", step.region_count, "at least 1");
+    std::pmr::vector<RegionId> regions = read_region_ids(step.regions, step.region_count, "regions", memory);
+    if (step.kind == FLG_TANGLE_STEP_GROUP) return record_step(GroupRequest{std::move(regions)}, memory);
+    return record_step(JoinRequest{std::move(regions)}, memory);
+}
+
+StepRecords read_step(Context& context, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface) {
+    check_enum(step.kind, FLG_TANGLE_STEP_DIVIDE, FLG_TANGLE_STEP_JOIN, "kind", "FLG_TANGLE_STEP_");
+    StepRecords records = read_request(step, &context.memory);
+    if (step.placed != 0 && step.place_count == 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "place_count is 0, but the step is placed");
+    }
+    if (step.place_count != 0) {
+        require(step.places, "places");
+        const bool divides = std::holds_alternative<DivideRequest>(records[0]->request);
+        const size_t needed = divides ? 2 * records.size() : 0;
+        if (step.place_count != needed) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "place_count is %u, must be 0 or %zu", step.place_count, needed);
+        }
+        for (size_t i = 0; i < records.size(); ++i) {
+            auto& divide = std::get<DivideRequest>(records[i]->request);
+            const bool placed = step.placed != 0;
+            read_places(context, step.places[2 * i], placed, surface, divide.a, records[i]->a);
+            read_places(context, step.places[2 * i + 1], placed, surface, divide.b, records[i]->b);
+        }
+    }
+    if (step.kind == FLG_TANGLE_STEP_DIVIDE) check_seeds_of(std::get<DivideRequest>(records[0]->request));
+    // A macro's regions come one operator after the other; together they are followed as well.
+    records.back()->first_region = step.first_region;
+    records.back()->places = read_positions(step.made, step.made_count, "made", &context.memory);
+    return records;
+}
+
+ReplayRequest read_history(Context& context, const FlgTangleHistory& history, const std::shared_ptr<Surface>& surface) {
+    ReplayRequest request(&context.memory);
+    check_range(history.made_count <= history.step_count, "history.made_count", history.made_count,
+                "at most step_count");
+    if (history.step_count > 0) require(history.steps, "history.steps");
+    request.base.number = history.base;
+    for (size_t k = 0; k < 3; ++k) {
+        check_range(is_coordinate(history.box_min[k]), "history.box_min", history.box_min[k], "finite");
+        check_range(is_coordinate(history.box_max[k]), "history.box_max", history.box_max[k], "finite");
+        request.base.lower[k] = history.box_min[k];
+        request.base.upper[k] = history.box_max[k];
+    }
+    for (uint32_t i = 0; i < history.step_count; ++i) {
+        try {
+            check_struct_size<FlgTangleStep>(history.steps[i].struct_size, "step");
+            request.steps.push_back(read_step(context, history.steps[i], surface));
+        } catch (const Failure& failure) {
+            throw Failure(failure.result(), "history.steps[%u]: %.200s", i, failure.what());
+        }
+    }
+    request.made = history.made_count;
+    return request;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" FlgResult flgTangleReplay(FlgContext context, FlgTangle tangle, const FlgTangleHistory* history,
+                                     FlgJob* out_job) {
+    return guarded([&] {
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        FlgTangleHistory none{};
+        none.struct_size = sizeof none;
+        const FlgTangleHistory read = read_struct(history, none, "history");
+        TangleChange change(self, default_job_options(), tangle, "tangle");
+        ReplayRequest request = read_history(self, read, change.tangle->surface);
+        change.needs_blocks();
+        change.commit(replay_tangle(change.submission.pace(), change.tangle, std::move(request), change.revision()),
+                      out_job);
+        return FLG_OK;
+    });
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Source: Khronos, glTF 2.0 specification (5.19 material, 5.22 material.pbrMetallicRoughness).
+// Materials of glTF documents: their factors and their names, and the border lines that Filigree writes as `extras`.
+#pragma once
+
+#include "io/gltf_document.h"
+#include "io/mesh_data.h"
+
+namespace flg::io {
+
+struct GltfMaterial {
+    MaterialData data;
+    bool says_color = false;
+};
+
+// Numbers outside of their range are taken to its ends; what is no number is refused. A material that isn't there is
+// the format's default.
+GltfMaterial read_material(const GltfDocument& document, uint64_t index, const std::string& place);
+
+}  // namespace flg::io

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Contours: what is drawn around a shape, and around the holes in it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/failure.h"
+#include "core/memory.h"
+#include "skeletons/contour_fault.h"
+#include "skeletons/point2.h"
+
+namespace flg {
+
+// Rings without repeated ends: the first goes around the shape counter-clockwise, the others around holes clockwise.
+struct Contour {
+    explicit Contour(Memory* memory) : points(memory), input_points(memory), offsets(memory) {}
+
+    uint32_t size() const { return static_cast<uint32_t>(points.size()); }
+    uint32_t ring_count() const { return static_cast<uint32_t>(offsets.size()) - 1; }
+    // The ring that a point is on.
+    uint32_t ring_of(uint32_t point) const;
+    // The point after it on its ring.
+    uint32_t next(uint32_t point) const;
+
+    std::pmr::vector<Point2> points;
+    std::pmr::vector<uint32_t> input_points;  // one a point: which it was before it was cleaned
+    std::pmr::vector<uint32_t> offsets;       // where each ring begins, and the end
+};
+
+// Makes a contour of rings as they were drawn, ring r from point offsets[r] to the next offset: each is turned as it has to
+// be, and of points nearer to each other than 1e-11 of the size of all that follow each other the first is kept. Points on one line
+// with those around them stay. Throws for rings of fewer than three points or no area (all points within 1e-10 of its size of one line) and for numbers that are not finite or whose
+// squares are not; whether rings cross is found when they are triangulated. Linear in the points.
+Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory);
+
+// A sentence that says what is wrong, and where.
+Failure describe_fault(const Contour& contour, const ContourFault& fault);
+
+}  // namespace flg

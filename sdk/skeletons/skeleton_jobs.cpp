@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "skeletons/skeleton_jobs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t chunk = 25;  // about 10 us
+
+// Hosts see nodes and arcs as plain numbers.
+static_assert(sizeof(SkeletonNode) == 3 * sizeof(double) && sizeof(SkeletonArc) == 4 * sizeof(uint32_t));
+
+}  // namespace
+
+void HeldStraightSkeleton::show() noexcept {
+    view_ = {.struct_size = sizeof view_,
+             .contour_count = contour.size(),
+             .node_count = static_cast<uint32_t>(skeleton.nodes.size()),
+             .arc_count = static_cast<uint32_t>(skeleton.arcs.size()),
+             .nodes = &skeleton.nodes.data()->at.x,
+             .arcs = &skeleton.arcs.data()->a,
+             .face_offsets = skeleton.face_offsets.data(),
+             .face_nodes = skeleton.face_nodes.data(),
+             .input_points = contour.input_points.data(),
+             .residual = skeleton.residual,
+             .perturbation = skeleton.perturbation};
+}
+
+Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out) {
+    pace.stage("straight_skeleton");
+    StraightSkeletonKernel kernel(out->contour, out->skeleton, pace.memory());
+    while (!kernel.run(chunk)) co_await pace;
+}
+
+}  // namespace flg

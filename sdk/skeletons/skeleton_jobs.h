@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Skeletons as hosts hold them, and the jobs that make them.
+#pragma once
+
+#include <memory>
+
+#include "filigree/filigree_skeleton.h"
+#include "runtime/pace.h"
+#include "runtime/product.h"
+#include "skeletons/straight_skeleton.h"
+
+namespace flg {
+
+class HeldStraightSkeleton final : public Product {
+public:
+    HeldStraightSkeleton(Contour of_contour, Memory* memory) : contour(std::move(of_contour)), skeleton(memory) {}
+
+    Contour contour;
+    StraightSkeleton skeleton;
+
+    const FlgStraightSkeletonView& view() const { return view_; }
+
+private:
+    void show() noexcept override;
+
+    FlgStraightSkeletonView view_{};
+};
+
+// The whole of flgStraightSkeletonCreate.
+Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out);
+
+}  // namespace flg

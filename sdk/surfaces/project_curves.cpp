@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "surfaces/project_curves.h"
+
+#include "core/failure.h"
+#include "surfaces/geodesic_jobs.h"
+#include "surfaces/geodesic_path.h"
+#include "surfaces/surface_walk.h"
+
+namespace flg {
+
+namespace {
+
+// Each about 10 us.
+constexpr uint32_t build_chunk = 300;
+constexpr uint32_t find_chunk = 100;
+constexpr uint32_t walk_chunk = 100;
+constexpr uint32_t path_chunk = 200;
+constexpr uint32_t flatten_chunk = 2000;
+
+struct Scene {
+    Surface& surface;
+    NearestPoints& nearest;
+    CurvesInSpace curves;
+    const char* argument;
+};
+
+Task<SurfacePoint> find_nearest(Pace& pace, const Scene& scene, uint32_t point) {
+    const float* const place = scene.curves.positions + size_t{3} * point;
+    scene.nearest.begin({place[0], place[1], place[2]});
+    while (!scene.nearest.find(find_chunk)) co_await pace;
+    co_return scene.nearest.found();
+}
+
+// The length of the shortest path; where there is none the failure names the curve's points.
+Task<double> follow_shortest(Pace& pace, const Scene& scene, const SurfacePoint& from, const SurfacePoint& to,
+                             uint32_t curve, uint32_t end, SurfaceCurves& out) {
+    const RegionSet everywhere(pace.memory());
+    DistanceField field;
+    co_await solve_between(pace, scene.surface, everywhere, to, from, field);
+    GeodesicPathKernel path(scene.surface.mesh(), from, to, {field.distances.data(), field.distances.size()},
+                            everywhere, out, pace.memory());
+    while (!path.run(path_chunk)) co_await pace;
+    if (!path.found()) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "%s: no way leads over the surface to point %u of curve %u from the one before it",
+                      scene.argument, end - scene.curves.offsets[curve], curve);
+    }
+    co_return path.length();
+}
+
+// From a curve's point to its point `end`, as laid; returns the length.
+Task<double> lay_stretch(Pace& pace, const Scene& scene, SurfacePoint from, SurfacePoint to, uint32_t curve,
+                         uint32_t end, SurfaceCurves& out) {
+    SurfaceWalkKernel walk(scene.surface.mesh(), from, to, out);
+    while (!walk.run(walk_chunk)) co_await pace;
+    if (walk.found()) co_return walk.length();
+    co_return co_await follow_shortest(pace, scene, from, to, curve, end, out);
+}
+
+}  // namespace
+
+Task<void> lay_curves(Pace& pace, Surface& surface, NearestPoints& nearest, CurvesInSpace curves, const char* argument,
+                      SurfaceCurves& out) {
+    const Scene scene{surface, nearest, curves, argument};
+    for (uint32_t c = 0; c + 1 < curves.offsets.size(); ++c) {
+        const uint32_t first = curves.offsets[c], end = curves.offsets[c + 1];
+        const bool closed = (curves.flags[c] & FLG_CURVE_CLOSED) != 0;
+        const SurfacePoint begin = co_await find_nearest(pace, scene, first);
+        SurfacePoint at = begin;
+        double length = 0;
+        for (uint32_t i = first + 1; i < end; ++i) {
+            const SurfacePoint next = co_await find_nearest(pace, scene, i);
+            length += co_await lay_stretch(pace, scene, at, next, c, i, out);
+            at = next;
+            pace.advance(1);
+        }
+        if (closed) length += co_await lay_stretch(pace, scene, at, begin, c, first, out);
+        end_polyline(out, closed, length);
+    }
+}
+
+Task<void> project_curves(Pace& pace, std::shared_ptr<const CurveSet> set, std::shared_ptr<TracedCurves> out) {
+    pace.stage("sort");
+    Surface& surface = *out->surface;
+    NearestPoints nearest(surface.mesh(), pace.memory());
+    while (!nearest.build(build_chunk)) co_await pace;
+    pace.stage("project");
+    pace.expect(set->point_count());
+    const CurvesInSpace curves{.offsets = {set->offsets().data(), size_t{set->curve_count()} + 1},
+                               .flags = {set->flags().data(), set->curve_count()},
+                               .positions = set->positions()};
+    co_await lay_curves(pace, surface, nearest, curves, "desc.curves", out->curves);
+    FlattenCurvesKernel flatten_curves(*out, pace.memory());
+    while (!flatten_curves.run(flatten_chunk)) co_await pace;
+}
+
+}  // namespace flg

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "tangles/seed_location.h"
+
+#include "surfaces/project_curves.h"
+
+namespace flg {
+
+namespace {
+
+// Each about 10 us.
+constexpr uint32_t build_chunk = 300;
+constexpr uint32_t find_chunk = 100;
+
+Task<void> locate_curves(Pace& pace, NearestPoints& nearest, const Buffer<Position>& points, const TracedCurves& traced,
+                         TracedCurves& out) {
+    SurfaceCurves located(pace.memory());
+    const CurvesInSpace curves{.offsets = {traced.flat.offsets.data(), traced.flat.offsets.size()},
+                               .flags = {traced.flat.flags.data(), traced.flat.flags.size()},
+                               .positions = points[0].data()};
+    co_await lay_curves(pace, *out.surface, nearest, curves, "curves", located);
+    out.curves = std::move(located);
+}
+
+bool has_places(const SeedAnchors& anchors) {
+    return anchors.given && (!anchors.points.empty() || !anchors.samples.empty() || anchors.given_curves);
+}
+
+Task<void> locate_in(Pace& pace, NearestPoints& nearest, TangleSeeds& seeds, SeedAnchors& anchors) {
+    if (!anchors.given) co_return;
+    if (!anchors.points.empty()) seeds.points = co_await locate(pace, nearest, anchors.points);
+    anchors.sample_points = co_await locate(pace, nearest, anchors.samples);
+    if (anchors.given_curves) {
+        co_await locate_curves(pace, nearest, anchors.curve_points, *anchors.given_curves, *anchors.located_curves);
+        seeds.curves = anchors.located_curves;
+    }
+}
+
+}  // namespace
+
+Task<Buffer<SurfacePoint>> locate(Pace& pace, NearestPoints& nearest, const Buffer<Position>& places) {
+    Buffer<SurfacePoint> found(places.size(), pace.memory());
+    for (size_t i = 0; i < places.size(); ++i) {
+        nearest.begin(places[i]);
+        while (!nearest.find(find_chunk)) co_await pace;
+        found[i] = nearest.found();
+        co_await pace;
+    }
+    co_return found;
+}
+
+Task<void> locate_seeds(Pace& pace, const Mesh& mesh, StepRecord& record) {
+    if (!has_places(record.a) && !has_places(record.b)) co_return;
+    pace.stage("locate");
+    NearestPoints nearest(mesh, pace.memory());
+    while (!nearest.build(build_chunk)) co_await pace;
+    auto& divide = std::get<DivideRequest>(record.request);
+    co_await locate_in(pace, nearest, divide.a, record.a);
+    co_await locate_in(pace, nearest, divide.b, record.b);
+}
+
+}  // namespace flg

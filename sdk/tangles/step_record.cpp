@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "tangles/step_record.h"
+
+#include <algorithm>
+
+#include "surfaces/surface_inputs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t copy_chunk = 500;   // points: about 10 us
+constexpr uint32_t chunk_work = 8000;  // about 10 us: a label is 1, a triangle that is looked at look_work
+constexpr uint32_t look_work = 100;
+constexpr uint32_t region_chunk = 1000;
+
+// So many triangles are looked at of each region, and so many of the mesh beyond these.
+constexpr uint32_t looks_a_region = 16;
+constexpr uint32_t looks_beyond = 1u << 14;
+
+struct Candidate {
+    uint32_t looks;
+    uint32_t triangle;
+    float room;
+};
+
+// How far its middle is from what is not the region's, about: the radius of its inner circle, thrice that if the region goes
+// on beyond all its edges.
+float room_within(const Mesh& mesh, uint32_t triangle) {
+    const Triple& corners = mesh.triangles[triangle];
+    const Vec3 a = mesh.position(corners[0]), b = mesh.position(corners[1]), c = mesh.position(corners[2]);
+    const double around = (b - a).norm() + (c - b).norm() + (a - c).norm();
+    const double radius = around > 0 ? (b - a).cross(c - a).norm() / around : 0;
+    for (const uint32_t across : mesh.neighbours[triangle]) {
+        if (across == no_index || mesh.regions[across] != mesh.regions[triangle]) return static_cast<float>(radius);
+    }
+    return static_cast<float>(3 * radius);
+}
+
+Position middle_of(const Mesh& mesh, uint32_t triangle) {
+    constexpr float third = 1.0f / 3;
+    Position middle;
+    store_vec3(position_of(mesh, {triangle, third, third}), middle.data());
+    return middle;
+}
+
+Task<void> record_points(Pace& pace, const Mesh& mesh, const TangleSeeds& seeds, const char* argument,
+                         SeedAnchors& anchors) {
+    if (anchors.given) co_return;
+    co_await check_points(pace, mesh, seeds.points, argument);
+    anchors.points = co_await positions_of(pace, mesh, seeds.points);
+    if (!seeds.curves) co_return;
+    const std::pmr::deque<SurfacePoint>& points = seeds.curves->curves.points;
+    Buffer<Position> positions(points.size(), pace.memory());
+    for (size_t i = 0; i < points.size(); ++i) {
+        // Those of a history may be any.
+        if (points[i].triangle >= mesh.triangle_count()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "curves.points[%zu] is in triangle %u, but there are %u triangles", i, points[i].triangle,
+                          mesh.triangle_count());
+        }
+        store_vec3(position_of(mesh, points[i]), positions[i].data());
+        if (i % copy_chunk == 0) co_await pace;
+    }
+    anchors.curve_points = std::move(positions);
+}
+
+}  // namespace
+
+StepRecords record_step(StepRecord::Request request, Memory* memory) {
+    StepRecords records(memory);
+    records.push_back(
+        std::allocate_shared<StepRecord>(std::pmr::polymorphic_allocator<StepRecord>(memory), std::move(request)));
+    StepRecord& record = *records.back();
+    if (auto* const divide = std::get_if<DivideRequest>(&record.request)) {
+        divide->a.anchors = &record.a;
+        divide->b.anchors = &record.b;
+    }
+    return records;
+}
+
+StepRecords record_macro(MacroRequest macro, Memory* memory) {
+    StepRecords records(memory);
+    for (DivideRequest& request : expand_macro(macro, memory)) {
+        records.push_back(std::move(record_step(std::move(request), memory)[0]));
+    }
+    records[0]->macro.emplace(std::move(macro));
+    return records;
+}
+
+Task<void> record_seeds(Pace& pace, const Mesh& mesh, StepRecord& record) {
+    const auto& divide = std::get<DivideRequest>(record.request);
+    co_await record_points(pace, mesh, divide.a, "desc.a.points", record.a);
+    co_await record_points(pace, mesh, divide.b, "desc.b.points", record.b);
+}
+
+Task<void> record_places(Pace& pace, const Mesh& mesh, uint32_t region_count, StepRecord& record) {
+    const RegionId first = record.first_region;
+    Buffer<Candidate> candidates(region_count - first, pace.memory());
+    for (size_t i = 0; i < candidates.size(); ++i) {
+        candidates[i] = {0, no_index, -1};
+        if (i % region_chunk == 0) co_await pace;
+    }
+    const uint32_t every = mesh.triangle_count() / looks_beyond + 1;
+    uint32_t work = 0;
+    for (uint32_t t = 0; t < mesh.triangle_count() && candidates.size() > 0; ++t) {
+        if (++work >= chunk_work) {
+            work = 0;
+            co_await pace;
+        }
+        if (mesh.regions[t] < first) continue;
+        Candidate& candidate = candidates[mesh.regions[t] - first];
+        if (candidate.looks >= looks_a_region && t % every != 0) continue;
+        ++candidate.looks;
+        work += look_work;
+        const float room = room_within(mesh, t);
+        if (room > candidate.room) {
+            candidate.room = room;
+            candidate.triangle = t;
+        }
+    }
+    Buffer<Position> places(candidates.size(), pace.memory());
+    for (size_t i = 0; i < places.size(); ++i) {
+        places[i] = candidates[i].triangle == no_index ? Position{} : middle_of(mesh, candidates[i].triangle);
+        if (i % region_chunk == 0) co_await pace;
+    }
+    record.places = std::move(places);
+}
+
+}  // namespace flg

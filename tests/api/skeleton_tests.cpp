@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Straight skeletons behind the C ABI.
+#include <functional>
+
+#include "api/host.h"
+#include "filigree/filigree_skeleton.h"
+
+namespace flg::test {
+namespace {
+
+constexpr double frame[] = {0, 0, 6, 0, 6, 6, 0, 6, 1, 1, 5, 1, 5, 5, 1, 5};
+constexpr uint32_t frame_rings[] = {0, 4, 8};
+
+FlgStraightSkeletonDesc frame_desc() {
+    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    desc.contour.points = frame;
+    desc.contour.point_count = 8;
+    desc.contour.ring_offsets = frame_rings;
+    desc.contour.ring_count = 2;
+    return desc;
+}
+
+struct SkeletonHost {
+    explicit SkeletonHost(HostAllocator* allocator = nullptr, uint32_t workers = 0) {
+        FlgContextDesc desc = flgContextDefaults();
+        desc.worker_count = workers;
+        if (allocator) desc.allocator = allocator->hook();
+        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+    }
+    ~SkeletonHost() { flgContextDestroy(context); }
+    void finish() const {
+        FlgFrameReport report{};
+        report.struct_size = sizeof report;
+        do {
+            ASSERT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
+        } while (report.jobs_pending > 0);
+    }
+    FlgContext context = nullptr;
+};
+
+TEST(SkeletonApi, AFrameHasARidgeAround) {
+    HostAllocator allocator;
+    {
+        const SkeletonHost host(&allocator);
+        const FlgStraightSkeletonDesc desc = frame_desc();
+        FlgStraightSkeleton skeleton{};
+        FlgJob job{};
+        ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, &job), FLG_OK) << flgLastError();
+        FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+        EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_NOT_READY);
+        host.finish();
+        ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(view.contour_count, 8u);
+        ASSERT_EQ(view.node_count, 12u);
+        ASSERT_EQ(view.arc_count, 12u);
+        for (uint32_t i = 8; i < 12; ++i) EXPECT_NEAR(view.nodes[3 * i + 2], 0.5, 1e-14);
+        // The hole was turned.
+        const uint32_t input[] = {0, 1, 2, 3, 7, 6, 5, 4};
+        for (uint32_t i = 0; i < 8; ++i) {
+            EXPECT_EQ(view.input_points[i], input[i]);
+            EXPECT_EQ(view.nodes[3 * i], frame[2 * input[i]]);
+            EXPECT_EQ(view.nodes[3 * i + 1], frame[2 * input[i] + 1]);
+            EXPECT_EQ(view.face_nodes[view.face_offsets[i]], i);
+        }
+        for (uint32_t i = 0; i < 12; ++i) {
+            const uint32_t* arc = view.arcs + 4 * i;
+            EXPECT_LE(view.nodes[3 * arc[0] + 2], view.nodes[3 * arc[1] + 2]);
+            EXPECT_LT(std::max(arc[2], arc[3]), 8u);
+        }
+        EXPECT_EQ(view.perturbation, 0);
+        EXPECT_LT(view.residual, 1e-14);
+        EXPECT_EQ(flgStraightSkeletonRelease(host.context, skeleton), FLG_OK);
+        EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_HANDLE);
+        EXPECT_EQ(flgStraightSkeletonRelease(host.context, skeleton), FLG_ERROR_INVALID_HANDLE);
+    }
+    EXPECT_EQ(allocator.live_bytes, 0);
+}
+
+TEST(SkeletonApi, BadDescriptorsAreRefused) {
+    const SkeletonHost host;
+    const auto refusal = [&](const std::function<void(FlgStraightSkeletonDesc&)>& change) {
+        FlgStraightSkeletonDesc desc = frame_desc();
+        change(desc);
+        FlgStraightSkeleton skeleton{7};
+        EXPECT_LT(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), 0);
+        EXPECT_EQ(skeleton.id, 0u);
+        return std::string(flgLastError());
+    };
+    using Desc = FlgStraightSkeletonDesc;
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.points = nullptr; }), "desc.contour.points is null");
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.point_count = 2; }), "desc.contour.point_count is 2, must be at least 3");
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.point_count = 1u << 25; }),
+              "desc.contour.point_count is 33554432, at most 16777216");
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_count = 0; }),
+              "desc.contour.ring_count is 0, must be at least 1, and at most the number of points");
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = nullptr; }),
+              "desc.contour.ring_count is 2, must be 1 without ring_offsets");
+    static constexpr uint32_t falling[] = {0, 9, 8}, late[] = {1, 4, 8}, early[] = {0, 4, 7};
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = falling; }),
+              "desc.contour.ring_offsets[1] is 9; offsets rise from 0 to point_count, 8");
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = late; }),
+              "desc.contour.ring_offsets[0] is 1; offsets rise from 0 to point_count, 8");
+    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = early; }),
+              "desc.contour.ring_offsets[2] is 7; offsets rise from 0 to point_count, 8");
+    EXPECT_NE(refusal([](Desc& d) { d.contour.struct_size = 3; }).find("desc.contour: struct_size is 3"),
+              std::string::npos);
+    EXPECT_NE(refusal([](Desc& d) { d.struct_size = 3; }).find("desc: struct_size is 3"), std::string::npos);
+    EXPECT_EQ(flgStraightSkeletonCreate(host.context, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+// Found by the job: the skeleton has its sentence.
+TEST(SkeletonApi, CrossingsFailTheJob) {
+    const SkeletonHost host;
+    static constexpr double bow[] = {0, 0, 2, 2, 2, 0, 0, 2};
+    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    desc.contour.points = bow;
+    desc.contour.point_count = 4;
+    FlgStraightSkeleton skeleton{};
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+    EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_STREQ(flgLastError(), "contour: the edges between points 0 and 1 and between 2 and 3 cross at (1, 1)");
+    EXPECT_EQ(view.nodes, nullptr);
+}
+
+// Each allocation fails once: nothing is lost, and the next try is good.
+TEST(SkeletonApi, MemoryMayRunOut) {
+    HostAllocator allocator;
+    {
+        const SkeletonHost host(&allocator);
+        const FlgStraightSkeletonDesc desc = frame_desc();
+        bool is_done = false;
+        int64_t failures = 0;
+        for (int64_t n = 0; !is_done; ++n) {
+            allocator.fail_at = allocator.calls + n;
+            FlgStraightSkeleton skeleton{};
+            const FlgResult made = flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr);
+            if (made == FLG_OK) {
+                host.finish();
+                FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+                const FlgResult result = flgStraightSkeletonGetView(host.context, skeleton, &view);
+                is_done = result == FLG_OK && allocator.calls <= allocator.fail_at;
+                if (result != FLG_OK) {
+                    EXPECT_EQ(result, FLG_ERROR_OUT_OF_MEMORY);
+                    ++failures;
+                }
+                flgStraightSkeletonRelease(host.context, skeleton);
+            } else {
+                EXPECT_EQ(made, FLG_ERROR_OUT_OF_MEMORY);
+                ++failures;
+            }
+            allocator.fail_at = -1;
+        }
+        EXPECT_GT(failures, 20);
+    }
+    EXPECT_EQ(allocator.live_bytes, 0);
+}
+
+}  // namespace
+}  // namespace flg::test

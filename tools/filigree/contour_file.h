@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Contours of files: NAME.poly.txt, `x y` a line, rings apart by empty lines, what follows a # ignored; and RealSkel's
+// SketchPolyline*.txt, how many points there are and then `x y z` a line, where the first point comes again at the end.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flg::cli {
+
+struct ContourArrays {
+    std::vector<double> points;  // 2 a point
+    std::vector<uint32_t> offsets = {0};
+};
+
+// Throws InputError, with the line, for what is none.
+ContourArrays read_contour_file(const std::string& path);
+
+}  // namespace flg::cli
