@@ -29,10 +29,11 @@ struct Contour {
     std::pmr::vector<uint32_t> offsets;       // where each ring begins, and the end
 };
 
-// Makes a contour of rings as they were drawn, ring r from point offsets[r] to the next offset: each is turned as it has to
-// be, and of points nearer to each other than 1e-11 of the size of all that follow each other the first is kept. Points on one line
-// with those around them stay. Throws for rings of fewer than three points or no area (all points within 1e-10 of its size of one line) and for numbers that are not finite or whose
-// squares are not; whether rings cross is found when they are triangulated. Linear in the points.
+// Makes a contour of rings as they were drawn, ring r from point offsets[r] to the next offset: each is turned as it
+// has to be, and of points nearer to each other than 1e-11 of the size of all that follow each other the first is
+// kept. Points on one line with those around them stay. Throws for rings of fewer than three points or no area (all
+// points within 1e-10 of its size of one line) and for numbers that are not finite or whose squares are not; whether
+// rings cross is found when they are triangulated. Linear in the points.
 Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory);
 
 // A sentence that says what is wrong, and where.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The triangulation of what is inside of a contour. Its points come in one by one, those near each other one after the other in
-// each of a few rounds (Amenta, Choi, Rote: Incremental constructions con BRIO, 2003), and stay Delaunay; then each edge of the
-// contour is made one of the triangulation by flipping what crosses it (Sloan: A fast algorithm for generating constrained
-// Delaunay triangulations, 1993).
+// The triangulation of what is inside of a contour. Its points come in one by one, those near each other one after
+// the other in each of a few rounds (Amenta, Choi, Rote: Incremental constructions con BRIO, 2003), and stay
+// Delaunay; then each edge of the contour is made one of the triangulation by flipping what crosses it (Sloan: A fast
+// algorithm for generating constrained Delaunay triangulations, 1993).
 //
 // Invariants
-// - Orientations are exact: all triangles turn counter-clockwise at all times. So the contour is simple if and only if all of
-//   its edges can be made, and what keeps one from it is the fault that is reported.
-// - Circles are not exact, and after flips for the contour triangles are not made Delaunay again: nothing depends on it
-//   but time.
+// - Orientations are exact: all triangles turn counter-clockwise at all times. So the contour is simple if and only
+//   if all of its edges can be made, and what keeps one from it is the fault that is reported.
+// - Circles are not exact, and after flips for the contour triangles are not made Delaunay again: nothing depends on
+//   it but time.
 #pragma once
 
 #include <array>
@@ -29,14 +29,15 @@ inline uint32_t place_in(const std::array<int32_t, 3>& three, int32_t number) {
 
 class ContourTriangulation {
 public:
-    // neighbours[k] and is_edge[k] belong to the side across from vertices[k]. At the border of all the neighbour is -1.
+    // neighbours[k] and is_edge[k] belong to the side across from vertices[k]. At the border of all the neighbour is
+    // -1.
     struct Triangle {
         std::array<int32_t, 3> vertices, neighbours;
         std::array<bool, 3> is_edge;
     };
 
-    // Rings follow each other: next[i] is the point after i on its ring; what is inside lies on the left. Coordinates are
-    // within [-2, 2] and differ somewhere. Both outlive the kernel.
+    // Rings follow each other: next[i] is the point after i on its ring; what is inside lies on the left. Coordinates
+    // are within [-2, 2] and differ somewhere. Both outlive the kernel.
     ContourTriangulation(std::span<const Point2> points, std::span<const uint32_t> next, Memory* memory);
 
     // A unit is at most 0.5 us on the whole; true at the end, or at the first fault.

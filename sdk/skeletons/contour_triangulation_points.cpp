@@ -15,7 +15,8 @@ constexpr double circle_noise = 4e-15;
 
 }  // namespace
 
-// Walks to the triangle that holds the next point. Which side is looked at first is drawn, so that no walk goes in circles.
+// Walks to the triangle that holds the next point. Which side is looked at first is drawn, so that no walk goes in
+// circles.
 void ContourTriangulation::locate() {
     const auto vertex = static_cast<int32_t>(order_[at_]);
     const Point2& point = points_[vertex];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// When each triangle of a wavefront changes next, the earliest first: a binary heap with one place a triangle, so that events
-// that no longer hold leave nothing behind. Memory is taken once.
+// When each triangle of a wavefront changes next, the earliest first: a binary heap with one place a triangle, so
+// that events that no longer hold leave nothing behind. Memory is taken once.
 #pragma once
 
 #include <cstdint>

@@ -167,8 +167,8 @@ Point2 SkeletonFaces::direction(uint32_t edge) const {
     return {(b.x - a.x) / length, (b.y - a.y) / length};
 }
 
-// From the edge's end on, its nodes go back along it as far as they go, once: then its beginning is reached. Each way of the
-// walk around a monotone face is one run, so those that turn back are added up against the tolerance.
+// From the edge's end on, its nodes go back along it as far as they go, once: then its beginning is reached. Each way
+// of the walk around a monotone face is one run, so those that turn back are added up against the tolerance.
 bool SkeletonFaces::measure(uint32_t face) {
     const uint32_t begin = out_.face_offsets[face], end = out_.face_offsets[face + 1];
     const Point2 &origin = points_[face], along = direction(face);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Faces of the arcs that a wavefront drew, and whether they can be a straight skeleton's: arcs without length are contracted, those
-// of each face are chained, and each face is measured against the line of its edge.
+// Faces of the arcs that a wavefront drew, and whether they can be a straight skeleton's: arcs without length are
+// contracted, those of each face are chained, and each face is measured against the line of its edge.
 //
-// What is checked: each face is one chain from its edge's end to its beginning that uses all its arcs once; its nodes' times are
-// their distances to the line; it turns counter-clockwise and is monotone along its edge; arcs between two edges on one line are
-// perpendicular to it; nodes have times above zero; nodes and arcs are as many as those of a plane graph with that many holes.
-// (Each arc is of two faces by the way it is drawn; with monotone faces that makes a partition.)
+// What is checked: each face is one chain from its edge's end to its beginning that uses all its arcs once; its
+// nodes' times are their distances to the line; it turns counter-clockwise and is monotone along its edge; arcs
+// between two edges on one line are perpendicular to it; nodes have times above zero; nodes and arcs are as many as
+// those of a plane graph with that many holes. (Each arc is of two faces by the way it is drawn; with monotone faces
+// that makes a partition.)
 #pragma once
 
 #include <span>
@@ -16,8 +17,8 @@ namespace flg {
 
 class SkeletonFaces {
 public:
-    // `points` are the contour's as they were given, which may have been moved for the wavefront, about the wavefront's origin,
-    // with a diagonal of `size`. All outlive the kernel.
+    // `points` are the contour's as they were given, which may have been moved for the wavefront, about the
+    // wavefront's origin, with a diagonal of `size`. All outlive the kernel.
     SkeletonFaces(std::span<const SkeletonNode> nodes, std::span<const SkeletonArc> arcs,
                   std::span<const Point2> points, std::span<const uint32_t> next, uint32_t ring_count, double size,
                   StraightSkeleton& out, Memory* memory);

@@ -10,8 +10,8 @@ namespace flg {
 
 namespace {
 
-// Of the contour's diagonal, by try. Measured on contours that fail at 0: each of the small ones helps one time in two or never,
-// each of the large ones nine times in ten.
+// Of the contour's diagonal, by try. Measured on contours that fail at 0: each of the small ones helps one time in
+// two or never, each of the large ones nine times in ten.
 constexpr double perturbations[] = {0, 1e-9, 1e-9, 1e-9, 1e-9, 1e-7, 1e-7, 1e-7, 1e-7, 1e-7, 1e-7, 1e-7, 1e-7};
 
 }  // namespace

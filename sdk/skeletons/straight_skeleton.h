@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The straight skeleton of a contour (Aichholzer, Aurenhammer, Alberts, Gaertner: A novel type of skeleton for polygons, 1995):
-// triangulated, moved inwards, its arcs chained to faces, and checked.
+// The straight skeleton of a contour (Aichholzer, Aurenhammer, Alberts, Gaertner: A novel type of skeleton for
+// polygons, 1995): triangulated, moved inwards, its arcs chained to faces, and checked.
 //
-// Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much happens at one
-// time (wavefront.h). What comes out is checked (skeleton_faces.h). If the check fails, or the front gets lost, the contour is tried
-// again with its points moved by 1e-9 of its size, and then by 1e-7, a few times each; the result says so. If that fails too there
-// is no result: never one that is wrong and does not say so, and never a loop without end.
+// Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much
+// happens at one time (wavefront.h). What comes out is checked (skeleton_faces.h). If the check fails, or the front
+// gets lost, the contour is tried again with its points moved by 1e-9 of its size, and then by 1e-7, a few times
+// each; the result says so. If that fails too there is no result: never one that is wrong and does not say so, and
+// never a loop without end.
 //
-// Where a vertex of the front reaches two places at one time the skeleton is not continuous: contours that differ by rounding
-// only can have skeletons that differ a lot, each right.
+// Where a vertex of the front reaches two places at one time the skeleton is not continuous: contours that differ by
+// rounding only can have skeletons that differ a lot, each right.
 #pragma once
 
 #include <optional>
@@ -21,12 +22,13 @@ namespace flg {
 
 class StraightSkeletonKernel {
 public:
-    // Of a contour from clean_contour. All outlive the kernel; `out` is complete when run() returns true. Memory is taken when
-    // the three steps begin, about 900 bytes a point in all, and a little for stacks.
+    // Of a contour from clean_contour. All outlive the kernel; `out` is complete when run() returns true. Memory is
+    // taken when the three steps begin, about 900 bytes a point in all, and a little for stacks.
     StraightSkeletonKernel(const Contour& contour, StraightSkeleton& out, Memory* memory);
 
-    // A unit is at most 0.5 us on the whole; where a step ends the next one has as many again. Throws, with a sentence, for contours that are not simple, and where none of the
-    // tries came through. About n log n units: 2.5 us a point in all for a hundred points, 3.5 us for some thousand.
+    // A unit is at most 0.5 us on the whole; where a step ends the next one has as many again. Throws, with a
+    // sentence, for contours that are not simple, and where none of the tries came through. About n log n units: 2.5
+    // us a point in all for a hundred points, 3.5 us for some thousand.
     bool run(uint32_t count);
 
 private:

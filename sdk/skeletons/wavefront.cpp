@@ -13,8 +13,8 @@ namespace {
 // Measured: at most 1.4 events and 0.4 flips a point.
 constexpr uint64_t events_a_point = 200, events_at_least = 10'000;
 
-// A contour of n points and any holes has less than 2 n triangles; each event that ends vertices takes one away, makes at
-// most two vertices and two nodes; each vertex draws one arc, and each loop one more.
+// A contour of n points and any holes has less than 2 n triangles; each event that ends vertices takes one away,
+// makes at most two vertices and two nodes; each vertex draws one arc, and each loop one more.
 constexpr size_t triangles_a_point = 2, vertices_a_point = 5, nodes_a_point = 5, arcs_a_point = 7;
 
 }  // namespace

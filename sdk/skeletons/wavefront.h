@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The wavefront of a contour whose edges all move inwards at unit speed, in a triangulation that moves with it: a change of
-// the front is a triangle that collapses, so nothing is searched (Aichholzer, Aurenhammer: Straight skeletons for general
-// polygonal figures in the plane, 1996; with the rules for events at one time of Palfrader, Held, Huber: On computing straight
-// skeletons by means of kinetic triangulations, 2012). Its vertices draw the straight skeleton's arcs.
+// The wavefront of a contour whose edges all move inwards at unit speed, in a triangulation that moves with it: a
+// change of the front is a triangle that collapses, so nothing is searched (Aichholzer, Aurenhammer: Straight
+// skeletons for general polygonal figures in the plane, 1996; with the rules for events at one time of Palfrader,
+// Held, Huber: On computing straight skeletons by means of kinetic triangulations, 2012). Its vertices draw the
+// straight skeleton's arcs.
 //
 // Rules that keep it right in double precision, beside those of the second paper
-// - A front edge without length vanishes now, whatever its ends' speeds: after a chain of edges collapsed at one point
-//   rounding gives those left any sign. So do two vertices at one place that share a diagonal.
+// - A front edge without length vanishes now, whatever its ends' speeds: after a chain of edges collapsed at one
+//   point rounding gives those left any sign. So do two vertices at one place that share a diagonal.
 // - A vertex between edges that meet face to face is infinitely fast: it waits until all else at its time is done.
 // - Of triangles that are flat together the one with the longest side is flipped first.
-// - A diagonal that closes as its triangle gets flat is a double root of the area: when it closes is found by itself, and
-//   stands for the flattening up to closing_lead before.
+// - A diagonal that closes as its triangle gets flat is a double root of the area: when it closes is found by itself,
+//   and stands for the flattening up to closing_lead before.
 // - Each vertex is put onto its two lines where these are far from parallel, so errors do not add up.
 // - Bounds for areas are products of two lengths at hand, never one for all.
 // All lengths are in units of the contour's diagonal, about 1.
@@ -30,11 +31,13 @@ namespace flg {
 
 class Wavefront {
 public:
-    // The triangulation is complete and without fault, its points have a diagonal of about `size`. Both outlive the kernel.
+    // The triangulation is complete and without fault, its points have a diagonal of about `size`. Both outlive the
+    // kernel.
     Wavefront(const ContourTriangulation& triangulation, std::span<const Point2> points, std::span<const uint32_t> next,
               double size, Memory* memory);
 
-    // A unit is an event, or a triangle or a point at the beginning: about 0.3 us. True at the end, also when it failed.
+    // A unit is an event, or a triangle or a point at the beginning: about 0.3 us. True at the end, also when it
+    // failed.
     bool run(uint32_t count) {
         for (; count > 0 && pass_ != Pass::done; --count) step();
         return pass_ == Pass::done;

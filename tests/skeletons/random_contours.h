@@ -15,11 +15,11 @@ bool is_simple(const std::vector<Point2>& ring);
 Rings random_star(uint64_t seed, uint32_t n);
 // A closed way through n points anywhere, without crossings.
 Rings random_tour(uint64_t seed, uint32_t n);
-// The same through points of a grid that is `cells` wide: many on one line, many changes at one time. Fewer points where edges
-// would touch others.
+// The same through points of a grid that is `cells` wide: many on one line, many changes at one time. Fewer points
+// where edges would touch others.
 Rings grid_tour(uint64_t seed, uint32_t n, uint32_t cells);
-// What is drawn around a connected set of the pixels of a square picture, with its holes. `points_at_all`: also points between
-// pixels on one line.
+// What is drawn around a connected set of the pixels of a square picture, with its holes. `points_at_all`: also
+// points between pixels on one line.
 Rings pixel_shape(uint64_t seed, uint32_t width, bool points_at_all);
 // A star with stars for holes on a grid.
 Rings star_with_holes(uint64_t seed, uint32_t n, uint32_t holes_wide, uint32_t hole_points);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All invariants on contours of many kinds. FLG_SKELETON_ROUNDS in the environment multiplies how many; failures name their seeds.
+// All invariants on contours of many kinds. FLG_SKELETON_ROUNDS in the environment multiplies how many; failures name
+// their seeds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,8 +31,8 @@ bool all_simple(const Rings& rings) {
     return true;
 }
 
-// Seeds from 0; contours that touch themselves are left out. `most_perturbed` of the others may have skeletons only once their
-// points were moved; each has one.
+// Seeds from 0; contours that touch themselves are left out. `most_perturbed` of the others may have skeletons only
+// once their points were moved; each has one.
 void check_all(const char* kind, uint64_t count, const std::function<Rings(uint64_t)>& draw, double tolerance = 1e-9,
                uint64_t most_perturbed = 0) {
     uint64_t checked = 0, perturbed = 0, wrong = 0;

@@ -244,8 +244,9 @@ private:
         }
     }
 
-    // At each corner of a face, with arcs shorter than 1e-7 L contracted, from arc b counter-clockwise to arc a: of two rising arcs
-    // with less than a half turn between them something unswept would be left; so would be of two that do not rise with more.
+    // At each corner of a face, with arcs shorter than 1e-7 L contracted, from arc b counter-clockwise to arc a: of
+    // two rising arcs with less than a half turn between them something unswept would be left; so would be of two
+    // that do not rise with more.
     void check_front() {
         const Real shortest = std::max(1e-7L * size_, 10 * bound_);
         std::vector<uint32_t> parent(s_.nodes.size());

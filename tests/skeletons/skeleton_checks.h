@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What makes a straight skeleton one, checked from nodes and faces alone, in long double. L is the diagonal of the contour's
-// box; tolerances are shares of it.
+// What makes a straight skeleton one, checked from nodes and faces alone, in long double. L is the diagonal of the
+// contour's box; tolerances are shares of it.
 //
 // I1 one face an edge, beginning with it, all other nodes later        I6 the faces' areas add up to the contour's
 // I2 each arc is of two faces                                          I7 the front at each node goes on as it has to
@@ -8,7 +8,8 @@
 // I4 nodes are as far from their faces' lines as their time says       I9 no node of a face is on another of its arcs
 // I5 faces are monotone along their edges, of positive area, simple
 //
-// I9 means nearer than 1e-12 L; nearer than 1e-14 L if the tolerance is above 1e-9, for contours with true distances between.
+// I9 means nearer than 1e-12 L; nearer than 1e-14 L if the tolerance is above 1e-9, for contours with true distances
+// between.
 #pragma once
 
 #include <string>

@@ -16,8 +16,8 @@ extern "C" {
 /* The straight skeleton of a contour. Never changes once ready. */
 FLG_HANDLE(FlgStraightSkeleton);
 
-/* What is drawn around a shape: ring 0, and around holes in it: the others. Rings may turn either way, and be closed by a repeated
- * first point or not. The host owns the arrays, for the time of the call. */
+/* What is drawn around a shape: ring 0, and around holes in it: the others. Rings may turn either way, and be closed
+ * by a repeated first point or not. The host owns the arrays, for the time of the call. */
 typedef struct FlgContourView {
     uint32_t struct_size;
     uint32_t point_count;         /* 3 to 2^24 */
@@ -38,17 +38,19 @@ typedef struct FlgStraightSkeletonDesc {
 
 FLG_API FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uint32_t struct_size);
 
-/* Starts a job that makes the straight skeleton of a contour: what the corners draw when all edges move inwards at unit speed.
- * This call copies the contour and cleans it: rings are turned (ring 0 counter-clockwise, holes clockwise), of points nearer to each
- * other than 1e-11 of the drawing's size that follow each other the first is kept; points on one line with those around them stay,
- * each with a face. It refuses numbers that aren't finite and rings without three points or an area, about 20 ns a point.
- * The job fails with FLG_ERROR_INVALID_ARGUMENT, and a sentence that names points and place, where edges cross or touch and
- * where a hole isn't inside. FLG_ERROR_INTERNAL if so much happens at one time that no skeleton is found that holds: not known
- * to happen. Cost: about 3 us a point, more in all the larger by n log n. */
+/* Starts a job that makes the straight skeleton of a contour: what the corners draw when all edges move inwards at
+ * unit speed. This call copies the contour and cleans it: rings are turned (ring 0 counter-clockwise, holes
+ * clockwise), of points nearer to each other than 1e-11 of the drawing's size that follow each other the first is
+ * kept; points on one line with those around them stay, each with a face. It refuses numbers that aren't finite and
+ * rings without three points or an area, about 20 ns a point. The job fails with FLG_ERROR_INVALID_ARGUMENT, and a
+ * sentence that names points and place, where edges cross or touch and where a hole isn't inside. FLG_ERROR_INTERNAL
+ * if so much happens at one time that no skeleton is found that holds: not known to happen. Cost: about 3 us a point,
+ * more in all the larger by n log n. */
 FLG_API FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeletonDesc* desc,
                                             FlgStraightSkeleton* out_skeleton, FlgJob* out_job);
 
-/* The first nodes are the contour's points, ring by ring, with time 0. Face i is what the edge sweeps that begins at point i. */
+/* The first nodes are the contour's points, ring by ring, with time 0. Face i is what the edge sweeps that begins at
+ * point i. */
 typedef struct FlgStraightSkeletonView {
     uint32_t struct_size;
     uint32_t contour_count;       /* points of the cleaned contour, and faces */
@@ -59,11 +61,11 @@ typedef struct FlgStraightSkeletonView {
     const uint32_t* face_offsets; /* contour_count + 1 values */
     const uint32_t* face_nodes;   /* a face's nodes counter-clockwise, its edge's two points first */
     const uint32_t* input_points; /* one a point of the cleaned contour: which it was in the input */
-    /* Both in shares of the diagonal of the contour's box. How far a time is off a distance, at most: 1e-13 as a rule, up to 1e-6
-     * with edges that are nearly parallel. */
+    /* Both in shares of the diagonal of the contour's box. How far a time is off a distance, at most: 1e-13 as a
+     * rule, up to 1e-6 with edges that are nearly parallel. */
     double residual;
-    /* How far points were moved to find it: 0 as a rule; 1e-9 or 1e-7 where changes at nearly one time could not be told
-     * apart. The first nodes are where the contour's points are all the same. */
+    /* How far points were moved to find it: 0 as a rule; 1e-9 or 1e-7 where changes at nearly one time could not be
+     * told apart. The first nodes are where the contour's points are all the same. */
     double perturbation;
 } FlgStraightSkeletonView;
 
