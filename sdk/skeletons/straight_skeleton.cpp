@@ -56,15 +56,19 @@ bool StraightSkeletonKernel::run(uint32_t count) {
                     try_again();
                     break;
                 }
-                triangulation_.reset();
-                faces_.emplace(wavefront_->nodes(), wavefront_->arcs(), std::span<const Point2>(original_.data(), size),
-                               std::span<const uint32_t>(next_.data(), size), contour_.ring_count(), size_, out_,
-                               memory_);
-                pass_ = Pass::chain;
+                begin_chaining();
                 break;
             case Pass::chain:
                 if (!faces_->run(count)) return false;
                 if (faces_->failed()) {
+                    try_again();
+                    break;
+                }
+                begin_check();
+                break;
+            case Pass::check:
+                if (!check_->run(count)) return false;
+                if (check_->failed()) {
                     try_again();
                     break;
                 }
@@ -117,7 +121,25 @@ void StraightSkeletonKernel::end_triangulation() {
     pass_ = Pass::move;
 }
 
+void StraightSkeletonKernel::begin_chaining() {
+    const uint32_t size = contour_.size();
+    triangulation_.reset();
+    faces_.emplace(wavefront_->nodes(), wavefront_->arcs(), std::span<const Point2>(original_.data(), size),
+                   std::span<const uint32_t>(next_.data(), size), size_, out_, memory_);
+    pass_ = Pass::chain;
+}
+
+void StraightSkeletonKernel::begin_check() {
+    const uint32_t size = contour_.size();
+    faces_.reset();
+    wavefront_.reset();
+    check_.emplace(std::span<const Point2>(original_.data(), size), std::span<const uint32_t>(next_.data(), size),
+                   contour_.ring_count(), size_, perturbations[try_], out_, memory_);
+    pass_ = Pass::check;
+}
+
 void StraightSkeletonKernel::try_again() {
+    check_.reset();
     faces_.reset();
     wavefront_.reset();
     triangulation_.reset();

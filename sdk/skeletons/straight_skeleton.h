@@ -3,7 +3,7 @@
 // polygons, 1995): triangulated, moved inwards, its arcs chained to faces, and checked.
 //
 // Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much
-// happens at one time (wavefront.h). What comes out is checked (skeleton_faces.h). If the check fails, or the front
+// happens at one time (wavefront.h). What comes out is checked (skeleton_check.h). If the check fails, or the front
 // gets lost, the contour is tried again with its points moved by 1e-9 of its size, and then by 1e-7, a few times
 // each; the result says so. If that fails too there is no result: never one that is wrong and does not say so, and
 // never a loop without end.
@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "skeletons/contour.h"
+#include "skeletons/skeleton_check.h"
 #include "skeletons/skeleton_faces.h"
 #include "skeletons/wavefront.h"
 
@@ -32,11 +33,13 @@ public:
     bool run(uint32_t count);
 
 private:
-    enum class Pass { measure, place, triangulate, move, chain, finish, done };
+    enum class Pass { measure, place, triangulate, move, chain, check, finish, done };
 
     void begin_try();
     void place(uint32_t point);
     void end_triangulation();
+    void begin_chaining();
+    void begin_check();
     void try_again();
     void finish(uint32_t node);
 
@@ -50,6 +53,7 @@ private:
     std::optional<ContourTriangulation> triangulation_;
     std::optional<Wavefront> wavefront_;
     std::optional<SkeletonFaces> faces_;
+    std::optional<SkeletonCheck> check_;
     int exponent_ = 0;  // scaled = contour * 2^-exponent
     Point2 low_, high_;
     Point2 middle_{};
