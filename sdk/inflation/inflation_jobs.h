@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The kernels of this room one after the other, as jobs run them.
+#pragma once
+
+#include "inflation/two_sided_mesh.h"
+#include "runtime/pace.h"
+#include "runtime/task.h"
+
+namespace flg {
+
+// Fills `part`, whose contour is given: its triangulation, heights and raster. Throws, with a sentence, for contours that cross
+// themselves. About 3 ms for a part of 700 vertices. `part` outlives the task.
+Task<void> inflate_part(Pace& pace, InflationOptions options, InflatedPart& part);
+
+// The closed surface of a part that is inflated. Both outlive the task.
+Task<void> make_part_surface(Pace& pace, const InflatedPart& part, PartSurface& surface);
+
+}  // namespace flg
