@@ -17,6 +17,23 @@ FlgMeshWriteDesc mesh_write_defaults() {
     return desc;
 }
 
+void check_material(const FlgMeshMaterial& material, const std::string& place) {
+    constexpr size_t longest_name = 255;
+    constexpr float widest_border_px = 64;
+    const auto check_in = [&](float value, float most, const char* member) {
+        if (value >= 0 && value <= most) return;
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + member, "is %g, must be from 0 to %g", double{value}, double{most});
+    };
+    if (material.name && (strnlen(material.name, longest_name + 1) > longest_name || !is_utf8(material.name))) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + "name", "must be UTF-8 of at most 255 bytes");
+    }
+    for (const float value : material.color) check_in(value, 1, "color");
+    check_in(material.metallic, 1, "metallic");
+    check_in(material.roughness, 1, "roughness");
+    for (const float value : material.border_color) check_in(value, 1, "border_color");
+    check_in(material.border_width_px, widest_border_px, "border_width_px");
+}
+
 CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshWriteDesc* desc) {
     check_argument(view, "view");
     check_size<FlgMeshView>(view->struct_size, "view");
@@ -38,7 +55,8 @@ CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshWriteDesc* desc) 
     for (uint32_t i = 0; i < desc_.face_column_count; ++i) check_face_column(i);
     if (desc_.material_count == 0) return;
     check_argument(desc_.materials, "desc.materials");
-    for (uint32_t i = 0; i < desc_.material_count; ++i) check_material(i);
+    for (uint32_t i = 0; i < desc_.material_count; ++i)
+        check_material(desc_.materials[i], "desc.materials[" + std::to_string(i) + "].");
     if (split_regions()) check_labels();
 }
 
@@ -78,25 +96,6 @@ void CheckedMesh::check_face_column(uint32_t index) const {
         if (name != desc_.face_columns[i].name) continue;
         fail(FLG_ERROR_INVALID_ARGUMENT, place + ".name", "is %s, as that of column %u", cited(name).c_str(), i);
     }
-}
-
-void CheckedMesh::check_material(uint32_t index) const {
-    constexpr size_t longest_name = 255;
-    constexpr float widest_border_px = 64;
-    const std::string place = "desc.materials[" + std::to_string(index) + "].";
-    const FlgMeshMaterial& material = desc_.materials[index];
-    const auto check_in = [&](float value, float most, const char* member) {
-        if (value >= 0 && value <= most) return;
-        fail(FLG_ERROR_INVALID_ARGUMENT, place + member, "is %g, must be from 0 to %g", double{value}, double{most});
-    };
-    if (material.name && (strnlen(material.name, longest_name + 1) > longest_name || !is_utf8(material.name))) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, place + "name", "must be UTF-8 of at most 255 bytes");
-    }
-    for (const float value : material.color) check_in(value, 1, "color");
-    check_in(material.metallic, 1, "metallic");
-    check_in(material.roughness, 1, "roughness");
-    for (const float value : material.border_color) check_in(value, 1, "border_color");
-    check_in(material.border_width_px, widest_border_px, "border_width_px");
 }
 
 void CheckedMesh::check_labels() const {

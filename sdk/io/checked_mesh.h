@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "filigree/filigree_io.h"
 #include "io/checked_columns.h"
@@ -10,6 +11,9 @@
 namespace flg::io {
 
 FlgMeshWriteDesc mesh_write_defaults();
+
+// Refuses what no material can be; `place` names it, and ends with a dot.
+void check_material(const FlgMeshMaterial& material, const std::string& place);
 
 class CheckedMesh {
 public:
@@ -32,7 +36,6 @@ public:
 private:
     void check_triangles() const;
     void check_face_column(uint32_t index) const;
-    void check_material(uint32_t index) const;
     void check_labels() const;
 
     FlgMeshView view_ = {};

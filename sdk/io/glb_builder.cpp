@@ -34,6 +34,14 @@ size_t GlbBuilder::add_view(std::span<const uint32_t> indices) {
     return add_bytes(indices.data(), indices.size_bytes(), target_indices, "");
 }
 
+size_t GlbBuilder::add_view(std::span<const uint16_t> fours) {
+    return add_bytes(fours.data(), fours.size_bytes(), target_vertices, ",\"byteStride\":8");
+}
+
+size_t GlbBuilder::add_plain_view(std::span<const float> values) {
+    return add_bytes(values.data(), values.size_bytes(), 0, "");
+}
+
 size_t GlbBuilder::add_colors(std::vector<float> colors) {
     for (float& value : colors) value = std::clamp(value, 0.0f, 1.0f);
     return add_view(colors, 4);
@@ -46,6 +54,12 @@ size_t GlbBuilder::add_accessor(size_t view, size_t byte_offset, size_t count, u
                   ",\"componentType\":" + std::to_string(component_type) + ",\"count\":" + std::to_string(count) +
                   ",\"type\":\"" + type + "\"" + bounds + "}";
     return accessor_count_++;
+}
+
+size_t GlbBuilder::add_times(std::span<const float> times) {
+    const auto [low, high] = std::minmax_element(times.begin(), times.end());
+    return add_accessor(add_plain_view(times), 0, times.size(), glb_float, "SCALAR",
+                        ",\"min\":[" + json_number(*low) + "],\"max\":[" + json_number(*high) + "]");
 }
 
 size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count) {
@@ -76,11 +90,14 @@ void GlbBuilder::add_primitive(const std::string& attributes, int mode, const st
 }
 
 std::string GlbBuilder::finish(const std::string& materials) const {
-    std::string json =
-        "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"},\"scene\":0,"
-        "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[" +
-        primitives_ + "]}]," + materials + "\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
-        "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
+    return finish_scene("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]," + materials, "");
+}
+
+std::string GlbBuilder::finish_scene(const std::string& top, const std::string& mesh_name) const {
+    const std::string name = mesh_name.empty() ? "" : "\"name\":" + json_text(mesh_name) + ",";
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top + "\"meshes\":[{" + name +
+                       "\"primitives\":[" + primitives_ + "]}],\"accessors\":[" + accessors_ + "],\"bufferViews\":[" +
+                       views_ + "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
     json.resize((json.size() + glb_alignment - 1) / glb_alignment * glb_alignment, ' ');
     constexpr size_t headers = 7 * sizeof(uint32_t);
     const size_t total = headers + json.size() + binary_.size();
@@ -99,11 +116,12 @@ std::string GlbBuilder::finish(const std::string& materials) const {
     return glb;
 }
 
-// All values take 4 bytes, so that every view is aligned.
+// All values take 4 bytes, or 8 together, so that every view is aligned. Target 0: none.
 size_t GlbBuilder::add_bytes(const void* data, size_t size, uint32_t target, const std::string& rest) {
     separate(views_);
     views_ += "{\"buffer\":0,\"byteOffset\":" + std::to_string(binary_.size()) +
-              ",\"byteLength\":" + std::to_string(size) + ",\"target\":" + std::to_string(target) + rest + "}";
+              ",\"byteLength\":" + std::to_string(size) + (target == 0 ? "" : ",\"target\":" + std::to_string(target)) +
+              rest + "}";
     binary_.append(static_cast<const char*>(data), size);
     return view_count_++;
 }

@@ -248,6 +248,16 @@ const Json& GltfDocument::element(const char* array, uint64_t index, const std::
 }
 
 GltfValues GltfDocument::accessor(uint64_t index, const std::string& place) const {
+    return values_of(index, place, false);
+}
+
+GltfValues GltfDocument::matrices(uint64_t index, const std::string& place) const {
+    const GltfValues values = values_of(index, place, true);
+    if (values.component_type != gltf_float) fail(FLG_ERROR_FORMAT, values.place, "holds matrices that are no floats");
+    return values;
+}
+
+GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, bool of_matrices) const {
     const Json& accessor = element("accessors", index, place);
     GltfValues values;
     values.place = element_place("accessors", index);
@@ -267,10 +277,13 @@ GltfValues GltfDocument::accessor(uint64_t index, const std::string& place) cons
     }
 
     const auto type = accessor.find("type");
-    if (type != accessor.end() && *type == "SCALAR") values.components = 1;
-    if (type != accessor.end() && *type == "VEC2") values.components = 2;
-    if (type != accessor.end() && *type == "VEC3") values.components = 3;
-    if (type != accessor.end() && *type == "VEC4") values.components = 4;
+    const auto is_type = [&](const char* name) { return type != accessor.end() && *type == name; };
+    if (is_type("SCALAR")) values.components = 1;
+    if (is_type("VEC2")) values.components = 2;
+    if (is_type("VEC3")) values.components = 3;
+    if (is_type("VEC4")) values.components = 4;
+    if (of_matrices) values.components = is_type("MAT4") ? 16 : 0;
+    if (of_matrices && values.components == 0) fail(FLG_ERROR_FORMAT, values.place + ".type", "is not MAT4");
     if (values.components == 0)
         fail(FLG_ERROR_FORMAT, values.place + ".type", "is none of SCALAR, VEC2, VEC3 and VEC4");
     const uint64_t component_type = gltf_required(accessor, "componentType", values.place);

@@ -45,8 +45,11 @@ public:
     const Json& element(const char* array, uint64_t index, const std::string& place) const;
     size_t size(const char* array) const;
     GltfValues accessor(uint64_t index, const std::string& place) const;
+    // Of 4 x 4 floats each, column by column.
+    GltfValues matrices(uint64_t index, const std::string& place) const;
 
 private:
+    GltfValues values_of(uint64_t index, const std::string& place, bool of_matrices) const;
     Bytes split_glb(Bytes file, Bytes& binary) const;
     void load_buffers(const std::filesystem::path& folder, Bytes binary);
     Bytes load_uri(const std::string& uri, const std::filesystem::path& folder, const std::string& place);

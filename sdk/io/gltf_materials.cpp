@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "io/json_text.h"
+
 namespace flg::io {
 
 namespace {
@@ -26,6 +28,10 @@ bool read_color(const Json& object, const char* key, const std::string& place, f
     if (values->size() < components) fail(FLG_ERROR_FORMAT, place + "." + key, "has %zu numbers", values->size());
     for (size_t k = 0; k < components; ++k) to[k] = number_of((*values)[k], 1, place + "." + key);
     return true;
+}
+
+std::string json_color(const float* color) {
+    return json_number(color[0]) + "," + json_number(color[1]) + "," + json_number(color[2]);
 }
 
 }  // namespace
@@ -52,6 +58,33 @@ GltfMaterial read_material(const GltfDocument& document, uint64_t index, const s
         read_number(json["extras"], "border_width_px", widest_border_px, inside, data.border_width_px);
     }
     return material;
+}
+
+FlgMeshMaterial material_view(const MaterialData& data) {
+    FlgMeshMaterial material = {};
+    material.name = data.name.c_str();
+    std::copy_n(data.color, 3, material.color);
+    material.metallic = data.metallic;
+    material.roughness = data.roughness;
+    std::copy_n(data.border_color, 3, material.border_color);
+    material.border_width_px = data.border_width_px;
+    return material;
+}
+
+std::string json_plain_material(const std::string& name) {
+    return "{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
+}
+
+std::string json_material(const FlgMeshMaterial& material, const std::string& default_name) {
+    std::string json = "{\"name\":" + json_text(material.name ? material.name : default_name) +
+                       ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + json_color(material.color) +
+                       ",1],\"metallicFactor\":" + json_number(material.metallic) +
+                       ",\"roughnessFactor\":" + json_number(material.roughness) + "}";
+    if (material.border_width_px > 0) {
+        json += ",\"extras\":{\"border_color\":[" + json_color(material.border_color) +
+                "],\"border_width_px\":" + json_number(material.border_width_px) + "}";
+    }
+    return json + "}";
 }
 
 }  // namespace flg::io

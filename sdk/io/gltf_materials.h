@@ -17,4 +17,13 @@ struct GltfMaterial {
 // the format's default.
 GltfMaterial read_material(const GltfDocument& document, uint64_t index, const std::string& place);
 
+// As hosts see it; lives as long as `data`.
+FlgMeshMaterial material_view(const MaterialData& data);
+
+// A material as JSON, to be read back with the same look; `default_name` where it has no name.
+std::string json_material(const FlgMeshMaterial& material, const std::string& default_name);
+
+// One that says no colour: `name` needs no escapes.
+std::string json_plain_material(const std::string& name);
+
 }  // namespace flg::io

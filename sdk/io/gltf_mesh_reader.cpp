@@ -10,6 +10,7 @@
 
 #include "io/gltf_materials.h"
 #include "io/gltf_scene.h"
+#include "io/gltf_triangles.h"
 
 namespace flg::io {
 
@@ -98,20 +99,8 @@ private:
             data_.add_triangle(first_vertex_ + a, first_vertex_ + (mirrored ? c : b),
                                first_vertex_ + (mirrored ? b : c));
         };
-        if (primitive.mode == gltf_triangles) {
-            if (indices.size() % 3 != 0) open_.add(primitive.index);
-            for (size_t i = 2; i < indices.size(); i += 3) add(indices[i - 2], indices[i - 1], indices[i]);
-            return;
-        }
-        const bool fan = primitive.mode == gltf_triangle_fan;
-        for (size_t i = 2; i < indices.size(); ++i) {
-            const uint32_t a = fan ? indices[0] : indices[i - 2], b = indices[i - 1], c = indices[i];
-            if (a == b || b == c || c == a) continue;
-            if (fan || i % 2 == 0)
-                add(a, b, c);
-            else
-                add(b, a, c);
-        }
+        if (primitive.mode == gltf_triangles && indices.size() % 3 != 0) open_.add(primitive.index);
+        visit_triangles(primitive.mode, indices, add);
     }
 
     GltfDocument document_;

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "io/glb_builder.h"
-#include "io/json_text.h"
+#include "io/gltf_materials.h"
 #include "io/vec3.h"
 
 namespace flg::io {
@@ -39,28 +39,11 @@ std::vector<float> unit_normals(const CheckedMesh& mesh) {
     return normals;
 }
 
-std::string plain_material(const std::string& name) {
-    return "{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
-}
-
-std::string json_color(const float* color) {
-    return json_number(color[0]) + "," + json_number(color[1]) + "," + json_number(color[2]);
-}
-
 std::string material_of(const CheckedMesh& mesh, uint32_t region) {
-    if (!mesh.split_regions()) return plain_material("surface");
+    if (!mesh.split_regions()) return json_plain_material("surface");
     const std::string default_name = "region " + std::to_string(region);
-    if (mesh.materials().empty()) return plain_material(default_name);
-    const FlgMeshMaterial& material = mesh.materials()[region];
-    std::string json = "{\"name\":" + json_text(material.name ? material.name : default_name) +
-                       ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + json_color(material.color) +
-                       ",1],\"metallicFactor\":" + json_number(material.metallic) +
-                       ",\"roughnessFactor\":" + json_number(material.roughness) + "}";
-    if (material.border_width_px > 0) {
-        json += ",\"extras\":{\"border_color\":[" + json_color(material.border_color) +
-                "],\"border_width_px\":" + json_number(material.border_width_px) + "}";
-    }
-    return json + "}";
+    if (mesh.materials().empty()) return json_plain_material(default_name);
+    return json_material(mesh.materials()[region], default_name);
 }
 
 }  // namespace

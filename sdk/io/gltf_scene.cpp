@@ -14,19 +14,6 @@ namespace flg::io {
 namespace {
 
 constexpr uint64_t mode_last = 6;
-constexpr Transform identity = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-
-Transform operator*(const Transform& a, const Transform& b) {
-    Transform result;
-    for (size_t column = 0; column < 4; ++column) {
-        for (size_t row = 0; row < 3; ++row) {
-            double value = column == 3 ? a[9 + row] : 0;
-            for (size_t k = 0; k < 3; ++k) value += a[3 * k + row] * b[3 * column + k];
-            result[3 * column + row] = value;
-        }
-    }
-    return result;
-}
 
 template <size_t N>
 std::array<double, N> read_numbers(const Json& node, const char* key, std::array<double, N> fallback,
@@ -42,68 +29,10 @@ std::array<double, N> read_numbers(const Json& node, const char* key, std::array
     return fallback;
 }
 
-Transform local_transform(const Json& node, const std::string& place) {
-    if (node.contains("matrix")) {
-        const auto m = read_numbers<16>(node, "matrix", {}, place);
-        if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
-            fail(FLG_ERROR_FORMAT, place + ".matrix", "has a last row other than 0 0 0 1");
-        }
-        return {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]};
-    }
-    const auto t = read_numbers<3>(node, "translation", {0, 0, 0}, place);
-    const auto [x, y, z, w] = read_numbers<4>(node, "rotation", {0, 0, 0, 1}, place);
-    const auto s = read_numbers<3>(node, "scale", {1, 1, 1}, place);
-    return {(1 - 2 * (y * y + z * z)) * s[0],
-            2 * (x * y + z * w) * s[0],
-            2 * (x * z - y * w) * s[0],
-            2 * (x * y - z * w) * s[1],
-            (1 - 2 * (x * x + z * z)) * s[1],
-            2 * (y * z + x * w) * s[1],
-            2 * (x * z + y * w) * s[2],
-            2 * (y * z - x * w) * s[2],
-            (1 - 2 * (x * x + y * y)) * s[2],
-            t[0],
-            t[1],
-            t[2]};
-}
-
 struct Visit {
     uint64_t node;
     Transform parent;
 };
-
-std::vector<uint64_t> read_node_list(const Json& object, const char* key, const std::string& place) {
-    std::vector<uint64_t> nodes;
-    const Json* array = gltf_array(object, key, place);
-    for (size_t i = 0; array && i < array->size(); ++i) {
-        const Json& index = (*array)[i];
-        const std::string element = place + "." + key + "[" + std::to_string(i) + "]";
-        if (!index.is_number_unsigned()) fail(FLG_ERROR_FORMAT, element, "is no whole number >= 0");
-        nodes.push_back(index.get<uint64_t>());
-    }
-    return nodes;
-}
-
-// Of the scene to be shown; without scenes, all nodes that are no other's child.
-std::vector<uint64_t> root_nodes(const GltfDocument& document) {
-    if (document.size("scenes") != 0) {
-        const uint64_t scene = gltf_unsigned(document.root(), "scene", 0, "");
-        return read_node_list(document.element("scenes", scene, "scene"), "nodes",
-                              "scenes[" + std::to_string(scene) + "]");
-    }
-    std::vector<bool> is_child(document.size("nodes"));
-    for (uint64_t i = 0; i < is_child.size(); ++i) {
-        const std::string place = "nodes[" + std::to_string(i) + "]";
-        for (uint64_t child : read_node_list(document.element("nodes", i, place), "children", place)) {
-            if (child < is_child.size()) is_child[child] = true;
-        }
-    }
-    std::vector<uint64_t> roots;
-    for (uint64_t i = 0; i < is_child.size(); ++i) {
-        if (!is_child[i]) roots.push_back(i);
-    }
-    return roots;
-}
 
 class SceneWalk {
 public:
@@ -111,13 +40,13 @@ public:
         : document_(document), visit_(visit) {}
 
     void meshes() {
-        for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, identity, "meshes");
+        for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, identity_transform, "meshes");
     }
 
     void nodes(const std::vector<uint64_t>& roots) {
         std::vector<bool> seen(document_.size("nodes"));
         std::vector<Visit> stack;
-        for (size_t i = roots.size(); i-- > 0;) stack.push_back({roots[i], identity});
+        for (size_t i = roots.size(); i-- > 0;) stack.push_back({roots[i], identity_transform});
         while (!stack.empty()) {
             const Visit visit = stack.back();
             stack.pop_back();
@@ -125,7 +54,7 @@ public:
             const Json& node = document_.element("nodes", visit.node, place);
             if (seen[visit.node]) fail(FLG_ERROR_FORMAT, place, "is shown twice: nodes must form trees");
             seen[visit.node] = true;
-            const Transform transform = visit.parent * local_transform(node, place);
+            const Transform transform = compose(visit.parent, local_transform(node, place));
             if (node.contains("mesh")) mesh(gltf_required(node, "mesh", place), transform, place + ".mesh");
             const std::vector<uint64_t> children = read_node_list(node, "children", place);
             for (size_t i = children.size(); i-- > 0;) stack.push_back({children[i], transform});
@@ -158,8 +87,86 @@ private:
 
 }  // namespace
 
+Transform compose(const Transform& a, const Transform& b) {
+    Transform result;
+    for (size_t column = 0; column < 4; ++column) {
+        for (size_t row = 0; row < 3; ++row) {
+            double value = column == 3 ? a[9 + row] : 0;
+            for (size_t k = 0; k < 3; ++k) value += a[3 * k + row] * b[3 * column + k];
+            result[3 * column + row] = value;
+        }
+    }
+    return result;
+}
+
 double determinant(const Transform& t) {
     return t[0] * (t[4] * t[8] - t[5] * t[7]) + t[1] * (t[5] * t[6] - t[3] * t[8]) + t[2] * (t[3] * t[7] - t[4] * t[6]);
+}
+
+Transform local_transform(const Json& node, const std::string& place) {
+    if (node.contains("matrix")) {
+        const auto m = read_numbers<16>(node, "matrix", {}, place);
+        if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
+            fail(FLG_ERROR_FORMAT, place + ".matrix", "has a last row other than 0 0 0 1");
+        }
+        return {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]};
+    }
+    return node_motion(node, place).transform();
+}
+
+NodeMotion node_motion(const Json& node, const std::string& place) {
+    return {read_numbers<3>(node, "translation", {0, 0, 0}, place),
+            read_numbers<4>(node, "rotation", {0, 0, 0, 1}, place), read_numbers<3>(node, "scale", {1, 1, 1}, place)};
+}
+
+Transform NodeMotion::transform() const {
+    const auto& [x, y, z, w] = rotation;
+    const auto& s = scale;
+    const auto& t = translation;
+    return {(1 - 2 * (y * y + z * z)) * s[0],
+            2 * (x * y + z * w) * s[0],
+            2 * (x * z - y * w) * s[0],
+            2 * (x * y - z * w) * s[1],
+            (1 - 2 * (x * x + z * z)) * s[1],
+            2 * (y * z + x * w) * s[1],
+            2 * (x * z + y * w) * s[2],
+            2 * (y * z - x * w) * s[2],
+            (1 - 2 * (x * x + y * y)) * s[2],
+            t[0],
+            t[1],
+            t[2]};
+}
+
+std::vector<uint64_t> read_node_list(const Json& object, const char* key, const std::string& place) {
+    std::vector<uint64_t> nodes;
+    const Json* array = gltf_array(object, key, place);
+    for (size_t i = 0; array && i < array->size(); ++i) {
+        const Json& index = (*array)[i];
+        const std::string element = place + "." + key + "[" + std::to_string(i) + "]";
+        if (!index.is_number_unsigned()) fail(FLG_ERROR_FORMAT, element, "is no whole number >= 0");
+        nodes.push_back(index.get<uint64_t>());
+    }
+    return nodes;
+}
+
+std::vector<uint64_t> root_nodes(const GltfDocument& document) {
+    if (document.size("scenes") != 0) {
+        const uint64_t scene = gltf_unsigned(document.root(), "scene", 0, "");
+        return read_node_list(document.element("scenes", scene, "scene"), "nodes",
+                              "scenes[" + std::to_string(scene) + "]");
+    }
+    std::vector<bool> is_child(document.size("nodes"));
+    for (uint64_t i = 0; i < is_child.size(); ++i) {
+        const std::string place = "nodes[" + std::to_string(i) + "]";
+        for (uint64_t child : read_node_list(document.element("nodes", i, place), "children", place)) {
+            if (child < is_child.size()) is_child[child] = true;
+        }
+    }
+    std::vector<uint64_t> roots;
+    for (uint64_t i = 0; i < is_child.size(); ++i) {
+        if (!is_child[i]) roots.push_back(i);
+    }
+    return roots;
 }
 
 void visit_primitives(const GltfDocument& document, const std::function<void(const GltfPrimitive&)>& visit) {

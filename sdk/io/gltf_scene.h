@@ -15,7 +15,32 @@ namespace flg::io {
 // An affine map: columns x, y, z and translation.
 using Transform = std::array<double, 12>;
 
+constexpr Transform identity_transform = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+
+// a after b.
+Transform compose(const Transform& a, const Transform& b);
+
 double determinant(const Transform& transform);
+
+// Translation, rotation (x, y, z, w) and scale, in this order from the left.
+struct NodeMotion {
+    std::array<double, 3> translation = {0, 0, 0};
+    std::array<double, 4> rotation = {0, 0, 0, 1};
+    std::array<double, 3> scale = {1, 1, 1};
+    Transform transform() const;
+};
+
+// Of a node without a `matrix`.
+NodeMotion node_motion(const Json& node, const std::string& place);
+
+// Of any node, to its parent.
+Transform local_transform(const Json& node, const std::string& place);
+
+// A member that lists nodes; empty where it is absent.
+std::vector<uint64_t> read_node_list(const Json& object, const char* key, const std::string& place);
+
+// Of the scene to be shown; without scenes, all nodes that are no other's child.
+std::vector<uint64_t> root_nodes(const GltfDocument& document);
 
 constexpr uint64_t gltf_lines = 1;
 constexpr uint64_t gltf_line_loop = 2;

@@ -8,6 +8,7 @@
 #include "io/checked_mesh.h"
 #include "io/entry_point.h"
 #include "io/file_bytes.h"
+#include "io/gltf_materials.h"
 #include "io/gltf_mesh_reader.h"
 #include "io/gltf_mesh_writer.h"
 #include "io/mesh_measures.h"
@@ -50,17 +51,6 @@ std::string write_mesh(const std::string& extension, const CheckedMesh& mesh) {
     fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .ply .obj .off .glb", cited(extension).c_str());
 }
 
-FlgMeshMaterial view_of(const MaterialData& data) {
-    FlgMeshMaterial material = {};
-    material.name = data.name.c_str();
-    std::copy_n(data.color, 3, material.color);
-    material.metallic = data.metallic;
-    material.roughness = data.roughness;
-    std::copy_n(data.border_color, 3, material.border_color);
-    material.border_width_px = data.border_width_px;
-    return material;
-}
-
 }  // namespace
 
 }  // namespace flg::io
@@ -86,7 +76,7 @@ FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file) {
         for (const FaceColumn& column : data.face_columns) {
             file->face_columns.push_back({column.name.c_str(), column.values.data()});
         }
-        for (const MaterialData& material : data.materials) file->materials.push_back(view_of(material));
+        for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
         for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
         *out_file = file.release();
     });

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "io/mesh_files.h"
+#include "io/skin_files.h"
 #include "io/tilt_files.h"
 
 namespace flg::test {
@@ -43,6 +44,22 @@ void read_curves(const std::string& path) {
 
 void read_meshes(const std::string& path) {
     expect_sound(read_mesh(path));
+}
+
+void read_skins(const std::string& path) {
+    ReadSkin read = read_skin(path);
+    if (read.result != FLG_OK) {
+        EXPECT_TRUE(read.result == FLG_ERROR_FORMAT || read.result == FLG_ERROR_LIMIT || read.result == FLG_ERROR_FILE)
+            << read.error;
+        return;
+    }
+    // What is read can be written: the writer checks all that a view promises, but for the order of weights.
+    const TestSkin& skin = read.skin;
+    if (!read.has_skin) return;
+    for (size_t i = 0; i < skin.weights.size(); ++i) ASSERT_LE(skin.weights[i], skin.weights[i / 4 * 4]);
+    for (const TestAnimation& animation : read.animations) ASSERT_FALSE(animation.times.empty());
+    const std::string copy = std::filesystem::path(path).replace_extension(".copy.glb").string();
+    EXPECT_EQ(write_skin(copy, read.skin, read.animations), FLG_OK) << flgIoLastError();
 }
 
 void damage(const std::string& path, const std::string& whole, int rounds, void (*read_one)(const std::string&)) {
@@ -130,6 +147,18 @@ TEST(Fuzz, Meshes) {
            "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
            "0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n1 1 1\n4 0 1 2 3 7\n3 0 1 4 8\n7 0 1 2 -1 3 2 1\n",
            1200, read_meshes);
+}
+
+TEST(Fuzz, Skins) {
+    const Folder folder;
+    TestSkin skin = cross(3, 3);
+    TestAnimation animation = curl(skin.joint_count());
+    animation.translations.assign(9, 0.5f);
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {animation}), FLG_OK) << flgIoLastError();
+    const std::string whole = slurp(folder.at("a.glb"));
+    damage(folder.at("a.glb"), whole, 2000, read_skins);
+    for (size_t size = 0; size < whole.size(); size += 7)
+        ASSERT_EQ(read_skin(folder.put("cut.glb", std::string_view(whole).substr(0, size))).result, FLG_ERROR_FORMAT);
 }
 
 TEST(Fuzz, TruncatedGlbIsRefused) {

@@ -4,7 +4,7 @@
  * Filigree's file formats, in a library of its own (filigree_io) that hosts may leave out. It follows the grammar of
  * filigree.h but needs no context: its functions block on the disk, so call them where your engine loads assets.
  *
- * [any thread] All functions here; calls on one FlgCurveFile or FlgMeshFile must not overlap.
+ * [any thread] All functions here; calls on one FlgCurveFile, FlgMeshFile or FlgSkinFile must not overlap.
  *
  * Formats of curves, by extension:
  *   .xyz .txt     text: `x y z [radius]` a line, blank line between curves, `# closed` on the line before a closed
@@ -38,6 +38,7 @@
 #define FILIGREE_FILIGREE_IO_H
 
 #include "filigree.h"
+#include "filigree_model.h"
 #include "filigree_surface.h"
 #include "filigree_tangle.h"
 
@@ -195,6 +196,69 @@ FLG_API FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint32_t struct_s
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
  * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshWriteDesc* desc);
+
+/* ---- Skinned models ------------------------------------------------------------------------------------------ */
+
+/* A skin read from a .gltf or .glb file, with its animations and its memory. */
+typedef struct FlgSkinFileT* FlgSkinFile;
+
+/* Reads the skinned mesh that a file's scene shows: all nodes with a mesh and the first skin that is met; other meshes are
+ * left out, with a warning. Rest is the pose of the skin's inverseBindMatrices, whatever the nodes say. Joints that are turned
+ * in that pose are read as if they were not: rotations of animations are changed so that each vertex moves as it did. Keys
+ * of all of an animation's channels are brought together. Joints come parents first; those below nodes that are no joints
+ * hang on the nearest joint above. Weights are sorted and brought to the sum 1, of a vertex' joints the first four are read.
+ * Normals that the file lacks are made. Parts are the column _PART, else the materials.
+ * Refused, for no FlgSkinAnimation can say it: scaled joints, joints that an animation moves apart from their parents, roots
+ * that move differently, keys that are not LINEAR; and what can't be right: joints or weights missing, out of range, not
+ * finite, nodes in circles, counts that don't fit.
+ * If the scene shows no skin the result is FLG_OK and `out_file` null. Cost: some 20 ns a vertex.
+ * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and what is made of it; 65535 joints). */
+FLG_API FlgResult flgSkinFileRead(const char* path, FlgSkinFile* out_file);
+
+/* The skin; lives until the file is released. */
+FLG_API FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
+
+/* The animations in the file's order, null and 0 if it has none. They live until the file is released. */
+FLG_API FlgResult flgSkinFileGetAnimations(FlgSkinFile file, const FlgSkinAnimation** out_animations,
+                                           uint32_t* out_count);
+
+/* The materials, one a part, or one for all; if at least one says a colour, else null and 0. As flgMeshFileGetMaterials. */
+FLG_API FlgResult flgSkinFileGetMaterials(FlgSkinFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count);
+
+typedef struct FlgSkinFileInfo {
+    uint32_t struct_size;
+    uint32_t part_count;          /* the highest of the view's parts, and one */
+    float box_min[3], box_max[3]; /* of the positions at rest, metres */
+    uint32_t warning_count;
+    uint32_t reserved;
+    const char* const* warnings;  /* sentences; live until the file is released */
+} FlgSkinFileInfo;
+
+FLG_API FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info);
+
+/* Null is allowed. */
+FLG_API void flgSkinFileRelease(FlgSkinFile file);
+
+typedef struct FlgSkinFileDesc {
+    uint32_t struct_size;
+    uint32_t animation_count;           /* default 0 */
+    const FlgSkinView* skin;
+    const FlgSkinAnimation* animations; /* animation_count of them, of all of the skin's joints */
+    const char* name;                   /* of the model, UTF-8, at most 255 bytes; null: "model" */
+    uint32_t material_count;            /* 0: one without colour; 1: of all; else above all parts. Default 0 */
+    uint32_t reserved;
+    const FlgMeshMaterial* materials;   /* by part. A triangle is of the part that two of its corners are of, else of the first's */
+} FlgSkinFileDesc;
+
+FLG_API FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint32_t struct_size);
+
+/* Writes a skin with its animations to .glb, whole or not at all as flgCurveFileWrite: a node with the mesh; a node with all
+ * roots below it, which the skin names as its skeleton; a node a joint. Vertices have POSITION, NORMAL, JOINTS_0 (16 bits),
+ * WEIGHTS_0 (float) and _PART. Rotations that stay at none are left out. It refuses what glTF forbids: joints out of range or
+ * twice at a vertex, weights that don't come to 1 within 0.0001, quaternions that aren't of length 1 within 0.001, times that
+ * don't rise, values that aren't finite, parents that don't come first.
+ * Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
+FLG_API FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileDesc* desc);
 
 /* ---- Documents of tangles ------------------------------------------------------------------------------------- */
 

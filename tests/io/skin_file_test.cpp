@@ -1,0 +1,737 @@
+// SPDX-License-Identifier: MIT
+// Skins of glTF files: what comes back, what another reader (tinygltf) and the format's rules find in ours, other programs'
+// skins, and files that can't be right.
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <functional>
+
+#include "io/gltf_files.h"
+#include "io/skin_files.h"
+
+namespace flg::test {
+namespace {
+
+std::vector<FlgMeshMaterial> four_materials() {
+    std::vector<FlgMeshMaterial> materials(4);
+    for (size_t i = 0; i < 4; ++i) {
+        materials[i].color[i % 3] = 0.75f;
+        materials[i].roughness = 0.25f * static_cast<float>(i);
+    }
+    return materials;
+}
+
+TestAnimation swaying_cross(const TestSkin& skin) {
+    TestAnimation animation = curl(skin.joint_count());
+    animation.name = "sway \"1\"";
+    animation.translations = {0, 0, 0, 0.5f, 1, -2, 0, 0.25f, 0};
+    return animation;
+}
+
+// Of two animations, up to the sign of quaternions.
+void expect_same(const TestAnimation& a, const TestAnimation& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.times, b.times);
+    ASSERT_EQ(a.rotations.size(), b.rotations.size());
+    for (size_t i = 0; i < a.rotations.size(); i += 4) {
+        double dot = 0;
+        for (size_t k = 0; k < 4; ++k) dot += double{a.rotations[i + k]} * b.rotations[i + k];
+        EXPECT_NEAR(std::abs(dot), 1, 1e-6) << i / 4;
+    }
+    ASSERT_EQ(a.translations.size(), b.translations.size());
+    for (size_t i = 0; i < a.translations.size(); ++i) EXPECT_NEAR(a.translations[i], b.translations[i], 1e-6);
+}
+
+TEST(SkinFile, RoundTripKeepsEveryBitOfTheRest) {
+    const Folder folder;
+    TestSkin skin = bar();
+    skin.joint_positions[4] = 0.1f;  // what a difference of floats can't hold
+    skin.joint_positions[7] = -1e-7f;
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {curl(4), TestAnimation{"still", {0.5f}, no_turns(4), {}}}), FLG_OK)
+        << flgIoLastError();
+    EXPECT_EQ(folder.entries(), 1u);
+    const ReadSkin read = read_skin(folder.at("a.glb"));
+    ASSERT_EQ(read.result, FLG_OK) << read.error;
+    EXPECT_EQ(read.warnings, "");
+    EXPECT_EQ(read.skin.positions, skin.positions);
+    EXPECT_EQ(read.skin.normals, skin.normals);
+    EXPECT_EQ(read.skin.triangles, skin.triangles);
+    EXPECT_EQ(read.skin.joints, skin.joints);
+    EXPECT_EQ(read.skin.weights, skin.weights);
+    EXPECT_EQ(read.skin.parts, skin.parts);
+    EXPECT_EQ(read.skin.joint_positions, skin.joint_positions);
+    EXPECT_EQ(read.skin.parents, skin.parents);
+    EXPECT_EQ(read.skin.names, skin.names);
+    EXPECT_TRUE(read.materials.empty());
+    EXPECT_EQ(read.info.part_count, 1u);
+    EXPECT_EQ(read.info.box_max[0], 4);
+    ASSERT_EQ(read.animations.size(), 2u);
+    expect_same(read.animations[0], curl(4));
+    expect_same(read.animations[1], TestAnimation{"still", {0.5f}, no_turns(4), {}});
+    // The same again: the same bytes.
+    TestSkin again = read.skin;
+    ASSERT_EQ(write_skin(folder.at("b.glb"), again), FLG_OK);
+    ASSERT_EQ(write_skin(folder.at("c.glb"), skin), FLG_OK);
+    EXPECT_EQ(slurp(folder.at("b.glb")), slurp(folder.at("c.glb")));
+}
+
+TEST(SkinFile, BranchesPartsMaterialsAndMovedRootsComeBack) {
+    const Folder folder;
+    TestSkin skin = cross();
+    const TestAnimation sway = swaying_cross(skin);
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {sway}, four_materials()), FLG_OK) << flgIoLastError();
+    const ReadSkin read = read_skin(folder.at("a.glb"));
+    ASSERT_EQ(read.result, FLG_OK) << read.error;
+    EXPECT_EQ(read.skin.positions, skin.positions);
+    EXPECT_EQ(read.skin.parts, skin.parts);
+    EXPECT_EQ(read.skin.triangles, skin.triangles);  // part by part as they were
+    EXPECT_EQ(read.info.part_count, 4u);
+    ASSERT_EQ(read.materials.size(), 4u);
+    for (size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(read.materials[i].color[i % 3], 0.75f);
+        EXPECT_EQ(read.materials[i].roughness, four_materials()[i].roughness);
+    }
+    ASSERT_EQ(read.animations.size(), 1u);
+    expect_same(read.animations[0], sway);
+    // Two roots, and one material for all.
+    skin.parents[3] = FLG_NO_INDEX;
+    ASSERT_EQ(write_skin(folder.at("b.glb"), skin, {sway}, {four_materials()[1]}), FLG_OK) << flgIoLastError();
+    const ReadSkin two = read_skin(folder.at("b.glb"));
+    ASSERT_EQ(two.result, FLG_OK) << two.error;
+    EXPECT_EQ(two.skin.parents, skin.parents);
+    EXPECT_EQ(two.materials.size(), 1u);
+    expect_same(two.animations[0], sway);
+}
+
+// ---- What others find in ours
+
+tinygltf::Model load_model(const std::string& path) {
+    tinygltf::TinyGLTF loader;
+    tinygltf::Model model;
+    std::string errors, warnings;
+    EXPECT_TRUE(loader.LoadBinaryFromFile(&model, &errors, &warnings, path)) << errors;
+    EXPECT_EQ(errors + warnings, "");
+    return model;
+}
+
+template <class T>
+std::vector<T> values_of(const tinygltf::Model& model, int index) {
+    const tinygltf::Accessor& accessor = model.accessors.at(static_cast<size_t>(index));
+    const tinygltf::BufferView& view = model.bufferViews.at(static_cast<size_t>(accessor.bufferView));
+    const auto components = static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type)));
+    EXPECT_EQ(static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType))),
+              sizeof(T));
+    const size_t size = components * sizeof(T);
+    const size_t stride = view.byteStride ? view.byteStride : size;
+    EXPECT_EQ(stride, size);
+    std::vector<T> values(accessor.count * components);
+    const size_t start = view.byteOffset + accessor.byteOffset;
+    EXPECT_LE(accessor.byteOffset + values.size() * sizeof(T), view.byteLength);
+    EXPECT_EQ(start % 4, 0u);
+    std::memcpy(values.data(), model.buffers[0].data.data() + start, values.size() * sizeof(T));
+    return values;
+}
+
+// The rules of glTF 2.0 that concern us, by numbers of its sections.
+void expect_valid(const tinygltf::Model& model) {
+    constexpr int vertices = 34962, indices = 34963;
+    ASSERT_EQ(model.meshes.size(), 1u);
+    ASSERT_EQ(model.skins.size(), 1u);
+    const tinygltf::Skin& skin = model.skins[0];
+    // 3.5: strict trees, the scene's nodes are roots.
+    std::vector<int> parents(model.nodes.size(), -1);
+    for (size_t i = 0; i < model.nodes.size(); ++i) {
+        for (const int child : model.nodes[i].children) {
+            EXPECT_EQ(parents.at(static_cast<size_t>(child)), -1);
+            parents[static_cast<size_t>(child)] = static_cast<int>(i);
+        }
+    }
+    for (const int root : model.scenes.at(0).nodes) EXPECT_EQ(parents.at(static_cast<size_t>(root)), -1);
+    // 3.7.3: the skinned mesh at the top, all joints below the skeleton, a matrix each whose last row is 0 0 0 1.
+    int mesh_node = -1;
+    for (size_t i = 0; i < model.nodes.size(); ++i)
+        if (model.nodes[i].mesh >= 0) mesh_node = static_cast<int>(i);
+    ASSERT_GE(mesh_node, 0);
+    EXPECT_EQ(parents[static_cast<size_t>(mesh_node)], -1);
+    EXPECT_EQ(model.nodes[static_cast<size_t>(mesh_node)].skin, 0);
+    for (const int joint : skin.joints) {
+        int node = joint;
+        while (node != skin.skeleton && node >= 0) node = parents[static_cast<size_t>(node)];
+        EXPECT_EQ(node, skin.skeleton);
+    }
+    const tinygltf::Accessor& bind = model.accessors.at(static_cast<size_t>(skin.inverseBindMatrices));
+    EXPECT_EQ(bind.type, TINYGLTF_TYPE_MAT4);
+    EXPECT_GE(bind.count, skin.joints.size());
+    EXPECT_EQ(model.bufferViews.at(static_cast<size_t>(bind.bufferView)).target, 0);
+    const std::vector<float> matrices = values_of<float>(model, skin.inverseBindMatrices);
+    for (size_t m = 0; m < matrices.size(); m += 16)
+        for (size_t k = 0; k < 4; ++k) EXPECT_EQ(matrices[m + 4 * k + 3], k == 3 ? 1 : 0);
+    for (const tinygltf::Primitive& primitive : model.meshes[0].primitives) {
+        const auto target = [&](int accessor) {
+            return model.bufferViews
+                .at(static_cast<size_t>(model.accessors.at(static_cast<size_t>(accessor)).bufferView))
+                .target;
+        };
+        EXPECT_EQ(target(primitive.indices), indices);
+        for (const auto& [name, accessor] : primitive.attributes) EXPECT_EQ(target(accessor), vertices) << name;
+        const size_t count = model.accessors[static_cast<size_t>(primitive.attributes.at("POSITION"))].count;
+        for (const auto& [name, accessor] : primitive.attributes)
+            EXPECT_EQ(model.accessors[static_cast<size_t>(accessor)].count, count) << name;
+        // 3.6.2.5: bounds of positions.
+        const tinygltf::Accessor& positions = model.accessors[static_cast<size_t>(primitive.attributes.at("POSITION"))];
+        const std::vector<float> points = values_of<float>(model, primitive.attributes.at("POSITION"));
+        for (size_t k = 0; k < 3; ++k) {
+            double low = points[k], high = low;
+            for (size_t i = k; i < points.size(); i += 3) {
+                low = std::min(low, double{points[i]});
+                high = std::max(high, double{points[i]});
+            }
+            EXPECT_EQ(positions.minValues.at(k), low);
+            EXPECT_EQ(positions.maxValues.at(k), high);
+        }
+        const std::vector<float> normals = values_of<float>(model, primitive.attributes.at("NORMAL"));
+        for (size_t i = 0; i < normals.size(); i += 3)
+            EXPECT_NEAR(std::hypot(normals[i], normals[i + 1], normals[i + 2]), 1, 5e-4);
+        // 3.7.3.3: weights sum up to 1, no joint twice, none without a weight but 0.
+        const std::vector<float> weights = values_of<float>(model, primitive.attributes.at("WEIGHTS_0"));
+        const std::vector<uint16_t> joints = values_of<uint16_t>(model, primitive.attributes.at("JOINTS_0"));
+        for (size_t i = 0; i < weights.size(); i += 4) {
+            float sum = 0;
+            for (size_t k = 0; k < 4; ++k) {
+                sum += weights[i + k];
+                EXPECT_GE(weights[i + k], 0);
+                EXPECT_LT(joints[i + k], skin.joints.size());
+                EXPECT_TRUE(weights[i + k] > 0 || joints[i + k] == 0);
+                for (size_t other = 0; other < k; ++other)
+                    EXPECT_TRUE(weights[i + k] == 0 || weights[i + other] == 0 || joints[i + k] != joints[i + other]);
+            }
+            EXPECT_NEAR(sum, 1, 2e-7);
+        }
+        for (const uint32_t index : values_of<uint32_t>(model, primitive.indices)) EXPECT_LT(index, count);
+    }
+    // 3.11: bounds and rise of times, quaternions of length 1, a channel for a node's path, views without a target.
+    for (const tinygltf::Animation& animation : model.animations) {
+        EXPECT_FALSE(animation.channels.empty());
+        std::vector<std::pair<int, std::string>> targets;
+        for (const tinygltf::AnimationChannel& channel : animation.channels) {
+            targets.emplace_back(channel.target_node, channel.target_path);
+            const tinygltf::AnimationSampler& sampler = animation.samplers.at(static_cast<size_t>(channel.sampler));
+            const tinygltf::Accessor& input = model.accessors.at(static_cast<size_t>(sampler.input));
+            const tinygltf::Accessor& output = model.accessors.at(static_cast<size_t>(sampler.output));
+            EXPECT_EQ(input.count, output.count);
+            for (const tinygltf::Accessor* accessor : {&input, &output})
+                EXPECT_EQ(model.bufferViews.at(static_cast<size_t>(accessor->bufferView)).target, 0);
+            const std::vector<float> times = values_of<float>(model, sampler.input);
+            EXPECT_EQ(input.minValues.at(0), times.front());
+            EXPECT_EQ(input.maxValues.at(0), times.back());
+            for (size_t i = 1; i < times.size(); ++i) EXPECT_LT(times[i - 1], times[i]);
+            const std::vector<float> values = values_of<float>(model, sampler.output);
+            if (channel.target_path != "rotation") continue;
+            for (size_t i = 0; i < values.size(); i += 4) {
+                const double square = double{values[i]} * values[i] + double{values[i + 1]} * values[i + 1] +
+                                      double{values[i + 2]} * values[i + 2] + double{values[i + 3]} * values[i + 3];
+                EXPECT_NEAR(square, 1, 2e-6);
+            }
+        }
+        std::sort(targets.begin(), targets.end());
+        EXPECT_EQ(std::adjacent_find(targets.begin(), targets.end()), targets.end());
+    }
+}
+
+TEST(SkinFile, IsValidGltf) {
+    const Folder folder;
+    TestSkin skin = cross();
+    // What our views allow and glTF does not: off by a little.
+    for (float& w : skin.weights) w *= 1.00005f;
+    for (float& n : skin.normals) n *= 3;
+    skin.normals[0] = skin.normals[1] = skin.normals[2] = 0;
+    TestAnimation sway = swaying_cross(skin);
+    for (float& r : sway.rotations) r *= 1.0005f;
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {sway, curl(skin.joint_count())}, four_materials()), FLG_OK)
+        << flgIoLastError();
+    const tinygltf::Model model = load_model(folder.at("a.glb"));
+    expect_valid(model);
+    EXPECT_EQ(model.meshes[0].primitives.size(), 4u);
+    EXPECT_EQ(model.animations.size(), 2u);
+    EXPECT_EQ(model.animations[0].name, "sway \"1\"");
+    EXPECT_EQ(model.nodes[static_cast<size_t>(model.skins[0].joints[0])].name, "middle");
+    // The root's channels: a turn and the moves.
+    EXPECT_EQ(model.animations[0].channels.size(), skin.joint_count() + 1);
+    TestSkin straight = bar();
+    ASSERT_EQ(write_skin(folder.at("b.glb"), straight), FLG_OK);
+    expect_valid(load_model(folder.at("b.glb")));
+}
+
+// ---- Skins of other programs
+
+using Matrix = std::array<double, 16>;  // column by column
+
+Matrix multiply(const Matrix& a, const Matrix& b) {
+    Matrix c{};
+    for (size_t column = 0; column < 4; ++column)
+        for (size_t row = 0; row < 4; ++row)
+            for (size_t k = 0; k < 4; ++k) c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+    return c;
+}
+
+Matrix matrix_of(const tinygltf::Node& node) {
+    const auto part = [](const std::vector<double>& values, std::vector<double> otherwise) {
+        return values.empty() ? otherwise : values;
+    };
+    const std::vector<double> t = part(node.translation, {0, 0, 0}), r = part(node.rotation, {0, 0, 0, 1});
+    const double x = r[0], y = r[1], z = r[2], w = r[3];
+    const Matrix turn = {1 - 2 * (y * y + z * z),
+                         2 * (x * y + z * w),
+                         2 * (x * z - y * w),
+                         0,
+                         2 * (x * y - z * w),
+                         1 - 2 * (x * x + z * z),
+                         2 * (y * z + x * w),
+                         0,
+                         2 * (x * z + y * w),
+                         2 * (y * z - x * w),
+                         1 - 2 * (x * x + y * y),
+                         0,
+                         t[0],
+                         t[1],
+                         t[2],
+                         1};
+    const std::vector<double> s = part(node.scale, {1, 1, 1});
+    const Matrix size = {s[0], 0, 0, 0, 0, s[1], 0, 0, 0, 0, s[2], 0, 0, 0, 0, 1};
+    return multiply(turn, size);
+}
+
+// Where the format says that vertices are, with the nodes turned as their key 1 says.
+std::vector<double> literal_positions(tinygltf::Model model) {
+    for (const tinygltf::AnimationChannel& channel : model.animations.at(0).channels) {
+        const std::vector<float> values =
+            values_of<float>(model, model.animations[0].samplers[static_cast<size_t>(channel.sampler)].output);
+        const std::vector<double> value(values.begin() + (channel.target_path == "rotation" ? 4 : 3),
+                                        values.begin() + (channel.target_path == "rotation" ? 8 : 6));
+        tinygltf::Node& node = model.nodes[static_cast<size_t>(channel.target_node)];
+        (channel.target_path == "rotation" ? node.rotation : node.translation) = value;
+    }
+    std::vector<Matrix> global(model.nodes.size());
+    const std::function<void(int, const Matrix&)> walk = [&](int index, const Matrix& parent) {
+        const auto node = static_cast<size_t>(index);
+        global[node] = multiply(parent, matrix_of(model.nodes[node]));
+        for (const int child : model.nodes[node].children) walk(child, global[node]);
+    };
+    const Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    for (const int root : model.scenes[0].nodes) walk(root, identity);
+    const auto& attributes = model.meshes[0].primitives[0].attributes;
+    const std::vector<float> points = values_of<float>(model, attributes.at("POSITION"));
+    const std::vector<float> weights = values_of<float>(model, attributes.at("WEIGHTS_0"));
+    const std::vector<uint16_t> joints = values_of<uint16_t>(model, attributes.at("JOINTS_0"));
+    const std::vector<float> bind = values_of<float>(model, model.skins[0].inverseBindMatrices);
+    std::vector<double> placed(points.size());
+    for (size_t v = 0; v < points.size() / 3; ++v) {
+        for (size_t k = 0; k < 4; ++k) {
+            const size_t joint = joints[4 * v + k];
+            Matrix inverse_bind;
+            std::copy_n(bind.begin() + static_cast<std::ptrdiff_t>(16 * joint), 16, inverse_bind.begin());
+            const Matrix m = multiply(global[static_cast<size_t>(model.skins[0].joints[joint])], inverse_bind);
+            for (size_t row = 0; row < 3; ++row) {
+                double value = m[12 + row];
+                for (size_t i = 0; i < 3; ++i) value += m[4 * i + row] * points[3 * v + i];
+                placed[3 * v + row] += weights[4 * v + k] * value;
+            }
+        }
+    }
+    return placed;
+}
+
+// Vertices of the pose at the second key by the mean of what the joints do, without flgSkin..., which are in another library.
+std::vector<double> posed(const TestSkin& skin, const TestAnimation& animation, size_t key) {
+    std::vector<Matrix> motions(skin.joint_count());
+    for (size_t j = 0; j < motions.size(); ++j) {
+        tinygltf::Node turn, back;
+        const float* p = &skin.joint_positions[3 * j];
+        const float* q = &animation.rotations[4 * (key * motions.size() + j)];
+        turn.rotation = {q[0], q[1], q[2], q[3]};
+        turn.translation = {p[0], p[1], p[2]};
+        back.translation = {-p[0], -p[1], -p[2]};
+        Matrix motion = multiply(matrix_of(turn), matrix_of(back));
+        if (skin.parents[j] != FLG_NO_INDEX) {
+            motion = multiply(motions[skin.parents[j]], motion);
+        } else if (!animation.translations.empty()) {
+            for (size_t k = 0; k < 3; ++k) motion[12 + k] += animation.translations[3 * key + k];
+        }
+        motions[j] = motion;
+    }
+    std::vector<double> placed(skin.positions.size());
+    for (size_t v = 0; v < placed.size() / 3; ++v)
+        for (size_t k = 0; k < 4; ++k)
+            for (size_t row = 0; row < 3; ++row) {
+                const Matrix& m = motions[skin.joints[4 * v + k]];
+                double value = m[12 + row];
+                for (size_t i = 0; i < 3; ++i) value += m[4 * i + row] * skin.positions[3 * v + i];
+                placed[3 * v + row] += skin.weights[4 * v + k] * value;
+            }
+    return placed;
+}
+
+class ForeignSkin : public ::testing::Test {
+protected:
+    ForeignSkin() {
+        TestSkin skin = bar(9, 8);
+        TestAnimation animation = curl(4);
+        turn_root(animation);
+        EXPECT_EQ(write_skin(folder_.at("own.glb"), skin, {animation}), FLG_OK) << flgIoLastError();
+        own_ = slurp(folder_.at("own.glb"));
+    }
+    static void turn_root(TestAnimation& animation) {
+        for (size_t key = 0; key < 3; ++key) {
+            const Quat q = about({0, 0.6f, 0.8f}, 0.4f * static_cast<float>(key));
+            std::copy_n(&q.x, 4, animation.rotations.begin() + static_cast<std::ptrdiff_t>(16 * key));
+        }
+        animation.translations = {0, 0, 0, 1, 2, 3, 0, 0, 0};
+    }
+    // Each vertex moves as the format says it does.
+    void expect_moves_as_the_format_says(const Glb& glb) {
+        const std::string path = folder_.put("foreign.glb", glb.bytes());
+        const ReadSkin read = read_skin(path);
+        ASSERT_EQ(read.result, FLG_OK) << read.error;
+        ASSERT_EQ(read.animations.size(), 1u);
+        const auto key = std::find(read.animations[0].times.begin(), read.animations[0].times.end(), 1.0f);
+        ASSERT_NE(key, read.animations[0].times.end());
+        const std::vector<double> is =
+            posed(read.skin, read.animations[0], static_cast<size_t>(key - read.animations[0].times.begin()));
+        const std::vector<double> should = literal_positions(load_model(path));
+        ASSERT_EQ(is.size(), should.size());
+        double largest = 0;
+        for (size_t i = 0; i < is.size(); ++i) {
+            EXPECT_NEAR(is[i], should[i], 1e-5) << i;
+            largest = std::max(largest, std::abs(is[i] - read.skin.positions[i]));
+        }
+        EXPECT_GT(largest, 0.5);  // it did move
+    }
+    const Folder folder_;
+    std::string own_;
+};
+
+TEST_F(ForeignSkin, OwnFilesMoveAsTheFormatSays) {
+    expect_moves_as_the_format_says(Glb(own_));
+}
+
+// Joints that are turned at rest: nodes with rotations, and bind matrices that undo them.
+TEST_F(ForeignSkin, TurnedJointsAreBaked) {
+    Glb glb(own_);
+    // Node of joint 1 turned by a right angle about z: the next one is 1 m along its -y. Its own matrix undoes the turn.
+    glb.replace(R"("name":"bar 1","translation":[1,0,0])",
+                R"("name":"bar 1","translation":[1,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476])");
+    glb.replace(R"("name":"bar 2","translation":[1,0,0])",
+                R"("name":"bar 2","translation":[0,-1,0],"rotation":[0,0,-0.7071067811865476,0.7071067811865476])");
+    const float turned[] = {0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1};  // Rz(-90) after a move by -1 along x
+    for (size_t k = 0; k < 16; ++k) glb.put(glb.binary.size() - 3 * 64 + 4 * k, turned[k]);
+    expect_moves_as_the_format_says(glb);
+    const ReadSkin read = read_skin(folder_.at("foreign.glb"));
+    EXPECT_EQ(read.skin.joint_positions, bar().joint_positions);
+}
+
+// Nodes above the joints place the whole, here upright and a hundredth of the size; they may be turned in an animation.
+TEST_F(ForeignSkin, NodesAboveTheJointsPlaceTheWhole) {
+    Glb glb(own_);
+    glb.replace(R"("name":"model skeleton",)",
+                R"("name":"model skeleton","translation":[0,5,0],"scale":[2,2,2],"rotation":[0.6,0,0,0.8],)");
+    expect_moves_as_the_format_says(glb);
+}
+
+TEST_F(ForeignSkin, ChildrenMayComeBeforeTheirParents) {
+    Glb glb(own_);
+    glb.replace(R"("joints":[2,3,4,5])", R"("joints":[5,4,3,2])");
+    // As many vertices as before, now named by the other numbers: 0 is what was 3.
+    const size_t vertices = bar(9, 8).vertex_count();
+    const TestSkin plain = bar(9, 8);
+    for (size_t i = 0; i < 4 * vertices; ++i)
+        glb.put(24 * vertices + 2 * i, static_cast<uint16_t>(3 - plain.joints[i]));
+    const size_t bind = glb.binary.size() - 4 * 64;
+    for (size_t j = 0; j < 4; ++j) glb.put(bind + 64 * j + 48, -static_cast<float>(3 - j));
+    expect_moves_as_the_format_says(glb);
+    const ReadSkin read = read_skin(folder_.at("foreign.glb"));
+    EXPECT_EQ(read.skin.parents, (std::vector<uint32_t>{FLG_NO_INDEX, 0, 1, 2}));
+    EXPECT_EQ(read.skin.names, (std::vector<std::string>{"bar 0", "bar 1", "bar 2", "bar 3"}));
+}
+
+TEST_F(ForeignSkin, FilesWithoutASkinAreNoError) {
+    const ReadSkin read = read_skin(folder_.put("a.gltf", Document{}.text()));
+    EXPECT_EQ(read.result, FLG_OK) << read.error;
+    EXPECT_FALSE(read.has_skin);
+    Glb glb(own_);
+    glb.replace(R"("nodes":[0,1])", R"("nodes":[1])");  // not shown
+    EXPECT_FALSE(read_skin(folder_.put("b.glb", glb.bytes())).has_skin);
+    EXPECT_EQ(read_skin(folder_.put("a.obj", "v 0 0 0\n")).result, FLG_ERROR_FORMAT);
+    EXPECT_EQ(read_skin(folder_.at("nosuch.glb")).result, FLG_ERROR_FILE);
+    FlgSkinFile file = nullptr;
+    EXPECT_EQ(flgSkinFileRead(nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgSkinFileRead("a", nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    flgSkinFileRelease(nullptr);
+}
+
+TEST_F(ForeignSkin, NormalsAreMadeAndWeightsSorted) {
+    Glb glb(own_);
+    glb.replace(R"("NORMAL":1,)", "");
+    const size_t weights = 32 * size_t{bar(9, 8).vertex_count()}, joints = 24 * size_t{bar(9, 8).vertex_count()};
+    const float given[] = {0.125f, 0.25f, 0.375f, 0.25f};
+    const uint16_t named[] = {1, 2, 3, 2};
+    for (size_t k = 0; k < 4; ++k) glb.put(weights + 4 * k, given[k]).put(joints + 2 * k, named[k]);
+    const ReadSkin read = read_skin(folder_.put("a.glb", glb.bytes()));
+    ASSERT_EQ(read.result, FLG_OK) << read.error;
+    EXPECT_EQ(std::vector<float>(read.skin.weights.begin(), read.skin.weights.begin() + 4),
+              (std::vector<float>{0.5f, 0.375f, 0.125f, 0}));
+    EXPECT_EQ(std::vector<uint16_t>(read.skin.joints.begin(), read.skin.joints.begin() + 4),
+              (std::vector<uint16_t>{2, 3, 1, 0}));
+    const TestSkin plain = bar(9, 8);
+    for (size_t v = 16; v < 24; ++v)
+        for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(read.skin.normals[3 * v + k], plain.normals[3 * v + k], 1e-5);
+}
+
+// ---- Files that can't be right, or say what no FlgSkinAnimation can
+
+class BadSkin : public ForeignSkin {
+protected:
+    void refuse(Glb glb, const std::string& place, const std::string& reason, FlgResult result = FLG_ERROR_FORMAT) {
+        const std::string path = folder_.put("bad.glb", glb.bytes());
+        const ReadSkin read = read_skin(path);
+        EXPECT_EQ(read.result, result) << read.error;
+        EXPECT_FALSE(read.has_skin);
+        EXPECT_EQ(read.error.rfind(path + ":" + place + ": ", 0), 0u) << read.error;
+        EXPECT_NE(read.error.find(reason), std::string::npos) << read.error;
+    }
+    Glb own() const { return Glb(own_); }
+    const size_t vertices_ = bar(9, 8).vertex_count();
+};
+
+TEST_F(BadSkin, Attributes) {
+    const std::string attributes = "meshes[0].primitives[0].attributes";
+    refuse(own().replace(R"("JOINTS_0":2,)", ""), attributes, "has no JOINTS_0");
+    refuse(own().replace(R"("WEIGHTS_0":3,)", ""), attributes, "has no WEIGHTS_0");
+    refuse(own().replace(R"("POSITION":0,)", ""), attributes, "has no POSITION");
+    refuse(own().replace(R"("WEIGHTS_0":3)", R"("WEIGHTS_0":1)"), "accessors[1]", "not four floats");
+    refuse(own().replace(R"("JOINTS_0":2)", R"("JOINTS_0":3)"), "accessors[3]", "not four bytes");
+    refuse(own().replace(R"("JOINTS_0":2)", R"("JOINTS_0":99)"), attributes + ".JOINTS_0", "accessors 99");
+    refuse(own().replace(R"("_PART":4)", R"("_PART":3)"), "accessors[3]", "not one number");
+    refuse(own().put(48 * vertices_, 0.5f), "accessors[4]", "of part 0.5");
+    refuse(own().put(48 * vertices_, -1.0f), "accessors[4]", "of part -1");
+    const std::string one_less = std::to_string(vertices_ - 1);
+    Glb fewer = own();
+    const size_t at = fewer.json.find(R"("componentType":5123,"count":)") + 29;
+    ASSERT_EQ(fewer.json.substr(at, one_less.size() + 1), std::to_string(vertices_) + ",");
+    fewer.json.replace(at, std::to_string(vertices_).size(), one_less);
+    refuse(fewer, "accessors[2].count", "is " + one_less + ", but there are " + std::to_string(vertices_));
+}
+
+TEST_F(BadSkin, Bindings) {
+    refuse(own().put(24 * vertices_ + 8, uint16_t{4}), "accessors[2]", "vertex 1 names joint 4, but there are 4");
+    refuse(own().put(32 * vertices_, NAN), "accessors[3]", "vertex 0 has the weight nan");
+    refuse(own().put(32 * vertices_, -0.5f), "accessors[3]", "vertex 0 has the weight -0.5");
+    refuse(own().put(32 * vertices_, 0.25f), "accessors[3]", "the weights of vertex 0 sum up to 0.25");
+    refuse(own().put(0, INFINITY), "accessors[0]", "vertex 0 gives inf");
+    refuse(own().put(12 * vertices_, NAN), "accessors[1]", "vertex 0 gives nan");
+}
+
+TEST_F(BadSkin, Nodes) {
+    refuse(own().replace(R"("name":"bar 3",)", R"("name":"bar 3","children":[2],)"), "nodes[2]",
+           "is a child of nodes[1] and of nodes[5]");
+    refuse(own()
+               .replace(R"("children":[2])", R"("children":[])")
+               .replace(R"("name":"bar 3",)", R"("name":"bar 3","children":[2],)"),
+           "nodes[2]", "is below itself");
+    refuse(own().replace(R"("children":[2])", R"("children":[77])"), "nodes[1].children", "nodes 77 of 6");
+    refuse(own().replace(R"("translation":[0,0,0])", R"("translation":[0,0])"), "nodes[2].translation",
+           "must be 3 numbers");
+}
+
+TEST_F(BadSkin, Skins) {
+    refuse(own().replace(R"("skin":0)", R"("skin":3)"), "skins[3]", "refers to skins 3 of 1");
+    refuse(own().replace(R"("joints":[2,3,4,5])", R"("joints":[])"), "skins[0]", "has no joints");
+    refuse(own().replace(R"("joints":[2,3,4,5])", R"("joints":[2,3,4])"), "accessors[2]",
+           "names joint 3, but there are 3");
+    refuse(own().replace(R"("joints":[2,3,4,5])", R"("joints":[2,3,4,4])"), "skins[0].joints[3]", "as joint 2 is");
+    refuse(own().replace(R"("joints":[2,3,4,5])", R"("joints":[2,3,4,9])"), "skins[0].joints[3]", "nodes 9 of 6");
+    refuse(own().replace(R"("joints":[2,3,4,5])", R"("joints":[2,3,4,5,0])"), "accessors[12].count",
+           "is 4, but there are 5 joints");
+    refuse(own().replace(R"("inverseBindMatrices":)", R"("inverseBindMatrices":1,"was":)"), "accessors[1].type",
+           "is not MAT4");
+    refuse(own().put(own().binary.size() - 64, NAN), "accessors[12]", "matrix of joint 3 is not finite");
+    refuse(own().put(own().binary.size() - 64, 0.0f), "accessors[12]", "has no inverse");
+}
+
+TEST_F(BadSkin, Animations) {
+    refuse(own().replace(R"("samplers":[{)", R"("samplers":[{"interpolation":"CUBICSPLINE",)"),
+           "animations[0].samplers[0].interpolation", "only LINEAR is supported");
+    refuse(own().replace(R"({"sampler":1,)", R"({"sampler":9,)"), "animations[0].channels[1].sampler",
+           "is 9, but there are 5");
+    refuse(own().replace(R"({"sampler":1,"target":{"node":3)", R"({"sampler":1,"target":{"node":2)"),
+           "animations[0].channels[1]", "another channel moves");
+    refuse(own().replace(R"("path":"rotation")", R"("path":"scale")"), "accessors[7]", "does not hold 3 floats a key");
+    refuse(own().replace(R"("target":{"node":2)", R"("target":{"node":88)"), "animations[0].channels[0].target.node",
+           "nodes 88 of 6");
+    // The root's quaternions come behind the three times, which come behind the indices.
+    const size_t times = 52 * vertices_ + 4 * bar(9, 8).triangles.size();
+    refuse(own().put(times + 4, 0.0f), "accessors[6]", "time 1 is 0: times rise");
+    refuse(own().put(times, -1.0f), "accessors[6]", "time 0 is -1");
+    refuse(own().put(times, NAN), "accessors[6]", "time 0 is nan");
+    refuse(own().put(times + 12 + 12, 2.0f), "accessors[7]", "quaternion of key 0 is 2 long");
+    refuse(own().put(times + 12, NAN), "accessors[7]", "key 0 gives nan");
+    // What a skin here can't do: bones that get longer, and larger joints.
+    refuse(own().replace(R"("node":2,"path":"translation")", R"("node":4,"path":"translation")"), "animations[0]",
+           "joint 'bar 2' leaves its parent");
+    refuse(own().replace(R"("name":"bar 2",)", R"("name":"bar 2","scale":[1,2,1],)"), "animations[0]",
+           "joint 'bar 2' is scaled");
+}
+
+// ---- Writing
+
+class SkinRefusals : public ::testing::Test {
+protected:
+    std::string refusal(const std::function<void(FlgSkinView&, FlgSkinAnimation&, FlgSkinFileDesc&)>& change,
+                        const char* name = "a.glb") {
+        FlgSkinView view = skin_.view();
+        FlgSkinAnimation animation = animation_.view();
+        FlgSkinFileDesc desc = {};
+        EXPECT_EQ(flgSkinFileDescInit(&desc, sizeof desc), FLG_OK);
+        desc.skin = &view;
+        desc.animations = &animation;
+        desc.animation_count = 1;
+        change(view, animation, desc);
+        const std::string path = folder_.at(name);
+        const FlgResult result = flgSkinFileWrite(path.c_str(), &desc);
+        EXPECT_TRUE(result == FLG_ERROR_INVALID_ARGUMENT || result == FLG_ERROR_FORMAT) << result;
+        EXPECT_EQ(folder_.entries(), 0u);
+        const std::string error = flgIoLastError();
+        EXPECT_EQ(error.rfind(path + ":", 0), 0u) << error;
+        return error.substr(std::min(error.size(), path.size() + 1));
+    }
+    std::string refusal() {
+        return refusal([](auto&, auto&, auto&) {});
+    }
+    const Folder folder_;
+    TestSkin skin_ = bar();
+    TestAnimation animation_ = curl(4);
+};
+
+TEST_F(SkinRefusals, Arguments) {
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.struct_size = 4; }).rfind("desc.skin: has the struct_size 4", 0),
+              0u);
+    EXPECT_EQ(refusal([](auto&, auto& a, auto&) { a.struct_size = 4; }).rfind("desc.animations[0]: has the", 0), 0u);
+    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.struct_size = 4; }).rfind("desc: has the struct_size 4", 0), 0u);
+    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.skin = nullptr; }), "desc.skin: is null");
+    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.animations = nullptr; }), "desc.animations: is null");
+    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.material_count = 1; }), "desc.materials: is null");
+    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.name = "\xff"; }), "desc.name: must be UTF-8 of at most 255 bytes");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.vertex_count = 0; }),
+              "desc.skin.vertex_count: is 0, must be at least 1");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.triangle_count = 0; }),
+              "desc.skin.triangle_count: is 0: there is nothing to write");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.joint_count = 0; }),
+              "desc.skin.joint_count: is 0, must be 1 to 65535");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.positions = nullptr; }), "desc.skin.positions: is null");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.normals = nullptr; }), "desc.skin.normals: is null");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.vertex_joints = nullptr; }), "desc.skin.vertex_joints: is null");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.vertex_weights = nullptr; }), "desc.skin.vertex_weights: is null");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.triangles = nullptr; }), "desc.skin.triangles: is null");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.joint_positions = nullptr; }),
+              "desc.skin.joint_positions: is null");
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.joint_parents = nullptr; }), "desc.skin.joint_parents: is null");
+    EXPECT_NE(refusal([](auto&, auto&, auto&) {}, "a.ply").find("'.ply' is not .glb"), std::string::npos);
+    EXPECT_EQ(flgSkinFileWrite(nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_F(SkinRefusals, Values) {
+    const TestSkin sound = skin_;
+    const auto changed = [&](const std::function<void(TestSkin&)>& change) {
+        skin_ = sound;
+        change(skin_);
+        return refusal();
+    };
+    EXPECT_EQ(changed([](TestSkin& s) { s.joints[5] = 4; }),
+              "desc.skin.vertex_joints[5]: is 4, but there are 4 joints");
+    EXPECT_EQ(changed([](TestSkin& s) {
+                  s.joints[4] = s.joints[5] = 1;
+                  s.weights[4] = s.weights[5] = 0.5f;
+              }),
+              "desc.skin.vertex_joints[5]: is 1, which vertex 1 has already");
+    EXPECT_EQ(changed([](TestSkin& s) { s.weights[4] = NAN; }), "desc.skin.vertex_weights[4]: is nan, must be 0 to 1");
+    EXPECT_EQ(changed([](TestSkin& s) { s.weights[4] = 0.5f; }),
+              "desc.skin.vertex_weights[4]: and the next three sum up to 0.5, must be 1");
+    EXPECT_EQ(changed([](TestSkin& s) { s.triangles[3] = s.vertex_count(); }).rfind("desc.skin.triangles[3]: is ", 0),
+              0u);
+    EXPECT_EQ(changed([](TestSkin& s) { s.positions[2] = INFINITY; }).rfind("desc.skin.positions[2]: is inf", 0), 0u);
+    EXPECT_EQ(changed([](TestSkin& s) { s.normals[2] = NAN; }).rfind("desc.skin.normals[2]: is nan", 0), 0u);
+    EXPECT_EQ(changed([](TestSkin& s) { s.joint_positions[2] = NAN; }).rfind("desc.skin.joint_positions[2]: is nan", 0),
+              0u);
+    EXPECT_EQ(changed([](TestSkin& s) { s.parents[1] = 1; }),
+              "desc.skin.joint_parents[1]: is 1, must be lower than the joint, or FLG_NO_INDEX");
+    EXPECT_EQ(changed([](TestSkin& s) { s.names[1].back() = '\xfe'; }),
+              "desc.skin.joint_names[1]: must be UTF-8 of at most 255 bytes");
+    EXPECT_EQ(changed([](TestSkin& s) { s.parts[0] = 1u << 24; }).rfind("desc.skin.vertex_parts[0]: is 16777216", 0),
+              0u);
+}
+
+TEST_F(SkinRefusals, Animations) {
+    const TestAnimation sound = animation_;
+    const auto changed = [&](const std::function<void(TestAnimation&)>& change) {
+        animation_ = sound;
+        change(animation_);
+        return refusal();
+    };
+    EXPECT_EQ(changed([](TestAnimation& a) { a.times.clear(); }),
+              "desc.animations[0].key_count: is 0, must be at least 1");
+    EXPECT_EQ(changed([](TestAnimation& a) { a.times[2] = 1; }),
+              "desc.animations[0].times[2]: is 1 after 1; times rise from 0 or later");
+    EXPECT_EQ(changed([](TestAnimation& a) { a.times[0] = -2; }),
+              "desc.animations[0].times[0]: is -2 after -1; times rise from 0 or later");
+    EXPECT_EQ(changed([](TestAnimation& a) { a.rotations[7] = 3; }),
+              "desc.animations[0].rotations[4]: starts a quaternion that is 3 long, must be 1");
+    EXPECT_EQ(
+        changed([](TestAnimation& a) { a.rotations[7] = NAN; }).rfind("desc.animations[0].rotations[7]: is nan", 0),
+        0u);
+    EXPECT_EQ(changed([](TestAnimation& a) {
+                  a.translations.assign(9, INFINITY);
+              }).rfind("desc.animations[0].translations[0]: is inf", 0),
+              0u);
+    EXPECT_EQ(refusal([](auto&, auto& a, auto&) { a.rotations = nullptr; }), "desc.animations[0].rotations: is null");
+    EXPECT_EQ(refusal([](auto&, auto& a, auto&) { a.times = nullptr; }), "desc.animations[0].times: is null");
+}
+
+TEST_F(SkinRefusals, Materials) {
+    skin_ = cross();
+    animation_ = curl(skin_.joint_count());
+    std::vector<FlgMeshMaterial> materials = four_materials();
+    EXPECT_EQ(refusal([&](auto&, auto&, auto& d) {
+                  d.materials = materials.data();
+                  d.material_count = 3;
+              }).rfind("desc.skin.vertex_parts[", 0),
+              0u);
+    materials[2].roughness = 2;
+    EXPECT_EQ(refusal([&](auto&, auto&, auto& d) {
+                  d.materials = materials.data();
+                  d.material_count = 4;
+              }),
+              "desc.materials[2].roughness: is 2, must be from 0 to 1");
+}
+
+TEST(SkinFile, HostsStructsAreChecked) {
+    const Folder folder;
+    TestSkin skin = bar();
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin), FLG_OK);
+    FlgSkinFile file = nullptr;
+    ASSERT_EQ(flgSkinFileRead(folder.at("a.glb").c_str(), &file), FLG_OK);
+    FlgSkinView view = {};
+    EXPECT_EQ(flgSkinFileGetView(file, &view), FLG_ERROR_INVALID_ARGUMENT);  // no struct_size
+    view.struct_size = sizeof view;
+    EXPECT_EQ(flgSkinFileGetView(nullptr, &view), FLG_ERROR_INVALID_ARGUMENT);
+    FlgSkinFileInfo info = {};
+    EXPECT_EQ(flgSkinFileGetInfo(file, &info), FLG_ERROR_INVALID_ARGUMENT);
+    const FlgSkinAnimation* animations = reinterpret_cast<const FlgSkinAnimation*>(&info);
+    uint32_t count = 7;
+    EXPECT_EQ(flgSkinFileGetAnimations(nullptr, &animations, &count), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(animations, nullptr);
+    EXPECT_EQ(count, 0u);
+    EXPECT_EQ(flgSkinFileGetMaterials(file, nullptr, &count), FLG_ERROR_INVALID_ARGUMENT);
+    flgSkinFileRelease(file);
+}
+
+}  // namespace
+}  // namespace flg::test
