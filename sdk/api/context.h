@@ -14,6 +14,8 @@ class Field;
 class TracedCurves;
 class Tangle;
 class HeldStraightSkeleton;
+class HeldPart;
+class HeldModel;
 }  // namespace flg
 
 // In the global namespace because the C header declares it.
@@ -29,6 +31,8 @@ struct FlgContextT {
           surface_curves(flg::HandleKind::surface_curves, salt, &memory),
           tangles(flg::HandleKind::tangle, salt, &memory),
           straight_skeletons(flg::HandleKind::straight_skeleton, salt, &memory),
+          parts(flg::HandleKind::part, salt, &memory),
+          models(flg::HandleKind::model, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -43,6 +47,8 @@ struct FlgContextT {
     flg::HandleTable<flg::TracedCurves> surface_curves;
     flg::HandleTable<flg::Tangle> tangles;
     flg::HandleTable<flg::HeldStraightSkeleton> straight_skeletons;
+    flg::HandleTable<flg::HeldPart> parts;
+    flg::HandleTable<flg::HeldModel> models;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };

@@ -14,6 +14,8 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::surface_curves: return "set of surface curves";
         case HandleKind::tangle: return "tangle";
         case HandleKind::straight_skeleton: return "straight skeleton";
+        case HandleKind::part: return "part";
+        case HandleKind::model: return "model";
     }
     return "handle";
 }

@@ -22,7 +22,9 @@ enum class HandleKind : uint8_t {
     field,
     surface_curves,
     tangle,
-    straight_skeleton
+    straight_skeleton,
+    part,
+    model
 };
 
 const char* handle_kind_name(HandleKind kind);

@@ -22,6 +22,7 @@ std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common);
 Command add_geodesic(CLI::App& program, const CommonOptions& common);
 Command add_path(CLI::App& program, const CommonOptions& common);
 Command add_contour(CLI::App& program, const CommonOptions& common);
+Command add_skeleton(CLI::App& program, const CommonOptions& common);
 Command add_straight_skeleton(CLI::App& program, const CommonOptions& common);
 Command add_tangle(CLI::App& program, const CommonOptions& common);
 Command add_bench(CLI::App& program, const CommonOptions& common);

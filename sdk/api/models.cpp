@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Parts and models: made, shown, released.
+#include <cmath>
+
+#include "api/context.h"
+#include "api/contour_inputs.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "bones/model.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t most_parts = 4096;
+constexpr size_t longest_name = 63;
+constexpr double shear_limit = 1e-4;  // of the scale
+
+FlgPartDesc default_part_desc() {
+    FlgPartDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.contour = default_contour_view();
+    desc.spacing = default_spacing;
+    desc.tolerance = 0.0015;
+    desc.collapse = 0.5;
+    return desc;
+}
+
+FlgModelPart default_model_part() {
+    FlgModelPart part{};
+    part.placement[0] = part.placement[5] = part.placement[10] = 1;
+    part.thickness = 1;
+    return part;
+}
+
+FlgModelDesc default_model_desc() {
+    FlgModelDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.thresholds = {0.0025f, 0.015f, 0.015f, 0.005f};
+    desc.shape_weight = 0.25f;
+    desc.mirror[0] = 1;
+    return desc;
+}
+
+template <class View>
+View empty_view() {
+    View view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+void check_thresholds(const FlgBoneThresholds& thresholds, const char* argument) {
+    const auto check = [&](float value, const char* name) {
+        char field[96];
+        std::snprintf(field, sizeof field, "%s.%s", argument, name);
+        check_range(value >= 0 && value <= 10, field, value, "0 to 10");
+    };
+    check(thresholds.simplify, "simplify");
+    check(thresholds.merge, "merge");
+    check(thresholds.prune, "prune");
+    check(thresholds.collapse, "collapse");
+}
+
+// The scale of a placement that turns, scales and moves, mirrored or not.
+double read_placement(const double (&placement)[12], uint32_t part, Eigen::Matrix<double, 3, 4>& out) {
+    char name[48];
+    for (int i = 0; i < 12; ++i) {
+        std::snprintf(name, sizeof name, "desc.parts[%u].placement[%d]", part, i);
+        check_range(std::abs(placement[i]) <= 1e30, name, placement[i], "finite and at most 1e30 in size");
+        out(i / 4, i % 4) = placement[i];
+    }
+    const double scale = out.col(0).norm();
+    const Eigen::Matrix3d turn = out.leftCols<3>();
+    const double off = (turn.transpose() * turn - scale * scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    if (!(scale > 1e-30) || off > shear_limit * scale * scale)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.parts[%u].placement does more than turn, mirror, move and scale by one factor above 0",
+                      part);
+    return scale;
+}
+
+PlacedPart read_part(Context& context, const FlgModelDesc& desc, uint32_t number, Submission& submission) {
+    const FlgModelPart& in = desc.parts[number];
+    char name[64];
+    const auto field = [&](const char* member) {
+        std::snprintf(name, sizeof name, "desc.parts[%u].%s", number, member);
+        return name;
+    };
+    PlacedPart out(&context.memory);
+    out.part = context.parts.get(in.part.id, field("part"));
+    out.source = number;
+    out.thickness = in.thickness;
+    out.thresholds = desc.thresholds;
+    submission.read(*out.part, field("part"));
+    out.scale = read_placement(in.placement, number, out.placement);
+    check_range(in.thickness >= 0.01f && in.thickness <= 100, field("thickness"), in.thickness, "0.01 to 100");
+    if (in.thresholds) {
+        check_thresholds(*in.thresholds, field("thresholds"));
+        out.thresholds = *in.thresholds;
+    }
+    if (in.branch_simplify) {
+        for (uint32_t b = 0; b < in.branch_count; ++b) {
+            check_range(in.branch_simplify[b] <= 10, field("branch_simplify"), in.branch_simplify[b], "at most 10");
+            out.branch_simplify.push_back(in.branch_simplify[b]);
+        }
+    }
+    char default_name[16];
+    std::snprintf(default_name, sizeof default_name, "part%u", number);
+    out.name = in.name ? in.name : default_name;
+    if (out.name.empty() || out.name.size() > longest_name)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].name has %zu bytes, must have 1 to %zu", number,
+                      out.name.size(), longest_name);
+    return out;
+}
+
+void read_mirror(const float (&mirror)[4], HeldModel& model) {
+    for (int i = 0; i < 4; ++i) {
+        char name[24];
+        std::snprintf(name, sizeof name, "desc.mirror[%d]", i);
+        check_range(is_coordinate(mirror[i]), name, mirror[i], "finite and at most 1e30 in size");
+    }
+    const Vec3 normal = load_vec3(mirror);
+    if (!(normal.norm() > 1e-30)) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mirror has a normal of no length");
+    model.mirror_normal = normal.normalized();
+    model.mirror_offset = mirror[3] / normal.norm();
+}
+
+// Puts a part on the other side of the mirror.
+void mirror_part(PlacedPart& part, const HeldModel& model) {
+    const Vec3& n = model.mirror_normal;
+    part.placement = (part.placement - 2 * n * (n.transpose() * part.placement)).eval();
+    part.placement.col(3) += 2 * model.mirror_offset * n;
+    part.is_mirrored = true;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgPartDescInit(FlgPartDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_part_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* out_part, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_part, "out_part") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgPartDesc read = read_struct(desc, default_part_desc(), "desc");
+        check_range(read.spacing == 0 || (read.spacing >= 0.0005 && read.spacing <= 0.1), "desc.spacing", read.spacing,
+                    "0, or 0.0005 to 0.1");
+        check_range(read.tolerance >= 0 && read.tolerance <= 0.1, "desc.tolerance", read.tolerance, "0 to 0.1");
+        check_range(read.collapse >= 0 && read.collapse <= 10, "desc.collapse", read.collapse, "0 to 10");
+        Submission submission(self, read.job);
+        const auto out = make_object<HeldPart>(self, read_contour(read.contour, &self.memory), &self.memory);
+        out->spacing = read.spacing;
+        out->tolerance = read.tolerance;
+        out->collapse = read.collapse;
+        submission.job().strand.start(make_part(submission.pace(), out));
+        *out_part = {submission.commit(self.parts, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgPartViewInit(FlgPartView* view, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(view, struct_size, empty_view<FlgPartView>(), "view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgPartGetView(FlgContext context, FlgPart part, FlgPartView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, empty_view<FlgPartView>(), "out_view");
+        const HeldPart& self = *get_context(context).parts.get(part.id, "part");
+        const FlgResult result = self.visible_result();
+        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
+        return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgPartRelease(FlgContext context, FlgPart part) {
+    return guarded([&] {
+        get_context(context).parts.remove(part.id, "part");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgModelPartInit(FlgModelPart* part) {
+    return guarded([&] {
+        require(part, "part") = default_model_part();
+        return FLG_OK;
+    });
+}
+
+FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_model_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_model, "out_model") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgModelDesc read = read_struct(desc, default_model_desc(), "desc");
+        check_range(read.part_count >= 1 && read.part_count <= most_parts, "desc.part_count", read.part_count,
+                    "1 to 4096");
+        require(read.parts, "desc.parts");
+        check_thresholds(read.thresholds, "desc.thresholds");
+        check_range(read.shape_weight >= 0 && read.shape_weight <= 100, "desc.shape_weight", read.shape_weight,
+                    "0 to 100");
+        Submission submission(self, read.job);
+        const auto out = make_object<HeldModel>(self, &self.memory);
+        out->thresholds = read.thresholds;
+        out->shape_weight = read.shape_weight;
+        read_mirror(read.mirror, *out);
+        for (uint32_t p = 0; p < read.part_count; ++p) {
+            out->parts.push_back(read_part(self, read, p, submission));
+            if (!read.parts[p].mirrored) continue;
+            const auto original = static_cast<uint32_t>(out->parts.size()) - 1;
+            out->parts.push_back(read_part(self, read, p, submission));
+            mirror_part(out->parts.back(), *out);
+            out->parts[original].twin = original + 1;
+            out->parts[original + 1].twin = original;
+        }
+        submission.job().strand.start(make_model(submission.pace(), out));
+        *out_model = {submission.commit(self.models, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgModelViewInit(FlgModelView* view, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(view, struct_size, empty_view<FlgModelView>(), "view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgModelGetView(FlgContext context, FlgModel model, FlgModelView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, empty_view<FlgModelView>(), "out_view");
+        const HeldModel& self = *get_context(context).models.get(model.id, "model");
+        const FlgResult result = self.visible_result();
+        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
+        return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgModelRelease(FlgContext context, FlgModel model) {
+    return guarded([&] {
+        get_context(context).models.remove(model.id, "model");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

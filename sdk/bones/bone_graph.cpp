@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "bones/bone_graph.h"
+
+namespace flg {
+
+uint32_t BoneGraph::heir(uint32_t joint) const {
+    while (joints_[joint].heir != no_number) joint = joints_[joint].heir;
+    return joint;
+}
+
+double BoneGraph::length(uint32_t bone) const {
+    return (joints_[bones_[bone].joints[0]].at - joints_[bones_[bone].joints[1]].at).norm();
+}
+
+uint32_t BoneGraph::add_joint(const Vec3& at, double radius, uint32_t part) {
+    joints_.push_back({at, radius, part, no_number, 0, no_number, no_number});
+    return static_cast<uint32_t>(joints_.size()) - 1;
+}
+
+void BoneGraph::link(uint32_t joint, uint32_t end) {
+    Joint& j = joints_[joint];
+    ends_[end] = no_number;
+    (j.first == no_number ? j.first : ends_[j.last]) = end;
+    j.last = end;
+    ++j.degree;
+}
+
+uint32_t BoneGraph::add_bone(uint32_t a, uint32_t b, uint32_t part) {
+    const auto bone = static_cast<uint32_t>(bones_.size());
+    bones_.push_back({{a, b}, part, false});
+    ends_.resize(ends_.size() + 2);
+    link(a, 2 * bone);
+    link(b, 2 * bone + 1);
+    return bone;
+}
+
+uint32_t BoneGraph::split(uint32_t bone, const Vec3& at, double radius) {
+    const Bone old = bones_[bone];
+    bones_[bone].gone = true;
+    for (const uint32_t joint : old.joints) --joints_[joint].degree;
+    const uint32_t part = old.part == no_number ? joints_[old.joints[0]].part : old.part;
+    const uint32_t joint = add_joint(at, radius, part);
+    add_bone(old.joints[0], joint, old.part);
+    add_bone(joint, old.joints[1], old.part);
+    return joint;
+}
+
+void BoneGraph::contract(uint32_t bone, uint32_t kept) {
+    const uint32_t dropped = other(bone, kept);
+    Joint &k = joints_[kept], &d = joints_[dropped];
+    bones_[bone].gone = true;
+    for (uint32_t end = first_end(dropped); end != no_number; end = next_end(end))
+        bones_[end / 2].joints[end % 2] = kept;
+    ends_[k.last] = d.first;
+    k.last = d.last;
+    k.degree += d.degree - 2;
+    d.heir = kept;
+}
+
+void BoneGraph::cut_off(uint32_t joint) {
+    const uint32_t bone = bone_of(first_end(joint)), rest = other(bone, joint);
+    bones_[bone].gone = true;
+    --joints_[rest].degree;
+    joints_[joint].heir = rest;
+}
+
+BoneGraph::Walk BoneGraph::walk(uint32_t joint, uint32_t bone) const {
+    Walk walk{other(bone, joint), bone, bones_[bone].part, length(bone)};
+    while (joints_[walk.joint].degree == 2) {
+        const uint32_t first = first_end(walk.joint);
+        walk.bone = bone_of(bone_of(first) == walk.bone ? next_end(first) : first);
+        walk.joint = other(walk.bone, walk.joint);
+        walk.length += length(walk.bone);
+        if (bones_[walk.bone].part != walk.part) walk.part = no_number;
+    }
+    return walk;
+}
+
+}  // namespace flg

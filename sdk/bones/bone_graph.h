@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The bones of a model while they are put together: joints and bones without a direction, that can be split, contracted
+// and removed. Always a forest.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/memory.h"
+#include "core/vec.h"
+
+namespace flg {
+
+inline constexpr uint32_t no_number = 0xffffffffu;
+
+class BoneGraph {
+public:
+    struct Joint {
+        Vec3 at;
+        double radius;
+        uint32_t part;
+        uint32_t heir;  // what it was contracted to or cut off from; no_number: it is there
+        uint32_t degree;
+        uint32_t first, last;  // ends, chained; those of bones that are gone are passed over
+    };
+    struct Bone {
+        uint32_t joints[2];
+        uint32_t part;  // no_number: from one part to another
+        bool gone;
+    };
+
+    explicit BoneGraph(Memory* memory) : joints_(memory), bones_(memory), ends_(memory) {}
+
+    std::pmr::vector<Joint>& joints() { return joints_; }
+    const std::pmr::vector<Joint>& joints() const { return joints_; }
+    const std::pmr::vector<Bone>& bones() const { return bones_; }
+
+    bool is_there(uint32_t joint) const { return joints_[joint].heir == no_number; }
+    // The joint that stands for this one.
+    uint32_t heir(uint32_t joint) const;
+    uint32_t other(uint32_t bone, uint32_t joint) const {
+        const auto& ends = bones_[bone].joints;
+        return ends[0] == joint ? ends[1] : ends[0];
+    }
+    double length(uint32_t bone) const;
+
+    uint32_t add_joint(const Vec3& at, double radius, uint32_t part);
+    uint32_t add_bone(uint32_t a, uint32_t b, uint32_t part);
+    // A new joint on a bone, which ends there from now on; a new bone goes on. Returns the joint.
+    uint32_t split(uint32_t bone, const Vec3& at, double radius);
+    // Makes both ends of a bone one: `kept`. Linear in the bones of the other one.
+    void contract(uint32_t bone, uint32_t kept);
+    // Removes a joint of degree 1, with its bone.
+    void cut_off(uint32_t joint);
+
+    // What comes after an end of the joint's list that is there; begin with first_end.
+    uint32_t first_end(uint32_t joint) const { return skip(joints_[joint].first); }
+    uint32_t next_end(uint32_t end) const { return skip(ends_[end]); }
+    static uint32_t bone_of(uint32_t end) { return end / 2; }
+
+    // From a joint along a bone over joints of two bones to the first one that is none: that joint, the last bone, the
+    // length, and the part of all bones on the way, no_number if they are of several.
+    struct Walk {
+        uint32_t joint, bone, part;
+        double length;
+    };
+    Walk walk(uint32_t joint, uint32_t bone) const;
+
+private:
+    uint32_t skip(uint32_t end) const {
+        while (end != no_number && bones_[end / 2].gone) end = ends_[end];
+        return end;
+    }
+    void link(uint32_t joint, uint32_t end);
+
+    std::pmr::vector<Joint> joints_;
+    std::pmr::vector<Bone> bones_;
+    std::pmr::vector<uint32_t> ends_;  // two a bone: the next end at the same joint
+};
+
+}  // namespace flg

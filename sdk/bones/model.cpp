@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "bones/model.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "bones/bounded_dp.h"
+
+namespace flg {
+namespace {
+
+constexpr uint32_t chunk = 32;  // about 10 us
+constexpr size_t most_joints = 65535;
+
+// The joints of a part: of the ends of its branches, and where BoundedDP bends them.
+Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGraph& graph) {
+    const PlacedPart& placed = model.parts[number];
+    const PartSkeleton& skeleton = placed.part->skeleton;
+    // What is measured across the axis in the plane, and through the part at right angles to it, on the average.
+    const double radius_scale = placed.scale * 0.5 * (1 + placed.thickness);
+    std::pmr::vector<uint32_t> joint_of(skeleton.graph.nodes.size(), no_number, pace.memory());
+    const auto end_joint = [&](uint32_t node) {
+        const AxisNode& n = skeleton.graph.nodes[node];
+        if (joint_of[node] == no_number)
+            joint_of[node] = graph.add_joint(placed.place(n.at), n.clearance * radius_scale, number);
+        return joint_of[node];
+    };
+    if (skeleton.branches.empty()) end_joint(0);
+    if (!placed.branch_simplify.empty() && placed.branch_simplify.size() != skeleton.branches.size())
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].branch_count is %zu; the part has %zu branches",
+                      placed.source, placed.branch_simplify.size(), skeleton.branches.size());
+    std::pmr::vector<uint32_t> kept(pace.memory());
+    for (size_t b = 0; b < skeleton.branches.size(); ++b) {
+        const AxisBranch& branch = skeleton.branches[b];
+        const std::span<const AxisSample> samples(skeleton.samples.data() + branch.begin, branch.end - branch.begin);
+        double share = placed.thresholds.simplify;
+        if (!placed.branch_simplify.empty() && placed.branch_simplify[b] >= 0) share = placed.branch_simplify[b];
+        BoundedDpKernel kernel(placed.part->outline, samples, share * model.size / placed.scale, model.shape_weight,
+                               kept, pace.memory());
+        while (!kernel.run(chunk)) co_await pace;
+        uint32_t before = end_joint(branch.from);
+        for (size_t i = 1; i < kept.size(); ++i) {
+            const AxisSample& sample = samples[kept[i]];
+            const uint32_t joint = i + 1 == kept.size()
+                                       ? end_joint(branch.to)
+                                       : graph.add_joint(placed.place(sample.at),
+                                                         0.5 * (sample.left + sample.right) * radius_scale, number);
+            graph.add_bone(before, joint, number);
+            before = joint;
+        }
+        if (graph.joints().size() > most_joints)
+            throw Failure(FLG_ERROR_LIMIT, "desc.parts have more than %zu joints; larger thresholds make fewer",
+                          most_joints);
+    }
+}
+
+// Which of two twins is the left one: on the side of the mirror's normal, by the middle of its axis.
+void name_twins(HeldModel& model) {
+    for (PlacedPart& part : model.parts) {
+        if (part.twin == no_number) continue;
+        double sum = 0;
+        for (const AxisNode& node : part.part->skeleton.graph.nodes)
+            sum += part.place(node.at).dot(model.mirror_normal) - model.mirror_offset;
+        part.suffix = sum > 0 || (sum == 0 && !part.is_mirrored) ? ".L" : ".R";
+    }
+}
+
+// By part that hangs on none, its widest joint.
+void find_roots(const HeldModel& model, const BoneGraph& graph, std::span<const uint32_t> first_joints,
+                std::pmr::vector<uint32_t>& roots) {
+    for (uint32_t p = 0; p < model.parts.size(); ++p) {
+        if (model.links[p].event != PartLink::Event::root) continue;
+        uint32_t root = graph.heir(first_joints[p]);
+        for (uint32_t j = first_joints[p]; j < first_joints[p + 1]; ++j)
+            if (graph.is_there(j) && graph.joints()[j].part == p &&
+                (graph.joints()[root].part != p || graph.joints()[j].radius > graph.joints()[root].radius))
+                root = j;
+        roots.push_back(root);
+    }
+}
+
+}  // namespace
+
+void HeldModel::show_joint(const BoneJoint& joint) {
+    columns_.joint_counts.resize(parts.size());
+    for (int i = 0; i < 3; ++i) columns_.positions.push_back(static_cast<float>(joint.at[i]));
+    columns_.radii.push_back(static_cast<float>(joint.radius));
+    columns_.parents.push_back(joint.parent);
+    columns_.parts.push_back(joint.part);
+    char number[16];
+    std::snprintf(number, sizeof number, "_%u", columns_.joint_counts[joint.part]++);
+    columns_.names.emplace_back(parts[joint.part].name).append(number).append(parts[joint.part].suffix);
+    columns_.name_pointers.push_back(columns_.names.back().c_str());
+}
+
+void HeldModel::show_part(uint32_t part) {
+    columns_.part_info.push_back({.event = static_cast<FlgPartEvent>(links[part].event),
+                                  .parent = links[part].parent,
+                                  .joint = part_joints[part],
+                                  .source = parts[part].source,
+                                  .twin = parts[part].twin,
+                                  .is_mirrored = parts[part].is_mirrored});
+}
+
+void HeldModel::show() noexcept {
+    view_ = {.struct_size = sizeof view_,
+             .joint_count = static_cast<uint32_t>(tree.joints.size()),
+             .joint_positions = columns_.positions.data(),
+             .joint_radii = columns_.radii.data(),
+             .joint_parents = columns_.parents.data(),
+             .joint_parts = columns_.parts.data(),
+             .joint_names = columns_.name_pointers.data(),
+             .parts = columns_.part_info.data(),
+             .part_count = static_cast<uint32_t>(parts.size()),
+             .size = static_cast<float>(size)};
+}
+
+Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
+    HeldModel& m = *model;
+    Memory* memory = pace.memory();
+    for (const PlacedPart& part : m.parts) m.size = std::max(m.size, part.part->length * part.scale);
+    name_twins(m);
+    pace.stage("connect");
+    BoneGraph graph(memory);
+    std::pmr::vector<uint32_t> first_joints(memory);  // by part, before what others put on its bones
+    std::pmr::vector<RefinementThresholds> thresholds(memory);
+    const auto in_space = [&](const FlgBoneThresholds& shares) {
+        return RefinementThresholds{shares.merge * m.size, shares.prune * m.size, shares.collapse * m.size};
+    };
+    for (uint32_t p = 0; p < m.parts.size(); ++p) {
+        const auto first_joint = static_cast<uint32_t>(graph.joints().size());
+        const auto first_bone = static_cast<uint32_t>(graph.bones().size());
+        first_joints.push_back(first_joint);
+        co_await add_part(pace, m, p, graph);
+        m.links.emplace_back();
+        ConnectionKernel connection(graph, p, m.parts[p].twin, first_joint, first_bone, m.links.back());
+        while (!connection.run(chunk)) co_await pace;
+        thresholds.push_back(in_space(m.parts[p].thresholds));
+        co_await pace;
+    }
+    first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
+    thresholds.push_back(in_space(m.thresholds));
+    pace.stage("refine");
+    RefinementKernel refinement(graph, thresholds, memory);
+    while (!refinement.run(chunk)) co_await pace;
+    std::pmr::vector<uint32_t> roots(memory), number(memory);
+    find_roots(m, graph, first_joints, roots);
+    BoneOrderKernel order(graph, roots, m.tree, number, memory);
+    while (!order.run(chunk)) co_await pace;
+    for (const BoneJoint& joint : m.tree.joints) {
+        m.show_joint(joint);
+        co_await pace;
+    }
+    for (uint32_t p = 0; p < m.parts.size(); ++p) {
+        m.part_joints.push_back(number[graph.heir(first_joints[p])]);
+        m.show_part(p);
+        co_await pace;
+    }
+}
+
+}  // namespace flg

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Drawn parts as hosts hold them, and the job that makes them.
+#pragma once
+
+#include <memory>
+
+#include "bones/part_skeleton.h"
+#include "filigree/filigree_model.h"
+#include "runtime/pace.h"
+#include "runtime/product.h"
+#include "runtime/task.h"
+
+namespace flg {
+
+// Samples of the axis are so far apart where the line is taken as drawn; a share of its length.
+inline constexpr double default_spacing = 0.005;
+
+class HeldPart final : public Product {
+public:
+    HeldPart(Contour of_drawn, Memory* memory)
+        : drawn(std::move(of_drawn)), even(memory), outline(memory), skeleton(memory) {}
+
+    double spacing = 0, tolerance = 0;  // shares of the length
+    double collapse = 0;                // a share of the mean arc's length
+    Contour drawn;                      // cleaned
+    Contour even;                       // the same with points at equal distances, if that was asked for
+    Contour outline;                    // what the axis was made of
+    PartSkeleton skeleton;
+    double length = 0;  // of ring 0, drawn
+
+    const Contour& line() const { return spacing > 0 ? even : drawn; }
+    const FlgPartView& view() const { return view_; }
+
+private:
+    void show() noexcept override;
+
+    FlgPartView view_{};
+};
+
+// The whole of flgPartCreate.
+Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part);
+
+}  // namespace flg

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// filigree skeleton: from contours to bones.
+#include "command.h"
+#include "failure.h"
+#include "model_drawing.h"
+#include "text_file.h"
+
+namespace flg::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::vector<std::string> contours;
+    std::string output, bones;
+    std::optional<float> simplify, merge, prune, collapse;
+};
+
+ModelDrawing read_drawing(const Options& options) {
+    ModelDrawing drawing;
+    if (options.contours.size() == 1 && options.contours[0].ends_with(".json")) {
+        drawing = read_model_drawing(options.contours[0]);
+    } else {
+        for (const std::string& path : options.contours) drawing.parts.push_back(read_contour_part(path));
+    }
+    const auto set = [&](FlgBoneThresholds& thresholds) {
+        thresholds.simplify = options.simplify.value_or(thresholds.simplify);
+        thresholds.merge = options.merge.value_or(thresholds.merge);
+        thresholds.prune = options.prune.value_or(thresholds.prune);
+        thresholds.collapse = options.collapse.value_or(thresholds.collapse);
+    };
+    set(drawing.thresholds);
+    for (DrawnPart& part : drawing.parts)
+        if (part.thresholds) set(*part.thresholds);
+    return drawing;
+}
+
+Json bones_json(const FlgModelView& view) {
+    static constexpr const char* events[] = {"root", "bone_split", "joint_connect"};
+    const auto number = [](uint32_t index) { return index == FLG_NO_INDEX ? Json(nullptr) : Json(index); };
+    Json joints = Json::array(), parts = Json::array();
+    for (size_t j = 0; j < view.joint_count; ++j) {
+        const float* p = view.joint_positions + 3 * j;
+        joints.push_back({{"name", view.joint_names[j]},
+                          {"parent", number(view.joint_parents[j])},
+                          {"part", view.joint_parts[j]},
+                          {"position", {p[0], p[1], p[2]}},
+                          {"radius", view.joint_radii[j]}});
+    }
+    for (size_t p = 0; p < view.part_count; ++p) {
+        const FlgModelPartInfo& part = view.parts[p];
+        parts.push_back({{"event", events[part.event]},
+                         {"parent", number(part.parent)},
+                         {"joint", part.joint},
+                         {"source", part.source},
+                         {"twin", number(part.twin)},
+                         {"mirrored", part.is_mirrored != 0}});
+    }
+    return {{"size", view.size}, {"joints", std::move(joints)}, {"parts", std::move(parts)}};
+}
+
+void run_skeleton(const Options& options, const CommonOptions& common) {
+    require_writable(options.bones);
+    require_writable(common.report);
+    Report report("skeleton", common);
+    const ModelDrawing drawing = read_drawing(options);
+    Session session(common);
+    const FlgModel model = make_drawn_model(session, drawing, options.contours[0], report);
+    FlgModelView view = flgModelViewDefaults();
+    check(flgModelGetView(session.context(), model, &view), options.contours[0]);
+    report.counts["parts"] = view.part_count;
+    report.counts["joints"] = view.joint_count;
+    if (!options.bones.empty()) write_text_file(options.bones, bones_json(view).dump(1) + "\n");
+    report.write();
+}
+
+}  // namespace
+
+Command add_skeleton(CLI::App& program, const CommonOptions& common) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand("skeleton", "Bones of drawn contours");
+    command
+        ->add_option("contours", options->contours,
+                     "Contours, a part each in the order they were drawn, or a drawing (.json)")
+        ->required();
+    command->add_option("--bones", options->bones, "The joints as JSON");
+    const auto threshold = [&](const char* name, std::optional<float>& value, const char* text) {
+        command->add_option(name, value, text)->check(CLI::Range(0.0f, 10.0f));
+    };
+    threshold("--simplify", options->simplify,
+              "Joints keep axis and shape to within this; share of the size, default 0.0025");
+    threshold("--merge", options->merge, "Junctions nearer to each other become one; default 0.015");
+    threshold("--prune", options->prune, "Branches to an end that are shorter are removed; default 0.015");
+    threshold("--collapse", options->collapse, "Inner bones that are shorter vanish; default 0.005");
+    return {command, [options, &common] { run_skeleton(*options, common); }};
+}
+
+}  // namespace flg::cli
