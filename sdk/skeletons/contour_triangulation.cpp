@@ -137,6 +137,8 @@ void ContourTriangulation::step() {
                 enter(Pass::mark);
             }
             break;
+        case Pass::aim: aim(); break;
+        case Pass::cross: cross(); break;
         case Pass::clear: clear(); break;
         case Pass::mark:
             for (const uint32_t end = std::min(count_, at_ + batch); at_ < end; ++at_) inside_[at_] = 0;

@@ -51,11 +51,29 @@ public:
     bool is_inside(uint32_t index) const { return inside_[index] != 0; }
 
 private:
-    enum class Pass { copy, zero, key, sum, sort, locate, legalize, join, clear, mark, seed, flood, check, done };
+    enum class Pass {
+        copy,
+        zero,
+        key,
+        sum,
+        sort,
+        locate,
+        legalize,
+        join,
+        aim,
+        cross,
+        clear,
+        mark,
+        seed,
+        flood,
+        check,
+        done
+    };
     struct Side {
         int32_t triangle;
         uint32_t k;  // no side: the triangle is -1
     };
+    static constexpr uint32_t hops_a_unit = 16;
     static constexpr uint32_t batch = 32;  // points that are one unit where little is done with each
 
     static uint32_t after(uint32_t k) { return k == 2 ? 0 : k + 1; }
@@ -80,7 +98,8 @@ private:
     int turn(int32_t a, int32_t b, int32_t c) const { return orientation(points_[a], points_[b], points_[c]); }
     Side find(int32_t a, int32_t b) const;
     void join();
-    bool collect_crossed(int32_t a, int32_t b);
+    void aim();
+    void cross();
     void clear();
     void mark(const Side& side);
     int32_t edge_between(int32_t a, int32_t b) const;
@@ -105,7 +124,9 @@ private:
     double extent_ = 0;
     Pass pass_ = Pass::copy;
     uint32_t at_ = 0;
-    int32_t here_ = 0;      // where the search for the next point is
+    int32_t here_ = 0;   // where the search for the next point, or along the edge, is
+    uint32_t side_ = 0;  // the side of that triangle through which the edge leaves, and its ends
+    int32_t right_ = 0, left_ = 0;
     uint32_t search_ = 0;   // steps of it
     int32_t inserted_ = 0;  // the vertex whose triangles are on the stack
     int32_t ring_edge_ = 0;

@@ -6,16 +6,30 @@
 
 namespace flg {
 
-// The side between two vertices, of which one at least is the contour's.
+namespace {
+
+constexpr size_t most_cleared = 1000;  // that the list of crossing sides still holds, if these are half of it
+
+}  // namespace
+
+// The side between two vertices, of which one at least is the contour's: around both at once, so that it takes as long as
+// around the one of fewer triangles.
 ContourTriangulation::Side ContourTriangulation::find(int32_t a, int32_t b) const {
     if (a >= size_) std::swap(a, b);
-    const int32_t first = triangle_of_[a];
-    int32_t t = first;
-    do {
-        const uint32_t k = corner(t, a);
-        if (triangles_[t].vertices[after(k)] == b) return {t, before(k)};
-        t = triangles_[t].neighbours[after(k)];
-    } while (t != first);
+    const bool both = b < size_;
+    const int32_t first_a = triangle_of_[a], first_b = triangle_of_[b];
+    int32_t at_a = first_a, at_b = first_b;
+    for (;;) {
+        const uint32_t k = corner(at_a, a);
+        if (triangles_[at_a].vertices[after(k)] == b) return {at_a, before(k)};
+        at_a = triangles_[at_a].neighbours[after(k)];
+        if (at_a == first_a) break;
+        if (!both) continue;
+        const uint32_t j = corner(at_b, b);
+        if (triangles_[at_b].vertices[after(j)] == a) return {at_b, before(j)};
+        at_b = triangles_[at_b].neighbours[after(j)];
+        if (at_b == first_b) break;
+    }
     return {-1, 0};
 }
 
@@ -35,58 +49,69 @@ void ContourTriangulation::join() {
     if (side.triangle >= 0) {
         mark(side);
         ++at_;
-    } else if (collect_crossed(a, b)) {
-        crossed_at_ = 0;
-        flips_left_ = 1000 + 100 * crossed_.size() * crossed_.size();
-        pass_ = Pass::clear;
+        return;
+    }
+    crossed_.clear();
+    crossed_at_ = 0;
+    here_ = triangle_of_[a];
+    pass_ = Pass::aim;
+}
+
+// Around the edge's beginning to the triangle that it leaves through; a point on the way is a fault.
+void ContourTriangulation::aim() {
+    const auto a = static_cast<int32_t>(at_), b = static_cast<int32_t>(next_[at_]);
+    for (uint32_t hop = 0; hop < hops_a_unit; ++hop) {
+        const uint32_t k = corner(here_, a);
+        right_ = triangles_[here_].vertices[after(k)];
+        left_ = triangles_[here_].vertices[before(k)];
+        const int side = turn(a, b, right_);
+        if (side == 0) {
+            const Point2 &from = points_[a], &to = points_[b], &between = points_[right_];
+            if ((to.x - from.x) * (between.x - from.x) + (to.y - from.y) * (between.y - from.y) > 0) {
+                stop(ContourFault::Kind::point_on_edge, right_, a);
+                return;
+            }
+        }
+        if (side < 0 && turn(a, b, left_) > 0) {
+            side_ = k;
+            pass_ = Pass::cross;
+            return;
+        }
+        here_ = triangles_[here_].neighbours[after(k)];
+        if (here_ == triangle_of_[a]) {
+            stop(ContourFault::Kind::gave_up, a, b);
+            return;
+        }
     }
 }
 
-// The sides that cross the way from a to b; false, with a fault, if an edge or a point is in it.
-bool ContourTriangulation::collect_crossed(int32_t a, int32_t b) {
-    crossed_.clear();
-    int32_t t = triangle_of_[a];
-    uint32_t k = 0;
-    int32_t right = -1, left = -1;
-    for (const int32_t first = t;;) {
-        k = corner(t, a);
-        right = triangles_[t].vertices[after(k)];
-        left = triangles_[t].vertices[before(k)];
-        const int side = turn(a, b, right);
-        if (side == 0) {
-            const Point2 &from = points_[a], &to = points_[b], &between = points_[right];
-            if ((to.x - from.x) * (between.x - from.x) + (to.y - from.y) * (between.y - from.y) > 0) {
-                stop(ContourFault::Kind::point_on_edge, right, a);
-                return false;
-            }
-        }
-        if (side < 0 && turn(a, b, left) > 0) break;
-        t = triangles_[t].neighbours[after(k)];
-        if (t == first) {
-            stop(ContourFault::Kind::gave_up, a, b);
-            return false;
-        }
-    }
-    for (;;) {
-        if (triangles_[t].is_edge[k]) {
-            const int32_t crossed = edge_between(right, left);
+// Collects the sides that cross the edge; an edge of the contour or a point in its way is a fault.
+void ContourTriangulation::cross() {
+    const auto a = static_cast<int32_t>(at_), b = static_cast<int32_t>(next_[at_]);
+    for (uint32_t hop = 0; hop < hops_a_unit; ++hop) {
+        if (triangles_[here_].is_edge[side_]) {
+            const int32_t crossed = edge_between(right_, left_);
             stop(ContourFault::Kind::edges_cross, std::min(a, crossed), std::max(a, crossed));
-            return false;
+            return;
         }
-        crossed_.push_back({right, left});
-        const int32_t beyond = triangles_[t].neighbours[k];
-        const uint32_t j = side_to(beyond, t);
+        crossed_.push_back({right_, left_});
+        const int32_t beyond = triangles_[here_].neighbours[side_];
+        const uint32_t j = side_to(beyond, here_);
         const int32_t tip = triangles_[beyond].vertices[j];
-        if (tip == b) return true;
+        if (tip == b) {
+            flips_left_ = 1000 + 100 * crossed_.size() * crossed_.size();
+            pass_ = Pass::clear;
+            return;
+        }
         const int side = turn(a, b, tip);
         if (side == 0) {
             stop(ContourFault::Kind::point_on_edge, tip, a);
-            return false;
+            return;
         }
         // Seen from beyond, `left` comes after the tip's corner and `right` before it.
-        k = side > 0 ? after(j) : before(j);
-        (side > 0 ? left : right) = tip;
-        t = beyond;
+        side_ = side > 0 ? after(j) : before(j);
+        (side > 0 ? left_ : right_) = tip;
+        here_ = beyond;
     }
 }
 
@@ -104,6 +129,10 @@ void ContourTriangulation::clear() {
         return;
     }
     const std::array<int32_t, 2> ends = crossed_[crossed_at_++];
+    if (crossed_at_ > most_cleared && 2 * crossed_at_ > crossed_.size()) {
+        crossed_.erase(crossed_.begin(), crossed_.begin() + static_cast<ptrdiff_t>(crossed_at_));
+        crossed_at_ = 0;
+    }
     const Side side = find(ends[0], ends[1]);
     const Triangle& here = triangles_[side.triangle];
     const int32_t other = here.neighbours[side.k], p = here.vertices[side.k];

@@ -9,7 +9,6 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t hops_a_unit = 16;
 // Of rounding in the determinant below, with coordinates relative to the fourth point.
 constexpr double circle_noise = 4e-15;
 

@@ -12,6 +12,7 @@ namespace {
 constexpr double most_residual = 1e-6;  // of a node's time, and ten times that of monotony
 constexpr double on_one_line = 1e-5;    // |sine| between edges whose bisector the distances do not give
 constexpr double most_slant = 1e-7;     // of an arc between such edges
+constexpr double moved_most_slant = 1e-4;
 constexpr double short_arc = 1e-7;      // and ten residuals: up to this an arc's direction is noise
 constexpr double moved_short_arc = 1e-5;
 constexpr double level_noise = 1e-6;  // of an arc's slope, beside what its length makes of that
@@ -31,6 +32,7 @@ SkeletonCheck::SkeletonCheck(std::span<const Point2> points, std::span<const uin
       next_(next),
       ring_count_(ring_count),
       size_(size),
+      most_slant_((perturbation > 0 ? moved_most_slant : most_slant) * size),
       shortest_((perturbation > 0 ? moved_short_arc : short_arc) * size),
       pinch_((perturbation > 0 ? moved_pinch : pinch) * size),
       skeleton_(skeleton),
@@ -80,7 +82,7 @@ bool SkeletonCheck::is_upright(const SkeletonArc& arc) const {
     const Point2 &a = skeleton_.nodes[arc.a].at, &b = skeleton_.nodes[arc.b].at;
     const Point2 way = {b.x - a.x, b.y - a.y};
     const double along = std::fabs(way.x * u.x + way.y * u.y), across = std::fabs(sine_between(u, way));
-    return along - 2 * sine * across <= most_slant * size_;
+    return along - 2 * sine * across <= most_slant_;
 }
 
 // From the edge's end on, a face's nodes go back along it as far as they go, once: then its beginning is reached. Each

@@ -84,6 +84,7 @@ private:
     std::span<const uint32_t> next_;
     uint32_t ring_count_;
     double size_;
+    double most_slant_;
     double shortest_;  // arcs up to this length say nothing of how the front goes on
     double pinch_;
     double slack_ = 0;  // of a face's order along its edge

@@ -2,16 +2,17 @@
 // The straight skeleton of a contour (Aichholzer, Aurenhammer, Alberts, Gaertner: A novel type of skeleton for
 // polygons, 1995): triangulated, moved inwards, its arcs chained to faces, and checked.
 //
-// Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much
-// happens at one time (wavefront.h). What comes out is checked (skeleton_check.h). If the check fails, or the front
-// gets lost, the contour is tried again with its points moved by 1e-9 of its size, and then by 1e-7, a few times
-// each; the result says so. If that fails too there is no result: never one that is wrong and does not say so, and
-// never a loop without end.
+// Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much happens
+// at one time (wavefront.h). What comes out is checked (skeleton_check.h). If the check fails, or the front gets lost, it
+// is tried again: with edges taken for face to face that are nearly, then with points moved by 1e-9 of the contour's size,
+// then by 1e-7, a few times; the result says so. If that fails too there is no result: never one that is wrong and does
+// not say so, and never a loop without end.
 //
 // Where a vertex of the front reaches two places at one time the skeleton is not continuous: contours that differ by
 // rounding only can have skeletons that differ a lot, each right.
 #pragma once
 
+#include <memory_resource>
 #include <optional>
 
 #include "skeletons/contour.h"
@@ -45,6 +46,8 @@ private:
 
     const Contour& contour_;
     StraightSkeleton& out_;
+    // Of small contours all memory is taken at once: it is some thirty arrays that take longer to get than to fill.
+    std::pmr::monotonic_buffer_resource arena_;
     Memory* memory_;
     Buffer<uint32_t> next_;
     Buffer<Point2> scaled_;    // the contour's points by a power of two, moved by the try's perturbation

@@ -20,11 +20,12 @@ constexpr size_t triangles_a_point = 2, vertices_a_point = 5, nodes_a_point = 5,
 }  // namespace
 
 Wavefront::Wavefront(const ContourTriangulation& triangulation, std::span<const Point2> points,
-                     std::span<const uint32_t> next, double size, Memory* memory)
+                     std::span<const uint32_t> next, double size, double facing, Memory* memory)
     : triangulation_(triangulation),
       points_(points),
       next_(next),
       size_(size),
+      facing_(facing),
       lines_(points.size(), memory),
       previous_(points.size(), memory),
       number_(triangulation.triangle_count(), memory),
@@ -33,8 +34,6 @@ Wavefront::Wavefront(const ContourTriangulation& triangulation, std::span<const 
       nodes_(nodes_a_point * points.size(), memory),
       arcs_(arcs_a_point * points.size(), memory),
       queue_(triangles_a_point * points.size(), memory),
-      fans_{Fan(memory), Fan(memory), Fan(memory), Fan(memory)},
-      touched_(memory),
       events_left_(events_a_point * points.size() + events_at_least) {}
 
 void Wavefront::step() {
@@ -75,7 +74,14 @@ void Wavefront::step() {
             }
             break;
         case Pass::events:
-            if (!queue_.empty()) {
+            if (fan_count_ > 0) {
+                relabel_one();
+            } else if (hops_ > 0) {
+                walk();
+            } else if (left_behind_ >= 0) {
+                if (is_alive(left_behind_)) schedule(left_behind_);
+                left_behind_ = -1;
+            } else if (!queue_.empty()) {
                 next_event();
             } else {
                 enter(Pass::leftovers);
@@ -119,7 +125,7 @@ int32_t Wavefront::add_vertex(uint32_t left, uint32_t right, const Point2& at, u
     const Line &a = lines_[left], &b = lines_[right];
     const Point2 sum = {a.normal.x + b.normal.x, a.normal.y + b.normal.y};
     const double sum_sq = sum.x * sum.x + sum.y * sum.y;
-    if (sum_sq < wave::facing * wave::facing) {
+    if (sum_sq < facing_ * facing_) {
         vertex.is_infinite = true;
     } else {
         vertex.velocity = {2 * sum.x / sum_sq, 2 * sum.y / sum_sq};
@@ -177,20 +183,25 @@ void Wavefront::next_event() {
     if (waits(event, first)) return;
     queue_.remove(first);
     now_ = std::max(now_, event.time);
-    touched_.clear();
-    auto triangle = static_cast<int32_t>(first);
-    uint32_t side = event.side;
-    switch (decide(triangle, side, event)) {
-        case Change::edge: collapse_edge(triangle, side); break;
-        case Change::diagonal: collapse_diagonal(triangle, side); break;
-        case Change::split: split(triangle, side); break;
-        case Change::flip: flip(triangle, side); break;
+    begun_ = changing_ = static_cast<int32_t>(first);
+    side_ = event.side;
+    const Change decided = decide(begun_, side_, event);
+    if (decided == Change::walk) {
+        hops_ = 1;
+    } else {
+        change(decided);
     }
-    touched_.push_back(static_cast<int32_t>(first));
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (const int32_t t : touched_) {
-        if (is_alive(t)) schedule(t);
+}
+
+void Wavefront::change(Change change) {
+    hops_ = 0;
+    if (changing_ != begun_) left_behind_ = begun_;
+    switch (change) {
+        case Change::edge: collapse_edge(changing_, side_); break;
+        case Change::diagonal: collapse_diagonal(changing_, side_); break;
+        case Change::split: split(changing_, side_); break;
+        case Change::flip: flip(changing_, side_); break;
+        case Change::walk: break;
     }
 }
 

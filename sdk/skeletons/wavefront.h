@@ -8,7 +8,8 @@
 // Rules that keep it right in double precision, beside those of the second paper
 // - A front edge without length vanishes now, whatever its ends' speeds: after a chain of edges collapsed at one
 //   point rounding gives those left any sign. So do two vertices at one place that share a diagonal.
-// - A vertex between edges that meet face to face is infinitely fast: it waits until all else at its time is done.
+// - A vertex between edges that meet face to face is infinitely fast: it waits until all else at its time is done. So
+//   does one that would move out of its only triangle.
 // - Of triangles that are flat together the one with the longest side is flipped first.
 // - A diagonal that closes as its triangle gets flat is a double root of the area: when it closes is found by itself,
 //   and stands for the flattening up to closing_lead before.
@@ -20,7 +21,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/memory.h"
 #include "skeletons/contour_triangulation.h"
@@ -32,9 +32,9 @@ namespace flg {
 class Wavefront {
 public:
     // The triangulation is complete and without fault, its points have a diagonal of about `size`. Both outlive the
-    // kernel.
+    // kernel. Edges face each other, and their vertex is infinitely fast, where their normals add up to less than `facing`.
     Wavefront(const ContourTriangulation& triangulation, std::span<const Point2> points, std::span<const uint32_t> next,
-              double size, Memory* memory);
+              double size, double facing, Memory* memory);
 
     // A unit is an event, or a triangle or a point at the beginning: about 0.3 us. True at the end, also when it
     // failed.
@@ -67,17 +67,19 @@ private:
     struct Triangle {
         std::array<int32_t, 3> vertices, neighbours;
     };
-    struct Corner {
-        int32_t triangle;
-        uint32_t k;
+    // Triangles around a vertex that are still to get another one.
+    struct Fan {
+        int32_t triangle, from, to;
+        bool by_before;
     };
-    enum class Change { edge, diagonal, split, flip };
-    using Fan = std::pmr::vector<Corner>;
+    enum class Change { edge, diagonal, split, flip, walk };
     // A triangle's corners and sides at a moment.
     struct Shape {
         std::array<Point2, 3> at, velocity;
         std::array<double, 3> lengths;
     };
+
+    static constexpr uint32_t none = ~0u;
 
     static uint32_t after(uint32_t k) { return k == 2 ? 0 : k + 1; }
     static uint32_t before(uint32_t k) { return k == 0 ? 2 : k - 1; }
@@ -108,6 +110,7 @@ private:
     void end_vertex(int32_t vertex, uint32_t node);
 
     void schedule(int32_t triangle);
+    void hold_if_turned_out(const Triangle& t);
     void closing_edges(const Triangle& t, const Shape& s, WaveEvent& event) const;
     void closing_diagonals(const Triangle& t, const Shape& s, WaveEvent& event) const;
     double reaches_edge(const Triangle& t, const Shape& s) const;
@@ -115,16 +118,20 @@ private:
 
     void next_event();
     bool waits(const WaveEvent& event, uint32_t triangle);
-    Change decide(int32_t& triangle, uint32_t& side, const WaveEvent& event) const;
-    Change decide_flat(int32_t& triangle, uint32_t& side) const;
-    Change walk_to_longest(int32_t& triangle, uint32_t& side) const;
+    Change decide(int32_t triangle, uint32_t& side, const WaveEvent& event) const;
+    Change decide_flat(const Triangle& t, uint32_t& side) const;
+    uint32_t shortest_front(const Triangle& t, uint32_t best) const;
+    static uint32_t longest_side(const Shape& s);
+    void walk();
+    bool hop();
+    void change(Change change);
 
     uint32_t corner(int32_t triangle, int32_t vertex) const { return place_in(triangles_[triangle].vertices, vertex); }
     uint32_t side_to(int32_t triangle, int32_t neighbour) const {
         return place_in(triangles_[triangle].neighbours, neighbour);
     }
-    void collect_fan(int32_t triangle, int32_t from, int32_t vertex, Fan& fan) const;
-    void relabel(const Fan& fan, int32_t vertex);
+    void give(int32_t triangle, bool by_before, int32_t from, int32_t to);
+    void relabel_one();
     bool join(int32_t triangle, uint32_t i, uint32_t j);
     Point2 slower_place(int32_t a, int32_t b) const;
     void close_loop(int32_t vertex, int32_t last, const Point2& at);
@@ -136,7 +143,7 @@ private:
     const ContourTriangulation& triangulation_;
     std::span<const Point2> points_;
     std::span<const uint32_t> next_;
-    double size_;
+    double size_, facing_;
     double now_ = 0;
     Buffer<Line> lines_;
     Buffer<uint32_t> previous_;
@@ -146,8 +153,13 @@ private:
     Buffer<SkeletonNode> nodes_;
     Buffer<SkeletonArc> arcs_;
     EventQueue queue_;
-    Fan fans_[4];
-    std::pmr::vector<int32_t> touched_;
+    // The change that is under way: of the triangle whose event it is, or of one that was reached from it.
+    int32_t begun_ = -1, changing_ = -1;
+    uint32_t side_ = 0;
+    uint32_t hops_ = 0;         // on the way to that; 0: there
+    int32_t left_behind_ = -1;  // the triangle that it was reached from, without an event
+    std::array<Fan, 4> fans_;
+    uint32_t fan_count_ = 0;
     uint32_t triangle_count_ = 0, vertex_count_ = 0, node_count_ = 0, arc_count_ = 0;
     uint64_t events_left_;
     Pass pass_ = Pass::vertices;

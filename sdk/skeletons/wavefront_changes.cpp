@@ -8,39 +8,28 @@
 
 namespace flg {
 
-// The triangles around a vertex, from one that is entered from `from` to the front; none if that is the front.
-void Wavefront::collect_fan(int32_t triangle, int32_t from, int32_t vertex, Fan& fan) const {
-    fan.clear();
-    while (triangle >= 0) {
-        const uint32_t k = corner(triangle, vertex);
-        fan.push_back({triangle, k});
-        const int32_t ahead = triangles_[triangle].neighbours[after(k)],
-                      behind = triangles_[triangle].neighbours[before(k)];
-        const int32_t to = ahead == from ? behind : ahead;
-        const bool turns_back = to == from;
-        from = triangle;
-        triangle = turns_back ? -1 : to;
-    }
+// The triangles around vertex `from` get another one, from `triangle` on to the front: by the side before their corner at
+// it, or the one after. They are done one a unit, once the change itself is done.
+void Wavefront::give(int32_t triangle, bool by_before, int32_t from, int32_t to) {
+    if (triangle >= 0) fans_[fan_count_++] = {triangle, from, to, by_before};
 }
 
-void Wavefront::relabel(const Fan& fan, int32_t vertex) {
-    for (const Corner& c : fan) {
-        triangles_[c.triangle].vertices[c.k] = vertex;
-        touched_.push_back(c.triangle);
-    }
+void Wavefront::relabel_one() {
+    Fan& fan = fans_[fan_count_ - 1];
+    const int32_t index = fan.triangle;
+    const uint32_t k = corner(index, fan.from);
+    Triangle& t = triangles_[index];
+    t.vertices[k] = fan.to;
+    fan.triangle = t.neighbours[fan.by_before ? before(k) : after(k)];
+    if (fan.triangle < 0) --fan_count_;
+    schedule(index);
 }
 
 // Sides i and j of a triangle that goes away become one. True if both were the front's: then nothing is left there.
 bool Wavefront::join(int32_t triangle, uint32_t i, uint32_t j) {
     const int32_t a = triangles_[triangle].neighbours[i], b = triangles_[triangle].neighbours[j];
-    if (a >= 0) {
-        triangles_[a].neighbours[side_to(a, triangle)] = b;
-        touched_.push_back(a);
-    }
-    if (b >= 0) {
-        triangles_[b].neighbours[side_to(b, triangle)] = a;
-        touched_.push_back(b);
-    }
+    if (a >= 0) triangles_[a].neighbours[side_to(a, triangle)] = b;
+    if (b >= 0) triangles_[b].neighbours[side_to(b, triangle)] = a;
     return a < 0 && b < 0;
 }
 
@@ -71,8 +60,6 @@ void Wavefront::collapse_edge(int32_t triangle, uint32_t side) {
     const Triangle t = triangles_[triangle];
     const int32_t a = t.vertices[after(side)], b = t.vertices[before(side)], last = t.vertices[side];
     const Point2 at = slower_place(a, b);
-    collect_fan(t.neighbours[after(side)], triangle, b, fans_[0]);
-    collect_fan(t.neighbours[before(side)], triangle, a, fans_[1]);
     const uint32_t node = add_node(at), left = vertices_[a].left, right = vertices_[b].right;
     end_vertex(a, node);
     end_vertex(b, node);
@@ -82,8 +69,8 @@ void Wavefront::collapse_edge(int32_t triangle, uint32_t side) {
     if (ends) {
         close_loop(vertex, last, at);
     } else {
-        relabel(fans_[0], vertex);
-        relabel(fans_[1], vertex);
+        give(t.neighbours[after(side)], true, b, vertex);
+        give(t.neighbours[before(side)], false, a, vertex);
     }
 }
 
@@ -94,10 +81,6 @@ void Wavefront::collapse_diagonal(int32_t triangle, uint32_t side) {
     const Triangle t = triangles_[triangle], o = triangles_[other];
     const int32_t u = t.vertices[after(side)], w = t.vertices[before(side)];
     const Point2 at = slower_place(u, w);
-    collect_fan(t.neighbours[after(side)], triangle, w, fans_[0]);
-    collect_fan(t.neighbours[before(side)], triangle, u, fans_[1]);
-    collect_fan(o.neighbours[after(j)], other, u, fans_[2]);
-    collect_fan(o.neighbours[before(j)], other, w, fans_[3]);
     const uint32_t node = add_node(at);
     const Vertex from_u = vertices_[u], from_w = vertices_[w];
     end_vertex(u, node);
@@ -109,15 +92,15 @@ void Wavefront::collapse_diagonal(int32_t triangle, uint32_t side) {
     if (here_ends) {
         close_loop(here, t.vertices[side], at);
     } else {
-        relabel(fans_[0], here);
-        relabel(fans_[1], here);
+        give(t.neighbours[after(side)], true, w, here);
+        give(t.neighbours[before(side)], false, u, here);
     }
     const int32_t there = add_vertex(from_w.left, from_u.right, at, node);
     if (there_ends) {
         close_loop(there, o.vertices[j], at);
     } else {
-        relabel(fans_[2], there);
-        relabel(fans_[3], there);
+        give(o.neighbours[after(j)], true, u, there);
+        give(o.neighbours[before(j)], false, w, there);
     }
 }
 
@@ -131,15 +114,13 @@ void Wavefront::split(int32_t triangle, uint32_t side) {
         return;
     }
     const Point2 at = position(vertices_[tip]);
-    collect_fan(at_begin, triangle, tip, fans_[0]);
-    collect_fan(at_end, triangle, tip, fans_[1]);
     const uint32_t node = add_node(at), left = vertices_[tip].left, right = vertices_[tip].right;
     end_vertex(tip, node);
     triangles_[at_begin].neighbours[side_to(at_begin, triangle)] = edge;
     triangles_[at_end].neighbours[side_to(at_end, triangle)] = edge;
     remove(triangle);
-    relabel(fans_[0], add_vertex(static_cast<uint32_t>(~edge), right, at, node));
-    relabel(fans_[1], add_vertex(left, static_cast<uint32_t>(~edge), at, node));
+    give(at_begin, true, tip, add_vertex(static_cast<uint32_t>(~edge), right, at, node));
+    give(at_end, false, tip, add_vertex(left, static_cast<uint32_t>(~edge), at, node));
 }
 
 void Wavefront::flip(int32_t triangle, uint32_t k) {
@@ -154,8 +135,8 @@ void Wavefront::flip(int32_t triangle, uint32_t k) {
     const int32_t beyond_d = there.neighbours[after(j)], beyond_c = here.neighbours[after(k)];
     if (beyond_d >= 0) triangles_[beyond_d].neighbours[side_to(beyond_d, other)] = triangle;
     if (beyond_c >= 0) triangles_[beyond_c].neighbours[side_to(beyond_c, triangle)] = other;
-    touched_.push_back(triangle);
-    touched_.push_back(other);
+    schedule(triangle);
+    schedule(other);
 }
 
 }  // namespace flg

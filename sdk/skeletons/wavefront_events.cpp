@@ -11,7 +11,7 @@ namespace flg {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr int longest_walk = 1000;
+constexpr uint32_t longest_walk = 1000, hops_a_unit = 8;
 
 double cross(const Point2& a, const Point2& b) {
     return a.x * b.y - a.y * b.x;
@@ -94,8 +94,24 @@ double Wavefront::gets_flat(const Shape& s) const {
     return bend < 0 ? now_ - (rate + root) / (2 * bend) : never;
 }
 
+// A vertex with one triangle turns by less than a half turn. If its lines say more, they are about to be one: rounding has
+// put what happens there in a wrong order, and all of it happens now.
+void Wavefront::hold_if_turned_out(const Triangle& t) {
+    for (uint32_t k = 0; k < 3; ++k) {
+        if (t.neighbours[after(k)] >= 0 || t.neighbours[before(k)] >= 0) continue;
+        Vertex& v = vertices_[t.vertices[k]];
+        const Point2 &in = lines_[v.left].direction, &out = lines_[v.right].direction;
+        if (v.is_infinite || dot(in, out) >= 0 || cross(in, out) >= 0) continue;
+        v.at = position(v);
+        v.time = now_;
+        v.velocity = {0, 0};
+        v.is_infinite = true;
+    }
+}
+
 void Wavefront::schedule(int32_t index) {
     const Triangle& t = triangles_[index];
+    if (front_sides(t) > 1) hold_if_turned_out(t);
     const Shape s = shape(t);
     const uint32_t front = front_sides(t);
     WaveEvent event = {never, WaveEvent::Kind::flat, 0};
@@ -123,17 +139,12 @@ void Wavefront::schedule(int32_t index) {
     }
 }
 
-Wavefront::Change Wavefront::decide(int32_t& triangle, uint32_t& side, const WaveEvent& event) const {
+// What happens to a triangle; of one that gets flat together with others walk() finds out.
+Wavefront::Change Wavefront::decide(int32_t triangle, uint32_t& side, const WaveEvent& event) const {
     const Triangle& t = triangles_[triangle];
-    const auto shortest_front = [&](const Shape& s, uint32_t best) {
-        for (uint32_t k = 0; k < 3; ++k) {
-            if (t.neighbours[k] < 0 && (best == 3 || s.lengths[k] < s.lengths[best])) best = k;
-        }
-        return best;
-    };
     if (event.kind == WaveEvent::Kind::diagonal) return Change::diagonal;
     if (event.kind == WaveEvent::Kind::edge) {
-        if (front_sides(t) > 1) side = shortest_front(shape(t), side);
+        if (front_sides(t) > 1) side = shortest_front(t, side);
         return Change::edge;
     }
     for (uint32_t k = 0; k < 3; ++k) {
@@ -143,53 +154,70 @@ Wavefront::Change Wavefront::decide(int32_t& triangle, uint32_t& side, const Wav
         side = s.lengths[i] <= s.lengths[j] ? i : j;
         return Change::edge;
     }
-    const int32_t began_at = triangle;
-    const Change change = decide_flat(triangle, side);
-    if (change != Change::split || triangle != began_at || front_sides(t) < 2) return change;
-    side = shortest_front(shape(t), 3);
+    const Change change = decide_flat(t, side);
+    if (change != Change::split || front_sides(t) < 2) return change;
+    side = shortest_front(t, none);
     return Change::edge;
 }
 
-Wavefront::Change Wavefront::decide_flat(int32_t& triangle, uint32_t& side) const {
-    const Triangle& t = triangles_[triangle];
+uint32_t Wavefront::shortest_front(const Triangle& t, uint32_t best) const {
     const Shape s = shape(t);
-    uint32_t shortest = 0, longest = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+        if (t.neighbours[k] < 0 && (best == none || s.lengths[k] < s.lengths[best])) best = k;
+    }
+    return best;
+}
+
+Wavefront::Change Wavefront::decide_flat(const Triangle& t, uint32_t& side) const {
+    const Shape s = shape(t);
+    uint32_t shortest = 0;
     for (uint32_t k = 1; k < 3; ++k) {
         if (s.lengths[k] < s.lengths[shortest]) shortest = k;
-        if (s.lengths[k] > s.lengths[longest]) longest = k;
     }
     if (s.lengths[shortest] <= 10 * wave::coincident * size_) {
         side = shortest;
         return t.neighbours[shortest] < 0 ? Change::edge : Change::diagonal;
     }
-    side = longest;
-    return t.neighbours[longest] < 0 ? Change::split : walk_to_longest(triangle, side);
+    side = longest_side(s);
+    return t.neighbours[side] < 0 ? Change::split : Change::walk;
 }
 
-// Through neighbours that are flat too, each across the longest side of the one before, while sides get longer.
-Wavefront::Change Wavefront::walk_to_longest(int32_t& triangle, uint32_t& side) const {
-    for (int i = 0; i < longest_walk; ++i) {
-        const int32_t other = triangles_[triangle].neighbours[side];
-        const Triangle& t = triangles_[other];
-        bool stops = front_sides(t) > 1;
-        for (const int32_t vertex : t.vertices) stops |= vertices_[vertex].is_infinite;
-        if (stops) break;
-        const Shape s = shape(t);
-        uint32_t longest = 0;
-        for (uint32_t k = 1; k < 3; ++k) {
-            if (s.lengths[k] > s.lengths[longest]) longest = k;
+uint32_t Wavefront::longest_side(const Shape& s) {
+    const uint32_t longest = s.lengths[1] > s.lengths[0] ? 1 : 0;
+    return s.lengths[2] > s.lengths[longest] ? 2 : longest;
+}
+
+// Some steps through neighbours that are flat too, each across the longest side of the one before, while sides get longer.
+void Wavefront::walk() {
+    for (uint32_t i = 0; i < hops_a_unit; ++i) {
+        if (hops_++ == longest_walk || !hop()) {
+            change(Change::flip);
+            return;
         }
-        const uint32_t shared = side_to(other, triangle);
-        if (longest == shared || s.lengths[longest] <= s.lengths[shared]) break;
-        const double area = cross(difference(s.at[1], s.at[0]), difference(s.at[2], s.at[0]));
-        if (area > wave::walk_height * size_ * s.lengths[longest]) break;
-        const double bound = 10 * wave::coincident * size_;
-        if (s.lengths[after(longest)] <= bound || s.lengths[before(longest)] <= bound) break;
-        triangle = other;
-        side = longest;
-        if (t.neighbours[longest] < 0) return Change::split;
+        if (triangles_[changing_].neighbours[side_] < 0) {
+            change(Change::split);
+            return;
+        }
     }
-    return Change::flip;
+}
+
+bool Wavefront::hop() {
+    const int32_t other = triangles_[changing_].neighbours[side_];
+    const Triangle& t = triangles_[other];
+    if (front_sides(t) > 1) return false;
+    for (const int32_t vertex : t.vertices) {
+        if (vertices_[vertex].is_infinite) return false;
+    }
+    const Shape s = shape(t);
+    const uint32_t longest = longest_side(s), shared = side_to(other, changing_);
+    if (longest == shared || s.lengths[longest] <= s.lengths[shared]) return false;
+    const double area = cross(difference(s.at[1], s.at[0]), difference(s.at[2], s.at[0]));
+    if (area > wave::walk_height * size_ * s.lengths[longest]) return false;
+    const double bound = 10 * wave::coincident * size_;
+    if (s.lengths[after(longest)] <= bound || s.lengths[before(longest)] <= bound) return false;
+    changing_ = other;
+    side_ = longest;
+    return true;
 }
 
 }  // namespace flg

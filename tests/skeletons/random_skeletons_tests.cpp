@@ -18,8 +18,8 @@ uint64_t rounds() {
     return text ? std::strtoull(text, nullptr, 10) : 1;
 }
 
-// Larger contours are simple as they are drawn: trying all pairs would take longer than all else.
-constexpr size_t simple_by_itself = 150;
+// Contours of more points are simple as they are drawn: trying all pairs would take longer than all else.
+constexpr size_t most_tried = 1200;
 
 // Simple, and not as thin as a line.
 bool all_simple(const Rings& rings) {
@@ -41,7 +41,7 @@ void check_all(const char* kind, uint64_t count, const std::function<Rings(uint6
     uint64_t checked = 0, perturbed = 0, wrong = 0;
     for (uint64_t seed = 0; seed < count * rounds(); ++seed) {
         const Rings rings = draw(seed);
-        if (rings[0].size() < simple_by_itself && !all_simple(rings)) continue;
+        if (rings[0].size() < most_tried && !all_simple(rings)) continue;
         ++checked;
         const Contour contour = contour_of(rings);
         std::string broken, skeleton_note;
@@ -110,6 +110,16 @@ TEST(RandomSkeletons, RotatedPixels) {
     });
 }
 
+// Edges that are nearly on one line, and nearly face to face.
+TEST(RandomSkeletons, JitteredPixels) {
+    for (const double reach : {1e-13, 1e-11, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5}) {
+        check_all(
+            "jittered pixels", 60,
+            [&](uint64_t seed) { return jittered(pixel_shape(seed, 3 + seed % 12, seed % 4 != 0), seed, reach); }, 1e-6,
+            12);
+    }
+}
+
 TEST(RandomSkeletons, Holes) {
     check_all("holes", 100,
               [](uint64_t seed) { return star_with_holes(seed, size_of(seed, 8, 60), 1 + seed % 4, 3 + seed % 6); });
@@ -117,25 +127,31 @@ TEST(RandomSkeletons, Holes) {
 
 // Of up to 3,000 points, simple as they are drawn.
 TEST(RandomSkeletons, LargeOnes) {
+    check_all("large", 16, [](uint64_t seed) {
+        const uint32_t n = size_of(seed, 200, 3000);
+        const double angle = random_unit(seed, 0, 50);
+        switch (seed % 8) {
+            case 0: return random_star(seed, n);
+            case 1: return pixel_shape(seed, 12 + n / 100, false);
+            case 2: return rotated(pixel_shape(seed, 12 + n / 100, true), angle);
+            case 3: return rotated(even_star(n / 2, 0.3 + 0.5 * angle), angle);
+            case 4: return gear(n / 4);
+            case 5: return rotated(comb(n / 4, 0), angle);
+            case 6: return rotated(staircase(n / 2), angle);
+            default: return star_with_holes(seed, n / 2, 8, n / 130 + 3);
+        }
+    });
+}
+
+TEST(RandomSkeletons, LargeJitteredOnes) {
     check_all(
-        "large", 20,
+        "large jittered", 8,
         [](uint64_t seed) {
             const uint32_t n = size_of(seed, 200, 3000);
-            const double angle = random_unit(seed, 0, 50);
-            switch (seed % 10) {
-                case 0: return random_star(seed, n);
-                case 1: return pixel_shape(seed, 12 + n / 100, false);
-                case 2: return rotated(pixel_shape(seed, 12 + n / 100, true), angle);
-                case 3: return rotated(even_star(n / 2, 0.3 + 0.5 * angle), angle);
-                case 4: return gear(n / 4);
-                case 5: return rotated(comb(n / 4, 0), angle);
-                case 6: return rotated(staircase(n / 2), angle);
-                case 7: return star_with_holes(seed, n / 2, 8, n / 130 + 3);
-                case 8: return jittered(pixel_shape(seed, 12 + n / 100, true), seed, 1e-9);
-                default: return jittered(rotated(comb(n / 4, 0.001), angle), seed, 1e-4);
-            }
+            if (seed % 2 == 0) return jittered(rotated(comb(n / 4, 0.001), random_unit(seed, 0, 50)), seed, 1e-4);
+            return jittered(pixel_shape(seed, 12 + n / 100, true), seed, 1e-9);
         },
-        1e-6, 1);
+        1e-6, 2);
 }
 
 TEST(RandomSkeletons, ShapesThatChangeEverywhereAtOnce) {
