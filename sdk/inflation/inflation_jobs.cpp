@@ -9,7 +9,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t chunk = 30;  // about 10 us
+constexpr uint32_t chunk = 30, merge_chunk = 15;  // about 10 us
 
 }  // namespace
 
@@ -30,6 +30,12 @@ Task<void> inflate_part(Pace& pace, InflationOptions options, InflatedPart& part
 Task<void> make_part_surface(Pace& pace, const InflatedPart& part, PartSurface& surface) {
     TwoSidedMesh mesh(part, surface, pace.memory());
     while (!mesh.run(chunk)) co_await pace;
+}
+
+Task<void> merge_parts(Pace& pace, std::span<const PlacedPart> parts, MergeOptions options, MergedMesh& mesh) {
+    pace.stage("merge");
+    MergeParts merge(parts, options, mesh, pace.memory());
+    while (!merge.run(merge_chunk)) co_await pace;
 }
 
 }  // namespace flg

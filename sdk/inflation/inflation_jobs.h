@@ -2,6 +2,7 @@
 // The kernels of this room one after the other, as jobs run them.
 #pragma once
 
+#include "inflation/merge_parts.h"
 #include "inflation/two_sided_mesh.h"
 #include "runtime/pace.h"
 #include "runtime/task.h"
@@ -14,5 +15,9 @@ Task<void> inflate_part(Pace& pace, InflationOptions options, InflatedPart& part
 
 // The closed surface of a part that is inflated. Both outlive the task.
 Task<void> make_part_surface(Pace& pace, const InflatedPart& part, PartSurface& surface);
+
+// One surface of parts that are inflated. `parts`, what they point to, and `mesh` outlive the task. Throws as MergeParts does. About 8 us a
+// vertex that the surface gets.
+Task<void> merge_parts(Pace& pace, std::span<const PlacedPart> parts, MergeOptions options, MergedMesh& mesh);
 
 }  // namespace flg
