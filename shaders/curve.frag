@@ -9,6 +9,7 @@ const uint shape_ribbon = 0;
 
 layout(push_constant) uniform Draw {
     layout(offset = 20) float gloss;
+    layout(offset = 28) uint in_front;
 } draw;
 
 layout(location = 0) in vec3 position;
@@ -28,7 +29,8 @@ void main() {
     vec3 half_way = normalize(to_eye + to_sun);
     float facing_half = clamp(dot(normal, half_way), 0.0, 1.0);
 
-    float lit = sunlight(position, facing_sun < 0.0 ? -normal : normal, shadow_spread);
+    // What is in front is seen through all else; no shadow of that falls on it.
+    float lit = draw.in_front != 0u ? 1.0 : sunlight(position, facing_sun < 0.0 ? -normal : normal, shadow_spread);
     float diffuse = max(facing_sun, 0.0);
     if (shape == shape_ribbon) diffuse += translucency * max(-facing_sun, 0.0);
 

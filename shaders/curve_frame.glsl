@@ -20,6 +20,7 @@ layout(push_constant) uniform Draw {
     float line_half_width_px;
     float gloss;
     float magnitude_offset;
+    uint in_front;
 } draw;
 
 layout(set = 1, binding = 0, std430) readonly buffer Centers { vec4 centers[]; };  // position, radius

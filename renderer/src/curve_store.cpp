@@ -9,6 +9,9 @@ namespace {
 
 constexpr uint32_t most_columns = 32;
 constexpr float largest_magnitude_offset = 1e6f;
+// Depth is 1 near and 0 infinitely far: what is in front begins here, before all that is further away than a twentieth of the
+// way to the camera's target.
+constexpr float depth_in_front = 0.04f;
 
 }  // namespace
 
@@ -108,8 +111,17 @@ void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, s
 }
 
 uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, const IndexPatterns& patterns,
-                       const DrawList& list, VkBuffer instances, bool shadow) {
+                       const DrawList& list, VkBuffer instances, const VkViewport* viewport) {
     if (list.items.empty()) return 0;
+    const bool shadow = viewport == nullptr;
+    bool in_front = false;
+    const auto set_depths = [&](bool to_front) {
+        if (shadow || to_front == in_front) return;
+        in_front = to_front;
+        VkViewport changed = *viewport;
+        changed.minDepth = to_front ? depth_in_front : viewport->minDepth;
+        vkCmdSetViewport(commands, 0, 1, &changed);
+    };
     uint64_t triangles = 0;
     const VkDeviceSize no_offset = 0;
     vkCmdBindVertexBuffers(commands, 0, 1, &instances, &no_offset);
@@ -117,6 +129,7 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
     for (const DrawList::Item& item : list.items) {
         const CurveLook& look = item.curves->look;
         const bool displaced = item.curves->magnitude_offset != 0.0f;
+        set_depths(look.in_front);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           shadow ? pipelines.curve_shadow(look.shape, displaced) : pipelines.curve(look, displaced));
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 1, 1, &item.curves->set,
@@ -129,7 +142,8 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
                                  look.caps == Caps::round,
                                  0.5f * look.line_width_px,
                                  look.gloss,
-                                 item.curves->magnitude_offset};
+                                 item.curves->magnitude_offset,
+                                 look.in_front};
             vkCmdPushConstants(commands, pipelines.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                                0, sizeof push, &push);
             const uint32_t indices = IndexPatterns::index_count(bin.columns, bin.segments);
@@ -138,6 +152,7 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
             triangles += uint64_t{indices / 3} * bin.instance_count;
         }
     }
+    set_depths(false);
     return triangles;
 }
 

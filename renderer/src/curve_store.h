@@ -67,8 +67,9 @@ public:
     void select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const;
 };
 
-// Records a list into a render pass; returns the triangles drawn.
+// Records a list into a render pass; returns the triangles drawn. `viewport` is the main pass's, which stays as it is; null: the
+// shadow map's.
 uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, const IndexPatterns& patterns,
-                       const DrawList& list, VkBuffer instances, bool shadow);
+                       const DrawList& list, VkBuffer instances, const VkViewport* viewport);
 
 }  // namespace flg::render

@@ -8,13 +8,16 @@ namespace flg::render {
 namespace {
 
 constexpr VkDeviceSize least_instance_bytes = 64 << 10;
+constexpr VkDeviceSize least_joint_bytes = 16 << 10;
 
 }  // namespace
 
-FrameSlot::FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, const ShadowMap& shadow_map)
+FrameSlot::FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, VkDescriptorSetLayout joints_layout,
+                     const ShadowMap& shadow_map)
     : memory_(memory), device_(memory.device().handle()) {
     try {
         create(pipelines, shadow_map);
+        create_joints(joints_layout);
     } catch (...) {
         destroy();
         throw;
@@ -81,7 +84,22 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
     }
 }
 
+void FrameSlot::create_joints(VkDescriptorSetLayout layout) {
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1};
+    VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    pool_info.maxSets = 1;
+    pool_info.poolSizeCount = 1;
+    pool_info.pPoolSizes = &size;
+    check(vkCreateDescriptorPool(device_, &pool_info, nullptr, &joints_pool_), "make a descriptor pool");
+    VkDescriptorSetAllocateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    set_info.descriptorPool = joints_pool_;
+    set_info.descriptorSetCount = 1;
+    set_info.pSetLayouts = &layout;
+    check(vkAllocateDescriptorSets(device_, &set_info, &joints_set_), "make a descriptor set");
+}
+
 void FrameSlot::destroy() {
+    vkDestroyDescriptorPool(device_, joints_pool_, nullptr);
     vkDestroyDescriptorPool(device_, descriptors_, nullptr);
     vkDestroyQueryPool(device_, queries_, nullptr);
     vkDestroyFence(device_, done_, nullptr);
@@ -155,6 +173,27 @@ VkBuffer FrameSlot::set_instances(const std::vector<uint32_t>& instances) {
                             DeviceMemory::Place::host);
     if (bytes) std::memcpy(instances_.mapped(), instances.data(), bytes);
     return instances_.handle();
+}
+
+VkDescriptorSet FrameSlot::set_joints(const std::vector<float>& joints) {
+    if (joints.empty()) return VK_NULL_HANDLE;
+    const VkDeviceSize bytes = joints.size() * sizeof(float);
+    const uint32_t most_bytes = memory_.device().properties().limits.maxStorageBufferRange;
+    if (bytes > most_bytes)
+        fail("The joints of all skins take %zu bytes; this device takes %u.", static_cast<size_t>(bytes), most_bytes);
+    if (joints_.size() < bytes) {
+        joints_ = Buffer(memory_, std::max(least_joint_bytes, 2 * bytes), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                         DeviceMemory::Place::host);
+        const VkDescriptorBufferInfo buffer{joints_.handle(), 0, std::min<VkDeviceSize>(joints_.size(), most_bytes)};
+        VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        write.dstSet = joints_set_;
+        write.descriptorCount = 1;
+        write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        write.pBufferInfo = &buffer;
+        vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
+    }
+    std::memcpy(joints_.mapped(), joints.data(), bytes);
+    return joints_set_;
 }
 
 }  // namespace flg::render

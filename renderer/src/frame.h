@@ -27,7 +27,8 @@ constexpr uint32_t moment_count = 3;
 
 class FrameSlot {
 public:
-    FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, const ShadowMap& shadow_map);
+    FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, VkDescriptorSetLayout joints_layout,
+              const ShadowMap& shadow_map);
     ~FrameSlot();
     FrameSlot(const FrameSlot&) = delete;
     FrameSlot& operator=(const FrameSlot&) = delete;
@@ -46,12 +47,15 @@ public:
     VkDescriptorSet sun_view() const { return views_[1]; }
     // A buffer that holds these until the slot's next frame.
     VkBuffer set_instances(const std::vector<uint32_t>& instances);
+    // The same as a descriptor set; null for none.
+    VkDescriptorSet set_joints(const std::vector<float>& joints);
 
     uint64_t frame = 0;        // number of the last frame submitted; 0 = none
     bool drew_shadow = false;  // in that frame
 
 private:
     void create(const Pipelines& pipelines, const ShadowMap& shadow_map);
+    void create_joints(VkDescriptorSetLayout layout);
     void destroy();
 
     DeviceMemory& memory_;
@@ -62,10 +66,13 @@ private:
     VkQueryPool queries_ = VK_NULL_HANDLE;
     VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
     VkDescriptorSet views_[2] = {};
+    VkDescriptorPool joints_pool_ = VK_NULL_HANDLE;
+    VkDescriptorSet joints_set_ = VK_NULL_HANDLE;
     VkDeviceSize view_stride_ = 0;
     Buffer times_;
     Buffer uniforms_;
     Buffer instances_;
+    Buffer joints_;
 };
 
 }  // namespace flg::render

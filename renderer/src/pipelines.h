@@ -15,6 +15,7 @@ struct CurvePush {
     float line_half_width_px;
     float gloss;
     float magnitude_offset;
+    uint32_t in_front;
 };
 
 constexpr uint32_t curve_buffers = 4;  // of set 1: centers, looks, chunks, displacements

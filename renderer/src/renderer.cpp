@@ -36,7 +36,8 @@ Renderer::State::State(const Options& wanted)
       pipelines(device, main_pass.handle, samples, shadow_map.pass()),
       surface_pipelines(device, main_pass.handle, samples, shadow_map.pass(), pipelines.view_layout()),
       patterns(ring) {
-    for (auto& slot : slots) slot = std::make_unique<FrameSlot>(memory, pipelines, shadow_map);
+    for (auto& slot : slots)
+        slot = std::make_unique<FrameSlot>(memory, pipelines, surface_pipelines.joints_layout(), shadow_map);
 }
 
 Renderer::State::~State() {
@@ -99,6 +100,26 @@ void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& 
     auto surface = std::make_unique<DeviceSurface>(s.ring, mesh, look, field);
     s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
     s.shadow_is_current = false;
+}
+
+SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
+    State& s = *state_;
+    auto surface = std::make_unique<DeviceSurface>(s.ring, skin, look);
+    s.shadow_is_current = false;
+    return {s.surfaces.add(std::move(surface))};
+}
+
+void Renderer::update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& look) {
+    State& s = *state_;
+    s.surfaces.at(id.value);
+    auto surface = std::make_unique<DeviceSurface>(s.ring, skin, look);
+    s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
+    s.shadow_is_current = false;
+}
+
+void Renderer::set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms) {
+    state_->surfaces.set_pose(id, skinning, transforms);
+    state_->shadow_is_current = false;
 }
 
 void Renderer::remove(CurvesId id) {
@@ -190,6 +211,8 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     curves.select(view, false, main_list, instances);
     slot.set_views(view, sun);
     const VkBuffer instance_buffer = slot.set_instances(instances);
+    surfaces.gather_joints(joints);
+    const VkDescriptorSet joints_set = slot.set_joints(joints);
     slot.drew_shadow = draw_shadow && shadow_size;
 
     const VkCommandBuffer commands = submission.commands = slot.begin();
@@ -201,9 +224,10 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     };
     if (draw_shadow) {
         shadow_map.begin(commands);
-        stats.draw_calls += record_surface_shadows(commands, surface_pipelines, slot.sun_view(), surfaces).calls;
+        stats.draw_calls +=
+            record_surface_shadows(commands, surface_pipelines, {slot.sun_view(), joints_set}, surfaces).calls;
         bind_view(slot.sun_view());
-        record_curves(commands, pipelines, patterns, shadow_list, instance_buffer, true);
+        record_curves(commands, pipelines, patterns, shadow_list, instance_buffer, nullptr);
         shadow_map.end(commands);
     }
     slot.mark(Moment::shadow_done);
@@ -221,9 +245,10 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     const VkRect2D scissor{{0, 0}, extent};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
-    const SurfaceDraws surface_draws = record_surfaces(commands, surface_pipelines, slot.main_view(), surfaces);
+    const SurfaceDraws surface_draws =
+        record_surfaces(commands, surface_pipelines, {slot.main_view(), joints_set}, surfaces);
     bind_view(slot.main_view());
-    stats.triangles = record_curves(commands, pipelines, patterns, main_list, instance_buffer, false);
+    stats.triangles = record_curves(commands, pipelines, patterns, main_list, instance_buffer, &viewport);
     stats.triangles += surface_draws.triangles;
     stats.draw_calls += surface_draws.calls;
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop());

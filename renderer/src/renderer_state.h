@@ -53,6 +53,7 @@ struct Renderer::State {
     bool shadow_is_current = false;
     DrawList main_list, shadow_list;  // scratch of record_frame
     std::vector<uint32_t> instances;
+    std::vector<float> joints;
 };
 
 }  // namespace flg::render

@@ -90,6 +90,7 @@ public:
             add_vertex(i, source, split.label_of.empty() ? 0 : split.label_of[i]);
         }
         data_.indices = std::move(split.indices);
+        data_.copied = std::move(split.copied);
         return std::move(data_);
     }
 

@@ -32,6 +32,7 @@ struct SurfaceData {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint32_t> indices;
     std::vector<BorderEdge> borders;  // each edge once
+    std::vector<uint32_t> copied;     // the vertices that the last ones are copies of
     Box box;
     bool has_field = false;
     float field_low = 0.0f, field_high = 0.0f;  // what the colour map spans

@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 
 #include "device.h"
+#include "filigree/filigree_model.h"
+#include "pipeline_build.h"
 
 namespace flg::render {
 
@@ -19,6 +21,12 @@ struct SurfacePush {
 
     static constexpr uint32_t shows_field = 1;
     static constexpr uint32_t is_flat = 2;
+};
+
+// Mirrors the push constants of shaders/skin.glsl.
+struct SkinnedPush {
+    SurfacePush surface;
+    uint32_t first;  // of the joints' vectors
 };
 
 constexpr uint32_t border_vertices = 12;  // of a line: four triangles, mirrors shaders/border.vert
@@ -36,7 +44,14 @@ public:
     VkPipeline shadow() const { return shadow_; }        // positions
     VkPipeline border() const { return border_; }        // an instance each: BorderEdge
 
+    // Of surfaces that follow joints: set 1 is their buffer; a third vertex buffer: SkinVertex.
+    VkDescriptorSetLayout joints_layout() const { return joints_layout_; }
+    VkPipelineLayout skinned_layout() const { return skinned_layout_; }
+    VkPipeline skinned(FlgSkinning skinning) const { return skinned_[skinning]; }
+    VkPipeline skinned_shadow(FlgSkinning skinning) const { return skinned_shadow_[skinning]; }
+
 private:
+    void make_skinned(const PipelineDesc& surface, const PipelineDesc& shadow, VkDescriptorSetLayout view_layout);
     void destroy();
 
     VkDevice device_;
@@ -44,6 +59,9 @@ private:
     VkPipeline surface_ = VK_NULL_HANDLE;
     VkPipeline shadow_ = VK_NULL_HANDLE;
     VkPipeline border_ = VK_NULL_HANDLE;
+    VkDescriptorSetLayout joints_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout skinned_layout_ = VK_NULL_HANDLE;
+    VkPipeline skinned_[2] = {}, skinned_shadow_[2] = {};  // by FlgSkinning
 };
 
 }  // namespace flg::render

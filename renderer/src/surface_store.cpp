@@ -17,10 +17,6 @@ SurfacePush push_of(const SurfaceData& data, const SurfaceLook& look) {
     return push;
 }
 
-void bind_view(VkCommandBuffer commands, const SurfacePipelines& pipelines, VkDescriptorSet view) {
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &view, 0, nullptr);
-}
-
 void bind_vertices(VkCommandBuffer commands, uint32_t binding, const Buffer& buffer) {
     const VkBuffer handle = buffer.handle();
     const VkDeviceSize no_offset = 0;
@@ -34,12 +30,47 @@ void draw_triangles(VkCommandBuffer commands, const DeviceSurface& surface, Surf
     ++draws.calls;
 }
 
+// Binds what skinned surfaces take; returns whether there are any.
+bool bind_skins(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets) {
+    if (!sets.joints) return false;
+    const VkDescriptorSet both[] = {sets.view, sets.joints};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned_layout(), 0, 2, both, 0,
+                            nullptr);
+    return true;
+}
+
+void bind_surface(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets) {
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &sets.view, 0,
+                            nullptr);
+}
+
+constexpr VkShaderStageFlags both_stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+void push_skin(VkCommandBuffer commands, const SurfacePipelines& pipelines, const DeviceSurface& surface) {
+    const SkinnedPush push{surface.push, surface.skin->first};
+    vkCmdPushConstants(commands, pipelines.skinned_layout(), both_stages, 0, sizeof push, &push);
+}
+
 }  // namespace
 
 DeviceSurface::DeviceSurface(UploadRing& ring, const FlgMeshView& mesh, const SurfaceLook& look,
                              std::span<const float> field)
     : casts_shadow(look.casts_shadow) {
-    const SurfaceData data = prepare_surface(mesh, look, field);
+    fill(ring, prepare_surface(mesh, look, field), look);
+}
+
+DeviceSurface::DeviceSurface(UploadRing& ring, const FlgSkinView& view, const SurfaceLook& look)
+    : casts_shadow(look.casts_shadow) {
+    SkinData data = prepare_skin(view, look);
+    fill(ring, data.surface, look);
+    std::vector<float> rest;
+    for (uint32_t j = 0; j < view.joint_count; ++j) rest.insert(rest.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+    Buffer skin_vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    skin = std::make_unique<DeviceSkin>(DeviceSkin{std::move(skin_vertices), std::move(data.bounds), view.joint_count,
+                                                   FLG_SKINNING_LINEAR, std::move(rest)});
+}
+
+void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look) {
     push = push_of(data, look);
     box = data.box;
     index_count = static_cast<uint32_t>(data.indices.size());
@@ -56,14 +87,34 @@ Box SurfaceStore::bounds() const {
     return box;
 }
 
-SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, VkDescriptorSet view,
+void SurfaceStore::set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms) {
+    DeviceSurface& surface = at(id.value);
+    if (!surface.skin) fail("The surface %llu has no joints.", static_cast<unsigned long long>(id.value));
+    DeviceSkin& skin = *surface.skin;
+    check_pose(skinning, transforms, skin.joint_count);
+    skin.transforms.assign(transforms.begin(), transforms.end());
+    skin.skinning = skinning;
+    surface.box = skin.bounds.at(skinning, transforms);
+}
+
+void SurfaceStore::gather_joints(std::vector<float>& joints) {
+    constexpr size_t vector_floats = 4;
+    joints.clear();
+    for (const auto& [id, surface] : items()) {
+        if (!surface->skin) continue;
+        surface->skin->first = static_cast<uint32_t>(joints.size() / vector_floats);
+        joints.insert(joints.end(), surface->skin->transforms.begin(), surface->skin->transforms.end());
+    }
+}
+
+SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets,
                              const SurfaceStore& store) {
     SurfaceDraws draws;
     if (store.items().empty()) return draws;
-    bind_view(commands, pipelines, view);
+    bind_surface(commands, pipelines, sets);
     for (const auto& [id, surface] : store.items()) {
-        vkCmdPushConstants(commands, pipelines.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                           sizeof surface->push, &surface->push);
+        if (surface->skin) continue;
+        vkCmdPushConstants(commands, pipelines.layout(), both_stages, 0, sizeof surface->push, &surface->push);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.surface());
         bind_vertices(commands, 0, surface->positions);
         bind_vertices(commands, 1, surface->vertices);
@@ -75,18 +126,37 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
         draws.triangles += uint64_t{border_vertices / 3} * surface->border_count;
         ++draws.calls;
     }
+    if (!bind_skins(commands, pipelines, sets)) return draws;
+    for (const auto& [id, surface] : store.items()) {
+        if (!surface->skin) continue;
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned(surface->skin->skinning));
+        push_skin(commands, pipelines, *surface);
+        bind_vertices(commands, 0, surface->positions);
+        bind_vertices(commands, 1, surface->vertices);
+        bind_vertices(commands, 2, surface->skin->vertices);
+        draw_triangles(commands, *surface, draws);
+    }
     return draws;
 }
 
-SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipelines& pipelines, VkDescriptorSet view,
-                                    const SurfaceStore& store) {
+SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipelines& pipelines,
+                                    const SurfaceSets& sets, const SurfaceStore& store) {
     SurfaceDraws draws;
     if (store.items().empty()) return draws;
-    bind_view(commands, pipelines, view);
+    bind_surface(commands, pipelines, sets);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.shadow());
     for (const auto& [id, surface] : store.items()) {
-        if (!surface->casts_shadow) continue;
+        if (!surface->casts_shadow || surface->skin) continue;
         bind_vertices(commands, 0, surface->positions);
+        draw_triangles(commands, *surface, draws);
+    }
+    if (!bind_skins(commands, pipelines, sets)) return draws;
+    for (const auto& [id, surface] : store.items()) {
+        if (!surface->casts_shadow || !surface->skin) continue;
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned_shadow(surface->skin->skinning));
+        push_skin(commands, pipelines, *surface);
+        bind_vertices(commands, 0, surface->positions);
+        bind_vertices(commands, 2, surface->skin->vertices);
         draw_triangles(commands, *surface, draws);
     }
     return draws;

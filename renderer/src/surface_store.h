@@ -3,15 +3,28 @@
 #pragma once
 
 #include "device_store.h"
+#include "skin_data.h"
 #include "surface_data.h"
 #include "surface_pipelines.h"
 #include "upload_ring.h"
 
 namespace flg::render {
 
+// What a surface that follows joints has besides. The pose stays on the host: each frame takes it along.
+struct DeviceSkin {
+    Buffer vertices;
+    SkinBounds bounds;
+    uint32_t joint_count;
+    FlgSkinning skinning;
+    std::vector<float> transforms;
+    uint32_t first = 0;  // of the frame's joints
+};
+
 // One upload.
 struct DeviceSurface {
     DeviceSurface(UploadRing& ring, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field);
+    // At rest.
+    DeviceSurface(UploadRing& ring, const FlgSkinView& skin, const SurfaceLook& look);
 
     bool casts_shadow;
     SurfacePush push;
@@ -19,12 +32,19 @@ struct DeviceSurface {
     uint32_t index_count;
     uint32_t border_count;
     Buffer positions, vertices, indices, borders;
+    std::unique_ptr<DeviceSkin> skin;  // null: it stays as it is
+
+private:
+    void fill(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look);
 };
 
 class SurfaceStore : public DeviceStore<DeviceSurface> {
 public:
     SurfaceStore() : DeviceStore("surfaces") {}
     Box bounds() const;
+    void set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms);
+    // All joints of all skins, as they lie in the shaders' buffer.
+    void gather_joints(std::vector<float>& joints);
 };
 
 struct SurfaceDraws {
@@ -32,10 +52,16 @@ struct SurfaceDraws {
     uint32_t calls = 0;
 };
 
-// Record all of them into a render pass; `view` is its descriptor set.
-SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, VkDescriptorSet view,
+// What a pass binds.
+struct SurfaceSets {
+    VkDescriptorSet view;
+    VkDescriptorSet joints;  // null without skins
+};
+
+// Record all of them into a render pass.
+SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets,
                              const SurfaceStore& store);
-SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipelines& pipelines, VkDescriptorSet view,
-                                    const SurfaceStore& store);
+SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipelines& pipelines,
+                                    const SurfaceSets& sets, const SurfaceStore& store);
 
 }  // namespace flg::render

@@ -99,6 +99,7 @@ public:
         for (const uint64_t node : nodes.order()) {
             if (is_needed_[node]) needed_.push_back(node);
         }
+        locals_.resize(nodes.size(), identity_transform);
         globals_.resize(nodes.size(), identity_transform);
         motions_.resize(skeleton.joints().size());
         turns_.resize(skeleton.joints().size());
@@ -253,15 +254,12 @@ private:
     void sample(AnimationData& animation) {
         const size_t joint_count = motions_.size();
         bool roots_move = false;
-        std::vector<bool> is_animated(nodes_.size());
-        for (const auto& [node, channels] : channels_) is_animated[node] = true;
-        std::vector<Transform> locals(nodes_.size());
-        for (const uint64_t node : needed_) locals[node] = local_at(node, 0);
+        for (const uint64_t node : needed_) locals_[node] = local_at(node, 0);
         for (const float time : animation.times) {
             for (const uint64_t node : needed_) {
-                if (is_animated[node]) locals[node] = local_at(node, time);
+                if (channels_.contains(node)) locals_[node] = local_at(node, time);
                 const uint64_t parent = nodes_.parent(node);
-                globals_[node] = parent == no_node ? locals[node] : compose(globals_[parent], locals[node]);
+                globals_[node] = parent == no_node ? locals_[node] : compose(globals_[parent], locals_[node]);
             }
             const Vector moved = take_apart(time);
             for (const double value : moved) {
@@ -327,7 +325,7 @@ private:
     std::string place_;
     std::map<uint64_t, Channels> channels_;         // by node
     std::map<uint64_t, std::vector<float>> times_;  // by accessor
-    std::vector<Transform> globals_;                // by node
+    std::vector<Transform> locals_, globals_;       // by node
     std::vector<Transform> motions_;                // by joint, from rest
     std::vector<Rotation> turns_;
     uint64_t turn_count_ = 0;

@@ -26,6 +26,13 @@ FileContents read_contents(const std::string& name) {
         }
     }
     if (mesh_only) return contents;
+    if (contents.mesh && extension != ".obj") {
+        try {
+            contents.skin = SkinFile::read(name);
+        } catch (const InputError& error) {
+            contents.why_no_skin = error.what();
+        }
+    }
     try {
         contents.curves.emplace(name);
     } catch (const samples::SourceError& error) {

@@ -5,13 +5,16 @@
 #include <optional>
 
 #include "mesh_file.h"
+#include "skin_file.h"
 #include "support/curve_source.h"
 
 namespace flg::cli {
 
-// One of them is there, or both.
+// Mesh or curves are there, or both; with a skin also its mesh.
 struct FileContents {
     std::optional<MeshFile> mesh;
+    std::optional<SkinFile> skin;
+    std::string why_no_skin;  // of a file with a skin that can't be read: its mesh is there nevertheless
     std::optional<samples::CurveSource> curves;
 };
 

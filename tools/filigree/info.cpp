@@ -163,6 +163,11 @@ void run_info(const std::string& name, const CommonOptions& common) {
     const FileContents contents = read_contents(name);
     if (contents.curves) describe_curves(*contents.curves, report);
     if (contents.mesh) describe_mesh(*contents.mesh, report);
+    if (contents.skin) describe_skin(*contents.skin, report);
+    if (!contents.why_no_skin.empty()) {
+        std::cout << "odd: no skin is read: " << contents.why_no_skin << "\n";
+        report.note("no skin is read: " + contents.why_no_skin);
+    }
     report.write();
 }
 

@@ -6,11 +6,15 @@
 
 #include "mesh_file.h"
 #include "report.h"
+#include "skin_file.h"
 
 namespace flg::cli {
 
 std::string attribute_name(FlgAttribute attribute);
 
 void describe_mesh(const MeshFile& mesh, Report& report);
+
+// Besides its mesh.
+void describe_skin(const SkinFile& skin, Report& report);
 
 }  // namespace flg::cli

@@ -24,6 +24,8 @@ constexpr uint32_t kMaxPixels = 16'384;
 constexpr float kMargin = 1.14f;
 constexpr float kSunAside = 0.5f, kSunHeight = 0.93f;  // radians
 
+const std::map<std::string, FlgSkinning> kSkinnings = {{"linear", FLG_SKINNING_LINEAR},
+                                                       {"dual", FLG_SKINNING_DUAL_QUATERNION}};
 const std::map<std::string, Shape> kShapes = {{"lines", Shape::line}, {"ribbon", Shape::ribbon}, {"tube", Shape::tube}};
 
 struct Options {
@@ -86,6 +88,8 @@ void run_render(const Options& options, const CommonOptions& common) {
         height > kMaxPixels) {
         throw UsageError("--size: '" + options.size + "' is not WxH with 1 to 16384 pixels each");
     }
+    if (!options.scene.pose.animation.empty() && !options.scene.pose.time)
+        throw UsageError("--animation: its pose is taken at --time, which is missing");
     require_writable(options.output);
     require_writable(common.report);
 
@@ -96,6 +100,12 @@ void run_render(const Options& options, const CommonOptions& common) {
                          {"camera", options.camera},
                          {"frames", options.frames}};
     if (!options.scene.field.empty()) report.parameters["field"] = options.scene.field;
+    if (options.scene.pose.time) {
+        report.parameters["time"] = *options.scene.pose.time;
+        report.parameters["animation"] = options.scene.pose.animation;
+    }
+    report.parameters["skinning"] = name_of(kSkinnings, options.scene.pose.skinning);
+    report.parameters["bones"] = options.scene.bones;
     const RenderScene scene(options.scene, report);
     samples::calm_vulkan_loader();
     render::Renderer renderer;
@@ -154,6 +164,17 @@ Command add_render(CLI::App& program, const CommonOptions& common) {
         ->type_name("D")
         ->capture_default_str()
         ->check(at_least_zero());
+    app->add_option("--time", o->scene.pose.time,
+                    "Skins in their pose at T seconds of their first animation; without it at rest")
+        ->type_name("T")
+        ->check(finite());
+    app->add_option("--animation", o->scene.pose.animation, "The animation that --time is of, by its name")
+        ->type_name("NAME");
+    add_choice(
+        *app, "--skinning", o->scene.pose.skinning, kSkinnings,
+        "How a skin's vertices follow several joints: by the mean of what they do, or by the rigid motion between, "
+        "as dual quaternions have it");
+    app->add_flag("--bones", o->scene.bones, "Draws a skin's joints and bones over it");
     return {app, [o, &common] { run_render(*o, common); }};
 }
 

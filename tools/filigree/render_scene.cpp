@@ -7,6 +7,7 @@
 
 #include "failure.h"
 #include "field_file.h"
+#include "render_bones.h"
 
 namespace flg::cli {
 namespace {
@@ -35,11 +36,11 @@ std::vector<render::Material> region_materials() {
     return materials;
 }
 
-// Those that the file gives its regions.
-std::vector<render::Material> materials_of(const MeshFile& mesh) {
+// Those that a file gives its regions.
+std::vector<render::Material> materials_of(const std::vector<FlgMeshMaterial>& given) {
     constexpr float kThinnestPx = 0.5f;  // that the renderer draws
     std::vector<render::Material> materials;
-    for (const FlgMeshMaterial& from : mesh.materials()) {
+    for (const FlgMeshMaterial& from : given) {
         render::Material& to = materials.emplace_back();
         to.color = {from.color[0], from.color[1], from.color[2]};
         to.metallic = from.metallic;
@@ -72,7 +73,11 @@ RenderScene::RenderScene(const SceneOptions& options, Report& report) : options_
             curves += source.view().curve_count;
             points += source.point_count();
         }
-        if (contents.mesh) {
+        if (contents.skin || !contents.why_no_skin.empty()) add_skin(contents, name, report);
+        if (contents.skin) {
+            vertices += skins_.back().file.view().vertex_count;
+            triangles += skins_.back().file.view().triangle_count;
+        } else if (contents.mesh) {
             const MeshFile& mesh = meshes_.emplace_back(std::move(*contents.mesh));
             const FlgMeshFileInfo& info = mesh.info();
             for (uint32_t i = 0; i < info.warning_count; ++i) report.warn(name + ": " + info.warnings[i]);
@@ -81,12 +86,27 @@ RenderScene::RenderScene(const SceneOptions& options, Report& report) : options_
         }
     }
     report.counts = {{"files", options.files.size()}, {"curves", curves},     {"points", points},
-                     {"meshes", meshes_.size()},      {"vertices", vertices}, {"triangles", triangles}};
+                     {"meshes", meshes_.size()},      {"vertices", vertices}, {"triangles", triangles},
+                     {"skins", skins_.size()}};
+    if (skins_.empty() && (options.pose.time || options.bones))
+        throw UsageError(std::string(options.bones ? "--bones" : "--time") + ": no file has a skin");
     if (!options.field.empty()) {
         read_field(report);
     } else if (options.every > 0.0) {
         throw UsageError("--every: there are no isolines without --field");
     }
+}
+
+void RenderScene::add_skin(FileContents& contents, const std::string& name, Report& report) {
+    if (!contents.skin) {
+        if (options_.pose.time || options_.bones) throw InputError(contents.why_no_skin);
+        report.warn(name + ": drawn as it stands, without its skin: " + contents.why_no_skin);
+        return;
+    }
+    const FlgSkinFileInfo& info = contents.skin->info();
+    for (uint32_t i = 0; i < info.warning_count; ++i) report.warn(name + ": " + info.warnings[i]);
+    SkinPose pose = pose_skin(*contents.skin, options_.pose);
+    skins_.push_back({std::move(*contents.skin), std::move(pose)});
 }
 
 void RenderScene::read_field(Report& report) {
@@ -111,7 +131,7 @@ void RenderScene::read_field(Report& report) {
 
 render::SurfaceLook RenderScene::look_of(const MeshFile& mesh) const {
     render::SurfaceLook look;
-    const std::vector<render::Material> materials = materials_of(mesh);
+    const std::vector<render::Material> materials = materials_of(mesh.materials());
     if (mesh.info().region_count > 1 && materials.empty()) {
         look.regions = region_materials();
         look.border_width_px = kBorderWidthPx;
@@ -124,8 +144,29 @@ render::SurfaceLook RenderScene::look_of(const MeshFile& mesh) const {
     return look;
 }
 
+void RenderScene::upload_skins(render::Renderer& renderer) const {
+    for (const Skin& skin : skins_) {
+        render::SurfaceLook look;
+        std::vector<render::Material> materials = materials_of(skin.file.materials());
+        // Poses move no lines.
+        for (render::Material& material : materials) material.border_width_px = 0.0f;
+        if (materials.empty() && skin.file.info().part_count > 1) {
+            look.regions = region_materials();
+        } else if (materials.size() == 1) {
+            look.material = materials[0];
+        } else {
+            look.regions = materials;
+        }
+        renderer.set_pose(renderer.upload(skin.file.view(), look), options_.pose.skinning, skin.pose.transforms);
+    }
+    if (!options_.bones) return;
+    const float size = renderer.bounds().diagonal();
+    for (const Skin& skin : skins_) upload_bones(renderer, skin.file.view(), skin.pose.joint_positions, size);
+}
+
 void RenderScene::upload(render::Renderer& renderer) const {
     for (const MeshFile& mesh : meshes_) renderer.upload(mesh.view(), look_of(mesh), field_);
+    upload_skins(renderer);
     render::CurveLook look;
     look.shape = render::Shape::line;
     std::vector<render::CurvesId> ids;
@@ -144,6 +185,11 @@ std::vector<glm::vec3> RenderScene::points() const {
     for (const samples::CurveSource& source : curves_) {
         const FlgColumn& column = *samples::find_column(source.view(), FLG_ATTRIBUTE_POSITION);
         for (size_t i = 0; i < source.point_count(); ++i) add(samples::value_at(column, i));
+    }
+    for (const Skin& skin : skins_) {
+        for (size_t i = 0; i < skin.pose.positions.size(); i += 3) add(&skin.pose.positions[i]);
+        for (size_t i = 0; options_.bones && i < skin.pose.joint_positions.size(); i += 3)
+            add(&skin.pose.joint_positions[i]);
     }
     for (const MeshFile& mesh : meshes_) {
         const FlgMeshView& view = mesh.view();

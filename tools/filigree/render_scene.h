@@ -18,6 +18,8 @@ struct SceneOptions {
     double radius = 0.0;  // of curves that bring none, metres; 0 = from the size of the whole
     std::string field;    // a file, or empty
     double every = 0.0;   // between isolines; 0 = a round number that gives about 20
+    PoseOptions pose;     // of all skins
+    bool bones = false;   // whether joints and bones are drawn over them
 };
 
 class RenderScene {
@@ -26,16 +28,24 @@ public:
     RenderScene(const SceneOptions& options, Report& report);
 
     void upload(render::Renderer& renderer) const;
-    // Of curves and meshes.
+    // Of curves and meshes, skins as they are posed.
     std::vector<glm::vec3> points() const;
 
 private:
+    struct Skin {
+        SkinFile file;
+        SkinPose pose;
+    };
+
+    void add_skin(FileContents& contents, const std::string& name, Report& report);
     void read_field(Report& report);
+    void upload_skins(render::Renderer& renderer) const;
     render::SurfaceLook look_of(const MeshFile& mesh) const;
 
     const SceneOptions& options_;
     std::vector<samples::CurveSource> curves_;
     std::vector<MeshFile> meshes_;
+    std::vector<Skin> skins_;
     std::vector<float> field_;  // of the only mesh; else empty
     double spacing_ = 0.0;      // of isolines
 };

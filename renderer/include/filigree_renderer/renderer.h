@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "filigree/filigree.h"
+#include "filigree/filigree_model.h"
 #include "filigree/filigree_surface.h"
 #include "filigree_renderer/camera.h"
 #include "filigree_renderer/error.h"
@@ -61,6 +62,9 @@ struct CurveLook {
     float line_width_px = 1.5f;  // of a line, 0.5 to 64
     float gloss = 0.4f;          // 0 = matte to 1 = polished
     bool casts_shadow = true;
+    // Drawn over everything that is not, and without its shadows: bones within a body. Not over what is very near, within a twentieth of the way to the
+    // camera's target.
+    bool in_front = false;
 };
 
 // Light and surroundings. Colours are linear RGB.
@@ -159,6 +163,19 @@ public:
     SurfaceId upload(const FlgMeshView& mesh, const SurfaceLook& look = {}, std::span<const float> field = {});
     // Replaces what `id` shows, after a cut or for another look. All of it is uploaded again. On error nothing changes.
     void update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look = {}, std::span<const float> field = {});
+    // Copies a surface that follows joints, at rest. Parts of vertices are regions: a triangle is of the part that two of its
+    // corners are of, else of the first's. No lines between regions: throws if the look has any. Besides what is said above
+    // it throws for joints that are not there, weights that are not 0 to 1 with the sum 1 and the largest first.
+    // Cost: as above, and 16 bytes a vertex more.
+    SurfaceId upload(const FlgSkinView& skin, const SurfaceLook& look = {});
+    // Replaces what `id` shows, by a skin at rest. On error nothing changes.
+    void update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& look = {});
+    // The pose of a skin from the next frame on: its joints' transforms as flgSkinPose makes them, 12 floats a joint for
+    // FLG_SKINNING_LINEAR, 8 for FLG_SKINNING_DUAL_QUATERNION. Vertices are moved in the vertex shader, in the shadow map
+    // too, by what flgSkinDeform says. bounds() then is around all vertices, and a little wider where joints bend.
+    // Throws for a surface without joints, another number of floats, floats that are not finite, quaternions not of length 1.
+    // Cost: about 1 us a joint for the bounds; the mesh is not uploaded again, its joints are copied with each frame.
+    void set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms);
     // Zero does nothing. Throws for an id that was removed or never given.
     void remove(CurvesId id);
     void remove(SurfaceId id);

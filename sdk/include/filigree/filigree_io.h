@@ -211,7 +211,7 @@ typedef struct FlgSkinFileT* FlgSkinFile;
  * Refused, for no FlgSkinAnimation can say it: scaled joints, joints that an animation moves apart from their parents, roots
  * that move differently, keys that are not LINEAR; and what can't be right: joints or weights missing, out of range, not
  * finite, nodes in circles, counts that don't fit.
- * If the scene shows no skin the result is FLG_OK and `out_file` null. Cost: some 20 ns a vertex.
+ * If the scene shows no skin the result is FLG_OK and `out_file` null. Cost: one core, about 0.4 us a vertex.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and what is made of it; 65535 joints). */
 FLG_API FlgResult flgSkinFileRead(const char* path, FlgSkinFile* out_file);
 
@@ -256,7 +256,7 @@ FLG_API FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint32_t struct_siz
  * roots below it, which the skin names as its skeleton; a node a joint. Vertices have POSITION, NORMAL, JOINTS_0 (16 bits),
  * WEIGHTS_0 (float) and _PART. Rotations that stay at none are left out. It refuses what glTF forbids: joints out of range or
  * twice at a vertex, weights that don't come to 1 within 0.0001, quaternions that aren't of length 1 within 0.001, times that
- * don't rise, values that aren't finite, parents that don't come first.
+ * don't rise, values that aren't finite, parents that don't come first. Cost: about 0.8 us a vertex.
  * Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileDesc* desc);
 
