@@ -38,4 +38,11 @@ Task<void> merge_parts(Pace& pace, std::span<const PlacedPart> parts, MergeOptio
     while (!merge.run(merge_chunk)) co_await pace;
 }
 
+Task<void> weigh_bones(Pace& pace, const MergedMesh& mesh, std::span<const BoneSegment> bones,
+                       BoneWeightOptions options, BoneWeights& weights) {
+    pace.stage("weights");
+    BoneWeightsKernel kernel(mesh, bones, options, weights, pace.memory());
+    while (!kernel.run(chunk)) co_await pace;
+}
+
 }  // namespace flg

@@ -2,6 +2,7 @@
 // The kernels of this room one after the other, as jobs run them.
 #pragma once
 
+#include "inflation/bone_weights.h"
 #include "inflation/merge_parts.h"
 #include "inflation/two_sided_mesh.h"
 #include "runtime/pace.h"
@@ -19,5 +20,10 @@ Task<void> make_part_surface(Pace& pace, const InflatedPart& part, PartSurface& 
 // One surface of parts that are inflated. `parts`, what they point to, and `mesh` outlive the task. Throws as MergeParts does. About 8 us a
 // vertex that the surface gets.
 Task<void> merge_parts(Pace& pace, std::span<const PlacedPart> parts, MergeOptions options, MergedMesh& mesh);
+
+// Weights of bones for a surface whose parts have the bones' numbers. `mesh`, what `bones` shows, and `weights` outlive the task. Throws as
+// BoneWeightsKernel does. About 6 us a vertex, and 0.6 us a vertex for each eight joints.
+Task<void> weigh_bones(Pace& pace, const MergedMesh& mesh, std::span<const BoneSegment> bones,
+                       BoneWeightOptions options, BoneWeights& weights);
 
 }  // namespace flg

@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t batch = 32;  // rows a unit where little is done with each
 constexpr uint32_t no_parent = UINT32_MAX;
+constexpr uint32_t entries_a_unit = 48;
 
 }  // namespace
 
@@ -181,9 +182,6 @@ CholeskySolve::CholeskySolve(const SparseCholesky& factor, std::span<double> val
 
 bool CholeskySolve::run(uint32_t count) {
     const uint32_t n = factor_.size();
-    const auto& columns = factor_.columns_;
-    const auto& rows = factor_.rows_;
-    const auto& entries = factor_.values_;
     for (; count > 0 && pass_ != Pass::done; --count) {
         switch (pass_) {
             case Pass::gather:
@@ -193,41 +191,20 @@ bool CholeskySolve::run(uint32_t count) {
                 at_ = 0;
                 pass_ = Pass::forward;
                 break;
-            case Pass::forward: {
+            case Pass::forward:
                 if (at_ == n) {
                     pass_ = Pass::backward;
-                    break;
+                } else {
+                    forward();
                 }
-                double own[width];
-                double* x = &x_[size_t{width} * at_];
-                const double pivot = 1 / entries[columns[at_]];
-                for (uint32_t k = 0; k < width; ++k) own[k] = x[k] *= pivot;
-                for (size_t p = columns[at_] + 1; p < columns[at_ + 1]; ++p) {
-                    double* to = &x_[size_t{width} * rows[p]];
-                    const double entry = entries[p];
-                    for (uint32_t k = 0; k < width; ++k) to[k] -= entry * own[k];
-                }
-                ++at_;
                 break;
-            }
-            case Pass::backward: {
-                if (at_ == 0) {
+            case Pass::backward:
+                if (at_ == 0 && entry_ == 0) {
                     pass_ = Pass::scatter;
-                    break;
+                } else {
+                    backward();
                 }
-                --at_;
-                double own[width];
-                double* x = &x_[size_t{width} * at_];
-                for (uint32_t k = 0; k < width; ++k) own[k] = x[k];
-                for (size_t p = columns[at_] + 1; p < columns[at_ + 1]; ++p) {
-                    const double* from = &x_[size_t{width} * rows[p]];
-                    const double entry = entries[p];
-                    for (uint32_t k = 0; k < width; ++k) own[k] -= entry * from[k];
-                }
-                const double pivot = 1 / entries[columns[at_]];
-                for (uint32_t k = 0; k < width; ++k) x[k] = own[k] * pivot;
                 break;
-            }
             case Pass::scatter:
                 for (const uint32_t stop = std::min(n, at_ + batch); at_ < stop; ++at_)
                     std::copy_n(&x_[size_t{width} * at_], width, &values_[size_t{width} * factor_.order_[at_]]);
@@ -237,6 +214,44 @@ bool CholeskySolve::run(uint32_t count) {
         }
     }
     return pass_ == Pass::done;
+}
+
+// Some entries of a column; entry_ is where it goes on, 0 at its beginning.
+void CholeskySolve::forward() {
+    const size_t begin = factor_.columns_[at_], end = factor_.columns_[at_ + 1];
+    double* x = &x_[size_t{width} * at_];
+    if (entry_ == 0) {
+        const double pivot = 1 / factor_.values_[begin];
+        for (uint32_t k = 0; k < width; ++k) x[k] *= pivot;
+        entry_ = begin + 1;
+    }
+    double own[width];
+    std::copy_n(x, width, own);
+    for (const size_t stop = std::min(end, entry_ + entries_a_unit); entry_ < stop; ++entry_) {
+        double* to = &x_[size_t{width} * factor_.rows_[entry_]];
+        const double entry = factor_.values_[entry_];
+        for (uint32_t k = 0; k < width; ++k) to[k] -= entry * own[k];
+    }
+    if (entry_ < end) return;
+    entry_ = 0;
+    ++at_;
+}
+
+void CholeskySolve::backward() {
+    if (entry_ == 0) entry_ = factor_.columns_[--at_] + 1;
+    const size_t begin = factor_.columns_[at_], end = factor_.columns_[at_ + 1];
+    double* x = &x_[size_t{width} * at_];
+    double own[width];
+    std::copy_n(x, width, own);
+    for (const size_t stop = std::min(end, entry_ + entries_a_unit); entry_ < stop; ++entry_) {
+        const double* from = &x_[size_t{width} * factor_.rows_[entry_]];
+        const double entry = factor_.values_[entry_];
+        for (uint32_t k = 0; k < width; ++k) own[k] -= entry * from[k];
+    }
+    const bool whole = entry_ == end;
+    const double pivot = whole ? 1 / factor_.values_[begin] : 1;
+    for (uint32_t k = 0; k < width; ++k) x[k] = own[k] * pivot;
+    if (whole) entry_ = 0;
 }
 
 }  // namespace flg

@@ -59,17 +59,21 @@ public:
     // `values[width * i + k]`: entry i of right-hand side k, replaced by the solution. The factor is done; all outlive the kernel.
     CholeskySolve(const SparseCholesky& factor, std::span<double> values, Memory* memory);
 
-    // A unit is about 0.3 us on the whole; at most 3 us for factors whose columns have 500 entries.
+    // A unit is at most about 0.3 us.
     bool run(uint32_t count);
 
 private:
     enum class Pass { gather, forward, backward, scatter, done };
+
+    void forward();
+    void backward();
 
     const SparseCholesky& factor_;
     std::span<double> values_;
     Buffer<double> x_;
     Pass pass_ = Pass::gather;
     uint32_t at_ = 0;
+    size_t entry_ = 0;
 };
 
 }  // namespace flg

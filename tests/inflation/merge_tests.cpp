@@ -1,65 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <deque>
-
 #include "core/failure.h"
 #include "core/random.h"
 #include "inflation/closed_mesh.h"
-#include "inflation/merge_parts.h"
-#include "inflation/shapes.h"
+#include "inflation/models.h"
 
 namespace flg::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A turn about an axis, a scale, maybe a mirror in x before them, and a place.
-std::array<double, 12> placement(const Vec3& at, double scale = 1, double angle = 0, const Vec3& axis = Vec3::UnitY(),
-                                 bool mirrored = false) {
-    Eigen::Matrix3d m = scale * Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-    if (mirrored) m.col(0) *= -1;
-    return {m(0, 0), m(0, 1), m(0, 2), at.x(), m(1, 0), m(1, 1), m(1, 2), at.y(), m(2, 0), m(2, 1), m(2, 2), at.z()};
-}
-
-struct Model {
-    std::deque<InflatedPart> shapes;
-    std::vector<PlacedPart> parts;
-
-    void add(const Rings& rings, const std::array<double, 12>& place, double thickness = 1) {
-        shapes.push_back(part_of(rings));
-        parts.push_back({&shapes.back(), place, thickness});
-    }
-    void repeat(size_t part, const std::array<double, 12>& place) {
-        parts.push_back({parts[part].part, place, parts[part].thickness});
-    }
-};
-
-MergedMesh merged(const Model& model, const MergeOptions& options = {}, uint32_t slice = 1000) {
-    MergedMesh mesh;
-    MergeParts kernel(model.parts, options, mesh, test_memory());
-    while (!kernel.run(slice)) {}
-    return mesh;
-}
-
 ClosedMesh checked(const MergedMesh& mesh) {
     return check_closed(mesh.positions, {mesh.triangles.data(), mesh.triangles.size()});
 }
 
 const Rings disc = {ellipse(0, 0, 1, 1, 400)};
-
-Model animal() {
-    Model model;
-    model.add({ellipse(0, 0, 1.2, 0.6)}, placement({0, 0, 0}), 0.9);
-    model.add({ellipse(0, 0, 0.45, 0.42)}, placement({1.2, 0.6, 0}));
-    model.add({capsule(0, 0, 0.2, 0.1, -1, 0.14)}, placement({0.7, -0.3, 0.3}, 1, 0.2), 0.75);
-    model.repeat(2, placement({0.7, -0.3, -0.3}, 1, -0.2));
-    model.repeat(2, placement({-0.7, -0.3, 0.3}, 1, 0.2, Vec3::UnitY(), true));
-    model.repeat(2, placement({-0.7, -0.3, -0.3}, 1, -0.2, Vec3::UnitY(), true));
-    model.add({capsule(0, 0, 0.12, -0.9, 0.7, 0.06)}, placement({-1.0, 0.2, 0}), 0.71);
-    model.add({{{-0.2, 0}, {0, 0.5}, {0.2, 0}}}, placement({1.0, 0.9, 0.15}, 1, 0.4));
-    return model;
-}
 
 TEST(Merge, OneBall) {
     Model model;
