@@ -21,6 +21,7 @@ const std::vector<Group>& groups() {
         {"hair", run_hair},
         {"ribbon", run_ribbon},
         {"cutting", run_cutting},
+        {"inflation", run_inflation},
         {"tangles", run_tangles},
         {"skeletons", run_skeletons},
 #if defined(FLG_WITH_PICK)

@@ -18,6 +18,7 @@ std::vector<Row> run_matching_kinds();
 std::vector<Row> run_hair();
 std::vector<Row> run_ribbon();
 std::vector<Row> run_cutting();
+std::vector<Row> run_inflation();
 std::vector<Row> run_tangles();
 std::vector<Row> run_skeletons();
 #if defined(FLG_WITH_PICK)
