@@ -453,6 +453,52 @@ TEST_F(ForeignSkin, ChildrenMayComeBeforeTheirParents) {
     EXPECT_EQ(read.skin.names, (std::vector<std::string>{"bar 0", "bar 1", "bar 2", "bar 3"}));
 }
 
+// Bytes for joints, and for weights whose sum they can't hold exactly.
+TEST_F(ForeignSkin, BytesAreRead) {
+    Glb glb(own_);
+    const size_t count = bar(9, 8).vertex_count();
+    glb.replace(R"("componentType":5123)", R"("componentType":5121)");
+    const size_t weights = glb.json.find(R"("bufferView":3)");
+    ASSERT_NE(weights, std::string::npos);
+    const size_t type = glb.json.find("5126", weights);
+    glb.json.replace(type, 4, R"(5121,"normalized":true)");
+    for (size_t v = 0; v < count; ++v) {
+        const uint8_t joints[] = {1, 2, 3, 0}, shares[] = {100, 128, 28, 0};  // 256 of 255
+        for (size_t k = 0; k < 4; ++k)
+            glb.put(24 * count + 8 * v + k, joints[k]).put(32 * count + 16 * v + k, shares[k]);
+    }
+    const ReadSkin read = read_skin(folder_.put("a.glb", glb.bytes()));
+    ASSERT_EQ(read.result, FLG_OK) << read.error;
+    for (size_t v = 0; v < count; ++v) {
+        EXPECT_EQ(std::vector<uint16_t>(&read.skin.joints[4 * v], &read.skin.joints[4 * v] + 4),
+                  (std::vector<uint16_t>{2, 1, 3, 0}));
+        EXPECT_FLOAT_EQ(read.skin.weights[4 * v], 0.5f);
+        EXPECT_FLOAT_EQ(read.skin.weights[4 * v + 2], 28.0f / 256.0f);
+    }
+}
+
+// Joint 1 has keys at 1 and 2 s alone: it stays as at 1 s before. All joints get keys at all times.
+TEST_F(ForeignSkin, KeysAreBroughtTogether) {
+    Glb glb(own_);
+    glb.replace(R"(],"bufferViews":[)",
+                R"(,{"bufferView":6,"byteOffset":4,"componentType":5126,"count":2,"type":"SCALAR",)"
+                R"("min":[1],"max":[2]},{"bufferView":8,"byteOffset":16,"componentType":5126,)"
+                R"("count":2,"type":"VEC4"}],"bufferViews":[)");
+    glb.replace(R"({"input":6,"output":8})", R"({"input":13,"output":14})");
+    const ReadSkin own = read_skin(folder_.at("own.glb")), read = read_skin(folder_.put("a.glb", glb.bytes()));
+    ASSERT_EQ(read.result, FLG_OK) << read.error;
+    const TestAnimation &a = own.animations.at(0), &b = read.animations.at(0);
+    EXPECT_EQ(b.times, a.times);
+    for (size_t key = 0; key < 3; ++key) {
+        for (size_t joint = 0; joint < 4; ++joint) {
+            const size_t from = key == 0 && joint == 1 ? 1 : key;
+            for (size_t k = 0; k < 4; ++k)
+                EXPECT_NEAR(b.rotations[16 * key + 4 * joint + k], a.rotations[16 * from + 4 * joint + k], 1e-6);
+        }
+    }
+    expect_moves_as_the_format_says(Glb(own_));
+}
+
 TEST_F(ForeignSkin, FilesWithoutASkinAreNoError) {
     const ReadSkin read = read_skin(folder_.put("a.gltf", Document{}.text()));
     EXPECT_EQ(read.result, FLG_OK) << read.error;
@@ -579,6 +625,18 @@ TEST_F(BadSkin, Animations) {
            "joint 'bar 2' leaves its parent");
     refuse(own().replace(R"("name":"bar 2",)", R"("name":"bar 2","scale":[1,2,1],)"), "animations[0]",
            "joint 'bar 2' is scaled");
+}
+
+TEST_F(BadSkin, RootsThatPart) {
+    TestSkin skin = bar(9, 8);
+    skin.parents[2] = FLG_NO_INDEX;
+    TestAnimation animation = curl(4);
+    turn_root(animation);
+    ASSERT_EQ(write_skin(folder_.at("two.glb"), skin, {animation}), FLG_OK) << flgIoLastError();
+    Glb glb(slurp(folder_.at("two.glb")));
+    // The second root's moves are the last before the bind matrices: three numbers a key.
+    glb.put(glb.binary.size() - 4 * 64 - 24, 77.0f);
+    refuse(glb, "animations[0]", "at 1 s joint 'bar 2' moves otherwise than the other roots");
 }
 
 // ---- Writing
