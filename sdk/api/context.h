@@ -15,7 +15,9 @@ class TracedCurves;
 class Tangle;
 class HeldStraightSkeleton;
 class HeldPart;
+class HeldPartMesh;
 class HeldModel;
+class HeldSkin;
 }  // namespace flg
 
 // In the global namespace because the C header declares it.
@@ -32,7 +34,9 @@ struct FlgContextT {
           tangles(flg::HandleKind::tangle, salt, &memory),
           straight_skeletons(flg::HandleKind::straight_skeleton, salt, &memory),
           parts(flg::HandleKind::part, salt, &memory),
+          part_meshes(flg::HandleKind::part_mesh, salt, &memory),
           models(flg::HandleKind::model, salt, &memory),
+          skins(flg::HandleKind::skin, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -48,7 +52,9 @@ struct FlgContextT {
     flg::HandleTable<flg::Tangle> tangles;
     flg::HandleTable<flg::HeldStraightSkeleton> straight_skeletons;
     flg::HandleTable<flg::HeldPart> parts;
+    flg::HandleTable<flg::HeldPartMesh> part_meshes;
     flg::HandleTable<flg::HeldModel> models;
+    flg::HandleTable<flg::HeldSkin> skins;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };

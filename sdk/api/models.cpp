@@ -82,14 +82,14 @@ double read_placement(const double (&placement)[12], uint32_t part, Eigen::Matri
     return scale;
 }
 
-PlacedPart read_part(Context& context, const FlgModelDesc& desc, uint32_t number, Submission& submission) {
+ModelPart read_part(Context& context, const FlgModelDesc& desc, uint32_t number, Submission& submission) {
     const FlgModelPart& in = desc.parts[number];
     char name[64];
     const auto field = [&](const char* member) {
         std::snprintf(name, sizeof name, "desc.parts[%u].%s", number, member);
         return name;
     };
-    PlacedPart out(&context.memory);
+    ModelPart out(&context.memory);
     out.part = context.parts.get(in.part.id, field("part"));
     out.source = number;
     out.thickness = in.thickness;
@@ -129,7 +129,7 @@ void read_mirror(const float (&mirror)[4], HeldModel& model) {
 }
 
 // Puts a part on the other side of the mirror.
-void mirror_part(PlacedPart& part, const HeldModel& model) {
+void mirror_part(ModelPart& part, const HeldModel& model) {
     const Vec3& n = model.mirror_normal;
     part.placement = (part.placement - 2 * n * (n.transpose() * part.placement)).eval();
     part.placement.col(3) += 2 * model.mirror_offset * n;

@@ -10,69 +10,111 @@ namespace {
 
 constexpr uint32_t batch = 16;
 constexpr double no_length = 1e-9;  // of a bone's length
+constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
 
 }  // namespace
 
 ConnectionKernel::ConnectionKernel(BoneGraph& graph, uint32_t part, uint32_t twin, uint32_t first_joint,
-                                   uint32_t first_bone, PartLink& out)
+                                   uint32_t first_bone, std::span<const Vec3> outline, PartLink& out, Memory* memory)
     : graph_(graph),
       part_(part),
       twin_(twin),
       first_joint_(first_joint),
       first_bone_(first_bone),
       last_joint_(static_cast<uint32_t>(graph.joints().size())),
+      outline_(outline),
       out_(out),
       inside_{std::numeric_limits<double>::infinity(), no_number, no_number, no_number, 0},
-      touching_(inside_),
-      child_(first_joint) {}
+      near_(inside_),
+      nearest_(inside_),
+      meets_(part, false, memory) {
+    enter(Pass::joints);
+}
+
+void ConnectionKernel::enter(Pass pass) {
+    pass_ = pass;
+    point_ = pass == Pass::outline ? 0 : first_joint_;
+    at_ = 0;
+}
 
 bool ConnectionKernel::run(uint32_t count) {
-    for (; count > 0; --count) {
-        if (child_ == last_joint_) {
-            connect();
+    for (; count > 0; --count)
+        if (step()) return true;
+    return false;
+}
+
+bool ConnectionKernel::step() {
+    const bool is_outline = pass_ == Pass::outline;
+    if (point_ == (is_outline ? outline_.size() : last_joint_)) {
+        if (pass_ == Pass::joints && inside_.child == no_number && near_.child == no_number) {
+            enter(Pass::outline);
+        } else if (is_outline) {
+            enter(Pass::nearest);
+        } else {
+            connect(inside_.child != no_number ? inside_ : near_.child != no_number ? near_ : nearest_);
             return true;
         }
-        const uint32_t end = std::min(at_ + batch, first_bone_ + first_joint_);
-        if (holds(child_)) {
-            for (; at_ < end; ++at_)
-                at_ < first_bone_ ? look_at_bone(child_, at_) : look_at_joint(child_, at_ - first_bone_);
-        }
-        if (end == first_bone_ + first_joint_ || !holds(child_)) {
-            ++child_;
-            at_ = 0;
-        }
+        return false;
+    }
+    const uint32_t all = first_bone_ + first_joint_, end = std::min(at_ + batch, all);
+    // Ends and junctions of the new part; those of two bones are none.
+    const bool counts = is_outline || graph_.joints()[point_].degree != 2;
+    for (; counts && at_ < end; ++at_)
+        look(is_outline ? outline_[point_] : graph_.joints()[point_].at, is_outline ? no_number : point_, at_);
+    if (end == all || !counts) {
+        ++point_;
+        at_ = 0;
     }
     return false;
 }
 
-void ConnectionKernel::look_at_bone(uint32_t child, uint32_t bone) {
-    const BoneGraph::Bone& b = graph_.bones()[bone];
-    if (b.gone || b.part == no_number || b.part == twin_) return;
-    const BoneGraph::Joint &from = graph_.joints()[b.joints[0]], &to = graph_.joints()[b.joints[1]];
-    const Vec3& at = graph_.joints()[child].at;
-    const Vec3 along = to.at - from.at;
-    const double length2 = along.squaredNorm();
-    const double share = length2 > 0 ? std::clamp((at - from.at).dot(along) / length2, 0.0, 1.0) : 0;
-    const double distance = (at - from.at - share * along).norm();
-    look({distance, child, bone, no_number, share}, std::lerp(from.radius, to.radius, share));
-}
-
-void ConnectionKernel::look_at_joint(uint32_t child, uint32_t joint) {
+ConnectionKernel::Place ConnectionKernel::from(const Vec3& point, uint32_t child, uint32_t number, double& radius,
+                                               uint32_t& part) const {
+    Place place{std::numeric_limits<double>::infinity(), child, no_number, no_number, 0};
+    if (number < first_bone_) {
+        const BoneGraph::Bone& bone = graph_.bones()[number];
+        part = bone.part;
+        if (bone.gone || part == no_number || part == twin_) return place;
+        const BoneGraph::Joint &a = graph_.joints()[bone.joints[0]], &b = graph_.joints()[bone.joints[1]];
+        const Vec3 along = b.at - a.at;
+        const double length2 = along.squaredNorm();
+        place.bone = number;
+        place.share = length2 > 0 ? std::clamp((point - a.at).dot(along) / length2, 0.0, 1.0) : 0;
+        place.distance = (point - a.at - place.share * along).norm();
+        radius = std::lerp(a.radius, b.radius, place.share);
+        return place;
+    }
+    const uint32_t joint = number - first_bone_;
     const BoneGraph::Joint& j = graph_.joints()[joint];
-    if (!graph_.is_there(joint) || j.part == twin_) return;
+    part = j.part;
+    if (!graph_.is_there(joint) || part == twin_) return place;
     for (uint32_t end = graph_.first_end(joint); end != no_number; end = graph_.next_end(end))
-        if (graph_.bones()[BoneGraph::bone_of(end)].part != no_number) return;
-    look({(graph_.joints()[child].at - j.at).norm(), child, no_number, joint, 0}, j.radius);
+        if (graph_.bones()[BoneGraph::bone_of(end)].part != no_number) return place;
+    place.joint = joint;
+    place.distance = (point - j.at).norm();
+    radius = j.radius;
+    return place;
 }
 
-void ConnectionKernel::look(const Place& place, double parent_radius) {
-    const double radius = graph_.joints()[place.child].radius;
-    if (place.distance <= parent_radius && place.distance < inside_.distance) inside_ = place;
-    if (place.distance <= parent_radius + radius && place.distance < touching_.distance) touching_ = place;
+void ConnectionKernel::look(const Vec3& point, uint32_t child, uint32_t number) {
+    double radius = 0;
+    uint32_t part = no_number;
+    const Place place = from(point, child, number, radius, part);
+    if (!std::isfinite(place.distance)) return;
+    switch (pass_) {
+        case Pass::joints:
+            if (place.distance <= radius && place.distance < inside_.distance) inside_ = place;
+            radius = nearness * (radius + graph_.joints()[child].radius);
+            if (place.distance <= radius && place.distance < near_.distance) near_ = place;
+            return;
+        case Pass::outline: meets_[part] = meets_[part] || place.distance <= radius; return;
+        case Pass::nearest:
+            if (meets_[part] && place.distance < nearest_.distance) nearest_ = place;
+            return;
+    }
 }
 
-void ConnectionKernel::connect() {
-    const Place& place = inside_.child != no_number ? inside_ : touching_;
+void ConnectionKernel::connect(const Place& place) {
     if (place.child == no_number) return;
     out_.joint = place.child;
     out_.event = PartLink::Event::joint_connect;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bones/bounded_dp.h"
+#include "bones/plane.h"
 
 namespace flg {
 namespace {
@@ -14,7 +15,7 @@ constexpr size_t most_joints = 65535;
 
 // The joints of a part: of the ends of its branches, and where BoundedDP bends them.
 Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGraph& graph) {
-    const PlacedPart& placed = model.parts[number];
+    const ModelPart& placed = model.parts[number];
     const PartSkeleton& skeleton = placed.part->skeleton;
     // What is measured across the axis in the plane, and through the part at right angles to it, on the average.
     const double radius_scale = placed.scale * 0.5 * (1 + placed.thickness);
@@ -54,9 +55,21 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
     }
 }
 
+// Its points, and those half-way between them.
+Task<void> place_outline(Pace& pace, const ModelPart& part, std::pmr::vector<Vec3>& out) {
+    const Contour& contour = part.part->outline;
+    out.clear();
+    out.reserve(2 * contour.size());
+    for (uint32_t i = 0; i < contour.size(); ++i) {
+        out.push_back(part.place(contour.points[i]));
+        out.push_back(part.place(mix(contour.points[i], contour.points[contour.next(i)], 0.5)));
+        if (i % chunk == 0) co_await pace;
+    }
+}
+
 // Which of two twins is the left one: on the side of the mirror's normal, by the middle of its axis.
 void name_twins(HeldModel& model) {
-    for (PlacedPart& part : model.parts) {
+    for (ModelPart& part : model.parts) {
         if (part.twin == no_number) continue;
         double sum = 0;
         for (const AxisNode& node : part.part->skeleton.graph.nodes)
@@ -118,12 +131,13 @@ void HeldModel::show() noexcept {
 Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     HeldModel& m = *model;
     Memory* memory = pace.memory();
-    for (const PlacedPart& part : m.parts) m.size = std::max(m.size, part.part->length * part.scale);
+    for (const ModelPart& part : m.parts) m.size = std::max(m.size, part.part->length * part.scale);
     name_twins(m);
     pace.stage("connect");
     BoneGraph graph(memory);
     std::pmr::vector<uint32_t> first_joints(memory);  // by part, before what others put on its bones
     std::pmr::vector<RefinementThresholds> thresholds(memory);
+    std::pmr::vector<Vec3> outline(memory);
     const auto in_space = [&](const FlgBoneThresholds& shares) {
         return RefinementThresholds{shares.merge * m.size, shares.prune * m.size, shares.collapse * m.size};
     };
@@ -132,8 +146,10 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
         const auto first_bone = static_cast<uint32_t>(graph.bones().size());
         first_joints.push_back(first_joint);
         co_await add_part(pace, m, p, graph);
+        co_await place_outline(pace, m.parts[p], outline);
         m.links.emplace_back();
-        ConnectionKernel connection(graph, p, m.parts[p].twin, first_joint, first_bone, m.links.back());
+        ConnectionKernel connection(graph, p, m.parts[p].twin, first_joint, first_bone, outline, m.links.back(),
+                                    memory);
         while (!connection.run(chunk)) co_await pace;
         thresholds.push_back(in_space(m.parts[p].thresholds));
         co_await pace;

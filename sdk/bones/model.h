@@ -13,8 +13,8 @@
 namespace flg {
 
 // A part where the model has it.
-struct PlacedPart {
-    explicit PlacedPart(Memory* memory) : branch_simplify(memory), name(memory), suffix(memory) {}
+struct ModelPart {
+    explicit ModelPart(Memory* memory) : branch_simplify(memory), name(memory), suffix(memory) {}
 
     std::shared_ptr<const HeldPart> part;
     Eigen::Matrix<double, 3, 4> placement = Eigen::Matrix<double, 3, 4>::Identity();
@@ -35,7 +35,7 @@ public:
     explicit HeldModel(Memory* memory)
         : parts(memory), tree(memory), links(memory), part_joints(memory), columns_(memory) {}
 
-    std::pmr::vector<PlacedPart> parts;
+    std::pmr::vector<ModelPart> parts;
     FlgBoneThresholds thresholds{};  // shares of the size
     double shape_weight = 1;
     Vec3 mirror_normal = Vec3::UnitX();

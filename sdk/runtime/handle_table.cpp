@@ -15,7 +15,9 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::tangle: return "tangle";
         case HandleKind::straight_skeleton: return "straight skeleton";
         case HandleKind::part: return "part";
+        case HandleKind::part_mesh: return "mesh of a part";
         case HandleKind::model: return "model";
+        case HandleKind::skin: return "skin";
     }
     return "handle";
 }

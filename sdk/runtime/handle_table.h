@@ -24,7 +24,9 @@ enum class HandleKind : uint8_t {
     tangle,
     straight_skeleton,
     part,
-    model
+    part_mesh,
+    model,
+    skin
 };
 
 const char* handle_kind_name(HandleKind kind);

@@ -69,7 +69,7 @@ PartLink hang_leg(BoneGraph& graph, double x, double y, uint32_t part = 1) {
     const uint32_t hip = graph.add_joint({x, y, 0}, radius, part), knee = graph.add_joint({x, y - 4, 0}, radius, part);
     graph.add_bone(hip, knee, part);
     PartLink link;
-    ConnectionKernel kernel(graph, part, part == 1 ? no_number : part - 1, first_joint, first_bone, link);
+    ConnectionKernel kernel(graph, part, part == 1 ? no_number : part - 1, first_joint, first_bone, {}, link, memory());
     while (!kernel.run(1)) {}
     return link;
 }
@@ -107,12 +107,28 @@ TEST(Connection, ExactlyAtAJointNoBoneOfNoLengthIsMade) {
 
 TEST(Connection, ThinPartsMeetByTheirBalls) {
     BoneGraph graph = torso();
-    EXPECT_EQ(hang_leg(graph, 4, -2.4).event, PartLink::Event::bone_split);  // 2.4 from a bone of 2, by a ball of 0.5
+    EXPECT_EQ(hang_leg(graph, 4, -2.7).event, PartLink::Event::bone_split);  // 2.7 from a bone of 2, by a ball of 0.5
     BoneGraph other = torso();
-    const PartLink apart = hang_leg(other, 4, -2.6);
+    const PartLink apart = hang_leg(other, 4, -2.8);
     EXPECT_EQ(apart.event, PartLink::Event::root);
     EXPECT_EQ(apart.parent, no_number);
     EXPECT_EQ(bone_count(other), 4u);
+}
+
+TEST(Connection, PartsMeetByTheirOutlines) {
+    // A wing whose axis begins far out: only its edge is inside of the torso.
+    for (const double edge : {1.9, 2.1}) {
+        BoneGraph graph = torso();
+        const uint32_t root = graph.add_joint({4, 5, 0}, 0.1, 1), tip = graph.add_joint({4, 9, 0}, 0.1, 1);
+        graph.add_bone(root, tip, 1);
+        const Vec3 outline[] = {{4, 9, 0}, {5, edge, 0}};
+        PartLink link;
+        ConnectionKernel kernel(graph, 1, no_number, 4, 3, outline, link, memory());
+        while (!kernel.run(1)) {}
+        EXPECT_EQ(link.event, edge < 2 ? PartLink::Event::bone_split : PartLink::Event::root);
+        EXPECT_EQ(link.joint, edge < 2 ? root : no_number);
+        EXPECT_EQ(link.parent, edge < 2 ? 0 : no_number);
+    }
 }
 
 TEST(Connection, TakesTheNearestOfSeveralParents) {
@@ -125,7 +141,8 @@ TEST(Connection, TakesTheNearestOfSeveralParents) {
     const auto first_joint = static_cast<uint32_t>(graph.joints().size());
     const uint32_t hip = graph.add_joint({4, -1.5, 0.6}, 0.2, 2);
     PartLink link;
-    ConnectionKernel kernel(graph, 2, no_number, first_joint, static_cast<uint32_t>(graph.bones().size()), link);
+    ConnectionKernel kernel(graph, 2, no_number, first_joint, static_cast<uint32_t>(graph.bones().size()), {}, link,
+                            memory());
     while (!kernel.run(1)) {}
     EXPECT_EQ(link.parent, 1u);
     EXPECT_EQ(link.joint, hip);
@@ -134,7 +151,7 @@ TEST(Connection, TakesTheNearestOfSeveralParents) {
     again.add_bone(again.add_joint({4, -1.4, 0.5}, 0.4, 1), again.add_joint({4, -1.4, 9}, 0.4, 1), 1);
     again.add_joint({4, -1.5, 0.6}, 0.2, 2);
     PartLink second;
-    ConnectionKernel other(again, 2, 1, first_joint, 4, second);
+    ConnectionKernel other(again, 2, 1, first_joint, 4, {}, second, memory());
     while (!other.run(5)) {}
     EXPECT_EQ(second.parent, 0u);
 }

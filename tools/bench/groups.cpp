@@ -24,6 +24,7 @@ const std::vector<Group>& groups() {
         {"inflation", run_inflation},
         {"tangles", run_tangles},
         {"skeletons", run_skeletons},
+        {"models", run_models},
 #if defined(FLG_WITH_PICK)
         {"picking", run_picking},
 #endif

@@ -21,6 +21,7 @@ std::vector<Row> run_cutting();
 std::vector<Row> run_inflation();
 std::vector<Row> run_tangles();
 std::vector<Row> run_skeletons();
+std::vector<Row> run_models();
 #if defined(FLG_WITH_PICK)
 std::vector<Row> run_picking();
 #endif

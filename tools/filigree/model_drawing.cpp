@@ -5,12 +5,14 @@
 #include <filesystem>
 
 #include "failure.h"
+#include "json_color.h"
 
 namespace flg::cli {
 namespace {
 
 constexpr double largest = 1e30;
 constexpr uint32_t points_per_piece = 8;
+constexpr float usual_color[] = {0.62f, 0.56f, 0.5f}, usual_roughness = 0.5f;
 
 using Pair = std::array<double, 2>;
 
@@ -92,6 +94,21 @@ void read_placement(const JsonPlace& item, DrawnPart& part) {
                       at[2]};
 }
 
+void set_usual_look(FlgMeshMaterial& look) {
+    std::copy_n(usual_color, 3, look.color);
+    look.roughness = usual_roughness;
+}
+
+void read_look(const JsonPlace& item, DrawnPart& part, ModelDrawing& drawing) {
+    set_usual_look(part.material);
+    if (const auto place = item.find("color")) {
+        read_color(*place, part.material.color);
+        drawing.has_colors = true;
+    }
+    if (const auto place = item.find("metallic")) part.material.metallic = place->number(0, 1);
+    if (const auto place = item.find("roughness")) part.material.roughness = place->number(0, 1);
+}
+
 void read_thresholds(const JsonPlace& item, FlgBoneThresholds& out) {
     if (const auto place = item.find("simplify")) out.simplify = place->number(0, 10);
     if (const auto place = item.find("merge")) out.merge = place->number(0, 10);
@@ -99,9 +116,9 @@ void read_thresholds(const JsonPlace& item, FlgBoneThresholds& out) {
     if (const auto place = item.find("collapse")) out.collapse = place->number(0, 10);
 }
 
-DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, const ModelDrawing& drawing) {
+DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, ModelDrawing& drawing) {
     item.allow({"name", "contour", "curve", "at", "turn", "scale", "thickness", "mirrored", "simplify", "merge",
-                "prune", "collapse"});
+                "prune", "collapse", "color", "metallic", "roughness"});
     DrawnPart part;
     part.name = item.at("name").text();
     const auto contour = item.find("contour"), curve = item.find("curve");
@@ -116,6 +133,7 @@ DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, 
     read_placement(item, part);
     if (const auto place = item.find("thickness")) part.thickness = place->number(0.01, 100);
     if (const auto place = item.find("mirrored")) part.is_mirrored = place->flag();
+    read_look(item, part, drawing);
     part.thresholds = drawing.thresholds;
     read_thresholds(item, *part.thresholds);
     return part;
@@ -143,6 +161,7 @@ DrawnPart read_contour_part(const std::string& path) {
     DrawnPart part;
     part.name = std::filesystem::path(path).stem().stem().string();
     part.contour = read_contour_file(path);
+    set_usual_look(part.material);
     return part;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contour_file.h"
+#include "filigree/filigree_io.h"
 #include "filigree/filigree_model.h"
 #include "json_place.h"
 #include "session.h"
@@ -23,12 +24,14 @@ struct DrawnPart {
     float thickness = 1;
     bool is_mirrored = false;
     std::optional<FlgBoneThresholds> thresholds;
+    FlgMeshMaterial material = {};  // without a name
 };
 
 struct ModelDrawing {
     std::vector<DrawnPart> parts;
     std::array<float, 4> mirror = {1, 0, 0, 0};
     FlgBoneThresholds thresholds = flgModelDefaults().thresholds;
+    bool has_colors = false;
 };
 
 // Throws InputError, with file and place.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton: from contours to bones.
 #include "command.h"
+#include "extensions.h"
 #include "failure.h"
+#include "filigree/filigree_io.h"
 #include "model_drawing.h"
+#include "test_motion.h"
 #include "text_file.h"
 
 namespace flg::cli {
@@ -14,6 +17,7 @@ struct Options {
     std::vector<std::string> contours;
     std::string output, bones;
     std::optional<float> simplify, merge, prune, collapse;
+    uint32_t vertices = flgSkinDefaults().vertex_count;
 };
 
 ModelDrawing read_drawing(const Options& options) {
@@ -59,7 +63,42 @@ Json bones_json(const FlgModelView& view) {
     return {{"size", view.size}, {"joints", std::move(joints)}, {"parts", std::move(parts)}};
 }
 
+void write_skin(const Options& options, Session& session, const ModelDrawing& drawing, FlgModel model,
+                const FlgModelView& bones, Report& report) {
+    FlgSkinDesc desc = flgSkinDefaults();
+    desc.model = model;
+    desc.vertex_count = options.vertices;
+    FlgSkin skin = {};
+    FlgJob job = {};
+    check(flgSkinCreate(session.context(), &desc, &skin, &job), options.output);
+    session.finish({{{job, options.output}}}, report);
+    FlgSkinView view = flgSkinViewDefaults();
+    check(flgSkinGetView(session.context(), skin, &view), options.output);
+    report.counts["vertices"] = view.vertex_count;
+    report.counts["triangles"] = view.triangle_count;
+    const TestMotion motion = make_test_motion(bones, drawing);
+    const FlgSkinAnimation animation = motion.animation();
+    std::vector<FlgMeshMaterial> materials;
+    for (uint32_t p = 0; p < bones.part_count && drawing.has_colors; ++p) {
+        const DrawnPart& part = drawing.parts[bones.parts[p].source];
+        materials.push_back(part.material);
+        materials.back().name = part.name.c_str();
+    }
+    FlgSkinFileDesc file = {};
+    flgSkinFileDescInit(&file, sizeof file);
+    file.skin = &view;
+    file.animations = &animation;
+    file.animation_count = 1;
+    file.materials = materials.data();
+    file.material_count = static_cast<uint32_t>(materials.size());
+    if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoLastError());
+}
+
 void run_skeleton(const Options& options, const CommonOptions& common) {
+    if (options.output.empty() && options.bones.empty()) throw UsageError("skeleton needs -o or --bones");
+    if (!options.output.empty() && !ends_with_one_of(options.output, {".glb"}))
+        throw UsageError("-o: " + options.output + " must end with .glb");
+    require_writable(options.output);
     require_writable(options.bones);
     require_writable(common.report);
     Report report("skeleton", common);
@@ -71,6 +110,7 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     report.counts["parts"] = view.part_count;
     report.counts["joints"] = view.joint_count;
     if (!options.bones.empty()) write_text_file(options.bones, bones_json(view).dump(1) + "\n");
+    if (!options.output.empty()) write_skin(options, session, drawing, model, view, report);
     report.write();
 }
 
@@ -78,12 +118,17 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
 
 Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("skeleton", "Bones of drawn contours");
+    CLI::App* command = program.add_subcommand("skeleton", "From drawn contours to a model with bones");
     command
         ->add_option("contours", options->contours,
                      "Contours, a part each in the order they were drawn, or a drawing (.json)")
         ->required();
-    command->add_option("--bones", options->bones, "The joints as JSON");
+    command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
+        ->type_name("MODEL.glb");
+    command->add_option("--vertices", options->vertices, "Of the surface, about, if no part is too thin")
+        ->check(CLI::Range(100u, 200000u))
+        ->capture_default_str();
+    command->add_option("--bones", options->bones, "The joints, and how parts hang together")->type_name("BONES.json");
     const auto threshold = [&](const char* name, std::optional<float>& value, const char* text) {
         command->add_option(name, value, text)->check(CLI::Range(0.0f, 10.0f));
     };

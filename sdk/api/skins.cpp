@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Bodies of parts, and skins: made, shown, released.
+#include <cmath>
+
+#include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "bones/part_body.h"
+#include "bones/skin.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t fewest_vertices = 100, largest_limit = 1u << 22;
+
+FlgPartMeshDesc default_part_mesh_desc() {
+    FlgPartMeshDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.thickness = 1;
+    return desc;
+}
+
+FlgPartMeshView empty_part_mesh_view() {
+    FlgPartMeshView view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+FlgSkinDesc default_skin_desc() {
+    FlgSkinDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.vertex_count = 10000;
+    desc.most_vertices = 200000;
+    desc.blend = -1;
+    return desc;
+}
+
+FlgSkinView empty_skin_view() {
+    FlgSkinView view{};
+    view.struct_size = sizeof view;
+    return view;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgPartMeshDescInit(FlgPartMeshDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_part_mesh_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgPartMeshCreate(FlgContext context, const FlgPartMeshDesc* desc, FlgPartMesh* out_mesh, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_mesh, "out_mesh") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgPartMeshDesc read = read_struct(desc, default_part_mesh_desc(), "desc");
+        check_range(read.thickness >= 0.01f && read.thickness <= 100, "desc.thickness", read.thickness, "0.01 to 100");
+        check_range(read.spacing >= 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
+                    "0, or above and finite");
+        const auto out = make_object<HeldPartMesh>(self, &self.memory);
+        out->part = self.parts.get(read.part.id, "desc.part");
+        out->options = {read.thickness, read.spacing};
+        Submission submission(self, read.job);
+        submission.read(*out->part, "desc.part");
+        submission.job().strand.start(make_part_mesh(submission.pace(), out));
+        *out_mesh = {submission.commit(self.part_meshes, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgPartMeshViewInit(FlgPartMeshView* view, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(view, struct_size, empty_part_mesh_view(), "view");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgPartMeshGetView(FlgContext context, FlgPartMesh mesh, FlgPartMeshView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, empty_part_mesh_view(), "out_view");
+        const HeldPartMesh& self = *get_context(context).part_meshes.get(mesh.id, "mesh");
+        const FlgResult result = self.visible_result();
+        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
+        return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh) {
+    return guarded([&] {
+        get_context(context).part_meshes.remove(mesh.id, "mesh");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_skin_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_skin, "out_skin") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgSkinDesc read = read_struct(desc, default_skin_desc(), "desc");
+        check_range(read.most_vertices >= fewest_vertices && read.most_vertices <= largest_limit, "desc.most_vertices",
+                    read.most_vertices, "100 to 4194304");
+        check_range(read.vertex_count >= fewest_vertices && read.vertex_count <= read.most_vertices,
+                    "desc.vertex_count", read.vertex_count, "100 to most_vertices");
+        check_range(is_coordinate(read.blend), "desc.blend", read.blend, "finite and at most 1e30 in size");
+        const auto out = make_object<HeldSkin>(self, &self.memory);
+        out->model = self.models.get(read.model.id, "desc.model");
+        out->options.vertices = read.vertex_count;
+        out->options.most_vertices = read.most_vertices;
+        out->options.blend = read.blend;
+        Submission submission(self, read.job);
+        submission.read(*out->model, "desc.model");
+        submission.job().strand.start(make_skin(submission.pace(), out));
+        *out_skin = {submission.commit(self.skins, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSkinGetView(FlgContext context, FlgSkin skin, FlgSkinView* out_view) {
+    return guarded([&] {
+        write_struct(out_view, empty_skin_view(), "out_view");
+        const HeldSkin& self = *get_context(context).skins.get(skin.id, "skin");
+        const FlgResult result = self.visible_result();
+        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
+        return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgSkinRelease(FlgContext context, FlgSkin skin) {
+    return guarded([&] {
+        get_context(context).skins.remove(skin.id, "skin");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

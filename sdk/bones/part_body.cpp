@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "bones/part_body.h"
+
+namespace flg {
+namespace {
+
+static_assert(sizeof(TriangleVertices) == 3 * sizeof(uint32_t));
+
+constexpr uint32_t batch = 64;
+
+Task<void> copy_contour(Pace& pace, const Contour& from, Contour& to) {
+    to = Contour(pace.memory());
+    to.points.reserve(from.size());
+    to.input_points.reserve(from.size());
+    to.offsets.assign(from.offsets.begin(), from.offsets.end());
+    for (uint32_t i = 0; i < from.size(); ++i) {
+        to.points.push_back(from.points[i]);
+        to.input_points.push_back(from.input_points[i]);
+        if (i % batch == 0) co_await pace;
+    }
+}
+
+}  // namespace
+
+void HeldPartMesh::show_vertex(const Vec3& at) {
+    for (int i = 0; i < 3; ++i) positions_.push_back(static_cast<float>(at[i]));
+}
+
+void HeldPartMesh::show() noexcept {
+    view_ = {.struct_size = sizeof view_,
+             .vertex_count = static_cast<uint32_t>(surface.positions.size()),
+             .triangle_count = static_cast<uint32_t>(surface.triangles.size()),
+             .reserved = 0,
+             .positions = positions_.data(),
+             .triangles = surface.triangles.data()->data()};
+}
+
+Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, InflatedPart& out) {
+    bool is_simple = true;
+    co_await copy_contour(pace, part.line(), out.contour);
+    try {
+        co_await inflate_part(pace, options, out);
+    } catch (const Failure& failure) {
+        if (failure.result() != FLG_ERROR_INVALID_ARGUMENT) throw;
+        is_simple = false;
+    }
+    if (is_simple) co_return;
+    out = InflatedPart(pace.memory());
+    co_await copy_contour(pace, part.outline, out.contour);
+    co_await inflate_part(pace, options, out);
+}
+
+Task<void> make_part_mesh(Pace& pace, std::shared_ptr<HeldPartMesh> mesh) {
+    InflatedPart body(pace.memory());
+    co_await inflate(pace, *mesh->part, mesh->options, body);
+    co_await make_part_surface(pace, body, mesh->surface);
+    for (size_t v = 0; v < mesh->surface.positions.size(); ++v) {
+        mesh->show_vertex(mesh->surface.positions[v]);
+        if (v % batch == 0) co_await pace;
+    }
+}
+
+}  // namespace flg

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Bodies of parts: inflated, and their surfaces as hosts hold them.
+#pragma once
+
+#include "bones/part.h"
+#include "inflation/inflation_jobs.h"
+
+namespace flg {
+
+class HeldPartMesh final : public Product {
+public:
+    explicit HeldPartMesh(Memory* memory) : positions_(memory) {}
+
+    std::shared_ptr<const HeldPart> part;
+    InflationOptions options;
+    PartSurface surface;
+
+    // The surface as hosts see it, vertex by vertex.
+    void show_vertex(const Vec3& at);
+    const FlgPartMeshView& view() const { return view_; }
+
+private:
+    void show() noexcept override;
+
+    std::pmr::vector<float> positions_;
+    FlgPartMeshView view_{};
+};
+
+// A part with its body. Where the even line crosses itself (which an outline never does) it is the outline's body.
+// `out` outlives the task.
+Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, InflatedPart& out);
+
+// The whole of flgPartMeshCreate.
+Task<void> make_part_mesh(Pace& pace, std::shared_ptr<HeldPartMesh> mesh);
+
+}  // namespace flg

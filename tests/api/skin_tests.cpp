@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Bodies of parts and skins of models behind the C ABI.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "api/host.h"
+#include "filigree/filigree_model.h"
+
+namespace flg::test {
+namespace {
+
+std::vector<double> ellipse(double x, double y, double rx, double ry, uint32_t n = 120) {
+    std::vector<double> points;
+    for (uint32_t i = 0; i < n; ++i) {
+        points.push_back(x + rx * std::cos(2 * M_PI * i / n));
+        points.push_back(y + ry * std::sin(2 * M_PI * i / n));
+    }
+    return points;
+}
+
+struct SkinHost {
+    explicit SkinHost(HostAllocator* allocator = nullptr, uint32_t workers = 0) {
+        FlgContextDesc desc = flgContextDefaults();
+        desc.worker_count = workers;
+        if (allocator) desc.allocator = allocator->hook();
+        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+    }
+    ~SkinHost() { flgContextDestroy(context); }
+    void finish() const {
+        FlgFrameReport report{};
+        report.struct_size = sizeof report;
+        do {
+            ASSERT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
+        } while (report.jobs_pending > 0);
+    }
+    FlgPart part(const std::vector<double>& contour) const {
+        FlgPartDesc desc = flgPartDefaults();
+        desc.contour.points = contour.data();
+        desc.contour.point_count = static_cast<uint32_t>(contour.size() / 2);
+        FlgPart part{};
+        EXPECT_EQ(flgPartCreate(context, &desc, &part, nullptr), FLG_OK) << flgLastError();
+        return part;
+    }
+    // A body and an arm that is there twice.
+    FlgModel model() const {
+        FlgModelPart parts[2] = {flgModelPartDefaults(), flgModelPartDefaults()};
+        parts[0].part = part(ellipse(0, 0, 1, 2));
+        parts[0].name = "body";
+        parts[1].part = part(ellipse(1.6, 0.8, 1.2, 0.35));
+        parts[1].name = "arm";
+        parts[1].mirrored = 1;
+        FlgModelDesc desc = flgModelDefaults();
+        desc.parts = parts;
+        desc.part_count = 2;
+        FlgModel model{};
+        EXPECT_EQ(flgModelCreate(context, &desc, &model, nullptr), FLG_OK) << flgLastError();
+        return model;
+    }
+    FlgSkinView skin(uint32_t vertices) const {
+        FlgSkinDesc desc = flgSkinDefaults();
+        desc.model = model();
+        desc.vertex_count = vertices;
+        FlgSkin skin{};
+        EXPECT_EQ(flgSkinCreate(context, &desc, &skin, nullptr), FLG_OK) << flgLastError();
+        FlgSkinView view = flgSkinViewDefaults();
+        EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_NOT_READY);
+        finish();
+        EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_OK) << flgLastError();
+        return view;
+    }
+    FlgContext context = nullptr;
+};
+
+// Each side belongs to two triangles that go along it in opposite directions.
+void expect_closed(const uint32_t* triangles, uint32_t count) {
+    std::map<std::pair<uint32_t, uint32_t>, int> sides;
+    for (uint32_t t = 0; t < count; ++t)
+        for (uint32_t k = 0; k < 3; ++k) ++sides[{triangles[3 * t + k], triangles[3 * t + (k + 1) % 3]}];
+    for (const auto& [side, times] : sides) {
+        ASSERT_EQ(times, 1);
+        ASSERT_EQ(sides.count({side.second, side.first}), 1u);
+    }
+}
+
+TEST(PartMesh, OfADiscIsABall) {
+    const SkinHost host;
+    FlgPartMeshDesc desc = flgPartMeshDefaults();
+    desc.part = host.part(ellipse(3, 4, 2, 2, 200));
+    FlgPartMesh mesh{};
+    ASSERT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_OK) << flgLastError();
+    FlgPartMeshView view = flgPartMeshViewDefaults();
+    EXPECT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_NOT_READY);
+    host.finish();
+    ASSERT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_OK) << flgLastError();
+    ASSERT_GT(view.vertex_count, 100u);
+    expect_closed(view.triangles, view.triangle_count);
+    for (uint32_t v = 0; v < view.vertex_count; ++v) {
+        const float* p = view.positions + 3 * v;
+        EXPECT_NEAR(std::hypot(p[0] - 3, p[1] - 4, p[2]), 2, 0.06);
+    }
+    EXPECT_EQ(flgPartMeshRelease(host.context, mesh), FLG_OK);
+}
+
+TEST(Skin, IsOneClosedSurfaceBoundToItsJoints) {
+    HostAllocator allocator;
+    {
+        const SkinHost host(&allocator);
+        const FlgSkinView view = host.skin(3000);
+        EXPECT_NEAR(view.vertex_count, 3000, 450);
+        expect_closed(view.triangles, view.triangle_count);
+        for (uint32_t v = 0; v < view.vertex_count; ++v) {
+            float sum = 0;
+            for (uint32_t k = 0; k < 4; ++k) {
+                const float weight = view.vertex_weights[4 * v + k];
+                ASSERT_GE(weight, 0);
+                ASSERT_LE(weight, 1.0001f);
+                ASSERT_LT(view.vertex_joints[4 * v + k], view.joint_count);
+                sum += weight;
+            }
+            ASSERT_NEAR(sum, 1, 1e-4);
+            ASSERT_LT(view.vertex_parts[v], 3u);
+            const float* n = view.normals + 3 * v;
+            ASSERT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-4);
+        }
+        // The far end of each arm moves with that arm alone.
+        for (const float side : {-1.0f, 1.0f}) {
+            uint32_t end = 0;
+            for (uint32_t v = 0; v < view.vertex_count; ++v)
+                if (side * view.positions[3 * v] > side * view.positions[3 * end]) end = v;
+            for (uint32_t k = 0; k < 4; ++k) {
+                if (view.vertex_weights[4 * end + k] < 0.01f) continue;
+                const std::string name = view.joint_names[view.vertex_joints[4 * end + k]];
+                EXPECT_EQ(name.substr(0, 4), "arm_");
+                EXPECT_EQ(name.back(), side > 0 ? 'L' : 'R');
+            }
+        }
+    }
+    EXPECT_EQ(allocator.live_bytes.load(), 0);
+}
+
+TEST(Skin, IsTheSameUnderWorkers) {
+    std::vector<float> positions, weights;
+    for (const uint32_t workers : {0u, 2u}) {
+        const SkinHost host(nullptr, workers);
+        const FlgSkinView view = host.skin(1000);
+        const std::vector<float> p(view.positions, view.positions + 3 * view.vertex_count);
+        const std::vector<float> w(view.vertex_weights, view.vertex_weights + 4 * view.vertex_count);
+        if (workers == 0) positions = p, weights = w;
+        EXPECT_EQ(p, positions);
+        EXPECT_EQ(w, weights);
+    }
+}
+
+TEST(Skin, PartsThatMeetNoneStayPieces) {
+    const SkinHost host;
+    const FlgPart disc = host.part(ellipse(0, 0, 1, 1));
+    FlgModelPart parts[2] = {flgModelPartDefaults(), flgModelPartDefaults()};
+    parts[0].part = parts[1].part = disc;
+    parts[1].placement[3] = 5;
+    FlgModelDesc model_desc = flgModelDefaults();
+    model_desc.parts = parts;
+    model_desc.part_count = 2;
+    FlgSkinDesc desc = flgSkinDefaults();
+    ASSERT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
+    desc.vertex_count = 1000;
+    FlgSkin skin{};
+    ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
+    host.finish();
+    FlgSkinView view = flgSkinViewDefaults();
+    ASSERT_EQ(flgSkinGetView(host.context, skin, &view), FLG_OK) << flgLastError();
+    expect_closed(view.triangles, view.triangle_count);
+    // Two balls have Euler number 4.
+    EXPECT_EQ(static_cast<int64_t>(view.vertex_count) - view.triangle_count / 2, 4);
+    for (uint32_t v = 0; v < view.vertex_count; ++v) {
+        const uint32_t part = view.positions[3 * v] > 2.5f;
+        EXPECT_EQ(view.vertex_parts[v], part);
+        EXPECT_EQ(view.joint_names[view.vertex_joints[4 * v]][4], part ? '1' : '0');
+    }
+}
+
+TEST(Skin, RefusesNumbersOutOfTheirRange) {
+    const SkinHost host;
+    const FlgModel model = host.model();
+    const auto refused = [&](const std::function<void(FlgSkinDesc&)>& change, const std::string& words) {
+        FlgSkinDesc desc = flgSkinDefaults();
+        desc.model = model;
+        change(desc);
+        FlgSkin skin{77};
+        EXPECT_LT(flgSkinCreate(host.context, &desc, &skin, nullptr), 0);
+        EXPECT_EQ(skin.id, 0u);
+        EXPECT_NE(std::string(flgLastError()).find(words), std::string::npos) << flgLastError();
+    };
+    refused([](FlgSkinDesc& d) { d.vertex_count = 10; }, "desc.vertex_count is 10");
+    refused([](FlgSkinDesc& d) { d.most_vertices = 5; }, "desc.most_vertices is 5");
+    refused([](FlgSkinDesc& d) { d.blend = NAN; }, "desc.blend is nan");
+    refused([](FlgSkinDesc& d) { d.model = {}; }, "desc.model is null");
+    FlgPartMeshDesc desc = flgPartMeshDefaults();
+    desc.part = host.part(ellipse(0, 0, 1, 1));
+    FlgPartMesh mesh{};
+    desc.thickness = 0;
+    EXPECT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgLastError()).find("desc.thickness is 0"), std::string::npos) << flgLastError();
+    desc.thickness = 1;
+    desc.spacing = -1;
+    EXPECT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgLastError()).find("desc.spacing is -1"), std::string::npos) << flgLastError();
+}
+
+TEST(Skin, AThinPartNeedsMoreVerticesThanAllowed) {
+    const SkinHost host;
+    FlgModelPart parts[2] = {flgModelPartDefaults(), flgModelPartDefaults()};
+    parts[0].part = host.part(ellipse(0, 0, 5, 5));
+    parts[1].part = host.part(ellipse(5, 0, 3, 0.02));
+    parts[1].name = "hair";
+    FlgModelDesc model_desc = flgModelDefaults();
+    model_desc.parts = parts;
+    model_desc.part_count = 2;
+    FlgSkinDesc desc = flgSkinDefaults();
+    ASSERT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
+    desc.vertex_count = 1000;
+    desc.most_vertices = 5000;
+    FlgSkin skin{};
+    ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
+    host.finish();
+    FlgSkinView view = flgSkinViewDefaults();
+    EXPECT_EQ(flgSkinGetView(host.context, skin, &view), FLG_ERROR_LIMIT) << flgLastError();
+}
+
+}  // namespace
+}  // namespace flg::test

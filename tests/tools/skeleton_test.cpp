@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// filigree skeleton: drawings by hand and plain contours, bones as JSON, models as glTF, refusals.
+#include <cmath>
+
+#include "cli_test.h"
+
+namespace flg::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// A body with a leg that is there twice, either side of z = 0.
+constexpr const char* animal = R"({
+  "mirror": [0, 0, 1, 0],
+  "parts": [
+    {"name": "body", "curve": [[-3, 0], [-2, 1], [2, 1], [3, 0], [2, -1], [-2, -1]], "color": "#ff0000"},
+    {"name": "leg", "contour": "leg.poly.txt", "at": [1, 0, 0.6], "thickness": 0.8, "mirrored": true}
+  ]
+})";
+constexpr const char* leg = "-0.3 -3\n0.3 -3\n0.4 -0.2\n-0.4 -0.2\n";
+
+class SkeletonCommand : public Cli {
+protected:
+    void SetUp() override {
+        folder.write("animal.json", animal);
+        folder.write("leg.poly.txt", leg);
+    }
+    Json bones(const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments = {"skeleton", "--bones",  "bones.json",
+                                              "--quiet",  "--report", "report.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        done(arguments);
+        return Json::parse(folder.read("bones.json"));
+    }
+};
+
+TEST_F(SkeletonCommand, ADrawingBecomesOneTree) {
+    const Json json = bones({"animal.json"});
+    ASSERT_EQ(json.at("parts").size(), 3u);
+    EXPECT_EQ(json.at("parts")[0].at("event"), "root");
+    EXPECT_EQ(json.at("parts")[1].at("parent"), 0);
+    EXPECT_EQ(json.at("parts")[2].at("mirrored"), true);
+    EXPECT_EQ(json.at("parts")[2].at("twin"), 1);
+    uint32_t left = 0, right = 0;
+    for (size_t j = 0; j < json.at("joints").size(); ++j) {
+        const Json& joint = json.at("joints")[j];
+        EXPECT_EQ(joint.at("parent").is_null(), j == 0);
+        const std::string name = joint.at("name");
+        left += name.ends_with(".L");
+        right += name.ends_with(".R");
+        const double side = name.ends_with(".L") ? 1 : name.ends_with(".R") ? -1 : 0;
+        EXPECT_NEAR(joint.at("position")[2].get<double>(), 0.6 * side, 1e-6);
+    }
+    EXPECT_GE(left, 2u);
+    EXPECT_EQ(left, right);
+    EXPECT_EQ(report().at("counts").at("parts"), 3);
+    EXPECT_EQ(report().at("counts").at("joints"), json.at("joints").size());
+}
+
+TEST_F(SkeletonCommand, PlainContoursArePartsInOnePlane) {
+    folder.write("torso.poly.txt", "-3 -1\n3 -1\n3 1\n-3 1\n");
+    const Json json = bones({"torso.poly.txt", "leg.poly.txt"});
+    ASSERT_EQ(json.at("parts").size(), 2u);
+    EXPECT_EQ(json.at("joints")[0].at("name"), "torso_0");
+    EXPECT_EQ(json.at("parts")[1].at("event"), "bone_split");
+    for (const Json& joint : json.at("joints")) EXPECT_EQ(joint.at("position")[2], 0.0);
+}
+
+TEST_F(SkeletonCommand, ThresholdsMakeItCoarser) {
+    const size_t fine = bones({"animal.json", "--simplify", "0", "--merge", "0", "--prune", "0", "--collapse", "0"})
+                            .at("joints")
+                            .size();
+    const size_t coarse = bones({"animal.json", "--simplify", "0.1", "--collapse", "0.1"}).at("joints").size();
+    EXPECT_GT(fine, 2 * coarse);
+}
+
+TEST_F(SkeletonCommand, WritesAModelThatMoves) {
+    done({"skeleton", "animal.json", "-o", "animal.glb", "--vertices", "1500", "--quiet", "--report", "report.json"});
+    const int vertices = report().at("counts").at("vertices");
+    EXPECT_NEAR(vertices, 1500, 225);
+    EXPECT_EQ(report().at("counts").at("triangles"), 2 * (vertices - 2)) << "closed, without handles";
+    EXPECT_NE(done({"info", "animal.glb"}).out.find("leg_0.L"), std::string::npos);
+}
+
+TEST_F(SkeletonCommand, RefusesWhatItCantUse) {
+    const auto refused = [&](const std::string& drawing, const std::string& words) {
+        folder.write("bad.json", drawing);
+        expect_refused({"skeleton", "bad.json", "--bones", "out.json"}, 1, {words});
+        EXPECT_FALSE(folder.has("out.json"));
+    };
+    refused("{}", "bad.json: model");
+    refused(R"({"parts": []})", "model.parts: is empty");
+    refused(R"({"parts": [{"name": "a"}]})", "must have either a contour or a curve");
+    refused(R"({"parts": [{"name": "a", "contour": [[0, 0], [1, 0]]}]})", "has fewer than three points");
+    refused(R"({"parts": [{"name": "a", "contour": "none.poly.txt"}]})", "none.poly.txt: can't be opened");
+    refused(R"({"parts": [{"name": "knot", "contour": [[0, 0], [4, 4], [4, 0], [0, 4]]}]})", "cross at (2, 2)");
+    refused(R"({"parts": [{"name": "a", "contour": [[0, 0], [1, 0], [0, 1]], "colour": "red"}]})",
+            "does not know `colour`");
+    refused(R"({"parts": [{"name": "a", "contour": [[0, 0], [1, 0], [0, 1]], "color": "red"}]})", "must be `#rrggbb`");
+    refused(R"({"parts": [{"name": "a", "contour": [[0, 0], [1, 0], [0, 1]], "at": [1, 2]}]})", "must be 3 numbers");
+}
+
+}  // namespace
+}  // namespace flg::test
