@@ -154,29 +154,38 @@ void AxisBranchesKernel::add_sample() {
     enter(Pass::slices);
 }
 
-void AxisBranchesKernel::slice() {
+void AxisBranchesKernel::begin_slice() {
     const AxisBranch& branch = part_.branches.back();
     AxisSample& sample = part_.samples[sample_];
-    if (at_ == 0) {
-        const Point2& from = part_.samples[std::max(sample_, branch.begin + 1) - 1].at;
-        const Point2& to = part_.samples[std::min(sample_ + 1, branch.end - 1)].at;
-        const double length = distance(from, to);
-        // A curve that turns back on itself at once has no direction there: any will do.
-        sample.left_of = length > 0 ? Point2{(from.y - to.y) / length, (to.x - from.x) / length} : Point2{0, 1};
-        crossings_ = 0;
-    }
-    const Point2 &n = sample.left_of, &before = part_.samples[std::max(sample_, branch.begin + 1) - 1].at;
-    for (uint32_t k = 0; k < batch; ++k, ++at_) {
-        if (at_ == contour_.size()) return end_sample();
-        const Point2 &a = contour_.points[at_], &b = contour_.points[contour_.next(at_)];
-        is_outside_ = is_outside_ || stretches_meet(before, sample.at, a, b);
-        // How far the ends are in front of the slice's line; half-open, so that a line through a point counts once.
-        const double ax = a.x - sample.at.x, ay = a.y - sample.at.y, bx = b.x - sample.at.x, by = b.y - sample.at.y;
-        const double front_a = ax * n.y - ay * n.x, front_b = bx * n.y - by * n.x;
-        if ((front_a < 0) == (front_b < 0)) continue;
-        const double share = front_a / (front_a - front_b);
-        const double left_a = ax * n.x + ay * n.y, left_b = bx * n.x + by * n.y;
-        const double left = left_a + share * (left_b - left_a);
+    const Point2& from = part_.samples[std::max(sample_, branch.begin + 1) - 1].at;
+    const Point2& to = part_.samples[std::min(sample_ + 1, branch.end - 1)].at;
+    const double length = distance(from, to);
+    // A curve that turns back on itself at once has no direction there: any will do.
+    sample.left_of = length > 0 ? Point2{(from.y - to.y) / length, (to.x - from.x) / length} : Point2{0, 1};
+    before_ = from;
+    reach_ = distance(from, sample.at) * (1 + 1e-9);
+    crossings_ = 0;
+    ring_ = 0;
+}
+
+void AxisBranchesKernel::slice() {
+    if (at_ == 0) begin_slice();
+    AxisSample& sample = part_.samples[sample_];
+    const Point2& n = sample.left_of;
+    // In front of the slice's line, and to the left.
+    const auto seen = [&](const Point2& p) {
+        const double x = p.x - sample.at.x, y = p.y - sample.at.y;
+        return Point2{x * n.y - y * n.x, x * n.x + y * n.y};
+    };
+    for (uint32_t k = 0; k < batch && at_ < contour_.size(); ++k) {
+        const Point2 &a = contour_.points[at_], &b = contour_.points[next_point()];
+        const Point2 from = seen(a), to = seen(b);
+        const bool is_far = std::min(from.x, to.x) > reach_ || std::max(from.x, to.x) < -reach_ ||
+                            std::min(from.y, to.y) > reach_ || std::max(from.y, to.y) < -reach_;
+        is_outside_ = is_outside_ || (!is_far && stretches_meet(before_, sample.at, a, b));
+        // Half-open, so that a line through a point counts once.
+        if ((from.x < 0) == (to.x < 0)) continue;
+        const double left = from.y + from.x / (from.x - to.x) * (to.y - from.y);
         if (left > 0) {
             sample.left = std::min(sample.left, left);
             ++crossings_;
@@ -184,6 +193,13 @@ void AxisBranchesKernel::slice() {
             sample.right = std::min(sample.right, -left);
         }
     }
+    if (at_ == contour_.size()) end_sample();
+}
+
+// The point after number at_ on its ring; at_ goes on.
+uint32_t AxisBranchesKernel::next_point() {
+    if (++at_ < contour_.offsets[ring_ + 1]) return at_;
+    return contour_.offsets[ring_++];
 }
 
 void AxisBranchesKernel::end_sample() {

@@ -39,7 +39,9 @@ private:
     Point2 spline(uint32_t piece, double share) const;
     void add_curve_point();
     void add_sample();
+    void begin_slice();
     void slice();
+    uint32_t next_point();
     void end_sample();
 
     const Contour& contour_;
@@ -52,6 +54,9 @@ private:
     bool is_outside_ = false;
     double clearance_ = 0;    // at the sample
     uint32_t crossings_ = 0;  // of the slice's line to the left of the sample
+    Point2 before_{};         // the sample before it
+    double reach_ = 0;        // the distance to that
+    uint32_t ring_ = 0;       // of the edges that it is held against
     uint32_t sample_ = 0, wanted_ = 0;
     uint32_t piece_ = 0, steps_ = 0;  // of the curve, and of the piece
     uint32_t node_ = 0, side_ = 0;    // where the next branch is looked for
