@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace flg {
 
@@ -10,6 +11,9 @@ namespace {
 
 constexpr uint32_t batch = 16;  // rows a unit
 constexpr uint32_t leaf = 64;   // rows that are not cut any more
+
+constexpr uint32_t looked_at = 1500;  // rows of sets that are cut where few entries cross
+constexpr double least_share = 0.2;   // of a set, that a side gets
 
 }  // namespace
 
@@ -57,6 +61,7 @@ void DissectionOrder::step() {
                 begin_leaf();
                 break;
             }
+            ++stamp_;
             low_ = high_ = places_[order_[range_.begin]];
             sum_.setZero();
             at_ = range_.begin;
@@ -68,8 +73,18 @@ void DissectionOrder::step() {
                     low_ = low_.cwiseMin(p);
                     high_ = high_.cwiseMax(p);
                     sum_ += p;
+                    side_[order_[i]] = 2 * stamp_;
                 }))
                 measure_end();
+            break;
+        case Pass::bin:
+            if (each(range_.end, [&](uint32_t i) { put_in_bins(order_[i]); })) {
+                at_ = range_.begin;
+                pass_ = Pass::scan;
+            }
+            break;
+        case Pass::scan:
+            if (each(range_.end, [&](uint32_t i) { scan(order_[i]); })) scan_end();
             break;
         case Pass::divide:
             if (each(range_.end, [&](uint32_t i) {
@@ -124,9 +139,74 @@ void DissectionOrder::step() {
 }
 
 void DissectionOrder::measure_end() {
+    if (range_.end - range_.begin >= looked_at) {
+        for (auto* all : {&in_bin_, &crossing_})
+            for (auto& axis : *all) axis.fill(0);
+        at_ = range_.begin;
+        pass_ = Pass::bin;
+        return;
+    }
     const Vec3 extent = high_ - low_;
     axis_ = extent.x() >= extent.y() && extent.x() >= extent.z() ? 0 : extent.y() >= extent.z() ? 1 : 2;
     cut_ = sum_[axis_] / (range_.end - range_.begin);
+    begin_division();
+}
+
+// A byte an axis, in sorted_.
+void DissectionOrder::put_in_bins(uint32_t row) {
+    uint32_t all = 0;
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        const double extent = high_[axis] - low_[axis];
+        const double share = extent > 0 ? (places_[row][axis] - low_[axis]) / extent : 0;
+        const uint32_t bin = std::min(bins - 1, static_cast<uint32_t>(share * bins));
+        ++in_bin_[axis][bin];
+        all |= bin << (8 * axis);
+    }
+    sorted_[row] = all;
+}
+
+void DissectionOrder::scan(uint32_t row) {
+    const uint32_t own = sorted_[row];
+    for (uint32_t e = matrix_.offsets[row]; e < matrix_.offsets[row + 1]; ++e) {
+        const uint32_t other = matrix_.columns[e];
+        if (side_[other] != 2 * stamp_ || sorted_[other] == own) continue;
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+            const uint32_t here = own >> (8 * axis) & 255, there = sorted_[other] >> (8 * axis) & 255;
+            if (there <= here) continue;
+            ++crossing_[axis][here];
+            --crossing_[axis][there];
+        }
+    }
+}
+
+// Few crossings, but none of the sides too small.
+void DissectionOrder::scan_end() {
+    const double count = range_.end - range_.begin;
+    double best = HUGE_VAL;
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        int32_t crossings = 0, below = 0;
+        for (uint32_t k = 0; k + 1 < bins; ++k) {
+            crossings += crossing_[axis][k];
+            below += in_bin_[axis][k];
+            const double share = below / count;
+            if (share < least_share || share > 1 - least_share) continue;
+            const double cost = crossings / (share * (1 - share));
+            if (cost >= best) continue;
+            best = cost;
+            axis_ = axis;
+            cut_ = low_[axis] + (high_ - low_)[axis] * (k + 1) / bins;
+        }
+    }
+    if (best == HUGE_VAL) {
+        // Nearly all at one place.
+        const Vec3 extent = high_ - low_;
+        axis_ = extent.x() >= extent.y() && extent.x() >= extent.z() ? 0 : extent.y() >= extent.z() ? 1 : 2;
+        cut_ = sum_[axis_] / count;
+    }
+    begin_division();
+}
+
+void DissectionOrder::begin_division() {
     ++stamp_;
     counts_[0] = counts_[1] = touching_[0] = touching_[1] = 0;
     at_ = range_.begin;
@@ -170,6 +250,7 @@ void DissectionOrder::gather(uint32_t member) {
         if (found == halo_count_) halo_rows_[halo_count_++] = other;
         halo_[member] |= uint64_t{1} << found;
     }
+    degrees_[member] = static_cast<uint32_t>(std::popcount(leaf_[member]) + std::popcount(halo_[member]));
 }
 
 // Orders the row that touches the fewest, and joins all that it touches with each other.
@@ -177,11 +258,9 @@ void DissectionOrder::eliminate() {
     uint32_t best = 0, least = UINT32_MAX;
     for (uint64_t rest = left_; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<uint32_t>(std::countr_zero(rest));
-        const auto degree = static_cast<uint32_t>(std::popcount(leaf_[i]) + std::popcount(halo_[i]));
-        if (degree < least) {
-            least = degree;
-            best = i;
-        }
+        if (degrees_[i] >= least) continue;
+        least = degrees_[i];
+        best = i;
     }
     order_[at_] = leaf_rows_[best];
     left_ &= ~(uint64_t{1} << best);
@@ -190,6 +269,7 @@ void DissectionOrder::eliminate() {
         const auto i = static_cast<uint32_t>(std::countr_zero(rest));
         leaf_[i] = (leaf_[i] | touched) & ~((uint64_t{1} << best) | (uint64_t{1} << i));
         halo_[i] |= around;
+        degrees_[i] = static_cast<uint32_t>(std::popcount(leaf_[i]) + std::popcount(halo_[i]));
     }
     if (++at_ == range_.end) pass_ = Pass::next;
 }

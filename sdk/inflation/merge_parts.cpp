@@ -32,11 +32,6 @@ MergeParts::MergeParts(std::span<const PlacedPart> parts, const MergeOptions& op
     if (options_.vertices < least_vertices)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: %u vertices asked for; a surface has %u or more",
                       options_.vertices, least_vertices);
-    double area = 0;
-    for (const ImplicitPart& part : parts_.parts())
-        area += surface_by_shape * part.part().area * part.scale() * part.scale();
-    spacing_ = coarser * std::sqrt(cells_by_area * area / options_.vertices);
-    grid_.emplace(parts_, spacing_, memory_);
 }
 
 bool MergeParts::run(uint32_t count) {
@@ -46,6 +41,9 @@ bool MergeParts::run(uint32_t count) {
 
 void MergeParts::step() {
     switch (pass_) {
+        case Pass::prepare:
+            if (parts_.run(1)) begin_measure();
+            break;
         case Pass::measure:
             if (grid_->run(1)) {
                 counted_ = std::max(grid_->vertex_count(), 1u);
@@ -83,6 +81,15 @@ void MergeParts::step() {
         case Pass::write: write(); break;
         case Pass::done: break;
     }
+}
+
+void MergeParts::begin_measure() {
+    double area = 0;
+    for (const ImplicitPart& part : parts_.parts())
+        area += surface_by_shape * part.part().area * part.scale() * part.scale();
+    spacing_ = coarser * std::sqrt(cells_by_area * area / options_.vertices);
+    grid_.emplace(parts_, spacing_, memory_);
+    pass_ = Pass::measure;
 }
 
 // From how many vertices the coarse lattice gives: the spacing that gives as many as asked for, or what the thinnest part needs.

@@ -27,9 +27,10 @@ public:
     bool run(uint32_t count);
 
 private:
-    enum class Pass { measure, begin, grid, extract, release, improve, write, done };
+    enum class Pass { prepare, measure, begin, grid, extract, release, improve, write, done };
 
     void step();
+    void begin_measure();
     void begin_grid();
     void write();
 
@@ -44,7 +45,7 @@ private:
     std::pmr::vector<TriangleVertices> triangles_;
     std::optional<SurfaceExtraction> extraction_;
     std::optional<MeshImprovement> improvement_;
-    Pass pass_ = Pass::measure;
+    Pass pass_ = Pass::prepare;
     uint32_t at_ = 0;
 };
 

@@ -12,7 +12,9 @@ namespace {
 
 constexpr uint32_t batch = 32;  // rows a unit where little is done with each
 constexpr uint32_t no_parent = UINT32_MAX;
-constexpr uint32_t entries_a_unit = 48;
+
+constexpr uint32_t entries_a_unit = 48;  // of a solution
+constexpr uint32_t work_a_unit = 128;    // products of a factorization, about
 
 }  // namespace
 
@@ -26,6 +28,7 @@ SparseCholesky::SparseCholesky(const SymmetricMatrix& matrix, Buffer<uint32_t> o
       count_(matrix.size(), memory),
       columns_(matrix.size() + size_t{1}, memory),
       filled_(matrix.size(), memory),
+      inverse_(matrix.size(), memory),
       row_values_(matrix.size(), memory),
       reach_(matrix.size(), memory) {}
 
@@ -71,13 +74,10 @@ void SparseCholesky::step() {
             pass_ = Pass::begin_row;
             break;
         case Pass::begin_row:
-            if (at_ < n) {
-                begin_row();
-            } else {
-                pass_ = Pass::done;
-            }
+        case Pass::columns:
+            for (uint32_t work = 0; work < work_a_unit && pass_ != Pass::done;)
+                work += pass_ == Pass::columns ? take_columns() : begin_row();
             break;
-        case Pass::columns: take_columns(); break;
         case Pass::done: break;
     }
 }
@@ -95,7 +95,11 @@ void SparseCholesky::tree_row(uint32_t row) {
     }
 }
 
-void SparseCholesky::begin_row() {
+uint32_t SparseCholesky::begin_row() {
+    if (at_ == size()) {
+        pass_ = Pass::done;
+        return 0;
+    }
     const uint32_t original = order_[at_];
     uint32_t top = size();
     mark_[at_] = at_;
@@ -114,34 +118,37 @@ void SparseCholesky::begin_row() {
     pivot_ = matrix_.diagonal[original];
     reach_at_ = top;
     pass_ = Pass::columns;
+    return size() - top;
 }
 
-// Takes the next one to four columns out of the row; at their end writes the diagonal.
-void SparseCholesky::take_columns() {
+// Takes the next one to four or eight columns out of the row; at their end writes the diagonal.
+uint32_t SparseCholesky::take_columns() {
     if (reach_at_ == size()) {
         if (!(pivot_ > 0))
             throw Failure(FLG_ERROR_INTERNAL, "cholesky: pivot %u of %u is %g, not above zero", at_, size(), pivot_);
         const size_t place = columns_[at_];
         rows_[place] = at_;
         values_[place] = std::sqrt(pivot_);
+        inverse_[at_] = 1 / values_[place];
         filled_[at_] = 1;
         ++at_;
         pass_ = Pass::begin_row;
-        return;
+        return 4;
     }
     const uint32_t first = reach_[reach_at_];
     uint32_t length = 1;
-    while (length < 4 && reach_at_ + length < size() && reach_[reach_at_ + length] == first + length &&
+    while (length < 8 && reach_at_ + length < size() && reach_[reach_at_ + length] == first + length &&
            parent_[first + length - 1] == first + length && count_[first + length - 1] == count_[first + length] + 1)
         ++length;
-    double factors[4];
-    const double* entries[4];
+    if (length > 4 && length < 8) length = 4;
+    double factors[8];
+    const double* entries[8];
     for (uint32_t k = 0; k < length; ++k) {
         const uint32_t column = first + k;
         const size_t begin = columns_[column];
         double value = row_values_[column];
         for (uint32_t m = 0; m < k; ++m) value -= factors[m] * values_[columns_[first + m] + (k - m)];
-        value /= values_[begin];
+        value *= inverse_[column];
         factors[k] = value;
         row_values_[column] = 0;
         pivot_ -= value * value;
@@ -163,10 +170,17 @@ void SparseCholesky::take_columns() {
             for (uint32_t p = 0; p < below; ++p)
                 out[rows[p]] -= entries[0][p] * factors[0] + entries[1][p] * factors[1] + entries[2][p] * factors[2];
             break;
-        default:
+        case 4:
             for (uint32_t p = 0; p < below; ++p)
                 out[rows[p]] -= (entries[0][p] * factors[0] + entries[1][p] * factors[1]) +
                                 (entries[2][p] * factors[2] + entries[3][p] * factors[3]);
+            break;
+        default:
+            for (uint32_t p = 0; p < below; ++p)
+                out[rows[p]] -= ((entries[0][p] * factors[0] + entries[1][p] * factors[1]) +
+                                 (entries[2][p] * factors[2] + entries[3][p] * factors[3])) +
+                                ((entries[4][p] * factors[4] + entries[5][p] * factors[5]) +
+                                 (entries[6][p] * factors[6] + entries[7][p] * factors[7]));
             break;
     }
     for (uint32_t k = 0; k < length; ++k) {
@@ -175,6 +189,7 @@ void SparseCholesky::take_columns() {
         values_[place] = factors[k];
     }
     reach_at_ += length;
+    return 8 + below * length;
 }
 
 CholeskySolve::CholeskySolve(const SparseCholesky& factor, std::span<double> values, Memory* memory)
@@ -221,7 +236,7 @@ void CholeskySolve::forward() {
     const size_t begin = factor_.columns_[at_], end = factor_.columns_[at_ + 1];
     double* x = &x_[size_t{width} * at_];
     if (entry_ == 0) {
-        const double pivot = 1 / factor_.values_[begin];
+        const double pivot = factor_.inverse_[at_];
         for (uint32_t k = 0; k < width; ++k) x[k] *= pivot;
         entry_ = begin + 1;
     }
@@ -239,7 +254,7 @@ void CholeskySolve::forward() {
 
 void CholeskySolve::backward() {
     if (entry_ == 0) entry_ = factor_.columns_[--at_] + 1;
-    const size_t begin = factor_.columns_[at_], end = factor_.columns_[at_ + 1];
+    const size_t end = factor_.columns_[at_ + 1];
     double* x = &x_[size_t{width} * at_];
     double own[width];
     std::copy_n(x, width, own);
@@ -249,7 +264,7 @@ void CholeskySolve::backward() {
         for (uint32_t k = 0; k < width; ++k) own[k] -= entry * from[k];
     }
     const bool whole = entry_ == end;
-    const double pivot = whole ? 1 / factor_.values_[begin] : 1;
+    const double pivot = whole ? factor_.inverse_[at_] : 1;
     for (uint32_t k = 0; k < width; ++k) x[k] = own[k] * pivot;
     if (whole) entry_ = 0;
 }

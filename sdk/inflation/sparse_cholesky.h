@@ -5,7 +5,7 @@
 // Invariants
 // - Column j of L begins with its diagonal entry; rows ascend.
 // - The row that is being made takes columns in topological order of the elimination tree. Columns that follow each other there
-//   and have the same rows below (a supernode: what separates two halves of a mesh is one) are taken up to four at a
+//   and have the same rows below (a supernode: what separates two halves of a mesh is one) are taken up to eight at a
 //   time, which is what makes it faster than one by one.
 #pragma once
 
@@ -32,8 +32,9 @@ private:
 
     void step();
     void tree_row(uint32_t row);
-    void begin_row();
-    void take_columns();
+    // What they did, in products.
+    uint32_t begin_row();
+    uint32_t take_columns();
 
     const SymmetricMatrix& matrix_;
     Memory* memory_;
@@ -43,6 +44,7 @@ private:
     Buffer<uint32_t> filled_;  // entries that each column has so far
     Buffer<uint32_t> rows_;
     Buffer<double> values_;
+    Buffer<double> inverse_;     // of the diagonal of L
     Buffer<double> row_values_;  // of the row that is being made, by column
     Buffer<uint32_t> reach_;     // its columns in topological order, at the end
     double pivot_ = 0;

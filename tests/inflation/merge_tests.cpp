@@ -160,7 +160,8 @@ TEST(Merge, FollowsTheModel) {
     const MergedMesh a = merged(model), b = merged(turned);
     EXPECT_NEAR(checked(b).volume / checked(a).volume, 27, 0.03);
     EXPECT_NEAR(checked(b).area / checked(a).area, 9, 0.02);
-    const PartUnion original(model.parts, -1, test_memory());
+    PartUnion original(model.parts, -1, test_memory());
+    while (!original.run(3)) {}
     for (const Vec3& p : b.positions)
         EXPECT_LT(std::fabs(original.sample(turn.inverse() * (p - shift)).value), 0.05 * a.spacing);
 }
@@ -178,6 +179,18 @@ TEST(Merge, ClosedWhateverTheParts) {
         EXPECT_EQ(checked(mesh).fault, "") << seed;
         EXPECT_GT(checked(mesh).volume, 100);
     }
+}
+
+// Thousands of parts, most of them apart, cost as much as their surface.
+TEST(Merge, ManyParts) {
+    Model model;
+    model.add({ellipse(0, 0, 1, 1, 24)}, placement({0, 0, 0}));
+    for (uint32_t i = 1; i < 2000; ++i) model.repeat(0, placement({1.6 * (i % 40), 4.0 * (i / 40), 0}));
+    const MergedMesh mesh = merged(model, {.vertices = 60000});
+    const ClosedMesh closed = checked(mesh);
+    EXPECT_EQ(closed.fault, "");
+    EXPECT_EQ(closed.components, 50u);
+    EXPECT_EQ(closed.euler, 100);
 }
 
 TEST(Merge, SameBitsForOtherChunks) {
