@@ -18,7 +18,7 @@ FlgContourView default_contour_view() {
     return view;
 }
 
-Contour read_contour(const FlgContourView& view, Memory* memory) {
+Contour read_contour(const FlgContourView& view, Memory* memory, bool to_repair) {
     check_struct_size<FlgContourView>(view.struct_size, "desc.contour");
     if (view.point_count > most_points)
         throw Failure(FLG_ERROR_LIMIT, "desc.contour.point_count is %u, at most %u", view.point_count, most_points);
@@ -41,7 +41,7 @@ Contour read_contour(const FlgContourView& view, Memory* memory) {
     std::pmr::vector<Point2> points(memory);
     points.reserve(view.point_count);
     for (size_t i = 0; i < view.point_count; ++i) points.push_back({view.points[2 * i], view.points[2 * i + 1]});
-    return clean_contour(points, offsets, memory);
+    return to_repair ? gather_contour(points, offsets, memory) : clean_contour(points, offsets, memory);
 }
 
 }  // namespace flg

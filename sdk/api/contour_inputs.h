@@ -9,7 +9,7 @@ namespace flg {
 
 FlgContourView default_contour_view();
 
-// Of desc.contour. Throws, with a sentence that names what is wrong.
-Contour read_contour(const FlgContourView& view, Memory* memory);
+// Of desc.contour. Throws, with a sentence that names what is wrong. What is to be repaired is not cleaned.
+Contour read_contour(const FlgContourView& view, Memory* memory, bool to_repair = false);
 
 }  // namespace flg

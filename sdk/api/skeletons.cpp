@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Skeletons: made, shown, released.
+#include <algorithm>
+#include <cmath>
+
 #include "api/context.h"
 #include "api/contour_inputs.h"
 #include "api/descriptors.h"
 #include "api/error.h"
+#include "api/inputs.h"
+#include "skeletons/offset_polygons.h"
 #include "skeletons/skeleton_jobs.h"
 
 namespace flg {
 
 namespace {
+
+constexpr uint32_t offset_chunk = 1000;
 
 FlgStraightSkeletonDesc default_straight_skeleton_desc() {
     FlgStraightSkeletonDesc desc{};
@@ -22,6 +29,25 @@ FlgStraightSkeletonView default_straight_skeleton_view() {
     FlgStraightSkeletonView view{};
     view.struct_size = sizeof view;
     return view;
+}
+
+FlgOffsetPolygons default_offset_polygons() {
+    FlgOffsetPolygons polygons{};
+    polygons.struct_size = sizeof polygons;
+    return polygons;
+}
+
+// The counts, and the arrays there are if there is room.
+void write_offset(const OffsetRings& rings, FlgOffsetPolygons& out) {
+    out.point_count = static_cast<uint32_t>(rings.points.size());
+    out.ring_count = static_cast<uint32_t>(rings.offsets.size()) - 1;
+    if (out.point_count > out.point_capacity || out.ring_count > out.ring_capacity) return;
+    for (size_t i = 0; out.points && i < rings.points.size(); ++i) {
+        out.points[2 * i] = rings.points[i].x;
+        out.points[2 * i + 1] = rings.points[i].y;
+    }
+    if (out.edges) std::copy(rings.edges.begin(), rings.edges.end(), out.edges);
+    if (out.ring_offsets) std::copy(rings.offsets.begin(), rings.offsets.end(), out.ring_offsets);
 }
 
 }  // namespace
@@ -54,9 +80,10 @@ FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeleto
         Context& self = get_context(context);
         const FlgStraightSkeletonDesc read = read_struct(desc, default_straight_skeleton_desc(), "desc");
         Submission submission(self, read.job);
+        const bool repair = read.repair != 0;
         const auto out =
-            make_object<HeldStraightSkeleton>(self, read_contour(read.contour, &self.memory), &self.memory);
-        submission.job().strand.start(make_straight_skeleton(submission.pace(), out));
+            make_object<HeldStraightSkeleton>(self, read_contour(read.contour, &self.memory, repair), &self.memory);
+        submission.job().strand.start(make_straight_skeleton(submission.pace(), out, repair));
         *out_skeleton = {submission.commit(self.straight_skeletons, out, out_job)};
         return FLG_OK;
     });
@@ -77,6 +104,33 @@ FlgResult flgStraightSkeletonGetView(FlgContext context, FlgStraightSkeleton ske
         const FlgResult result = self.visible_result();
         if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
         return result < 0 ? set_last_error(result, self.error()) : result;
+    });
+}
+
+FlgResult flgOffsetPolygonsInit(FlgOffsetPolygons* polygons, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(polygons, struct_size, default_offset_polygons(), "polygons");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skeleton, double distance,
+                                    FlgOffsetPolygons* polygons) {
+    return guarded([&] {
+        FlgOffsetPolygons out = read_struct(polygons, default_offset_polygons(), "polygons");
+        out.point_count = out.ring_count = 0;
+        write_struct(polygons, out, "polygons");
+        Context& self = get_context(context);
+        const HeldStraightSkeleton& held = *self.straight_skeletons.get(skeleton.id, "skeleton");
+        const FlgResult result = held.visible_result();
+        if (result != FLG_OK) return result < 0 ? set_last_error(result, held.error()) : result;
+        check_range(distance >= 0 && std::isfinite(distance), "distance", distance, "finite and at least 0");
+        OffsetRings rings(&self.memory);
+        OffsetPolygons kernel(held.skeleton, distance, rings, &self.memory);
+        while (!kernel.run(offset_chunk)) continue;
+        write_offset(rings, out);
+        write_struct(polygons, out, "polygons");
+        return FLG_OK;
     });
 }
 

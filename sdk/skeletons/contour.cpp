@@ -35,6 +35,15 @@ void check_numbers(std::span<const Point2> points) {
     }
 }
 
+double checked_diagonal(std::span<const Point2> points, std::span<const uint32_t> offsets) {
+    if (offsets.size() < 2 || points.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: it has no points");
+    check_numbers(points);
+    const double diagonal = diagonal_of(points);
+    if (diagonal < smallest_size)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: all its points are within %g of each other", diagonal);
+    return diagonal;
+}
+
 // How a ring turns at the lowest of its leftmost points, which is how all of it turns if it is simple.
 int turn_of(std::span<const Point2> ring) {
     const auto least = [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
@@ -73,11 +82,7 @@ uint32_t Contour::next(uint32_t point) const {
 }
 
 Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory) {
-    if (offsets.size() < 2 || points.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: it has no points");
-    check_numbers(points);
-    const double diagonal = diagonal_of(points), same = same_place * diagonal;
-    if (diagonal < smallest_size)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "contour: all its points are within %g of each other", diagonal);
+    const double same = same_place * checked_diagonal(points, offsets);
     Contour contour(memory);
     contour.points.reserve(points.size());
     contour.input_points.reserve(points.size());
@@ -106,6 +111,21 @@ Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> 
         if ((turn > 0) != (r == 0)) {
             std::reverse(ring.begin(), ring.end());
             std::reverse(contour.input_points.begin() + static_cast<ptrdiff_t>(begin), contour.input_points.end());
+        }
+    }
+    contour.offsets.push_back(contour.size());
+    return contour;
+}
+
+Contour gather_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory) {
+    checked_diagonal(points, offsets);
+    Contour contour(memory);
+    for (size_t r = 0; r + 1 < offsets.size(); ++r) {
+        if (r > 0 && offsets[r + 1] - offsets[r] < 3) continue;
+        contour.offsets.push_back(contour.size());
+        for (uint32_t i = offsets[r]; i < offsets[r + 1]; ++i) {
+            contour.points.push_back(points[i]);
+            contour.input_points.push_back(i);
         }
     }
     contour.offsets.push_back(contour.size());

@@ -36,6 +36,10 @@ struct Contour {
 // rings cross is found when they are triangulated. Linear in the points.
 Contour clean_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory);
 
+// The rings as they are, for what repairs them: only numbers are checked, and that not all are in one place. Rings of
+// fewer than three points are left out, but for the first.
+Contour gather_contour(std::span<const Point2> points, std::span<const uint32_t> offsets, Memory* memory);
+
 // A sentence that says what is wrong, and where.
 Failure describe_fault(const Contour& contour, const ContourFault& fault);
 

@@ -12,8 +12,8 @@ constexpr size_t most_cleared = 1000;  // that the list of crossing sides still 
 
 }  // namespace
 
-// The side between two vertices, of which one at least is the contour's: around both at once, so that it takes as long as
-// around the one of fewer triangles.
+// The side between two vertices, of which one at least is the contour's: around both at once, so that it takes as
+// long as around the one of fewer triangles.
 ContourTriangulation::Side ContourTriangulation::find(int32_t a, int32_t b) const {
     if (a >= size_) std::swap(a, b);
     const bool both = b < size_;

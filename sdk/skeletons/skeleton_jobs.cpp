@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "skeletons/skeleton_jobs.h"
 
+#include "skeletons/contour_repair.h"
+
 namespace flg {
 
 namespace {
@@ -26,7 +28,14 @@ void HeldStraightSkeleton::show() noexcept {
              .perturbation = skeleton.perturbation};
 }
 
-Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out) {
+Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out, bool repair) {
+    if (repair) {
+        pace.stage("contour_repair");
+        ContourRepair repaired(out->contour, pace.memory());
+        while (!repaired.run(chunk)) co_await pace;
+        out->contour = repaired.take_contour();
+        co_await pace;
+    }
     pace.stage("straight_skeleton");
     StraightSkeletonKernel kernel(out->contour, out->skeleton, pace.memory());
     while (!kernel.run(chunk)) co_await pace;

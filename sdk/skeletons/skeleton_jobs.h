@@ -26,7 +26,7 @@ private:
     FlgStraightSkeletonView view_{};
 };
 
-// The whole of flgStraightSkeletonCreate.
-Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out);
+// The whole of flgStraightSkeletonCreate. With `repair` the contour is from gather_contour, and made simple first.
+Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out, bool repair);
 
 }  // namespace flg

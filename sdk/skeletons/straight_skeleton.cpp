@@ -11,12 +11,12 @@ namespace flg {
 namespace {
 
 // What one try takes of a contour that small.
-constexpr uint32_t arena_points = 1000;
+constexpr uint32_t arena_points = 300;
 constexpr size_t arena_bytes = 8192, arena_bytes_a_point = 1400;
 
-// By how much of the contour's diagonal points are moved, and below what |n1 + n2| edges face each other. Measured on grids
-// and pixels whose points were moved by 1e-13 to 1e-5, where the first fails for up to one in three: the second comes
-// through for nine of ten of those, and each of the last ones for nearly all.
+// By how much of the contour's diagonal points are moved, and below what |n1 + n2| edges face each other. Measured on
+// grids and pixels whose points were moved by 1e-13 to 1e-5, where the first fails for up to one in three: the second
+// comes through for nine of ten of those, and each of the last ones for nearly all.
 struct Try {
     double perturbation, facing;
 };

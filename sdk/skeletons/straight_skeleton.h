@@ -2,11 +2,11 @@
 // The straight skeleton of a contour (Aichholzer, Aurenhammer, Alberts, Gaertner: A novel type of skeleton for
 // polygons, 1995): triangulated, moved inwards, its arcs chained to faces, and checked.
 //
-// Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much happens
-// at one time (wavefront.h). What comes out is checked (skeleton_check.h). If the check fails, or the front gets lost, it
-// is tried again: with edges taken for face to face that are nearly, then with points moved by 1e-9 of the contour's size,
-// then by 1e-7, a few times; the result says so. If that fails too there is no result: never one that is wrong and does
-// not say so, and never a loop without end.
+// Robustness. Only the triangulation is exact; the front moves in doubles, by rules that keep it right where much
+// happens at one time (wavefront.h). What comes out is checked (skeleton_check.h). If the check fails, or the front
+// gets lost, it is tried again: with edges taken for face to face that are nearly, then with points moved by 1e-9 of
+// the contour's size, then by 1e-7, a few times; the result says so. If that fails too there is no result: never one
+// that is wrong and does not say so, and never a loop without end.
 //
 // Where a vertex of the front reaches two places at one time the skeleton is not continuous: contours that differ by
 // rounding only can have skeletons that differ a lot, each right.

@@ -32,7 +32,8 @@ namespace flg {
 class Wavefront {
 public:
     // The triangulation is complete and without fault, its points have a diagonal of about `size`. Both outlive the
-    // kernel. Edges face each other, and their vertex is infinitely fast, where their normals add up to less than `facing`.
+    // kernel. Edges face each other, and their vertex is infinitely fast, where their normals add up to less than
+    // `facing`.
     Wavefront(const ContourTriangulation& triangulation, std::span<const Point2> points, std::span<const uint32_t> next,
               double size, double facing, Memory* memory);
 

@@ -8,8 +8,8 @@
 
 namespace flg {
 
-// The triangles around vertex `from` get another one, from `triangle` on to the front: by the side before their corner at
-// it, or the one after. They are done one a unit, once the change itself is done.
+// The triangles around vertex `from` get another one, from `triangle` on to the front: by the side before their
+// corner at it, or the one after. They are done one a unit, once the change itself is done.
 void Wavefront::give(int32_t triangle, bool by_before, int32_t from, int32_t to) {
     if (triangle >= 0) fans_[fan_count_++] = {triangle, from, to, by_before};
 }

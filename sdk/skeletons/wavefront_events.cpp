@@ -94,8 +94,8 @@ double Wavefront::gets_flat(const Shape& s) const {
     return bend < 0 ? now_ - (rate + root) / (2 * bend) : never;
 }
 
-// A vertex with one triangle turns by less than a half turn. If its lines say more, they are about to be one: rounding has
-// put what happens there in a wrong order, and all of it happens now.
+// A vertex with one triangle turns by less than a half turn. If its lines say more, they are about to be one:
+// rounding has put what happens there in a wrong order, and all of it happens now.
 void Wavefront::hold_if_turned_out(const Triangle& t) {
     for (uint32_t k = 0; k < 3; ++k) {
         if (t.neighbours[after(k)] >= 0 || t.neighbours[before(k)] >= 0) continue;
@@ -187,7 +187,8 @@ uint32_t Wavefront::longest_side(const Shape& s) {
     return s.lengths[2] > s.lengths[longest] ? 2 : longest;
 }
 
-// Some steps through neighbours that are flat too, each across the longest side of the one before, while sides get longer.
+// Some steps through neighbours that are flat too, each across the longest side of the one before, while sides get
+// longer.
 void Wavefront::walk() {
     for (uint32_t i = 0; i < hops_a_unit; ++i) {
         if (hops_++ == longest_walk || !hop()) {

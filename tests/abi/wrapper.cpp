@@ -43,6 +43,20 @@ bool surfaces_work(filigree::Context& context) {
            after.view().vertex_count > 4;
 }
 
+bool straight_skeletons_work(filigree::Context& context) {
+    const double corners[] = {0, 0, 5, 0, 5, 2, 0, 2};
+    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    desc.contour.points = corners;
+    desc.contour.point_count = 4;
+    filigree::Job job;
+    const filigree::StraightSkeleton skeleton = context.straight_skeleton(desc, &job);
+    if (skeleton.ready() || !skeleton.offset(0.5).offsets.empty()) return false;
+    context.finish();
+    const filigree::StraightSkeleton::Rings rings = skeleton.offset(0.5);
+    return job.finished() && skeleton.view().node_count == 6 && rings.points.size() == 8 && rings.edges.size() == 4 &&
+           rings.offsets.size() == 2 && rings.offsets[1] == 4 && skeleton.offset(2).points.empty();
+}
+
 }  // namespace
 
 int main() {
@@ -71,7 +85,7 @@ int main() {
         context.finish();
         if (!job.finished() || job.stages().size() != 2 || !style.guide().ready()) return 1;
         std::printf("%u points\n", result.view().curve_offsets[1]);
-        if (!surfaces_work(context)) return 1;
+        if (!surfaces_work(context) || !straight_skeletons_work(context)) return 1;
         FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
         live.style = style.get();
         if (context.begin(live)) return 1;  // not warm

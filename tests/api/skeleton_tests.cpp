@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Straight skeletons behind the C ABI.
+#include <cmath>
 #include <functional>
+#include <vector>
 
 #include "api/host.h"
 #include "filigree/filigree_skeleton.h"
@@ -124,12 +126,154 @@ TEST(SkeletonApi, CrossingsFailTheJob) {
     EXPECT_EQ(view.nodes, nullptr);
 }
 
+TEST(SkeletonApi, OffsetPolygonsAreCountedAndWritten) {
+    const SkeletonHost host;
+    const FlgStraightSkeletonDesc desc = frame_desc();
+    FlgStraightSkeleton skeleton{};
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+    FlgOffsetPolygons polygons = flgOffsetPolygonsDefaults();
+    EXPECT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_NOT_READY);
+    host.finish();
+    ASSERT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_OK) << flgLastError();
+    EXPECT_EQ(polygons.point_count, 8u);
+    EXPECT_EQ(polygons.ring_count, 2u);
+    double points[16] = {};
+    uint32_t edges[8] = {}, offsets[3] = {7, 7, 7};
+    polygons.points = points;
+    polygons.edges = edges;
+    polygons.ring_offsets = offsets;
+    polygons.point_capacity = 7;
+    polygons.ring_capacity = 2;
+    ASSERT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_OK);
+    EXPECT_EQ(offsets[2], 7u);  // no room
+    polygons.point_capacity = 8;
+    ASSERT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_OK);
+    EXPECT_EQ(offsets[0], 0u);
+    EXPECT_EQ(offsets[1], 4u);
+    EXPECT_EQ(offsets[2], 8u);
+    EXPECT_NEAR(points[0], 0.25, 1e-14);
+    EXPECT_NEAR(points[1], 0.25, 1e-14);
+    for (uint32_t i = 0; i < 8; ++i) EXPECT_EQ(edges[i], i);
+    polygons.point_capacity = 0;
+    ASSERT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.5, &polygons), FLG_OK);
+    EXPECT_EQ(polygons.point_count + polygons.ring_count, 0u);
+    for (const double bad : {-0.1, HUGE_VAL, std::nan("")}) {
+        EXPECT_EQ(flgStraightSkeletonOffset(host.context, skeleton, bad, &polygons), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(flgLastError()).find("distance is"), std::string::npos);
+    }
+    EXPECT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgStraightSkeletonOffset(host.context, {}, 0, &polygons), FLG_ERROR_INVALID_HANDLE);
+}
+
+// A hundred thousand points, also crossing once.
+TEST(SkeletonApi, ManyPoints) {
+    const SkeletonHost host;
+    constexpr uint32_t n = 100'000;
+    std::vector<double> points;
+    for (uint32_t i = 0; i < n; ++i) {
+        const double angle = 2 * M_PI * i / n, radius = 1 + 0.3 * std::sin(5 * angle) + 0.1 * std::sin(17 * angle);
+        points.push_back(radius * std::cos(angle));
+        points.push_back(radius * std::sin(angle));
+    }
+    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    desc.contour.points = points.data();
+    desc.contour.point_count = n;
+    FlgStraightSkeleton good{}, bad{};
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &good, nullptr), FLG_OK) << flgLastError();
+    std::swap(points[2 * 70'000], points[2 * 20'000]);
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &bad, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+    ASSERT_EQ(flgStraightSkeletonGetView(host.context, good, &view), FLG_OK) << flgLastError();
+    EXPECT_EQ(view.contour_count, n);
+    EXPECT_EQ(view.arc_count + 1, view.node_count);
+    EXPECT_LT(view.residual, 1e-9);
+    EXPECT_EQ(flgStraightSkeletonGetView(host.context, bad, &view), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgLastError()).find(" cross at ("), std::string::npos) << flgLastError();
+}
+
+TEST(SkeletonApi, SizesFromTinyToHuge) {
+    const SkeletonHost host;
+    for (const double size : {1e-140, 1e-12, 1.0, 1e12, 1e140}) {
+        double points[16];
+        for (size_t i = 0; i < 16; ++i) points[i] = size * frame[i];
+        FlgStraightSkeletonDesc desc = frame_desc();
+        desc.contour.points = points;
+        FlgStraightSkeleton skeleton{};
+        ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+        host.finish();
+        FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+        ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+        ASSERT_EQ(view.node_count, 12u);
+        for (uint32_t i = 8; i < 12; ++i) EXPECT_NEAR(view.nodes[3 * i + 2] / size, 0.5, 1e-13);
+    }
+}
+
+TEST(SkeletonApi, WhatIsWrongIsSaid) {
+    const SkeletonHost host;
+    const auto sentence = [&](std::vector<double> points, std::vector<uint32_t> rings) {
+        FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+        desc.contour.points = points.data();
+        desc.contour.point_count = static_cast<uint32_t>(points.size() / 2);
+        desc.contour.ring_offsets = rings.data();
+        desc.contour.ring_count = static_cast<uint32_t>(rings.size()) - 1;
+        FlgStraightSkeleton skeleton{};
+        if (flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr) < 0) return std::string(flgLastError());
+        host.finish();
+        FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+        EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_ARGUMENT);
+        return std::string(flgLastError());
+    };
+    // A spike, holes that touch, a hole outside, a ring without area, a number that is none.
+    EXPECT_EQ(sentence({0, 0, 10, 0, 10, 10, 10, 15, 10, 10, 0, 10}, {0, 6}),
+              "contour: points 2 and 4 are at one place, (10, 10)");
+    EXPECT_EQ(sentence({0, 0, 10, 0, 10, 10, 0, 10, 2, 2, 2, 5, 5, 5, 5, 2, 5, 5, 5, 7, 7, 7, 7, 5}, {0, 4, 8, 12}),
+              "contour: points 6 and 8 are at one place, (5, 5)");
+    EXPECT_EQ(sentence({0, 0, 10, 0, 10, 10, 0, 10, 20, 2, 20, 5, 23, 5}, {0, 4, 7}),
+              "contour: ring 1, with (20, 2), is outside of ring 0");
+    EXPECT_EQ(sentence({0, 0, 1, 1, 2, 2}, {0, 3}),
+              "contour: ring 0, with (0, 0), has no area, or runs back on itself");
+    EXPECT_EQ(sentence({0, 0, 1, 0, 1, HUGE_VAL}, {0, 3}),
+              "contour: point 2 is (1, inf); coordinates are finite, at most 1e+150");
+}
+
+// The larger lobe of a figure of eight.
+TEST(SkeletonApi, CrossingsAreRepairedIfAskedFor) {
+    const SkeletonHost host;
+    static constexpr double eight[] = {0, 0, 4, 4, 4, 0, 0, 2}, line[] = {0, 0, 1, 1, 2, 2};
+    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    EXPECT_EQ(desc.repair, 0u);
+    desc.repair = 1;
+    desc.contour.points = eight;
+    desc.contour.point_count = 4;
+    FlgStraightSkeleton skeleton{}, none{};
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+    desc.contour.points = line;
+    desc.contour.point_count = 3;
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &none, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+    ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(view.contour_count, 3u);
+    uint32_t new_points = 0;
+    for (uint32_t i = 0; i < 3; ++i) {
+        new_points += view.input_points[i] == FLG_NO_INDEX;
+        if (view.input_points[i] != FLG_NO_INDEX) {
+            EXPECT_EQ(view.nodes[3 * i], 4);
+        }
+    }
+    EXPECT_EQ(new_points, 1u);
+    EXPECT_EQ(flgStraightSkeletonGetView(host.context, none, &view), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_STREQ(flgLastError(), "contour: its rings go around nothing that has an area");
+}
+
 // Each allocation fails once: nothing is lost, and the next try is good.
 TEST(SkeletonApi, MemoryMayRunOut) {
     HostAllocator allocator;
-    {
+    for (const uint32_t repair : {0u, 1u}) {
         const SkeletonHost host(&allocator);
-        const FlgStraightSkeletonDesc desc = frame_desc();
+        FlgStraightSkeletonDesc desc = frame_desc();
+        desc.repair = repair;
         bool is_done = false;
         int64_t failures = 0;
         for (int64_t n = 0; !is_done; ++n) {

@@ -19,7 +19,7 @@ uint64_t rounds() {
 }
 
 // Contours of more points are simple as they are drawn: trying all pairs would take longer than all else.
-constexpr size_t most_tried = 1200;
+constexpr size_t most_tried = 1600;
 
 // Simple, and not as thin as a line.
 bool all_simple(const Rings& rings) {

@@ -156,6 +156,38 @@ TEST(StraightSkeleton, SlicesDoNotMatter) {
     }
 }
 
+// All invariants, and where one of so many edges crosses another.
+TEST(StraightSkeleton, ManyPoints) {
+    std::vector<Point2> ring;
+    constexpr int n = 20'000;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        const double radius = 1 + 0.3 * std::sin(5 * angle) + 0.1 * std::sin(17 * angle);
+        ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    EXPECT_EQ(checked_skeleton({ring}).perturbation, 0);
+    ring[700] = {5, 5};
+    ring[900] = {5.001, 4.8};
+    const Contour crossing = contour_of({ring});
+    try {
+        skeleton_of(crossing);
+        ADD_FAILURE() << "nothing crosses";
+    } catch (const Failure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("cross at ("), std::string::npos) << failure.what();
+    }
+}
+
+// From tiny to huge: the shape of the numbers is the same.
+TEST(StraightSkeleton, SizesFromTinyToHuge) {
+    for (const double size : {1e-140, 1e-12, 1e12, 1e140}) {
+        const Rings rings = rotated({{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 5}, {0, 5}}}, 0, size);
+        const Contour contour = contour_of(rings);
+        const StraightSkeleton skeleton = skeleton_of(contour);
+        ASSERT_EQ(skeleton.nodes.size(), 9u);
+        for (const SkeletonNode& node : inner_nodes(skeleton)) EXPECT_NEAR(node.time / size, 1, 1e-13);
+    }
+}
+
 TEST(StraightSkeleton, FarFromTheOrigin) {
     const Rings rings = rotated(random_tour(3, 40), 0.3, 1, {1e6, -1e6});
     checked_skeleton(rings, 1e-8);

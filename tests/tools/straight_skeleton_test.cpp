@@ -60,6 +60,50 @@ TEST_F(StraightSkeletonCommand, SketchesEndWhereTheyBegin) {
     EXPECT_EQ(report().at("counts").at("contour_points"), 3);
 }
 
+// Without the first point again at its end, which `SketchPolyline` files have, a ring is closed all the same.
+TEST_F(StraightSkeletonCommand, OpenRingsAreClosed) {
+    folder.write("SketchPolyline0.txt", "3\n0 0 26\n0 3 26\n4 0 26\n");
+    const Json open = skeleton("SketchPolyline0.txt");
+    folder.write("closed.poly.txt", "0 0\n0 3\n4 0\n0 0\n");
+    EXPECT_EQ(open, skeleton("closed.poly.txt"));
+}
+
+TEST_F(StraightSkeletonCommand, OffsetsAreRings) {
+    folder.write("rectangle.poly.txt", "0 0\n5 0\n5 2\n0 2\n");
+    done({"straight-skeleton", "rectangle.poly.txt", "-o", "out.json", "--offset", "0", "--offset", "0.5", "--offset",
+          "9"});
+    const Json offsets = Json::parse(folder.read("out.json")).at("offsets");
+    ASSERT_EQ(offsets.size(), 3u);
+    EXPECT_EQ(offsets[0].at("rings"), Json({{{0.0, 0.0}, {5.0, 0.0}, {5.0, 2.0}, {0.0, 2.0}}}));
+    EXPECT_EQ(offsets[1].at("distance"), 0.5);
+    EXPECT_EQ(offsets[1].at("rings"), Json({{{0.5, 0.5}, {4.5, 0.5}, {4.5, 1.5}, {0.5, 1.5}}}));
+    EXPECT_EQ(offsets[2].at("rings").size(), 0u);
+    expect_refused({"straight-skeleton", "rectangle.poly.txt", "-o", "out.json", "--offset", "-1"}, 2, {"--offset"});
+}
+
+TEST_F(StraightSkeletonCommand, CrossingsAreRepaired) {
+    folder.write("eight.poly.txt", "0 0\n4 4\n4 0\n0 2\n");
+    done({"straight-skeleton", "eight.poly.txt", "-o", "out.json", "--repair", "--report", "report.json"});
+    EXPECT_EQ(report().at("counts").at("contour_points"), 3);
+    EXPECT_EQ(Json::parse(folder.read("out.json")).at("nodes").size(), 4u);
+}
+
+// The hole comes first in the file; y is upwards.
+TEST_F(StraightSkeletonCommand, DrawingsAreRead) {
+    folder.write(
+        "frame.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg'><path d='M1 1 L5 1 L5 5 L1 5 Z M0 0 L6 0 L6 6 L0 6 Z'/></svg>");
+    const Json json = skeleton("frame.svg");
+    ASSERT_EQ(json.at("nodes").size(), 12u);
+    EXPECT_EQ(report().at("counts").at("rings"), 2);
+    double low = 9;
+    for (size_t i = 0; i < 4; ++i) low = std::min(low, json.at("nodes")[i][1].get<double>());
+    EXPECT_EQ(low, -6);
+    for (size_t i = 8; i < 12; ++i) EXPECT_NEAR(json.at("nodes")[i][2].get<double>(), 0.5, 1e-12);
+    folder.write("broken.svg", "<svg><path d='M0 0 L1'/></svg>");
+    expect_refused({"straight-skeleton", "broken.svg", "-o", "out.json"}, 1, {"broken.svg"});
+}
+
 TEST_F(StraightSkeletonCommand, SameBitsUnderAnyWorkersAndBudget) {
     std::string text;
     for (int i = 0; i < 80; ++i) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Straight skeletons: of the parts of a drawn animal, and of stars of many points.
+// Straight skeletons: of the parts of a drawn animal, of stars of many points, and beside CGAL where it is installed
+// (a peer under the GPL, for this table only).
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "bench/groups.h"
+#if defined(FLG_WITH_CGAL)
+#include "bench/cgal_skeleton.h"
+#endif
+#include "bench/pool.h"
 #include "core/random.h"
 #include "skeletons/straight_skeleton.h"
 
@@ -11,7 +17,7 @@ namespace flg::bench {
 namespace {
 
 constexpr uint32_t kChunk = 25;
-constexpr int kRuns = 15;
+constexpr int kRuns = 15, kChunkRounds = 4;
 
 using Ring = std::vector<Point2>;
 
@@ -62,18 +68,81 @@ Ring star(uint32_t n) {
     return ring;
 }
 
+// A host's pool, as the SDK's memory.
+class PoolMemory final : public Memory {
+public:
+    explicit PoolMemory(Pool& pool) : hooks_(pool.hooks()) {}
+
+private:
+    void* do_allocate(size_t size, size_t alignment) override {
+        return hooks_.allocate(hooks_.user_data, size, alignment);
+    }
+    void do_deallocate(void* memory, size_t size, size_t alignment) override {
+        hooks_.free(hooks_.user_data, memory, size, alignment);
+    }
+    bool do_is_equal(const Memory& other) const noexcept override { return this == &other; }
+
+    FlgAllocator hooks_;
+};
+
+// The longest of the chunks of one large skeleton, each the least of some rounds: what the machine does besides falls
+// into another chunk each time.
+double longest_chunk_us(const Ring& ring) {
+    Pool pool;
+    PoolMemory memory(pool);
+    const uint32_t offsets[] = {0, static_cast<uint32_t>(ring.size())};
+    const Contour contour = clean_contour(ring, offsets, &memory);
+    std::vector<double> least_us;
+    for (int round = 0; round < kChunkRounds; ++round) {
+        StraightSkeleton skeleton(&memory);
+        StraightSkeletonKernel kernel(contour, skeleton, &memory);
+        size_t chunk = 0;
+        for (bool done = false; !done; ++chunk) {
+            const double us = 1e3 * time_ms([&] { done = kernel.run(kChunk); });
+            if (chunk == least_us.size()) least_us.push_back(us);
+            least_us[chunk] = std::min(least_us[chunk], us);
+        }
+    }
+    return *std::max_element(least_us.begin(), least_us.end());
+}
+
+#if defined(FLG_WITH_CGAL)
+// How many times as long CGAL takes: the least ratio of a star, a smooth shape and a part of the animal.
+Row beside_cgal(uint32_t points, double bar) {
+    double least = HUGE_VAL;
+    for (const Ring& ring : {star(points), part(1, points), part(6, points)}) {
+        const double own = skeleton_ms({ring});
+        const double peer = median_ms(points < 100 ? 7 : 1, [&] {
+            return time_ms([&] { cgal_skeleton(&ring.data()->x, static_cast<uint32_t>(ring.size())); });
+        });
+        least = std::min(least, peer / own);
+    }
+    return at_least("straight skeletons: beside CGAL, " + std::to_string(points) + " points", least, "x", bar);
+}
+#endif
+
 }  // namespace
 
 std::vector<Row> run_skeletons() {
     // As many points as the parts of a published cat have, drawn and simplified.
-    return {below("straight skeletons: 7 parts of an animal, 125 points",
-                  skeleton_ms(parts({27, 18, 18, 16, 16, 21, 9})), "ms", 0.15),
-            below("straight skeletons: 7 parts as drawn, 1,688 points",
-                  skeleton_ms(parts({300, 260, 270, 250, 255, 216, 137})), "ms", 4),
-            below("straight skeleton: star of 15", skeleton_ms({star(15)}), "ms", 0.05),
-            below("straight skeleton: star of 100", skeleton_ms({star(100)}), "ms", 0.2),
-            below("straight skeleton: star of 1,000", skeleton_ms({star(1000)}), "ms", 4),
-            below("straight skeleton: star of 3,000", skeleton_ms({star(3000)}), "ms", 20)};
+    std::vector<Row> rows = {
+        below("straight skeletons: 7 parts of an animal, 125 points", skeleton_ms(parts({27, 18, 18, 16, 16, 21, 9})),
+              "ms", 0.15),
+        below("straight skeletons: 7 parts as drawn, 1,688 points",
+              skeleton_ms(parts({300, 260, 270, 250, 255, 216, 137})), "ms", 4),
+        below("straight skeleton: star of 15", skeleton_ms({star(15)}), "ms", 0.05),
+        below("straight skeleton: star of 100", skeleton_ms({star(100)}), "ms", 0.2),
+        below("straight skeleton: star of 1,000", skeleton_ms({star(1000)}), "ms", 4),
+        below("straight skeleton: star of 3,000", skeleton_ms({star(3000)}), "ms", 20),
+        below("straight skeleton: longest chunk of a star of 100,000", longest_chunk_us(star(100'000)), "us", 100)};
+#if defined(FLG_WITH_CGAL)
+    rows.push_back(beside_cgal(12, 10));
+    rows.push_back(beside_cgal(60, 20));
+    rows.push_back(beside_cgal(300, 40));
+    rows.push_back(beside_cgal(1000, 100));
+    rows.push_back(beside_cgal(3000, 300));
+#endif
+    return rows;
 }
 
 }  // namespace flg::bench

@@ -3,10 +3,14 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <memory>
 
+#include "extensions.h"
 #include "failure.h"
+#include "filigree/filigree_io.h"
 
 namespace flg::cli {
 namespace {
@@ -36,9 +40,60 @@ void end_ring(ContourArrays& contour) {
     if (points != contour.offsets.back()) contour.offsets.push_back(points);
 }
 
+double doubled_area(const std::vector<double>& points, uint32_t begin, uint32_t end) {
+    double sum = 0;
+    for (size_t i = begin; i < end; ++i) {
+        const double *a = points.data() + 2 * i, *b = points.data() + 2 * (i + 1 == end ? begin : i + 1);
+        sum += a[0] * b[1] - a[1] * b[0];
+    }
+    return std::fabs(sum);
+}
+
+void put_first(ContourArrays& contour, uint32_t ring) {
+    ContourArrays sorted;
+    const auto add = [&](uint32_t r) {
+        const auto begin = contour.points.begin() + 2 * static_cast<ptrdiff_t>(contour.offsets[r]);
+        const auto end = contour.points.begin() + 2 * static_cast<ptrdiff_t>(contour.offsets[r + 1]);
+        sorted.points.insert(sorted.points.end(), begin, end);
+        end_ring(sorted);
+    };
+    add(ring);
+    for (uint32_t r = 0; r + 1 < contour.offsets.size(); ++r) {
+        if (r != ring) add(r);
+    }
+    contour = std::move(sorted);
+}
+
+ContourArrays read_svg(const std::string& path) {
+    FlgCurveFile file = nullptr;
+    if (flgCurveFileRead(path.c_str(), &file) < 0) throw InputError(flgIoLastError());
+    const std::unique_ptr<FlgCurveFileT, decltype(&flgCurveFileRelease)> owner(file, flgCurveFileRelease);
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    if (flgCurveFileGetView(file, &view) < 0) throw InputError(flgIoLastError());
+    const FlgColumn& column = view.columns[0];  // positions
+    const size_t stride = column.stride == 0 ? 3 : column.stride / sizeof(float);
+    ContourArrays contour;
+    uint32_t largest = 0;
+    double most = 0;
+    for (uint32_t c = 0; c < view.curve_count; ++c) {
+        for (size_t i = view.curve_offsets[c]; i < view.curve_offsets[c + 1]; ++i)
+            contour.points.insert(contour.points.end(), {column.data[i * stride], column.data[i * stride + 1]});
+        end_ring(contour);
+        const auto ring = static_cast<uint32_t>(contour.offsets.size()) - 2;
+        const double area = doubled_area(contour.points, contour.offsets[ring], contour.offsets[ring + 1]);
+        if (area > most) {
+            most = area;
+            largest = ring;
+        }
+    }
+    put_first(contour, largest);
+    return contour;
+}
+
 }  // namespace
 
 ContourArrays read_contour_file(const std::string& path) {
+    if (ends_with_one_of(path, {".svg", ".SVG"})) return read_svg(path);
     std::ifstream file(path);
     if (!file) throw InputError(path + ": can't be opened: " + std::strerror(errno));
     ContourArrays contour;

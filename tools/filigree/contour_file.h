@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Contours of files: NAME.poly.txt, `x y` a line, rings apart by empty lines, what follows a # ignored; and RealSkel's
-// SketchPolyline*.txt, how many points there are and then `x y z` a line, where the first point comes again at the end.
+// Contours of files: NAME.poly.txt, `x y` a line, rings apart by empty lines, what follows a # ignored; and
+// RealSkel's SketchPolyline*.txt, how many points there are and then `x y z` a line, where the first point comes
+// again at the end; and .svg, whose outlines are the rings, y upwards, the largest first. Rings that are not closed
+// there are all the same.
 #pragma once
 
 #include <cstdint>

@@ -16,11 +16,14 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::string contour, output;
+    std::vector<double> offsets;
+    bool repair = false;
 };
 
-FlgStraightSkeletonView make_skeleton(const Options& options, Session& session, const ContourArrays& contour,
-                                      Report& report) {
+FlgStraightSkeleton make_skeleton(const Options& options, Session& session, const ContourArrays& contour,
+                                  Report& report) {
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    desc.repair = options.repair ? 1 : 0;
     desc.contour.points = contour.points.data();
     desc.contour.point_count = static_cast<uint32_t>(contour.points.size() / 2);
     desc.contour.ring_offsets = contour.offsets.data();
@@ -29,9 +32,7 @@ FlgStraightSkeletonView make_skeleton(const Options& options, Session& session, 
     FlgJob job = {};
     check(flgStraightSkeletonCreate(session.context(), &desc, &skeleton, &job), options.contour);
     session.finish({{{job, options.contour}}}, report);
-    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
-    check(flgStraightSkeletonGetView(session.context(), skeleton, &view), options.contour);
-    return view;
+    return skeleton;
 }
 
 Json to_json(const FlgStraightSkeletonView& view) {
@@ -53,13 +54,36 @@ Json to_json(const FlgStraightSkeletonView& view) {
     return json;
 }
 
+// {"distance": D, "rings": [[[x, y], ...], ...]}
+Json offset_json(const Options& options, Session& session, FlgStraightSkeleton skeleton, double distance) {
+    FlgOffsetPolygons polygons = flgOffsetPolygonsDefaults();
+    check(flgStraightSkeletonOffset(session.context(), skeleton, distance, &polygons), options.contour);
+    std::vector<double> points(2 * size_t{polygons.point_count});
+    std::vector<uint32_t> offsets(polygons.ring_count + 1);
+    polygons.points = points.data();
+    polygons.ring_offsets = offsets.data();
+    polygons.point_capacity = polygons.point_count;
+    polygons.ring_capacity = polygons.ring_count;
+    check(flgStraightSkeletonOffset(session.context(), skeleton, distance, &polygons), options.contour);
+    Json rings = Json::array();
+    for (size_t r = 0; r < polygons.ring_count; ++r) {
+        Json ring = Json::array();
+        for (size_t i = offsets[r]; i < offsets[r + 1]; ++i) ring.push_back({points[2 * i], points[2 * i + 1]});
+        rings.push_back(std::move(ring));
+    }
+    return {{"distance", distance}, {"rings", std::move(rings)}};
+}
+
 void run_straight_skeleton(const Options& options, const CommonOptions& common) {
     require_writable(options.output);
     require_writable(common.report);
     Report report("straight-skeleton", common);
     const ContourArrays contour = read_contour_file(options.contour);
     Session session(common);
-    const FlgStraightSkeletonView view = make_skeleton(options, session, contour, report);
+    const FlgStraightSkeleton skeleton = make_skeleton(options, session, contour, report);
+    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+    check(flgStraightSkeletonGetView(session.context(), skeleton, &view), options.contour);
+    report.parameters["repair"] = options.repair;
     report.counts["input_points"] = contour.points.size() / 2;
     report.counts["rings"] = contour.offsets.size() - 1;
     report.counts["contour_points"] = view.contour_count;
@@ -71,7 +95,11 @@ void run_straight_skeleton(const Options& options, const CommonOptions& common) 
         report.warn(options.contour + ": changes at nearly one time could not be told apart; points were moved by " +
                     Json(view.perturbation).dump() + " of its size");
     }
-    write_text_file(options.output, to_json(view).dump() + "\n");
+    Json json = to_json(view);
+    if (!options.offsets.empty()) json["offsets"] = Json::array();
+    for (const double distance : options.offsets)
+        json["offsets"].push_back(offset_json(options, session, skeleton, distance));
+    write_text_file(options.output, json.dump() + "\n");
     report.write();
 }
 
@@ -80,13 +108,20 @@ void run_straight_skeleton(const Options& options, const CommonOptions& common) 
 Command add_straight_skeleton(CLI::App& program, const CommonOptions& common) {
     CLI::App* app = program.add_subcommand("straight-skeleton", "The straight skeleton of a drawn shape");
     const auto o = std::make_shared<Options>();
-    app->add_option("contour", o->contour, "Contour: .poly.txt (rings apart by empty lines), SketchPolyline*.txt")
+    app->add_option("contour", o->contour, "Contour: .poly.txt (rings apart by empty lines), SketchPolyline*.txt, .svg")
         ->required()
         ->type_name("CONTOUR");
     app->add_option("-o,--output", o->output,
                     "Result: .json with nodes ([x, y, time]; the contour's come first), arcs ([from, to]) and faces")
         ->required()
         ->type_name("OUT.json");
+    app->add_option(
+           "--offset", o->offsets,
+           "Also the contour moved inwards by D, in its unit, 0 or more: `offsets`, with rings of points; more "
+           "than once if wanted")
+        ->type_name("D")
+        ->check(CLI::NonNegativeNumber);
+    app->add_flag("--repair", o->repair, "The contour may cross itself: of what it goes around the largest part");
     return {app, [o, &common] { run_straight_skeleton(*o, common); }};
 }
 

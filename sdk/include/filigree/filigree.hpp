@@ -26,6 +26,7 @@
 #include "filigree.h"
 #include "filigree_live.h"
 #include "filigree_project.h"
+#include "filigree_skeleton.h"
 #include "filigree_surface.h"
 #include "filigree_tangle.h"
 
@@ -192,6 +193,42 @@ public:
         FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
         check(flgSurfaceCurvesGetView(context_, handle_, &view));
         return view;
+    }
+};
+
+// See filigree_skeleton.h.
+class StraightSkeleton : public detail::Owner<FlgStraightSkeleton, flgStraightSkeletonRelease> {
+public:
+    using Owner::Owner;
+    bool ready() const {
+        FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+        return check(flgStraightSkeletonGetView(context_, handle_, &view));
+    }
+    // Empty until ready.
+    FlgStraightSkeletonView view() const {
+        FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+        check(flgStraightSkeletonGetView(context_, handle_, &view));
+        return view;
+    }
+    struct Rings {
+        std::vector<double> points;     // 2 a point
+        std::vector<uint32_t> edges;    // one a point
+        std::vector<uint32_t> offsets;  // where each ring begins, and the end; empty until ready
+    };
+    Rings offset(double distance) const {
+        FlgOffsetPolygons polygons = flgOffsetPolygonsDefaults();
+        Rings rings;
+        if (!check(flgStraightSkeletonOffset(context_, handle_, distance, &polygons))) return rings;
+        rings.points.resize(2 * std::size_t{polygons.point_count});
+        rings.edges.resize(polygons.point_count);
+        rings.offsets.resize(std::size_t{polygons.ring_count} + 1);
+        polygons.point_capacity = polygons.point_count;
+        polygons.ring_capacity = polygons.ring_count;
+        polygons.points = rings.points.data();
+        polygons.edges = rings.edges.data();
+        polygons.ring_offsets = rings.offsets.data();
+        check(flgStraightSkeletonOffset(context_, handle_, distance, &polygons));
+        return rings;
     }
 };
 
@@ -386,6 +423,9 @@ public:
         FlgJob job{};
         check(flgCutCurves(context_, &desc, &job));
         return {context_, job};
+    }
+    StraightSkeleton straight_skeleton(const FlgStraightSkeletonDesc& desc, Job* out_job = nullptr) {
+        return start<StraightSkeleton, FlgStraightSkeleton>(flgStraightSkeletonCreate, desc, out_job);
     }
     Tangle tangle(const Surface& surface) {
         FlgTangle tangle{};

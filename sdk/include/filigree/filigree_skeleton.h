@@ -9,6 +9,10 @@
 
 #include "filigree.h"
 
+#ifndef FLG_NO_INDEX
+#define FLG_NO_INDEX 0xffffffffu /* instead of an index: there is none */
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -31,7 +35,7 @@ FLG_API FlgResult flgContourViewInit(FlgContourView* view, uint32_t struct_size)
 
 typedef struct FlgStraightSkeletonDesc {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t repair; /* nonzero: the contour may cross and touch itself, see below. Default 0 */
     FlgJobOptions job;
     FlgContourView contour;
 } FlgStraightSkeletonDesc;
@@ -45,7 +49,12 @@ FLG_API FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uin
  * rings without three points or an area, about 20 ns a point. The job fails with FLG_ERROR_INVALID_ARGUMENT, and a
  * sentence that names points and place, where edges cross or touch and where a hole isn't inside. FLG_ERROR_INTERNAL
  * if so much happens at one time that no skeleton is found that holds: not known to happen. Cost: about 3 us a point,
- * more in all the larger by n log n. */
+ * more in all the larger by n log n.
+ * With `repair` nothing of this is refused while an area is left: the contour becomes the border of what ring 0 winds
+ * around, either way, without what other rings wind around; of its connected parts the largest one, with its holes.
+ * Where nothing crosses or touches points stay to the bit, else they move by less than 1e-7 of the drawing's size (at
+ * points where it touches itself some 1e-6), and where edges cross there are new ones: their input_points are
+ * FLG_NO_INDEX. Costs about 2 us a point more. */
 FLG_API FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeletonDesc* desc,
                                             FlgStraightSkeleton* out_skeleton, FlgJob* out_job);
 
@@ -60,7 +69,7 @@ typedef struct FlgStraightSkeletonView {
     const uint32_t* arcs;         /* 4 an arc: nodes from and to, the later one last; faces to its left and to its right */
     const uint32_t* face_offsets; /* contour_count + 1 values */
     const uint32_t* face_nodes;   /* a face's nodes counter-clockwise, its edge's two points first */
-    const uint32_t* input_points; /* one a point of the cleaned contour: which it was in the input */
+    const uint32_t* input_points; /* one a point of the cleaned contour: which it was in the input, or FLG_NO_INDEX */
     /* Both in shares of the diagonal of the contour's box. How far a time is off a distance, at most: 1e-13 as a
      * rule, up to 1e-6 with edges that are nearly parallel. */
     double residual;
@@ -77,6 +86,29 @@ FLG_API FlgResult flgStraightSkeletonGetView(FlgContext context, FlgStraightSkel
 
 FLG_API FlgResult flgStraightSkeletonRelease(FlgContext context, FlgStraightSkeleton skeleton);
 
+/* Where the front of a straight skeleton is at a time. The host owns the arrays; a null one isn't written. */
+typedef struct FlgOffsetPolygons {
+    uint32_t struct_size;
+    uint32_t point_capacity; /* points that `points` and `edges` have room for. Default 0 */
+    uint32_t ring_capacity;  /* rings that `ring_offsets` has room for. Default 0 */
+    uint32_t point_count;    /* written, whatever there is room for */
+    uint32_t ring_count;     /* the same */
+    uint32_t reserved;
+    double* points;          /* 2 a point: x, y */
+    uint32_t* edges;         /* one a point: the contour's edge whose side goes from it to the next one */
+    uint32_t* ring_offsets;  /* ring_capacity + 1 values: where each ring begins, and point_count */
+} FlgOffsetPolygons;
+
+FLG_API FlgResult flgOffsetPolygonsInit(FlgOffsetPolygons* polygons, uint32_t struct_size);
+
+/* The contour moved inwards by a distance, with its corners kept sharp: rings with what is inside on their left, each
+ * from the side of its edge of least number on, in the order of these. 0 gives the contour; beyond its last node's
+ * time nothing is left. Writes the counts, and the arrays where all of it has room: call it without arrays to learn
+ * how much. FLG_NOT_READY before the skeleton's job is published, its error if it failed; FLG_ERROR_INVALID_ARGUMENT
+ * for a distance below 0 or not finite. Cost: about 50 ns a point of the contour, each time. */
+FLG_API FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skeleton, double distance,
+                                            FlgOffsetPolygons* polygons);
+
 /* ---- Defaults by value ------------------------------------------------------------------------------------------- */
 
 static inline FlgContourView flgContourViewDefaults(void) {
@@ -89,6 +121,12 @@ static inline FlgStraightSkeletonDesc flgStraightSkeletonDefaults(void) {
     FlgStraightSkeletonDesc desc;
     flgStraightSkeletonDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
+}
+
+static inline FlgOffsetPolygons flgOffsetPolygonsDefaults(void) {
+    FlgOffsetPolygons polygons;
+    flgOffsetPolygonsInit(&polygons, (uint32_t)sizeof polygons);
+    return polygons;
 }
 
 static inline FlgStraightSkeletonView flgStraightSkeletonViewDefaults(void) {
