@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Source: Kavan, Collins, Zara, O'Sullivan, Geometric skinning with approximate dual quaternion blending, ACM TOG
-// 27(4), 2008: algorithm 1 (DLB). Departures: signs are told by the joint of the largest weight, so that the sum is
-// never shorter than that weight. shaders/skin.glsl is this in float.
+// Source: Kavan, Collins, Zara, O'Sullivan, Geometric skinning with approximate dual quaternion blending, ACM TOG 27(4),
+// 2008: algorithm 1 (DLB).
+// Departures: signs are told by the joint of the largest weight, so that the sum is never shorter than that weight.
+// shaders/skin.glsl is this in float.
 #include "skeletons/skin_deformation.h"
 
 namespace flg {

@@ -17,8 +17,8 @@ struct JointMotion {
     Vec3 translation;
 };
 
-// Arrays as in FlgSkinView and flgSkinPose; null `rotations` and `translation`: none. Parents come first. A child's
-// place is found from its parent's, not from the origin: what is far away from it is as exact.
+// Arrays as in FlgSkinView and flgSkinPose; null `rotations` and `translation`: none. Parents come first. A child's place is
+// found from its parent's, not from the origin: what is far away from it is as exact.
 void pose_joints(const float* joint_positions, const uint32_t* joint_parents, const float* rotations,
                  const float* translation, std::span<JointMotion> out);
 
