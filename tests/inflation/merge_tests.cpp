@@ -181,6 +181,26 @@ TEST(Merge, ClosedWhateverTheParts) {
     }
 }
 
+// A lattice that is far too coarse: faces that two sheets cross, also those where both belong to one sheet on either side.
+TEST(SurfaceExtraction, ClosedOnAnyLattice) {
+    Model model;
+    model.add({ellipse(0, 0, 1, 1, 24)}, placement({0, 0, 0}));
+    for (uint32_t i = 1; i < 400; ++i)
+        model.repeat(0, placement({12 * random_unit(1, i, 0), 12 * random_unit(1, i, 1), 12 * random_unit(1, i, 2)}));
+    PartUnion parts(model.parts, 0, test_memory());
+    while (!parts.run(10)) {}
+    for (const double spacing : {0.8, 1.3, 1.9}) {
+        SurfaceGrid grid(parts, spacing, test_memory());
+        while (!grid.run(100)) {}
+        std::pmr::vector<Vec3> positions;
+        std::pmr::vector<TriangleVertices> triangles;
+        SurfaceExtraction extraction(grid, positions, triangles, test_memory());
+        while (!extraction.run(100)) {}
+        EXPECT_EQ(check_closed(positions, triangles).fault, "") << spacing;
+        EXPECT_GT(positions.size(), grid.vertex_count() + 10) << "no doubled faces";
+    }
+}
+
 // Thousands of parts, most of them apart, cost as much as their surface.
 TEST(Merge, ManyParts) {
     Model model;
