@@ -17,11 +17,13 @@ using namespace flg::gallery;
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
     for (const auto pictures : {showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(),
-                                steps(), live_pictures(), surface_pictures(), tangle_pictures()}) {
+                                steps(), live_pictures(), surface_pictures(), tangle_pictures(), skeleton_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
 #if defined(FLG_WITH_SCRIPTS)
-    list.insert(list.end(), piece_pictures().begin(), piece_pictures().end());
+    for (const auto pictures : {piece_pictures(), model_pictures()}) {
+        list.insert(list.end(), pictures.begin(), pictures.end());
+    }
 #endif
     return list;
 }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "filigree/filigree.hpp"
 #include "gallery/small_png.h"
 #include "support/curve_source.h"
 
@@ -114,6 +115,12 @@ std::vector<glm::vec3> points_of(const Panel& panel) {
             points.push_back(glm::make_vec3(samples::value_at(positions, i)));
         }
     }
+    for (const SkinLayer& layer : panel.skins) {
+        std::vector<float> posed(3 * size_t{layer.skin.vertex_count});
+        filigree::check(flgSkinDeform(&layer.skin, FLG_SKINNING_DUAL_QUATERNION, layer.dual_quaternions.data(),
+                                      posed.data(), nullptr));
+        for (size_t i = 0; i < posed.size(); i += 3) points.push_back(glm::make_vec3(&posed[i]));
+    }
     return points;
 }
 
@@ -133,6 +140,10 @@ render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) 
         if (layer.magnitude_offset != 0.0f) renderer_.set_magnitude_offset(id, layer.magnitude_offset);
     }
     for (const SurfaceLayer& surface : panel.surfaces) renderer_.upload(surface.mesh, surface.look, surface.field);
+    for (const SkinLayer& layer : panel.skins) {
+        renderer_.set_pose(renderer_.upload(layer.skin, layer.look), FLG_SKINNING_DUAL_QUATERNION,
+                           layer.dual_quaternions);
+    }
     render::Scene scene = daylight();
     scene.ground = panel.ground;
     renderer_.set_scene(scene);

@@ -24,9 +24,17 @@ struct SurfaceLayer {
     std::span<const float> field{};
 };
 
+// A surface that follows joints, in a pose.
+struct SkinLayer {
+    FlgSkinView skin;
+    render::SurfaceLook look;
+    std::vector<float> dual_quaternions;  // 8 a joint
+};
+
 struct Panel {
     std::vector<Layer> layers;
     std::vector<SurfaceLayer> surfaces;
+    std::vector<SkinLayer> skins;
     glm::vec3 sight = {-0.45f, -0.22f, -1.0f};  // from the eye into the scene
     float margin = 1.10f;                       // the picture's size over that of what it is aimed at
     bool ground = true;
