@@ -34,7 +34,7 @@ constexpr Model kBird = {"bird", {-0.45f, -0.30f, -1.0f}, 0.50f, "wave", 0.45f, 
                 kPanda = {"panda", {-0.35f, -0.15f, -1.0f}, 0.70f, "loops", 0.40f, 0.22f, kGold},
                 kOctopus = {"octopus", {-0.2f, -0.35f, -1.0f}, 0.50f, "loops", 0.55f, 0.05f, kCream},
                 kDragon = {"dragon", {-0.5f, -0.25f, -1.0f}, 0.50f, "knit", 0.45f, 0.05f, kCream},
-                kHand = {"hand", {-0.35f, -0.12f, -1.0f}, 0.50f, "loops", 0.45f, 0.08f, kInk};
+                kHand = {"hand", {-0.35f, -0.12f, -1.0f}, 0.50f, "loops", 0.45f, 0.10f, kInk};
 
 render::CurveLook in_front(glm::vec3 color, float radius) {
     render::CurveLook look = tube(color, radius);
@@ -112,7 +112,7 @@ void show(const char* name, std::initializer_list<Model> models, Workshop& works
         poses.push_back(shelf.with_strokes(model, one));
     }
     panels.insert(panels.end(), poses.begin(), poses.end());
-    studio.take(name, panels, 3, kWidth, 580);
+    studio.take(name, panels, 3, kWidth, 540);
 }
 
 cli::ModelDrawing with_thresholds(cli::ModelDrawing drawing, const FlgBoneThresholds& thresholds) {
@@ -132,9 +132,9 @@ void refinement(Workshop& workshop, Studio& studio) {
     for (const FlgBoneThresholds& thresholds : kSettings) {
         DrawnModel& model = shelf.model(with_thresholds(drawing_of("bird"), thresholds));
         std::printf("a bird of %u joints\n", model.bones().joint_count);
-        panels.push_back(shelf.with_bones(model, {-0.55f, -0.5f, -1.0f}));
+        panels.push_back(shelf.with_bones(model, {-0.35f, -1.1f, -1.0f}));
     }
-    studio.take("skeleton_refinement", panels, 3, kWidth, 300);
+    studio.take("skeleton_refinement", panels, 3, kWidth, 330);
 }
 
 // Fig. 11: junctions where legs and tail meet the body, and one in their place.
