@@ -19,7 +19,7 @@ public:
     DrawnModel(const DrawnModel&) = delete;
     DrawnModel& operator=(const DrawnModel&) = delete;
 
-    // Takes the pose at this time of the test motion, seconds; 0 to begin with, which is not rest.
+    // Takes the pose at this time of the test motion, seconds; at rest to begin with.
     void pose(float time);
     void rest();
 
