@@ -14,6 +14,7 @@ class Field;
 class TracedCurves;
 class Tangle;
 class HeldStraightSkeleton;
+class HeldOutline;
 class HeldPart;
 class HeldPartMesh;
 class HeldModel;
@@ -33,6 +34,7 @@ struct FlgContextT {
           surface_curves(flg::HandleKind::surface_curves, salt, &memory),
           tangles(flg::HandleKind::tangle, salt, &memory),
           straight_skeletons(flg::HandleKind::straight_skeleton, salt, &memory),
+          outlines(flg::HandleKind::outline, salt, &memory),
           parts(flg::HandleKind::part, salt, &memory),
           part_meshes(flg::HandleKind::part_mesh, salt, &memory),
           models(flg::HandleKind::model, salt, &memory),
@@ -51,6 +53,7 @@ struct FlgContextT {
     flg::HandleTable<flg::TracedCurves> surface_curves;
     flg::HandleTable<flg::Tangle> tangles;
     flg::HandleTable<flg::HeldStraightSkeleton> straight_skeletons;
+    flg::HandleTable<flg::HeldOutline> outlines;
     flg::HandleTable<flg::HeldPart> parts;
     flg::HandleTable<flg::HeldPartMesh> part_meshes;
     flg::HandleTable<flg::HeldModel> models;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parts and models: made, shown, released.
 #include <cmath>
+#include <unordered_set>
 
 #include "api/context.h"
 #include "api/contour_inputs.h"
@@ -162,7 +163,9 @@ FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* ou
         check_range(read.tolerance >= 0 && read.tolerance <= 0.1, "desc.tolerance", read.tolerance, "0 to 0.1");
         check_range(read.collapse >= 0 && read.collapse <= 10, "desc.collapse", read.collapse, "0 to 10");
         Submission submission(self, read.job);
-        const auto out = make_object<HeldPart>(self, read_contour(read.contour, &self.memory), &self.memory);
+        const bool repair = read.repair != 0;
+        const auto out = make_object<HeldPart>(self, read_contour(read.contour, &self.memory, repair), &self.memory);
+        out->repair = repair;
         out->spacing = read.spacing;
         out->tolerance = read.tolerance;
         out->collapse = read.collapse;
@@ -227,8 +230,12 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
         out->thresholds = read.thresholds;
         out->shape_weight = read.shape_weight;
         read_mirror(read.mirror, *out);
+        std::pmr::unordered_set<std::pmr::string> names(&self.memory);
         for (uint32_t p = 0; p < read.part_count; ++p) {
             out->parts.push_back(read_part(self, read, p, submission));
+            if (!names.insert(out->parts.back().name).second)
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].name is \"%s\", as that of a part before", p,
+                              out->parts.back().name.c_str());
             if (!read.parts[p].mirrored) continue;
             const auto original = static_cast<uint32_t>(out->parts.size()) - 1;
             out->parts.push_back(read_part(self, read, p, submission));

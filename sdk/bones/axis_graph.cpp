@@ -10,6 +10,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t batch = 64;
+constexpr double sharpness = 2.5, tip_share = 0.75;
 
 }  // namespace
 
@@ -61,25 +62,39 @@ void AxisGraphKernel::add_arc(uint32_t arc) {
     sum_ += distance(nodes_[arcs_[arc].a].at, nodes_[arcs_[arc].b].at);
 }
 
+// Keeps the arc from a node to a point of the contour if that is the end of a sharp tip, without the very end.
+void AxisGraphKernel::add_tip(uint32_t tip, uint32_t inner) {
+    const uint32_t border = contour_.size();
+    if (inner < border) return;
+    const SkeletonNode& node = skeleton_.nodes[inner];
+    const Point2& end = skeleton_.nodes[tip].at;
+    if (distance(node.at, end) <= sharpness * node.time) return;
+    const auto self = static_cast<uint32_t>(nodes_.size()), arc = static_cast<uint32_t>(arcs_.size());
+    const double clearance = (1 - tip_share) * node.time;
+    nodes_.push_back({mix(node.at, end, tip_share), clearance, self, no_link, no_link, 0});
+    arcs_.push_back({inner - border, self, false});
+    queue_.push({node.time + clearance, arc});
+}
+
 void AxisGraphKernel::step() {
     const uint32_t border = contour_.size();
     switch (pass_) {
-        case Pass::arcs:
-            if (nodes_.size() + border < skeleton_.nodes.size()) {
-                const SkeletonNode& node = skeleton_.nodes[border + nodes_.size()];
-                const auto self = static_cast<uint32_t>(nodes_.size());
-                nodes_.push_back({node.at, node.time, self, no_link, no_link, 0});
-                return;
-            }
-            if (at_ == skeleton_.arcs.size()) return enter(Pass::tree);
-            {
-                const SkeletonArc& arc = skeleton_.arcs[at_++];
-                if (arc.a < border || arc.b < border) return;
-                const auto self = static_cast<uint32_t>(arcs_.size());
-                arcs_.push_back({arc.a - border, arc.b - border, false});
-                queue_.push({skeleton_.nodes[arc.a].time + skeleton_.nodes[arc.b].time, self});
-            }
+        case Pass::nodes: {
+            if (nodes_.size() + border == skeleton_.nodes.size()) return enter(Pass::arcs);
+            const SkeletonNode& node = skeleton_.nodes[border + nodes_.size()];
+            const auto self = static_cast<uint32_t>(nodes_.size());
+            nodes_.push_back({node.at, node.time, self, no_link, no_link, 0});
             return;
+        }
+        case Pass::arcs: {
+            if (at_ == skeleton_.arcs.size()) return enter(Pass::tree);
+            const SkeletonArc& arc = skeleton_.arcs[at_++];
+            if (arc.a < border || arc.b < border) return add_tip(std::min(arc.a, arc.b), std::max(arc.a, arc.b));
+            const auto self = static_cast<uint32_t>(arcs_.size());
+            arcs_.push_back({arc.a - border, arc.b - border, false});
+            queue_.push({skeleton_.nodes[arc.a].time + skeleton_.nodes[arc.b].time, self});
+            return;
+        }
         case Pass::tree: {  // the widest first: what would close a circle is its narrowest arc
             if (queue_.empty()) {
                 return enter(Pass::lengths);

@@ -11,7 +11,9 @@ std::pmr::vector<BoneSegment> bone_segments(const BoneTree& tree, std::span<cons
     for (const BoneJoint& joint : tree.joints) {
         if (joint.parent == no_joint) continue;
         const BoneJoint& parent = tree.joints[joint.parent];
-        segments.push_back({parent.at, joint.at, parent.radius, joint.radius, joint.parent, parent.part});
+        // A bone into another part lies in this one, however thin the other is.
+        const double radius = joint.part == parent.part ? joint.radius : parent.radius;
+        segments.push_back({parent.at, joint.at, parent.radius, radius, joint.parent, parent.part});
         has_bone[parent.part] = true;
     }
     for (uint32_t p = 0; p < part_joints.size(); ++p) {

@@ -27,9 +27,10 @@ ConnectionKernel::ConnectionKernel(BoneGraph& graph, uint32_t part, uint32_t twi
       inside_{std::numeric_limits<double>::infinity(), no_number, no_number, no_number, 0},
       near_(inside_),
       nearest_(inside_),
-      meets_(part, false, memory) {
-    enter(Pass::joints);
-}
+      meets_(part, false, memory),
+      low_(Vec3::Constant(std::numeric_limits<double>::infinity())),
+      high_(-low_),
+      near_numbers_(memory) {}
 
 void ConnectionKernel::enter(Pass pass) {
     pass_ = pass;
@@ -43,7 +44,53 @@ bool ConnectionKernel::run(uint32_t count) {
     return false;
 }
 
+void ConnectionKernel::widen(const Vec3& at, double radius) {
+    low_ = low_.cwiseMin(at - Vec3::Constant(nearness * radius));
+    high_ = high_.cwiseMax(at + Vec3::Constant(nearness * radius));
+}
+
+// A bone or joint without one whose ball or cone reaches the new part's box.
+void ConnectionKernel::list(uint32_t number) {
+    const auto reaches = [&](const BoneGraph::Joint& a, const BoneGraph::Joint& b) {
+        const double radius = nearness * std::max(a.radius, b.radius);
+        return ((a.at.cwiseMin(b.at) - high_).array() <= radius).all() &&
+               ((low_ - a.at.cwiseMax(b.at)).array() <= radius).all();
+    };
+    const auto& joints = graph_.joints();
+    const BoneGraph::Joint *a, *b;
+    if (number < first_bone_) {
+        const BoneGraph::Bone& bone = graph_.bones()[number];
+        if (bone.gone || bone.part == no_number || bone.part == twin_) return;
+        a = &joints[bone.joints[0]], b = &joints[bone.joints[1]];
+    } else {
+        a = b = &joints[number - first_bone_];
+        if (!graph_.is_there(number - first_bone_) || a->part == twin_) return;
+    }
+    if (reaches(*a, *b)) near_numbers_.push_back(number);
+}
+
 bool ConnectionKernel::step() {
+    const uint32_t all = first_bone_ + first_joint_;
+    switch (pass_) {
+        case Pass::box:
+            if (at_ < last_joint_ - first_joint_) {
+                const BoneGraph::Joint& joint = graph_.joints()[first_joint_ + at_++];
+                widen(joint.at, joint.radius);
+            } else if (at_ - (last_joint_ - first_joint_) < outline_.size()) {
+                widen(outline_[at_++ - (last_joint_ - first_joint_)], 0);
+            } else {
+                enter(Pass::list);
+            }
+            return false;
+        case Pass::list:
+            for (uint32_t k = 0; k < batch && at_ < all; ++k) list(at_++);
+            if (at_ == all) enter(Pass::joints);
+            return false;
+        default: return compare();
+    }
+}
+
+bool ConnectionKernel::compare() {
     const bool is_outline = pass_ == Pass::outline;
     if (point_ == (is_outline ? outline_.size() : last_joint_)) {
         if (pass_ == Pass::joints && inside_.child == no_number && near_.child == no_number) {
@@ -56,11 +103,12 @@ bool ConnectionKernel::step() {
         }
         return false;
     }
-    const uint32_t all = first_bone_ + first_joint_, end = std::min(at_ + batch, all);
+    const auto all = static_cast<uint32_t>(near_numbers_.size()), end = std::min(at_ + batch, all);
     // Ends and junctions of the new part; those of two bones are none.
     const bool counts = is_outline || graph_.joints()[point_].degree != 2;
     for (; counts && at_ < end; ++at_)
-        look(is_outline ? outline_[point_] : graph_.joints()[point_].at, is_outline ? no_number : point_, at_);
+        look(is_outline ? outline_[point_] : graph_.joints()[point_].at, is_outline ? no_number : point_,
+             near_numbers_[at_]);
     if (end == all || !counts) {
         ++point_;
         at_ = 0;
@@ -74,7 +122,6 @@ ConnectionKernel::Place ConnectionKernel::from(const Vec3& point, uint32_t child
     if (number < first_bone_) {
         const BoneGraph::Bone& bone = graph_.bones()[number];
         part = bone.part;
-        if (bone.gone || part == no_number || part == twin_) return place;
         const BoneGraph::Joint &a = graph_.joints()[bone.joints[0]], &b = graph_.joints()[bone.joints[1]];
         const Vec3 along = b.at - a.at;
         const double length2 = along.squaredNorm();
@@ -87,7 +134,6 @@ ConnectionKernel::Place ConnectionKernel::from(const Vec3& point, uint32_t child
     const uint32_t joint = number - first_bone_;
     const BoneGraph::Joint& j = graph_.joints()[joint];
     part = j.part;
-    if (!graph_.is_there(joint) || part == twin_) return place;
     for (uint32_t end = graph_.first_end(joint); end != no_number; end = graph_.next_end(end))
         if (graph_.bones()[BoneGraph::bone_of(end)].part != no_number) return place;
     place.joint = joint;
@@ -108,7 +154,7 @@ void ConnectionKernel::look(const Vec3& point, uint32_t child, uint32_t number) 
             if (place.distance <= radius && place.distance < near_.distance) near_ = place;
             return;
         case Pass::outline: meets_[part] = meets_[part] || place.distance <= radius; return;
-        case Pass::nearest:
+        default:
             if (meets_[part] && place.distance < nearest_.distance) nearest_ = place;
             return;
     }

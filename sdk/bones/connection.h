@@ -40,7 +40,7 @@ public:
     bool run(uint32_t count);
 
 private:
-    enum class Pass { joints, outline, nearest };
+    enum class Pass { box, list, joints, outline, nearest };
     struct Place {
         double distance;
         uint32_t child, bone, joint;  // nearest to a bone, or to a joint that has none
@@ -49,6 +49,9 @@ private:
 
     bool step();
     void enter(Pass pass);
+    void widen(const Vec3& at, double radius);
+    void list(uint32_t number);
+    bool compare();
     // The bone or joint without a bone that is number `number`, from a point; a place at infinity if it doesn't count.
     Place from(const Vec3& point, uint32_t child, uint32_t number, double& radius, uint32_t& part) const;
     void look(const Vec3& point, uint32_t child, uint32_t number);
@@ -60,10 +63,12 @@ private:
     std::span<const Vec3> outline_;
     PartLink& out_;
     Place inside_, near_, nearest_;
-    std::pmr::vector<bool> meets_;  // by part, that a point of the outline is in
-    Pass pass_ = Pass::joints;
+    std::pmr::vector<bool> meets_;             // by part, that a point of the outline is in
+    Vec3 low_, high_;                          // of what may be near the new part
+    std::pmr::vector<uint32_t> near_numbers_;  // bones, then joints, that are there
+    Pass pass_ = Pass::box;
     uint32_t point_ = 0;  // the joint or point of the outline that is held against the others
-    uint32_t at_ = 0;     // bones, then joints
+    uint32_t at_ = 0;
 };
 
 }  // namespace flg

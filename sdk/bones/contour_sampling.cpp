@@ -12,6 +12,7 @@ namespace {
 constexpr double most_points = 1 << 24;
 constexpr double fewest_points = 8;
 constexpr uint32_t batch = 16;
+constexpr double least_rest = 0.25;  // of the spacing, from the last point of a stretch to its end
 
 // From the stretch between a and b.
 double distance_to_stretch(const Point2& p, const Point2& a, const Point2& b) {
@@ -52,7 +53,7 @@ bool EvenContour::run(uint32_t count) {
             continue;
         }
         add_point();
-        if (made_ < wanted_) continue;
+        if (edge_ < contour_.offsets[ring_ + 1] - contour_.offsets[ring_]) continue;
         out_.offsets.push_back(out_.size());
         wanted_ = 0;
         if (++ring_ < contour_.ring_count()) length_ = RingLength(contour_, ring_);
@@ -60,19 +61,28 @@ bool EvenContour::run(uint32_t count) {
     return true;
 }
 
-// The ring's next point, or on to its next edge.
+// Whether the point that an edge begins at is one.
+bool EvenContour::is_corner(uint32_t edge) const {
+    const uint32_t first = contour_.offsets[ring_], size = contour_.offsets[ring_ + 1] - first;
+    const auto point = [&](uint32_t i) { return contour_.points[first + i % size]; };
+    return std::max(distance(point(edge + size - 1), point(edge)), distance(point(edge), point(edge + 1))) >= step_;
+}
+
+// The next point on the edge, or on to the next edge.
 void EvenContour::add_point() {
     const uint32_t first = contour_.offsets[ring_], size = contour_.offsets[ring_ + 1] - first;
     const Point2 &a = contour_.points[first + edge_], &b = contour_.points[first + (edge_ + 1) % size];
     const double length = distance(a, b), along = made_ * step_ - begin_;
-    if (along > length && edge_ + 1 < size) {
-        begin_ += length;
-        ++edge_;
+    const bool ends_stretch = edge_ + 1 == size || is_corner(edge_ + 1);
+    if (along <= length - (ends_stretch ? least_rest * step_ : 0)) {
+        out_.points.push_back(mix(a, b, std::clamp(along / length, 0.0, 1.0)));
+        out_.input_points.push_back(contour_.input_points[first + edge_]);
+        ++made_;
         return;
     }
-    out_.points.push_back(mix(a, b, std::clamp(along / length, 0.0, 1.0)));
-    out_.input_points.push_back(contour_.input_points[first + edge_]);
-    ++made_;
+    begin_ += length;
+    ++edge_;
+    if (edge_ < size && is_corner(edge_)) begin_ = 0, made_ = 0;
 }
 
 SimplifiedContour::SimplifiedContour(const Contour& contour, double tolerance, Contour& out, Memory* memory)

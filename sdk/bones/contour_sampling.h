@@ -26,8 +26,10 @@ private:
     double length_ = 0;
 };
 
-// All rings with points every `spacing` along them, from their first point on; the spacing of each is rounded so that a
-// whole number of at least 8 fits.
+// All rings with points every `spacing` along them; the spacing of each is rounded so that a whole number of at least 8
+// fits. Points that an edge as long as that begins or ends at are corners that somebody meant: they stay, and each
+// stretch between two of them begins anew. Lines drawn by hand have points much nearer to each other, and no such
+// corners.
 class EvenContour {
 public:
     // `out` has no points yet, and is complete when run() returns true. Throws if it would have more than 2^24 points.
@@ -39,6 +41,7 @@ public:
 private:
     void begin_points();
     void add_point();
+    bool is_corner(uint32_t edge) const;
 
     const Contour& contour_;
     double spacing_;
@@ -46,9 +49,10 @@ private:
     uint32_t ring_ = 0;
     RingLength length_;
     uint32_t edge_ = 0;  // of the ring
-    double begin_ = 0;   // how far along the ring the edge begins
+    double begin_ = 0;   // how far from the last corner the edge begins
     double step_ = 0;
-    uint32_t made_ = 0, wanted_ = 0;  // no points are wanted before the ring's length is known
+    uint32_t made_ = 0;    // since that corner
+    uint32_t wanted_ = 0;  // no points are wanted before the ring's length is known
 };
 
 // Of all rings the points that are needed to stay within `tolerance` of them (Douglas, Peucker 1973). A ring is halved

@@ -163,12 +163,16 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     find_roots(m, graph, first_joints, roots);
     BoneOrderKernel order(graph, roots, m.tree, number, memory);
     while (!order.run(chunk)) co_await pace;
-    for (const BoneJoint& joint : m.tree.joints) {
-        m.show_joint(joint);
+    m.part_joints.assign(m.parts.size(), no_number);
+    for (uint32_t j = 0; j < m.tree.joints.size(); ++j) {
+        uint32_t& topmost = m.part_joints[m.tree.joints[j].part];
+        topmost = std::min(topmost, j);
+        m.show_joint(m.tree.joints[j]);
         co_await pace;
     }
     for (uint32_t p = 0; p < m.parts.size(); ++p) {
-        m.part_joints.push_back(number[graph.heir(first_joints[p])]);
+        // Where a part's joints all became others', the one that its first became.
+        if (m.part_joints[p] == no_number) m.part_joints[p] = number[graph.heir(first_joints[p])];
         m.show_part(p);
         co_await pace;
     }

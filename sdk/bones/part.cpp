@@ -3,12 +3,15 @@
 
 #include "bones/axis_branches.h"
 #include "bones/contour_sampling.h"
+#include "bones/plane.h"
+#include "skeletons/contour_repair.h"
 #include "skeletons/straight_skeleton.h"
 
 namespace flg {
 namespace {
 
 constexpr uint32_t chunk = 32;  // about 10 us
+constexpr double longest = 3;   // lengths of parts, by the diagonal of their boxes
 
 // Hosts see all of it as plain numbers.
 static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(AxisNode) == 3 * sizeof(double));
@@ -38,7 +41,9 @@ Task<bool> make_skeleton(Pace& pace, const Contour& outline, StraightSkeleton& s
         try {
             is_done = kernel.run(chunk);
         } catch (const Failure& failure) {
-            if (is_last || failure.result() != FLG_ERROR_INVALID_ARGUMENT) throw;
+            const bool is_drawing =
+                failure.result() == FLG_ERROR_INVALID_ARGUMENT || failure.result() == FLG_ERROR_INTERNAL;
+            if (is_last || !is_drawing) throw;
             co_return false;
         }
         if (!is_done) co_await pace;
@@ -67,9 +72,21 @@ void HeldPart::show() noexcept {
 Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
     pace.stage("contour");
     HeldPart& p = *part;
+    if (p.repair) {
+        ContourRepair repaired(p.drawn, pace.memory());
+        while (!repaired.run(chunk)) co_await pace;
+        p.drawn = repaired.take_contour();
+    }
     RingLength length(p.drawn, 0);
     while (!length.run(64 * chunk)) co_await pace;
-    p.length = length.length();
+    Point2 low = p.drawn.points[0], high = low;
+    for (uint32_t i = 0; i < p.drawn.size(); ++i) {
+        const Point2& at = p.drawn.points[i];
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+        if (i % (64 * chunk) == 0) co_await pace;
+    }
+    p.length = std::min(length.length(), longest * distance(low, high));
     if (p.spacing > 0) {
         EvenContour kernel(p.drawn, p.spacing * p.length, p.even);
         while (!kernel.run(16 * chunk)) co_await pace;

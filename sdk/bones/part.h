@@ -21,12 +21,13 @@ public:
         : drawn(std::move(of_drawn)), even(memory), outline(memory), skeleton(memory) {}
 
     double spacing = 0, tolerance = 0;  // shares of the length
+    bool repair = false;                // the drawn contour is from gather_contour, and made simple first
     double collapse = 0;                // a share of the mean arc's length
     Contour drawn;                      // cleaned
     Contour even;                       // the same with points at equal distances, if that was asked for
     Contour outline;                    // what the axis was made of
     PartSkeleton skeleton;
-    double length = 0;  // of ring 0, drawn
+    double length = 0;  // of ring 0, drawn, but three times the diagonal of its box at most
 
     const Contour& line() const { return spacing > 0 ? even : drawn; }
     const FlgPartView& view() const { return view_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bones/part_body.h"
 
+#include <cmath>
+
 namespace flg {
 namespace {
 
@@ -8,13 +10,21 @@ static_assert(sizeof(TriangleVertices) == 3 * sizeof(uint32_t));
 
 constexpr uint32_t batch = 64;
 
-Task<void> copy_contour(Pace& pace, const Contour& from, Contour& to) {
+// By a power of two, so that nothing is rounded that was not before.
+void set_scale(const HeldPart& part, PartBody& out) {
+    out.origin = part.drawn.points[0];
+    out.scale = std::exp2(std::ceil(std::log2(part.length)));
+}
+
+Task<void> copy_contour(Pace& pace, const Contour& from, PartBody& out) {
+    Contour& to = out.inflated.contour;
     to = Contour(pace.memory());
     to.points.reserve(from.size());
     to.input_points.reserve(from.size());
     to.offsets.assign(from.offsets.begin(), from.offsets.end());
     for (uint32_t i = 0; i < from.size(); ++i) {
-        to.points.push_back(from.points[i]);
+        const Point2& at = from.points[i];
+        to.points.push_back({(at.x - out.origin.x) / out.scale, (at.y - out.origin.y) / out.scale});
         to.input_points.push_back(from.input_points[i]);
         if (i % batch == 0) co_await pace;
     }
@@ -35,27 +45,29 @@ void HeldPartMesh::show() noexcept {
              .triangles = surface.triangles.data()->data()};
 }
 
-Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, InflatedPart& out) {
+Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, PartBody& out) {
+    set_scale(part, out);
+    options.spacing /= out.scale;
     bool is_simple = true;
-    co_await copy_contour(pace, part.line(), out.contour);
+    co_await copy_contour(pace, part.line(), out);
     try {
-        co_await inflate_part(pace, options, out);
+        co_await inflate_part(pace, options, out.inflated);
     } catch (const Failure& failure) {
         if (failure.result() != FLG_ERROR_INVALID_ARGUMENT) throw;
         is_simple = false;
     }
     if (is_simple) co_return;
-    out = InflatedPart(pace.memory());
-    co_await copy_contour(pace, part.outline, out.contour);
-    co_await inflate_part(pace, options, out);
+    out.inflated = InflatedPart(pace.memory());
+    co_await copy_contour(pace, part.outline, out);
+    co_await inflate_part(pace, options, out.inflated);
 }
 
 Task<void> make_part_mesh(Pace& pace, std::shared_ptr<HeldPartMesh> mesh) {
-    InflatedPart body(pace.memory());
+    PartBody body(pace.memory());
     co_await inflate(pace, *mesh->part, mesh->options, body);
-    co_await make_part_surface(pace, body, mesh->surface);
+    co_await make_part_surface(pace, body.inflated, mesh->surface);
     for (size_t v = 0; v < mesh->surface.positions.size(); ++v) {
-        mesh->show_vertex(mesh->surface.positions[v]);
+        mesh->show_vertex(body.scale * mesh->surface.positions[v] + Vec3(body.origin.x, body.origin.y, 0));
         if (v % batch == 0) co_await pace;
     }
 }

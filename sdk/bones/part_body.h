@@ -26,9 +26,19 @@ private:
     FlgPartMeshView view_{};
 };
 
-// A part with its body. Where the even line crosses itself (which an outline never does) it is the outline's body.
+// A part with its body, moved and scaled so that coordinates are around 1, whatever they are in the drawing: (x, y)
+// there is (x, y) * scale + origin in the drawing.
+struct PartBody {
+    explicit PartBody(Memory* memory) : inflated(memory) {}
+
+    InflatedPart inflated;
+    Point2 origin{};
+    double scale = 1;
+};
+
+// Makes the body. Where the even line crosses itself (which an outline never does) it is the outline's body.
 // `out` outlives the task.
-Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, InflatedPart& out);
+Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, PartBody& out);
 
 // The whole of flgPartMeshCreate.
 Task<void> make_part_mesh(Pace& pace, std::shared_ptr<HeldPartMesh> mesh);

@@ -15,7 +15,7 @@ static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
 
 // Bodies of all parts, those that are there more than once only once.
-Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<InflatedPart>& bodies,
+Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<PartBody>& bodies,
                          std::pmr::vector<PlacedPart>& placed) {
     std::pmr::vector<const HeldPart*> done(pace.memory());
     for (const ModelPart& part : model.parts) {
@@ -26,9 +26,12 @@ Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<Inf
             co_await inflate(pace, *part.part, InflationOptions(), bodies.back());
         }
         PlacedPart out;
-        out.part = &bodies[body];
+        out.part = &bodies[body].inflated;
         out.thickness = part.thickness;
-        for (int i = 0; i < 12; ++i) out.placement[i] = part.placement(i / 4, i % 4);
+        Eigen::Matrix<double, 3, 4> placement = part.placement;
+        placement.col(3) = part.place(bodies[body].origin);
+        placement.leftCols<3>() *= bodies[body].scale;
+        for (int i = 0; i < 12; ++i) out.placement[i] = placement(i / 4, i % 4);
         placed.push_back(out);
     }
 }
@@ -61,7 +64,7 @@ void HeldSkin::show() noexcept {
 
 Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     const HeldModel& model = *skin->model;
-    std::pmr::deque<InflatedPart> bodies(pace.memory());
+    std::pmr::deque<PartBody> bodies(pace.memory());
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
     co_await merge_parts(pace, placed, skin->options, skin->mesh);

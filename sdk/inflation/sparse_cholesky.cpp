@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t batch = 32;  // rows a unit where little is done with each
 constexpr uint32_t no_parent = UINT32_MAX;
+constexpr double lost = 1e-12;  // of the diagonal: what rounding may leave of a pivot
 
 constexpr uint32_t entries_a_unit = 48;  // of a solution
 constexpr uint32_t work_a_unit = 128;    // products of a factorization, about
@@ -124,6 +125,9 @@ uint32_t SparseCholesky::begin_row() {
 // Takes the next one to four or eight columns out of the row; at their end writes the diagonal.
 uint32_t SparseCholesky::take_columns() {
     if (reach_at_ == size()) {
+        // Below the rounding of what was taken from it nothing is known of a pivot: a trace of the diagonal takes its place.
+        const double diagonal = matrix_.diagonal[order_[at_]];
+        if (std::abs(pivot_) <= lost * diagonal) pivot_ = lost * diagonal;
         if (!(pivot_ > 0))
             throw Failure(FLG_ERROR_INTERNAL, "cholesky: pivot %u of %u is %g, not above zero", at_, size(), pivot_);
         const size_t place = columns_[at_];

@@ -20,7 +20,8 @@ public:
     // `order`: the row of the matrix at each place (dissection_order.h). The matrix outlives the factorization, not the factor.
     SparseCholesky(const SymmetricMatrix& matrix, Buffer<uint32_t> order, Memory* memory);
 
-    // A unit is about 0.3 us. Throws if a pivot is not above zero: the matrix is not positive definite.
+    // A unit is about 0.3 us. Throws if a pivot is below zero by more than
+    // rounding: the matrix is not positive definite.
     bool run(uint32_t count);
 
     uint32_t size() const { return static_cast<uint32_t>(order_.size()); }

@@ -14,6 +14,7 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::surface_curves: return "set of surface curves";
         case HandleKind::tangle: return "tangle";
         case HandleKind::straight_skeleton: return "straight skeleton";
+        case HandleKind::outline: return "outline";
         case HandleKind::part: return "part";
         case HandleKind::part_mesh: return "mesh of a part";
         case HandleKind::model: return "model";

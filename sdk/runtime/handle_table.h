@@ -23,6 +23,7 @@ enum class HandleKind : uint8_t {
     surface_curves,
     tangle,
     straight_skeleton,
+    outline,
     part,
     part_mesh,
     model,

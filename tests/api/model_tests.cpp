@@ -103,6 +103,10 @@ TEST(Model, PartsBecomeOneTreeWithNames) {
         EXPECT_EQ(view.parts[3].twin, 2u);
         EXPECT_EQ(view.parts[3].source, 2u);
         EXPECT_EQ(view.parts[3].is_mirrored, 1u);
+        for (uint32_t p = 1; p < 4; ++p) {  // what swings a part is its own topmost joint
+            EXPECT_EQ(view.joint_parts[view.parts[p].joint], p);
+            EXPECT_NE(view.joint_parts[view.joint_parents[view.parts[p].joint]], p);
+        }
         EXPECT_EQ(view.joint_parents[0], FLG_NO_INDEX);
         std::vector<std::string> names;
         for (uint32_t j = 0; j < view.joint_count; ++j) {
@@ -294,6 +298,26 @@ TEST(Part, RefusesWhatIsNoContour) {
     refused({0, 0, 2, 0, 2, 2, 4, 2, 2, 2, 0, 2}, "");  // a spike
 }
 
+TEST(Part, RepairsWhatCrossesItselfOnRequest) {
+    const ModelHost host;
+    // Two triangles that touch at a crossing; the larger one is kept.
+    const std::vector<double> points = {0, 0, 6, 6, 6, 0, 0, 6, -2, 3};
+    FlgPartDesc desc = flgPartDefaults();
+    desc.contour.points = points.data();
+    desc.contour.point_count = 5;
+    FlgPart part{};
+    for (const uint32_t repair : {0u, 1u}) {
+        desc.repair = repair;
+        ASSERT_EQ(flgPartCreate(host.context, &desc, &part, nullptr), FLG_OK) << flgLastError();
+        host.finish();
+        FlgPartView view = flgPartViewDefaults();
+        ASSERT_EQ(flgPartGetView(host.context, part, &view), repair ? FLG_OK : FLG_ERROR_INVALID_ARGUMENT);
+        if (!repair) continue;
+        for (uint32_t i = 0; i < view.outline_count; ++i) EXPECT_LE(view.outline[2 * i], 3.001);
+        EXPECT_GE(view.node_count, 1u);
+    }
+}
+
 TEST(Part, RefusesNumbersOutOfTheirRange) {
     const ModelHost host;
     const std::vector<double> points = capsule(0, 0, 4, 0, 1);
@@ -338,6 +362,9 @@ TEST(Model, RefusesWhatItCantUse) {
     refused([](FlgModelDesc& d, FlgModelPart&) { d.thresholds.prune = -1; }, "desc.thresholds.prune is -1");
     refused([](FlgModelDesc& d, FlgModelPart&) { d.shape_weight = 1e9f; }, "desc.shape_weight");
     refused([](FlgModelDesc& d, FlgModelPart&) { d.mirror[0] = 0; }, "desc.mirror has a normal of no length");
+    FlgModelPart twice[2] = {placed(part, "leg"), placed(part, "leg")};
+    refused([&](FlgModelDesc& d, FlgModelPart&) { d.parts = twice, d.part_count = 2; },
+            "desc.parts[1].name is \"leg\", as that of a part before");
     const std::string name(64, 'x');
     refused([&](FlgModelDesc&, FlgModelPart& p) { p.name = name.c_str(); }, "desc.parts[0].name has 64 bytes");
     // Only the job can know how many branches a part has.

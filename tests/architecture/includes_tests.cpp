@@ -24,7 +24,7 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/surfaces", {"filigree", "core", "runtime", "curves"}},
     {"sdk/skeletons", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/inflation", {"filigree", "core", "runtime", "skeletons"}},
-    {"sdk/bones", {"filigree", "core", "runtime", "skeletons", "inflation"}},
+    {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api", {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "skeletons", "inflation", "bones", "tangles"}},
     {"sdk/io", {"filigree"}},

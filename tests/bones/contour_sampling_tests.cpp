@@ -53,7 +53,27 @@ TEST(EvenContour, HasPointsAtEqualDistancesOnTheLine) {
 }
 
 TEST(EvenContour, AFewPointsAreMadeAtLeast) {
-    EXPECT_EQ(even(contour_of({{{0, 0}, {1, 0}, {0, 1}}}), 100).size(), 8u);
+    EXPECT_EQ(even(contour_of(circle(40)), 100).size(), 8u);
+}
+
+TEST(EvenContour, CornersStay) {
+    // However the spacing falls, and wherever the ring begins.
+    const std::vector<Point2> leg = {{-0.2, -2}, {0.2, -2}, {0.25, 0}, {-0.25, 0}};
+    for (size_t shift = 0; shift < 4; ++shift) {
+        std::vector<Point2> ring = leg;
+        std::rotate(ring.begin(), ring.begin() + static_cast<ptrdiff_t>(shift), ring.end());
+        const Contour out = even(contour_of({ring}), 0.0237);
+        for (const Point2& corner : leg) EXPECT_EQ(std::count(out.points.begin(), out.points.end(), corner), 1);
+        for (uint32_t i = 0; i < out.size(); ++i) {
+            const double edge = distance(out.points[i], out.points[out.next(i)]);
+            EXPECT_LT(edge, 1.3 * 0.0237);
+            EXPECT_GT(edge, 0.2 * 0.0237);
+        }
+        // Its axis is upright, not a diagonal.
+        const PartSkeleton part = part_of(simplified(out, 0.008), 0.02);
+        for (const AxisNode& node : part.graph.nodes) EXPECT_NEAR(node.at.x, 0, 1e-9);
+        EXPECT_EQ(part.branches.size(), 1u);
+    }
 }
 
 TEST(EvenContour, RefusesMorePointsThanThereMayBe) {

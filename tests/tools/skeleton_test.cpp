@@ -66,6 +66,34 @@ TEST_F(SkeletonCommand, PlainContoursArePartsInOnePlane) {
     for (const Json& joint : json.at("joints")) EXPECT_EQ(joint.at("position")[2], 0.0);
 }
 
+TEST_F(SkeletonCommand, SketchesHaveADepth) {
+    folder.write("SketchPolyline0.txt", "4\n0 0 26\n9 0 26\n9 2 26\n0 0 26\n");
+    for (const Json& joint : bones({"SketchPolyline0.txt"}).at("joints")) EXPECT_EQ(joint.at("position")[2], 26.0);
+    folder.write("SketchPolyline1.txt", "4\n0 0 26\n9 0 27\n9 2 26\n0 0 26\n");
+    expect_refused({"skeleton", "SketchPolyline1.txt", "--bones", "out.json"}, 1, {"SketchPolyline1.txt:3", "plane"});
+}
+
+TEST_F(SkeletonCommand, MeshesArePartsByTheirSilhouettes) {
+    // A bar along x, closed.
+    folder.write("bar.obj",
+                 "v -5 -1 2\nv 5 -1 2\nv 5 1 2\nv -5 1 2\nv -5 -1 4\nv 5 -1 4\nv 5 1 4\nv -5 1 4\n"
+                 "f 5 6 7 8\nf 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const Json json = bones({"bar.obj", "--prune", "0.1"});
+    ASSERT_GE(json.at("joints").size(), 2u);
+    for (const Json& joint : json.at("joints")) {
+        EXPECT_NEAR(joint.at("position")[1].get<double>(), 0, 1e-5);
+        EXPECT_NEAR(joint.at("position")[2].get<double>(), 3, 1e-5);
+    }
+    for (const Json& joint : bones({"bar.obj", "--prune", "0.1", "--from", "1,0,0"}).at("joints"))
+        EXPECT_NEAR(joint.at("position")[0].get<double>(), 0, 1e-5);
+}
+
+TEST_F(SkeletonCommand, CrossingsAreRepairedOnRequest) {
+    folder.write("knot.poly.txt", "0 0\n6 6\n6 0\n0 6\n-2 3\n");
+    expect_refused({"skeleton", "knot.poly.txt", "--bones", "out.json"}, 1, {"cross at (3, 3)"});
+    EXPECT_GE(bones({"knot.poly.txt", "--repair"}).at("joints").size(), 1u);
+}
+
 TEST_F(SkeletonCommand, ThresholdsMakeItCoarser) {
     const size_t fine = bones({"animal.json", "--simplify", "0", "--merge", "0", "--prune", "0", "--collapse", "0"})
                             .at("joints")

@@ -115,6 +115,9 @@ ContourArrays read_contour_file(const std::string& path) {
         }
         if (numbers.size() != (announced > 0 ? 3u : 2u))
             fail(path, line, "'" + text + "' is no point: " + (announced > 0 ? "x y z" : "x y") + " are expected");
+        if (announced > 0 && !contour.points.empty() && numbers[2] != contour.depth)
+            fail(path, line, "'" + text + "' is not in the plane of the points before: z must be the same");
+        if (announced > 0) contour.depth = numbers[2];
         contour.points.insert(contour.points.end(), numbers.begin(), numbers.begin() + 2);
     }
     if (file.bad()) throw InputError(path + ": can't be read");

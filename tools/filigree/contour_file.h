@@ -14,6 +14,7 @@ namespace flg::cli {
 struct ContourArrays {
     std::vector<double> points;  // 2 a point
     std::vector<uint32_t> offsets = {0};
+    double depth = 0;  // z of a sketch, the same at all points
 };
 
 // Throws InputError, with the line, for what is none.

@@ -161,6 +161,7 @@ DrawnPart read_contour_part(const std::string& path) {
     DrawnPart part;
     part.name = std::filesystem::path(path).stem().stem().string();
     part.contour = read_contour_file(path);
+    part.placement[11] = part.contour.depth;
     set_usual_look(part.material);
     return part;
 }
@@ -175,6 +176,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
         desc.contour.point_count = static_cast<uint32_t>(drawn.contour.points.size() / 2);
         desc.contour.ring_offsets = drawn.contour.offsets.data();
         desc.contour.ring_count = static_cast<uint32_t>(drawn.contour.offsets.size()) - 1;
+        desc.repair = drawing.repair;
         FlgModelPart part = flgModelPartDefaults();
         FlgJob job = {};
         check(flgPartCreate(session.context(), &desc, &part.part, &job), name);

@@ -32,6 +32,7 @@ struct ModelDrawing {
     std::array<float, 4> mirror = {1, 0, 0, 0};
     FlgBoneThresholds thresholds = flgModelDefaults().thresholds;
     bool has_colors = false;
+    bool repair = false;  // contours that cross themselves
 };
 
 // Throws InputError, with file and place.

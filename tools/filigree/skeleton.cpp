@@ -4,7 +4,7 @@
 #include "extensions.h"
 #include "failure.h"
 #include "filigree/filigree_io.h"
-#include "model_drawing.h"
+#include "mesh_outline_part.h"
 #include "test_motion.h"
 #include "text_file.h"
 
@@ -18,15 +18,20 @@ struct Options {
     std::string output, bones;
     std::optional<float> simplify, merge, prune, collapse;
     uint32_t vertices = flgSkinDefaults().vertex_count;
+    bool repair = false;
+    std::array<float, 3> from = {0, 0, 1};
 };
 
-ModelDrawing read_drawing(const Options& options) {
+ModelDrawing read_drawing(const Options& options, Session& session, Report& report) {
     ModelDrawing drawing;
     if (options.contours.size() == 1 && options.contours[0].ends_with(".json")) {
         drawing = read_model_drawing(options.contours[0]);
     } else {
-        for (const std::string& path : options.contours) drawing.parts.push_back(read_contour_part(path));
+        for (const std::string& path : options.contours)
+            drawing.parts.push_back(is_mesh_file(path) ? read_mesh_part(session, path, options.from, report)
+                                                       : read_contour_part(path));
     }
+    drawing.repair = options.repair;
     const auto set = [&](FlgBoneThresholds& thresholds) {
         thresholds.simplify = options.simplify.value_or(thresholds.simplify);
         thresholds.merge = options.merge.value_or(thresholds.merge);
@@ -102,8 +107,8 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
     require_writable(options.bones);
     require_writable(common.report);
     Report report("skeleton", common);
-    const ModelDrawing drawing = read_drawing(options);
     Session session(common);
+    const ModelDrawing drawing = read_drawing(options, session, report);
     const FlgModel model = make_drawn_model(session, drawing, options.contours[0], report);
     FlgModelView view = flgModelViewDefaults();
     check(flgModelGetView(session.context(), model, &view), options.contours[0]);
@@ -121,13 +126,19 @@ Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     CLI::App* command = program.add_subcommand("skeleton", "From drawn contours to a model with bones");
     command
         ->add_option("contours", options->contours,
-                     "Contours, a part each in the order they were drawn, or a drawing (.json)")
+                     "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
+                     "meshes, taken by their silhouettes; or one drawing (.json)")
         ->required();
     command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
         ->type_name("MODEL.glb");
     command->add_option("--vertices", options->vertices, "Of the surface, about, if no part is too thin")
         ->check(CLI::Range(100u, 200000u))
         ->capture_default_str();
+    command->add_flag("--repair", options->repair, "Contours may cross themselves: the largest piece within is taken");
+    command
+        ->add_option("--from", options->from, "From where meshes are looked at, for their silhouettes; default 0,0,1")
+        ->delimiter(',')
+        ->type_name("X,Y,Z");
     command->add_option("--bones", options->bones, "The joints, and how parts hang together")->type_name("BONES.json");
     const auto threshold = [&](const char* name, std::optional<float>& value, const char* text) {
         command->add_option(name, value, text)->check(CLI::Range(0.0f, 10.0f));

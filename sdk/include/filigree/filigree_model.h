@@ -22,17 +22,54 @@
 extern "C" {
 #endif
 
+FLG_HANDLE(FlgOutline);
 FLG_HANDLE(FlgPart);
 FLG_HANDLE(FlgPartMesh);
 FLG_HANDLE(FlgModel);
 FLG_HANDLE(FlgSkin);
 
-/* ---- Parts ----------------------------------------------------------------------------------------------------- */
+/* ---- Outlines of what nobody drew ------------------------------------------------------------------------------ */
 
-/* Shares are of the length of the contour's ring 0, as it is drawn. */
-typedef struct FlgPartDesc {
+typedef struct FlgOutlineDesc {
+    uint32_t struct_size;
+    uint32_t region_count;
+    FlgJobOptions job;
+    FlgSurface surface;
+    const uint32_t* regions; /* labels of the surface; null: all of it. Copied */
+    float direction[3];      /* to where it is looked at from, of any length; 0 0 0: to where its triangles look on the average,
+                                which suits flat regions. Default 0 0 0 */
+    uint32_t reserved;
+} FlgOutlineDesc;
+
+FLG_API FlgResult flgOutlineDescInit(FlgOutlineDesc* desc, uint32_t struct_size);
+
+/* Starts a job that finds what a surface, or regions of it, covers when it is looked at from afar: its silhouette, or the border
+ * of a flat region; of several pieces the largest, with its holes. Fails if there are no such triangles or nothing is seen, and
+ * without a direction if all sides are alike, as those of a closed surface. Cost: 40 ns a triangle and 3 us a side of the borders. */
+FLG_API FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* desc, FlgOutline* out_outline, FlgJob* out_job);
+
+/* Ready to be a part: `contour` for FlgPartDesc, `placement` for FlgModelPart. */
+typedef struct FlgOutlineView {
     uint32_t struct_size;
     uint32_t reserved;
+    FlgContourView contour; /* metres, in the plane through the middle of the triangles; y is up as far as it can be */
+    double placement[12];   /* takes it back to where the surface is */
+} FlgOutlineView;
+
+FLG_API FlgResult flgOutlineViewInit(FlgOutlineView* view, uint32_t struct_size);
+
+/* The arrays live until the outline is released. FLG_NOT_READY before its job is published, its error if it failed. */
+FLG_API FlgResult flgOutlineGetView(FlgContext context, FlgOutline outline, FlgOutlineView* out_view);
+
+FLG_API FlgResult flgOutlineRelease(FlgContext context, FlgOutline outline);
+
+/* ---- Parts ----------------------------------------------------------------------------------------------------- */
+
+/* Shares are of the part's length: that of the contour's ring 0 as it is drawn, but three times the diagonal of its box at most
+ * (a frayed line is not a larger drawing). */
+typedef struct FlgPartDesc {
+    uint32_t struct_size;
+    uint32_t repair;  /* nonzero: the contour may cross and touch itself, as FlgStraightSkeletonDesc has it. Default 0 */
     FlgJobOptions job;
     FlgContourView contour;
     double spacing;   /* the drawn line gets points so far apart, a share: 0.0005 to 0.1, default 0.005; 0: as drawn */
@@ -45,7 +82,8 @@ FLG_API FlgResult flgPartDescInit(FlgPartDesc* desc, uint32_t struct_size);
 /* Starts a job that finds the axis of a contour, sec. 3.1 of the paper: points at equal distances, those of them that matter (the
  * outline), its straight skeleton without what ends on the outline and without short arcs, its branches as smooth curves, and
  * slices across them. Where the outline would cross itself the tolerance is made smaller, down to the line as it is drawn.
- * What is wrong with a contour is said as by flgStraightSkeletonCreate. Around a hole the axis goes on one side only: bones can't
+ * What is wrong with a contour is said as by flgStraightSkeletonCreate; crossings much smaller than the spacing may be
+ * smoothed away. Around a hole the axis goes on one side only: bones can't
  * go in circles. Cost: 0.1 to 0.3 ms for a drawn contour. */
 FLG_API FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* out_part, FlgJob* out_job);
 
@@ -69,7 +107,7 @@ typedef struct FlgPartView {
     const uint32_t* branches;       /* 4 a branch: nodes where it begins and ends; its first sample, and one beyond its last */
     uint32_t sample_count;
     uint32_t branch_count;          /* 0 if the axis is one node */
-    double length;                  /* of ring 0 as it was drawn */
+    double length;                  /* what shares are of */
 } FlgPartView;
 
 FLG_API FlgResult flgPartViewInit(FlgPartView* view, uint32_t struct_size);
@@ -114,7 +152,7 @@ FLG_API FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh);
 
 /* ---- Models ---------------------------------------------------------------------------------------------------- */
 
-/* How fine the bones are. Shares are of the model's size, the length of the longest ring 0 of its parts as placed; the defaults are
+/* How fine the bones are. Shares are of the model's size, the largest length of its parts as placed; the defaults are
  * the paper's pixels where that is 2,000 pixels. 0 to 10 each. */
 typedef struct FlgBoneThresholds {
     float simplify; /* joints along a branch keep axis and shape to within this; default 0.0025 */
@@ -125,10 +163,11 @@ typedef struct FlgBoneThresholds {
 
 typedef struct FlgModelPart {
     FlgPart part;       /* may be used more than once, and be in the making */
-    const char* name;   /* UTF-8, 1 to 63 bytes; null: "part" and its number */
+    const char* name;   /* UTF-8, 1 to 63 bytes, each part another; null: "part" and its number */
     double placement[12]; /* rows of a 3 x 4 matrix that takes (x, y, 0, 1) to the model's space: rotation, one scale, translation,
                              mirrored or not. Default: as drawn */
     float thickness;    /* how deep the part is against the paper's inflation: 0.01 to 100, default 1; a disc becomes a ball */
+    /* Parts that overlap become one piece, whose weights blend: keep legs that should move apart, apart. */
     uint32_t mirrored;  /* nonzero: the part is there a second time, mirrored at desc.mirror; names end with .L and .R, .L
                            for the one on the side of the plane's normal. Default 0 */
     const FlgBoneThresholds* thresholds; /* null: the model's */
@@ -145,7 +184,9 @@ typedef struct FlgModelDesc {
     FlgBoneThresholds thresholds;
     float shape_weight;        /* how much the shape counts in `simplify`, alpha_s of Eq. 1 (the paper gives
                                   no number): 0 to 100, default 0.25 */
-    float mirror[4];           /* a plane a x + b y + c z = d, its normal of any length above 0; default 1 0 0 0 */
+    /* A plane a x + b y + c z = d, its normal of any length above 0, pointing to the model's left (of one that looks along +x, y up:
+     0 0 -1). A part across it is doubled where it is. Default 1 0 0 0 */
+    float mirror[4];
     uint32_t reserved;
 } FlgModelDesc;
 
@@ -167,7 +208,7 @@ typedef enum FlgPartEvent {
 typedef struct FlgModelPartInfo {
     FlgPartEvent event;    /* how it was connected, before bones were refined */
     uint32_t parent;       /* the part it hangs on; FLG_NO_INDEX: none */
-    uint32_t joint;        /* one that moves it */
+    uint32_t joint;        /* its own nearest to the root, which swings it; if it has none left, the one that moves it */
     uint32_t source;       /* which of the host's parts it is */
     uint32_t twin;         /* the part that is its mirror image; FLG_NO_INDEX: none */
     uint32_t is_mirrored;  /* 1: it is the image, not what was drawn */
@@ -304,6 +345,18 @@ static inline FlgSkinAnimation flgSkinAnimationDefaults(void) {
 }
 
 /* ---- Defaults by value, parts and models --------------------------------------------------------------------------- */
+
+static inline FlgOutlineDesc flgOutlineDefaults(void) {
+    FlgOutlineDesc desc;
+    flgOutlineDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgOutlineView flgOutlineViewDefaults(void) {
+    FlgOutlineView view;
+    flgOutlineViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
 
 static inline FlgPartDesc flgPartDefaults(void) {
     FlgPartDesc desc;
