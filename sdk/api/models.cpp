@@ -119,7 +119,7 @@ ModelPart read_part(Context& context, const FlgModelDesc& desc, uint32_t number,
 
 void read_mirror(const float (&mirror)[4], HeldModel& model) {
     for (int i = 0; i < 4; ++i) {
-        char name[24];
+        char name[32];
         std::snprintf(name, sizeof name, "desc.mirror[%d]", i);
         check_range(is_coordinate(mirror[i]), name, mirror[i], "finite and at most 1e30 in size");
     }

@@ -203,8 +203,12 @@ TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
 TEST(SurfaceOrder, NothingOvertakesACutBecauseAnotherOneEndedEarly) {
     for (uint32_t workers : {0u, 2u}) {
         for (bool cancelled : {true, false}) {
-            const SurfaceHost host(workers);
-            const FlgSurface surface = host.surface(plane(12));
+            // However long the host is kept from going on, workers can't be done before it has cancelled.
+            FlgContextDesc context_desc = flgContextDefaults();
+            context_desc.worker_count = workers;
+            context_desc.worker_budget_us = 100;
+            const SurfaceHost host(context_desc);
+            const FlgSurface surface = host.surface(plane(40));
             const Cut first = start_cut(host, host.start_distances(surface, 0));
             FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
             desc.field = first.field;
