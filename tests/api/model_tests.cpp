@@ -23,21 +23,9 @@ std::vector<double> capsule(double ax, double ay, double bx, double by, double r
     return points;
 }
 
-struct ModelHost {
-    explicit ModelHost(HostAllocator* allocator = nullptr, uint32_t workers = 0) {
-        FlgContextDesc desc = flgContextDefaults();
-        desc.worker_count = workers;
-        if (allocator) desc.allocator = allocator->hook();
-        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
-    }
-    ~ModelHost() { flgContextDestroy(context); }
-    void finish() const {
-        FlgFrameReport report{};
-        report.struct_size = sizeof report;
-        do {
-            ASSERT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
-        } while (report.jobs_pending > 0);
-    }
+struct ModelHost : Host {
+    using Host::Host;
+
     FlgPart part(const std::vector<double>& contour) const {
         FlgPartDesc desc = flgPartDefaults();
         desc.contour.points = contour.data();
@@ -60,7 +48,6 @@ struct ModelHost {
         EXPECT_EQ(flgModelGetView(context, model, &view), FLG_OK) << flgLastError();
         return view;
     }
-    FlgContext context = nullptr;
 };
 
 FlgModelPart placed(FlgPart part, const char* name, double x = 0, double y = 0, double z = 0) {
@@ -88,41 +75,37 @@ const auto mirror_z = [](FlgModelDesc& desc) {
 };
 
 TEST(Model, PartsBecomeOneTreeWithNames) {
-    HostAllocator allocator;
-    {
-        const ModelHost host(&allocator);
-        const FlgModelView view = host.model(animal(host), mirror_z);
-        ASSERT_EQ(view.part_count, 4u);
-        EXPECT_EQ(view.parts[0].event, FLG_PART_ROOT);
-        EXPECT_EQ(view.parts[0].parent, FLG_NO_INDEX);
-        for (uint32_t p = 1; p < 4; ++p) {
-            EXPECT_NE(view.parts[p].event, FLG_PART_ROOT) << p;
-            EXPECT_EQ(view.parts[p].parent, 0u) << p;
-        }
-        EXPECT_EQ(view.parts[2].twin, 3u);
-        EXPECT_EQ(view.parts[3].twin, 2u);
-        EXPECT_EQ(view.parts[3].source, 2u);
-        EXPECT_EQ(view.parts[3].is_mirrored, 1u);
-        for (uint32_t p = 1; p < 4; ++p) {  // what swings a part is its own topmost joint
-            EXPECT_EQ(view.joint_parts[view.parts[p].joint], p);
-            EXPECT_NE(view.joint_parts[view.joint_parents[view.parts[p].joint]], p);
-        }
-        EXPECT_EQ(view.joint_parents[0], FLG_NO_INDEX);
-        std::vector<std::string> names;
-        for (uint32_t j = 0; j < view.joint_count; ++j) {
-            if (j > 0) {
-                EXPECT_LT(view.joint_parents[j], j);
-            }
-            EXPECT_GT(view.joint_radii[j], 0);
-            names.emplace_back(view.joint_names[j]);
-        }
-        for (const char* name : {"body_0", "head_0", "leg_0.L", "leg_0.R"})
-            EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
-        std::sort(names.begin(), names.end());
-        EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
-        EXPECT_NEAR(view.size, 16 + 3 * M_PI, 0.1);
+    const ModelHost host;
+    const FlgModelView view = host.model(animal(host), mirror_z);
+    ASSERT_EQ(view.part_count, 4u);
+    EXPECT_EQ(view.parts[0].event, FLG_PART_ROOT);
+    EXPECT_EQ(view.parts[0].parent, FLG_NO_INDEX);
+    for (uint32_t p = 1; p < 4; ++p) {
+        EXPECT_NE(view.parts[p].event, FLG_PART_ROOT) << p;
+        EXPECT_EQ(view.parts[p].parent, 0u) << p;
     }
-    EXPECT_EQ(allocator.live_bytes.load(), 0);
+    EXPECT_EQ(view.parts[2].twin, 3u);
+    EXPECT_EQ(view.parts[3].twin, 2u);
+    EXPECT_EQ(view.parts[3].source, 2u);
+    EXPECT_EQ(view.parts[3].is_mirrored, 1u);
+    for (uint32_t p = 1; p < 4; ++p) {  // what swings a part is its own topmost joint
+        EXPECT_EQ(view.joint_parts[view.parts[p].joint], p);
+        EXPECT_NE(view.joint_parts[view.joint_parents[view.parts[p].joint]], p);
+    }
+    EXPECT_EQ(view.joint_parents[0], FLG_NO_INDEX);
+    std::vector<std::string> names;
+    for (uint32_t j = 0; j < view.joint_count; ++j) {
+        if (j > 0) {
+            EXPECT_LT(view.joint_parents[j], j);
+        }
+        EXPECT_GT(view.joint_radii[j], 0);
+        names.emplace_back(view.joint_names[j]);
+    }
+    for (const char* name : {"body_0", "head_0", "leg_0.L", "leg_0.R"})
+        EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
+    EXPECT_NEAR(view.size, 16 + 3 * M_PI, 0.1);
 }
 
 TEST(Model, MirrorImagesAreMirrored) {
@@ -199,7 +182,7 @@ TEST(Model, ANewContourShowsItsBonesInTheSameFrame) {
 TEST(Model, IsTheSameUnderWorkers) {
     std::vector<float> expected;
     for (const uint32_t workers : {0u, 1u, 3u}) {
-        const ModelHost host(nullptr, workers);
+        const ModelHost host(workers);
         const FlgModelView view = host.model(animal(host), mirror_z);
         const std::vector<float> positions(view.joint_positions, view.joint_positions + 3 * view.joint_count);
         if (workers == 0) expected = positions;

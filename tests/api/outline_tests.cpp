@@ -59,13 +59,9 @@ double area(const FlgContourView& contour, uint32_t ring) {
     return sum;
 }
 
-struct OutlineHost {
-    OutlineHost() {
-        FlgContextDesc desc = flgContextDefaults();
-        desc.worker_count = 0;
-        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
-    }
-    ~OutlineHost() { flgContextDestroy(context); }
+struct OutlineHost : Host {
+    using Host::Host;
+
     FlgSurface surface(const Triangles& mesh) const {
         FlgSurfaceDesc desc = flgSurfaceDefaults();
         FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, mesh.positions.data(), 0, 0};
@@ -87,7 +83,6 @@ struct OutlineHost {
         EXPECT_EQ(flgTick(context, 0, nullptr), FLG_OK);
         return flgOutlineGetView(context, out, &view);
     }
-    FlgContext context = nullptr;
 };
 
 TEST(Outline, OfATorusIsARing) {

@@ -22,64 +22,42 @@ FlgStraightSkeletonDesc frame_desc() {
     return desc;
 }
 
-struct SkeletonHost {
-    explicit SkeletonHost(HostAllocator* allocator = nullptr, uint32_t workers = 0) {
-        FlgContextDesc desc = flgContextDefaults();
-        desc.worker_count = workers;
-        if (allocator) desc.allocator = allocator->hook();
-        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
-    }
-    ~SkeletonHost() { flgContextDestroy(context); }
-    void finish() const {
-        FlgFrameReport report{};
-        report.struct_size = sizeof report;
-        do {
-            ASSERT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
-        } while (report.jobs_pending > 0);
-    }
-    FlgContext context = nullptr;
-};
-
 TEST(SkeletonApi, AFrameHasARidgeAround) {
-    HostAllocator allocator;
-    {
-        const SkeletonHost host(&allocator);
-        const FlgStraightSkeletonDesc desc = frame_desc();
-        FlgStraightSkeleton skeleton{};
-        FlgJob job{};
-        ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, &job), FLG_OK) << flgLastError();
-        FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
-        EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_NOT_READY);
-        host.finish();
-        ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
-        EXPECT_EQ(view.contour_count, 8u);
-        ASSERT_EQ(view.node_count, 12u);
-        ASSERT_EQ(view.arc_count, 12u);
-        for (uint32_t i = 8; i < 12; ++i) EXPECT_NEAR(view.nodes[3 * i + 2], 0.5, 1e-14);
-        // The hole was turned.
-        const uint32_t input[] = {0, 1, 2, 3, 7, 6, 5, 4};
-        for (uint32_t i = 0; i < 8; ++i) {
-            EXPECT_EQ(view.input_points[i], input[i]);
-            EXPECT_EQ(view.nodes[3 * i], frame[2 * input[i]]);
-            EXPECT_EQ(view.nodes[3 * i + 1], frame[2 * input[i] + 1]);
-            EXPECT_EQ(view.face_nodes[view.face_offsets[i]], i);
-        }
-        for (uint32_t i = 0; i < 12; ++i) {
-            const uint32_t* arc = view.arcs + 4 * i;
-            EXPECT_LE(view.nodes[3 * arc[0] + 2], view.nodes[3 * arc[1] + 2]);
-            EXPECT_LT(std::max(arc[2], arc[3]), 8u);
-        }
-        EXPECT_EQ(view.perturbation, 0);
-        EXPECT_LT(view.residual, 1e-14);
-        EXPECT_EQ(flgStraightSkeletonRelease(host.context, skeleton), FLG_OK);
-        EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_HANDLE);
-        EXPECT_EQ(flgStraightSkeletonRelease(host.context, skeleton), FLG_ERROR_INVALID_HANDLE);
+    const Host host;
+    const FlgStraightSkeletonDesc desc = frame_desc();
+    FlgStraightSkeleton skeleton{};
+    FlgJob job{};
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, &job), FLG_OK) << flgLastError();
+    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+    EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_NOT_READY);
+    host.finish();
+    ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+    EXPECT_EQ(view.contour_count, 8u);
+    ASSERT_EQ(view.node_count, 12u);
+    ASSERT_EQ(view.arc_count, 12u);
+    for (uint32_t i = 8; i < 12; ++i) EXPECT_NEAR(view.nodes[3 * i + 2], 0.5, 1e-14);
+    // The hole was turned.
+    const uint32_t input[] = {0, 1, 2, 3, 7, 6, 5, 4};
+    for (uint32_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(view.input_points[i], input[i]);
+        EXPECT_EQ(view.nodes[3 * i], frame[2 * input[i]]);
+        EXPECT_EQ(view.nodes[3 * i + 1], frame[2 * input[i] + 1]);
+        EXPECT_EQ(view.face_nodes[view.face_offsets[i]], i);
     }
-    EXPECT_EQ(allocator.live_bytes, 0);
+    for (uint32_t i = 0; i < 12; ++i) {
+        const uint32_t* arc = view.arcs + 4 * i;
+        EXPECT_LE(view.nodes[3 * arc[0] + 2], view.nodes[3 * arc[1] + 2]);
+        EXPECT_LT(std::max(arc[2], arc[3]), 8u);
+    }
+    EXPECT_EQ(view.perturbation, 0);
+    EXPECT_LT(view.residual, 1e-14);
+    EXPECT_EQ(flgStraightSkeletonRelease(host.context, skeleton), FLG_OK);
+    EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_HANDLE);
+    EXPECT_EQ(flgStraightSkeletonRelease(host.context, skeleton), FLG_ERROR_INVALID_HANDLE);
 }
 
 TEST(SkeletonApi, BadDescriptorsAreRefused) {
-    const SkeletonHost host;
+    const Host host;
     const auto refusal = [&](const std::function<void(FlgStraightSkeletonDesc&)>& change) {
         FlgStraightSkeletonDesc desc = frame_desc();
         change(desc);
@@ -112,7 +90,7 @@ TEST(SkeletonApi, BadDescriptorsAreRefused) {
 
 // Found by the job: the skeleton has its sentence.
 TEST(SkeletonApi, CrossingsFailTheJob) {
-    const SkeletonHost host;
+    const Host host;
     static constexpr double bow[] = {0, 0, 2, 2, 2, 0, 0, 2};
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
     desc.contour.points = bow;
@@ -127,7 +105,7 @@ TEST(SkeletonApi, CrossingsFailTheJob) {
 }
 
 TEST(SkeletonApi, OffsetPolygonsAreCountedAndWritten) {
-    const SkeletonHost host;
+    const Host host;
     const FlgStraightSkeletonDesc desc = frame_desc();
     FlgStraightSkeleton skeleton{};
     ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
@@ -167,7 +145,7 @@ TEST(SkeletonApi, OffsetPolygonsAreCountedAndWritten) {
 
 // A hundred thousand points, also crossing once.
 TEST(SkeletonApi, ManyPoints) {
-    const SkeletonHost host;
+    const Host host;
     constexpr uint32_t n = 100'000;
     std::vector<double> points;
     for (uint32_t i = 0; i < n; ++i) {
@@ -193,7 +171,7 @@ TEST(SkeletonApi, ManyPoints) {
 }
 
 TEST(SkeletonApi, SizesFromTinyToHuge) {
-    const SkeletonHost host;
+    const Host host;
     for (const double size : {1e-140, 1e-12, 1.0, 1e12, 1e140}) {
         double points[16];
         for (size_t i = 0; i < 16; ++i) points[i] = size * frame[i];
@@ -210,7 +188,7 @@ TEST(SkeletonApi, SizesFromTinyToHuge) {
 }
 
 TEST(SkeletonApi, WhatIsWrongIsSaid) {
-    const SkeletonHost host;
+    const Host host;
     const auto sentence = [&](std::vector<double> points, std::vector<uint32_t> rings) {
         FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
         desc.contour.points = points.data();
@@ -239,7 +217,7 @@ TEST(SkeletonApi, WhatIsWrongIsSaid) {
 
 // The larger lobe of a figure of eight.
 TEST(SkeletonApi, CrossingsAreRepairedIfAskedFor) {
-    const SkeletonHost host;
+    const Host host;
     static constexpr double eight[] = {0, 0, 4, 4, 4, 0, 0, 2}, line[] = {0, 0, 1, 1, 2, 2};
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
     EXPECT_EQ(desc.repair, 0u);
@@ -269,9 +247,9 @@ TEST(SkeletonApi, CrossingsAreRepairedIfAskedFor) {
 
 // Each allocation fails once: nothing is lost, and the next try is good.
 TEST(SkeletonApi, MemoryMayRunOut) {
-    HostAllocator allocator;
     for (const uint32_t repair : {0u, 1u}) {
-        const SkeletonHost host(&allocator);
+        Host host;
+        HostAllocator& allocator = host.allocator;
         FlgStraightSkeletonDesc desc = frame_desc();
         desc.repair = repair;
         bool is_done = false;
@@ -298,7 +276,6 @@ TEST(SkeletonApi, MemoryMayRunOut) {
         }
         EXPECT_GT(failures, 10);
     }
-    EXPECT_EQ(allocator.live_bytes, 0);
 }
 
 }  // namespace

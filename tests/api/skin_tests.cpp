@@ -20,21 +20,9 @@ std::vector<double> ellipse(double x, double y, double rx, double ry, uint32_t n
     return points;
 }
 
-struct SkinHost {
-    explicit SkinHost(HostAllocator* allocator = nullptr, uint32_t workers = 0) {
-        FlgContextDesc desc = flgContextDefaults();
-        desc.worker_count = workers;
-        if (allocator) desc.allocator = allocator->hook();
-        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
-    }
-    ~SkinHost() { flgContextDestroy(context); }
-    void finish() const {
-        FlgFrameReport report{};
-        report.struct_size = sizeof report;
-        do {
-            ASSERT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
-        } while (report.jobs_pending > 0);
-    }
+struct SkinHost : Host {
+    using Host::Host;
+
     FlgPart part(const std::vector<double>& contour) const {
         FlgPartDesc desc = flgPartDefaults();
         desc.contour.points = contour.data();
@@ -70,7 +58,6 @@ struct SkinHost {
         EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_OK) << flgLastError();
         return view;
     }
-    FlgContext context = nullptr;
 };
 
 // Each side belongs to two triangles that go along it in opposite directions.
@@ -104,46 +91,42 @@ TEST(PartMesh, OfADiscIsABall) {
 }
 
 TEST(Skin, IsOneClosedSurfaceBoundToItsJoints) {
-    HostAllocator allocator;
-    {
-        const SkinHost host(&allocator);
-        const FlgSkinView view = host.skin(3000);
-        EXPECT_NEAR(view.vertex_count, 3000, 450);
-        expect_closed(view.triangles, view.triangle_count);
-        for (uint32_t v = 0; v < view.vertex_count; ++v) {
-            float sum = 0;
-            for (uint32_t k = 0; k < 4; ++k) {
-                const float weight = view.vertex_weights[4 * v + k];
-                ASSERT_GE(weight, 0);
-                ASSERT_LE(weight, 1.0001f);
-                ASSERT_LT(view.vertex_joints[4 * v + k], view.joint_count);
-                sum += weight;
-            }
-            ASSERT_NEAR(sum, 1, 1e-4);
-            ASSERT_LT(view.vertex_parts[v], 3u);
-            const float* n = view.normals + 3 * v;
-            ASSERT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-4);
+    const SkinHost host;
+    const FlgSkinView view = host.skin(3000);
+    EXPECT_NEAR(view.vertex_count, 3000, 450);
+    expect_closed(view.triangles, view.triangle_count);
+    for (uint32_t v = 0; v < view.vertex_count; ++v) {
+        float sum = 0;
+        for (uint32_t k = 0; k < 4; ++k) {
+            const float weight = view.vertex_weights[4 * v + k];
+            ASSERT_GE(weight, 0);
+            ASSERT_LE(weight, 1.0001f);
+            ASSERT_LT(view.vertex_joints[4 * v + k], view.joint_count);
+            sum += weight;
         }
-        // The far end of each arm moves with that arm alone.
-        for (const float side : {-1.0f, 1.0f}) {
-            uint32_t end = 0;
-            for (uint32_t v = 0; v < view.vertex_count; ++v)
-                if (side * view.positions[3 * v] > side * view.positions[3 * end]) end = v;
-            for (uint32_t k = 0; k < 4; ++k) {
-                if (view.vertex_weights[4 * end + k] < 0.01f) continue;
-                const std::string name = view.joint_names[view.vertex_joints[4 * end + k]];
-                EXPECT_EQ(name.substr(0, 4), "arm_");
-                EXPECT_EQ(name.back(), side > 0 ? 'L' : 'R');
-            }
+        ASSERT_NEAR(sum, 1, 1e-4);
+        ASSERT_LT(view.vertex_parts[v], 3u);
+        const float* n = view.normals + 3 * v;
+        ASSERT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-4);
+    }
+    // The far end of each arm moves with that arm alone.
+    for (const float side : {-1.0f, 1.0f}) {
+        uint32_t end = 0;
+        for (uint32_t v = 0; v < view.vertex_count; ++v)
+            if (side * view.positions[3 * v] > side * view.positions[3 * end]) end = v;
+        for (uint32_t k = 0; k < 4; ++k) {
+            if (view.vertex_weights[4 * end + k] < 0.01f) continue;
+            const std::string name = view.joint_names[view.vertex_joints[4 * end + k]];
+            EXPECT_EQ(name.substr(0, 4), "arm_");
+            EXPECT_EQ(name.back(), side > 0 ? 'L' : 'R');
         }
     }
-    EXPECT_EQ(allocator.live_bytes.load(), 0);
 }
 
 TEST(Skin, IsTheSameUnderWorkers) {
     std::vector<float> positions, weights;
     for (const uint32_t workers : {0u, 2u}) {
-        const SkinHost host(nullptr, workers);
+        const SkinHost host(workers);
         const FlgSkinView view = host.skin(1000);
         const std::vector<float> p(view.positions, view.positions + 3 * view.vertex_count);
         const std::vector<float> w(view.vertex_weights, view.vertex_weights + 4 * view.vertex_count);
