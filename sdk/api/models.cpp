@@ -8,6 +8,7 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "api/products.h"
 #include "bones/model.h"
 
 namespace flg {
@@ -44,13 +45,6 @@ FlgModelDesc default_model_desc() {
     desc.shape_weight = 0.25f;
     desc.mirror[0] = 1;
     return desc;
-}
-
-template <class View>
-View empty_view() {
-    View view{};
-    view.struct_size = sizeof view;
-    return view;
 }
 
 void check_thresholds(const FlgBoneThresholds& thresholds, const char* argument) {
@@ -176,20 +170,11 @@ FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* ou
 }
 
 FlgResult flgPartViewInit(FlgPartView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, empty_view<FlgPartView>(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgPartGetView(FlgContext context, FlgPart part, FlgPartView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, empty_view<FlgPartView>(), "out_view");
-        const HeldPart& self = *get_context(context).parts.get(part.id, "part");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).parts.get(part.id, "part"); });
 }
 
 FlgResult flgPartRelease(FlgContext context, FlgPart part) {
@@ -250,20 +235,11 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
 }
 
 FlgResult flgModelViewInit(FlgModelView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, empty_view<FlgModelView>(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgModelGetView(FlgContext context, FlgModel model, FlgModelView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, empty_view<FlgModelView>(), "out_view");
-        const HeldModel& self = *get_context(context).models.get(model.id, "model");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).models.get(model.id, "model"); });
 }
 
 FlgResult flgModelRelease(FlgContext context, FlgModel model) {

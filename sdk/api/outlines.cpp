@@ -4,6 +4,7 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "api/products.h"
 #include "bones/outline.h"
 
 namespace flg {
@@ -15,12 +16,6 @@ FlgOutlineDesc default_outline_desc() {
     desc.struct_size = sizeof desc;
     desc.job = default_job_options();
     return desc;
-}
-
-FlgOutlineView empty_outline_view() {
-    FlgOutlineView view{};
-    view.struct_size = sizeof view;
-    return view;
 }
 
 void read_regions(const FlgOutlineDesc& desc, HeldOutline& out) {
@@ -75,20 +70,11 @@ FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* desc, FlgOu
 }
 
 FlgResult flgOutlineViewInit(FlgOutlineView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, empty_outline_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgOutlineGetView(FlgContext context, FlgOutline outline, FlgOutlineView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, empty_outline_view(), "out_view");
-        const HeldOutline& self = *get_context(context).outlines.get(outline.id, "outline");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).outlines.get(outline.id, "outline"); });
 }
 
 FlgResult flgOutlineRelease(FlgContext context, FlgOutline outline) {

@@ -9,8 +9,8 @@
 #include "api/inputs.h"
 #include "filigree/filigree_model.h"
 #include "skeletons/bone_tree.h"
-#include "skeletons/skin_deformation.h"
-#include "skeletons/skin_pose.h"
+#include "bones/skin_deformation.h"
+#include "bones/skin_pose.h"
 
 namespace flg {
 

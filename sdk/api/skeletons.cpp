@@ -8,6 +8,7 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "api/products.h"
 #include "skeletons/offset_polygons.h"
 #include "skeletons/skeleton_jobs.h"
 
@@ -23,12 +24,6 @@ FlgStraightSkeletonDesc default_straight_skeleton_desc() {
     desc.job = default_job_options();
     desc.contour = default_contour_view();
     return desc;
-}
-
-FlgStraightSkeletonView default_straight_skeleton_view() {
-    FlgStraightSkeletonView view{};
-    view.struct_size = sizeof view;
-    return view;
 }
 
 FlgOffsetPolygons default_offset_polygons() {
@@ -90,21 +85,12 @@ FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeleto
 }
 
 FlgResult flgStraightSkeletonViewInit(FlgStraightSkeletonView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_straight_skeleton_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgStraightSkeletonGetView(FlgContext context, FlgStraightSkeleton skeleton,
                                      FlgStraightSkeletonView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, default_straight_skeleton_view(), "out_view");
-        const HeldStraightSkeleton& self = *get_context(context).straight_skeletons.get(skeleton.id, "skeleton");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).straight_skeletons.get(skeleton.id, "skeleton"); });
 }
 
 FlgResult flgOffsetPolygonsInit(FlgOffsetPolygons* polygons, uint32_t struct_size) {

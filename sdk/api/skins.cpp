@@ -6,6 +6,7 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
+#include "api/products.h"
 #include "bones/part_body.h"
 #include "bones/skin.h"
 
@@ -23,12 +24,6 @@ FlgPartMeshDesc default_part_mesh_desc() {
     return desc;
 }
 
-FlgPartMeshView empty_part_mesh_view() {
-    FlgPartMeshView view{};
-    view.struct_size = sizeof view;
-    return view;
-}
-
 FlgSkinDesc default_skin_desc() {
     FlgSkinDesc desc{};
     desc.struct_size = sizeof desc;
@@ -37,12 +32,6 @@ FlgSkinDesc default_skin_desc() {
     desc.most_vertices = 200000;
     desc.blend = -1;
     return desc;
-}
-
-FlgSkinView empty_skin_view() {
-    FlgSkinView view{};
-    view.struct_size = sizeof view;
-    return view;
 }
 
 }  // namespace
@@ -81,20 +70,11 @@ FlgResult flgPartMeshCreate(FlgContext context, const FlgPartMeshDesc* desc, Flg
 }
 
 FlgResult flgPartMeshViewInit(FlgPartMeshView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, empty_part_mesh_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgPartMeshGetView(FlgContext context, FlgPartMesh mesh, FlgPartMeshView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, empty_part_mesh_view(), "out_view");
-        const HeldPartMesh& self = *get_context(context).part_meshes.get(mesh.id, "mesh");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).part_meshes.get(mesh.id, "mesh"); });
 }
 
 FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh) {
@@ -136,13 +116,7 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
 }
 
 FlgResult flgSkinGetView(FlgContext context, FlgSkin skin, FlgSkinView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, empty_skin_view(), "out_view");
-        const HeldSkin& self = *get_context(context).skins.get(skin.id, "skin");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).skins.get(skin.id, "skin"); });
 }
 
 FlgResult flgSkinRelease(FlgContext context, FlgSkin skin) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bones/plane.h"
+#include "skeletons/plane.h"
 
 namespace flg {
 namespace {

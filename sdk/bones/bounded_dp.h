@@ -28,9 +28,6 @@ public:
     // A unit is 16 samples looked at, or a bone held against 64 edges of the contour: about 0.3 us.
     bool run(uint32_t count);
 
-    // The threshold that was used in the end.
-    double threshold() const { return threshold_; }
-
 private:
     enum class Pass { along, scan, collect, slices, contour, done };
     struct Range {

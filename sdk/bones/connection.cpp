@@ -17,7 +17,6 @@ constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller th
 ConnectionKernel::ConnectionKernel(BoneGraph& graph, uint32_t part, uint32_t twin, uint32_t first_joint,
                                    uint32_t first_bone, std::span<const Vec3> outline, PartLink& out, Memory* memory)
     : graph_(graph),
-      part_(part),
       twin_(twin),
       first_joint_(first_joint),
       first_bone_(first_bone),

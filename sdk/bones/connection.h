@@ -58,7 +58,7 @@ private:
     void connect(const Place& place);
 
     BoneGraph& graph_;
-    uint32_t part_, twin_, first_joint_, first_bone_;
+    uint32_t twin_, first_joint_, first_bone_;
     uint32_t last_joint_;  // one beyond the part's
     std::span<const Vec3> outline_;
     PartLink& out_;

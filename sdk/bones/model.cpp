@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bones/bounded_dp.h"
-#include "bones/plane.h"
+#include "skeletons/plane.h"
 
 namespace flg {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "bones/axis_branches.h"
 #include "bones/contour_sampling.h"
-#include "bones/plane.h"
+#include "skeletons/plane.h"
 #include "skeletons/contour_repair.h"
 #include "skeletons/straight_skeleton.h"
 

@@ -9,6 +9,7 @@ namespace {
 static_assert(sizeof(TriangleVertices) == 3 * sizeof(uint32_t));
 
 constexpr uint32_t batch = 64;
+constexpr double finest = 1e-4;  // edges of a mesh that is asked for, by the part's length
 
 // By a power of two, so that nothing is rounded that was not before.
 void set_scale(const HeldPart& part, PartBody& out) {
@@ -63,6 +64,10 @@ Task<void> inflate(Pace& pace, const HeldPart& part, InflationOptions options, P
 }
 
 Task<void> make_part_mesh(Pace& pace, std::shared_ptr<HeldPartMesh> mesh) {
+    const double length = mesh->part->length, share = mesh->options.spacing / length;
+    if (share != 0 && !(share >= finest && share <= 1))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.spacing is %g, must be 0, or %g to 1 of the part's length, %g",
+                      mesh->options.spacing, finest, length);
     PartBody body(pace.memory());
     co_await inflate(pace, *mesh->part, mesh->options, body);
     co_await make_part_surface(pace, body.inflated, mesh->surface);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skeletons/plane.h"
+
 namespace flg {
 
 namespace {
@@ -17,10 +19,6 @@ constexpr double most_lattice_places = 1e6, most_border_points = 2e4;
 // the lattice keeps from points of the border.
 constexpr double off_line = 0.02, longest_edge = 1.3, clearance = 0.75;
 constexpr uint32_t longest_chain = 64;
-
-double distance(const Point2& a, const Point2& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 // From the line through a and b.
 double off(const Point2& a, const Point2& b, const Point2& p) {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "api/host.h"
-#include "filigree/filigree_model.h"
+#include "api/part_inputs.h"
 
 namespace flg::test {
 namespace {
@@ -23,17 +22,9 @@ std::vector<double> capsule(double ax, double ay, double bx, double by, double r
     return points;
 }
 
-struct ModelHost : Host {
-    using Host::Host;
+struct ModelHost : PartHost {
+    using PartHost::PartHost;
 
-    FlgPart part(const std::vector<double>& contour) const {
-        FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = contour.data();
-        desc.contour.point_count = static_cast<uint32_t>(contour.size() / 2);
-        FlgPart part{};
-        EXPECT_EQ(flgPartCreate(context, &desc, &part, nullptr), FLG_OK) << flgLastError();
-        return part;
-    }
     FlgModelView model(
         const std::vector<FlgModelPart>& parts,
         const std::function<void(FlgModelDesc&)>& change = [](FlgModelDesc&) {}) const {

@@ -5,8 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "api/host.h"
-#include "filigree/filigree_model.h"
+#include "api/part_inputs.h"
 
 namespace flg::test {
 namespace {
@@ -20,17 +19,9 @@ std::vector<double> ellipse(double x, double y, double rx, double ry, uint32_t n
     return points;
 }
 
-struct SkinHost : Host {
-    using Host::Host;
+struct SkinHost : PartHost {
+    using PartHost::PartHost;
 
-    FlgPart part(const std::vector<double>& contour) const {
-        FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = contour.data();
-        desc.contour.point_count = static_cast<uint32_t>(contour.size() / 2);
-        FlgPart part{};
-        EXPECT_EQ(flgPartCreate(context, &desc, &part, nullptr), FLG_OK) << flgLastError();
-        return part;
-    }
     // A body and an arm that is there twice.
     FlgModel model() const {
         FlgModelPart parts[2] = {flgModelPartDefaults(), flgModelPartDefaults()};
@@ -189,6 +180,15 @@ TEST(Skin, RefusesNumbersOutOfTheirRange) {
     desc.spacing = -1;
     EXPECT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(std::string(flgLastError()).find("desc.spacing is -1"), std::string::npos) << flgLastError();
+    // Only the job knows how long the part is.
+    for (const double spacing : {1e-5, 100.0}) {
+        desc.spacing = spacing;
+        ASSERT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_OK) << flgLastError();
+        host.finish();
+        FlgPartMeshView view = flgPartMeshViewDefaults();
+        EXPECT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(flgLastError()).find("of the part's length"), std::string::npos) << flgLastError();
+    }
 }
 
 TEST(Skin, AThinPartNeedsMoreVerticesThanAllowed) {

@@ -5,7 +5,7 @@
 #include "bones/axis_branches.h"
 #include "bones/bounded_dp.h"
 #include "bones/contour_sampling.h"
-#include "bones/plane.h"
+#include "skeletons/plane.h"
 #include "skeletons/random_contours.h"
 
 namespace flg::test {

@@ -126,4 +126,20 @@ struct Glb {
     }
 };
 
+inline std::vector<FlgMeshMaterial> four_materials() {
+    std::vector<FlgMeshMaterial> materials(4);
+    for (size_t i = 0; i < 4; ++i) {
+        materials[i].color[i % 3] = 0.75f;
+        materials[i].roughness = 0.25f * static_cast<float>(i);
+    }
+    return materials;
+}
+
+inline TestAnimation swaying_cross(const TestSkin& skin) {
+    TestAnimation animation = curl(skin.joint_count());
+    animation.name = "sway \"1\"";
+    animation.translations = {0, 0, 0, 0.5f, 1, -2, 0, 0.25f, 0};
+    return animation;
+}
+
 }  // namespace flg::test

@@ -6,7 +6,7 @@
  *
  * Part         A contour with its axis, in its own plane: made once a contour is drawn.
  * Model        Parts put in their places, and one tree of joints for all. Another place for a part, or another threshold, is another
- *              model of the same parts, which takes some microseconds; so a part that is dragged shows its bones in each frame.
+ *              model of the same parts, which takes a tenth of a ms; so a part that is dragged shows its bones in each frame.
  * Skin         A model's surface in one piece, bound to its joints.
  *
  * All three never change once ready, and keep what they were made of alive. Lengths of a drawing are in its own unit; a part's
@@ -124,7 +124,7 @@ typedef struct FlgPartMeshDesc {
     float thickness; /* 0.01 to 100, default 1: a disc becomes a ball, a long strip a tube 1.4 times as deep as it is wide */
     FlgJobOptions job;
     FlgPart part;
-    double spacing;  /* length of edges, in units of the drawing, 1e-4 to 1 of the length of ring 0; 0: by itself, for 500 to 3,000
+    double spacing;  /* length of edges, in units of the drawing, 1e-4 to 1 of the part's length; 0: by itself, for 500 to 3,000
                         vertices. Default 0 */
 } FlgPartMeshDesc;
 
@@ -195,7 +195,7 @@ FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one skeleton of the parts', sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: joints along the branches,
  * parts connected, junctions merged, short branches and bones removed. A part that meets no earlier one is a root of its own.
- * FLG_ERROR_LIMIT with more than 65535 joints. Cost: some microseconds a part. */
+ * FLG_ERROR_LIMIT with more than 65535 joints. Cost: about 12 us a part. */
 FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
 
 typedef enum FlgPartEvent {

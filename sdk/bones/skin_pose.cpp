@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Source of turn_between: Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985.
 // Invariant: a motion takes its joint's place at rest to its place in the pose; joint and parent stay as far apart as at rest.
-#include "skeletons/skin_pose.h"
+#include "bones/skin_pose.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 // 2008: algorithm 1 (DLB).
 // Departures: signs are told by the joint of the largest weight, so that the sum is never shorter than that weight.
 // shaders/skin.glsl is this in float.
-#include "skeletons/skin_deformation.h"
+#include "bones/skin_deformation.h"
 
 namespace flg {
 

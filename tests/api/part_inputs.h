@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A host that draws parts.
+#pragma once
+
+#include "api/host.h"
+#include "filigree/filigree_model.h"
+
+namespace flg::test {
+
+class PartHost : public Host {
+public:
+    using Host::Host;
+
+    FlgPart part(const std::vector<double>& contour) const {
+        FlgPartDesc desc = flgPartDefaults();
+        desc.contour.points = contour.data();
+        desc.contour.point_count = static_cast<uint32_t>(contour.size() / 2);
+        FlgPart part{};
+        EXPECT_EQ(flgPartCreate(context, &desc, &part, nullptr), FLG_OK) << flgLastError();
+        return part;
+    }
+};
+
+}  // namespace flg::test
