@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Energies of the curve through a chain of points (Hofer, Pottmann 2004, equations 1 to 3, discretized).
+//
+// Departure from the paper, which takes differences of differences as second derivatives: ours is the least E2 of all curves in
+// R^n through the points, that of their cubic spline, whose second derivatives at the points (its moments M) solve R M = Q^T x
+// (Reinsch). Where nothing restricts a curve its spline then comes out to rounding, not to the square of the step, and the
+// fourth derivative is a second difference of M, which costs half the digits less.
+//
+// Ends. The tangent of a curve on a surface has no part along the surface's normals. So the spline is clamped in these directions
+// (slope 0) and natural in the tangent ones: else a whole step at each end would count too little. `normals`: the projection
+// onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n.
+//
+// Invariants: exact for cubic splines with breaks at given points; E2 >= 0; linear in the points but for the ends' slopes.
+#pragma once
+
+#include <span>
+
+#include "splines/manifold.h"
+
+namespace flg {
+
+// One end of an open curve.
+struct SplineEnd {
+    double normals[Manifold::max_ambient * Manifold::max_ambient] = {};  // a projection of R^n, symmetric
+    double slope[Manifold::max_ambient] = {};                            // the derivative there, as far as it counts
+};
+
+class Moments {
+public:
+    // `nodes` points of R^n, at least 2, in a cycle 3.
+    Moments(uint32_t nodes, uint32_t ambient, bool closed, Memory* memory);
+
+    // Steps between nodes: one an interval. To be read again after they change: measure(k) for k = 0 to measure_count() - 1.
+    std::span<double> steps() { return {steps_.data(), steps_.size()}; }
+    uint32_t measure_count() const { return 2 * (intervals_ - 1); }
+    void measure(uint32_t k);
+
+    SplineEnd& end(bool last) { return ends_[last]; }
+    const SplineEnd& end(bool last) const { return ends_[last]; }
+
+    // Solves for the moments: solve(k, points) for k = 0 to solve_count() - 1, then moment(i) for all i.
+    uint32_t solve_count() const { return 2 * (intervals_ - 1) + 1; }
+    void solve(uint32_t k, const double* points);
+    void moment(uint32_t node, double* out) const;
+
+    // After all that: the change of slope at a node, (Q^T x)_i; the sum over nodes of its product with the moment is E2.
+    void bend(uint32_t node, const double* points, double* out) const;
+    // E2's share of a node, given its moment.
+    double energy(uint32_t node, const double* points, const double* moment) const;
+
+    // Of the interval before a node and after it; 0 where there is none.
+    double step_before(uint32_t node) const {
+        return node > 0 ? steps_[node - 1] : closed_ ? steps_[intervals_ - 1] : 0;
+    }
+    double step_after(uint32_t node) const { return node < intervals_ ? steps_[node] : 0; }
+    uint32_t nodes() const { return nodes_; }
+    bool is_closed() const { return closed_; }
+
+private:
+    double row(uint32_t node) const { return (step_before(node) + step_after(node)) / 3; }
+    void solve_ends(const double* points);
+
+    uint32_t nodes_, ambient_, intervals_;
+    bool closed_;
+    Buffer<double> steps_;
+    // R without its first and last row, factorized: i = 1 to intervals - 1.
+    Buffer<double> inverse_, upper_;
+    // What a moment of 1 at the first node (`from_first_`) or at the last one takes from node i.
+    Buffer<double> from_first_, from_last_;
+    Buffer<double> inner_;  // moments of node i with none at the ends
+    SplineEnd ends_[2];
+    double end_moments_[2][Manifold::max_ambient] = {};
+};
+
+}  // namespace flg
