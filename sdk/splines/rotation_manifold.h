@@ -42,7 +42,7 @@ private:
     std::array<int, 3> order_;       // the columns, the largest first
 };
 
-// The rotation A with the greatest trace of A^T m: where the columns of m are those of an affine map, weighted, the one nearest
+// From `start`, a rotation: the rotation A with the greatest trace of A^T m. where the columns of m are those of an affine map, weighted, the one nearest
 // to it, whatever the sign of its determinant. False if m is 0 or not finite.
 bool nearest_rotation(const Eigen::Matrix3d& m, const Eigen::Matrix3d& start, Eigen::Matrix3d& rotation);
 

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "splines/natural_cubic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flg {
+
+namespace {
+
+// Below this s h the hyperbolic functions are summed as series: their differences would lose digits.
+constexpr double small_stiffness = 1;
+constexpr int series_terms = 12;
+
+// x / sinh(x)
+double over_sinh(double x) {
+    return x < 1e-8 ? 1 : x / std::sinh(x);
+}
+
+// sinh(x r) / sinh(x) and cosh(x r) / sinh(x) for r from 0 to 1: neither overflows.
+double sinh_ratio(double x, double r) {
+    return std::exp(x * (r - 1)) * -std::expm1(-2 * x * r) / -std::expm1(-2 * x);
+}
+double cosh_ratio(double x, double r) {
+    return std::exp(x * (r - 1)) * (1 + std::exp(-2 * x * r)) / -std::expm1(-2 * x);
+}
+
+// The derivative of S at t, of order 0 to 3.
+double basis(double h, double s, double t, int derivative) {
+    const double x = s * h, r = t / h;
+    if (x < small_stiffness && derivative < 3) {
+        // sum over k of x^(2k - 2) (r^(2k + 1) - r) / (2k + 1)!, times x / sinh x, and its derivatives
+        double sum = 0, power = 1, factorial = 1;
+        double r_even = 1;  // r^(2k - 2)
+        for (int k = 1; k <= series_terms; ++k) {
+            factorial *= 2 * k * (2 * k + 1);
+            double term = 0;
+            if (derivative == 0) term = r * (r_even * r * r - 1);
+            if (derivative == 1) term = (2 * k + 1) * r_even * r * r - 1;
+            if (derivative == 2) term = 2 * k * (2 * k + 1) * r_even * r;
+            sum += power * term / factorial;
+            power *= x * x;
+            r_even *= r * r;
+        }
+        const double scale = derivative == 0 ? h * h : derivative == 1 ? h : 1;
+        return scale * sum * over_sinh(x);
+    }
+    if (x < 1e-8) return 1 / h;
+    switch (derivative) {
+        case 0: return (sinh_ratio(x, r) - r) / (s * s);
+        case 1: return (cosh_ratio(x, r) - 1 / x) / s;
+        case 2: return sinh_ratio(x, r);
+        default: return s * cosh_ratio(x, r);
+    }
+}
+
+}  // namespace
+
+NaturalCubic::NaturalCubic(const CubicData& data, Memory* memory)
+    : data_(data),
+      count_(data.values.size() / data.dimension),
+      pieces_(data.knots.size() - 1),
+      first_row_(data.ends == CubicEnds::clamped ? 0 : 1),
+      end_row_(data.ends == CubicEnds::natural ? count_ - 1 : count_),
+      stiffness_(std::sqrt(data.tension)),
+      moments_(data.values.size(), memory),
+      upper_(count_, memory),
+      from_first_(data.ends == CubicEnds::periodic ? count_ : 0, memory) {}
+
+NaturalCubic::Piece NaturalCubic::piece(size_t index) const {
+    const double h = data_.knots[index + 1] - data_.knots[index];
+    return {-basis(h, stiffness_, 0, 1), basis(h, stiffness_, h, 1)};
+}
+
+// By how much the slope of the straight lines changes at a knot; at clamped ends, from the given slope and to it.
+double NaturalCubic::bend(size_t knot, size_t component) const {
+    const size_t n = data_.dimension;
+    const double x = data_.values[knot * n + component];
+    double before = 0, after = 0;
+    if (knot < pieces_) {
+        after = (data_.values[next(knot) * n + component] - x) / (data_.knots[knot + 1] - data_.knots[knot]);
+    } else if (data_.slopes) {
+        after = data_.slopes[n + component];
+    }
+    if (knot > 0) {
+        before = (x - data_.values[(knot - 1) * n + component]) / (data_.knots[knot] - data_.knots[knot - 1]);
+    } else if (periodic()) {
+        const size_t last = count_ - 1;
+        before = (x - data_.values[last * n + component]) / (data_.knots[pieces_] - data_.knots[last]);
+    } else if (data_.slopes) {
+        before = data_.slopes[component];
+    }
+    return after - before;
+}
+
+bool NaturalCubic::run(size_t count) {
+    const bool straight = std::isinf(data_.tension);
+    const size_t rows = end_row_ > first_row_ ? end_row_ - first_row_ : 0;
+    const size_t whole = count_ + (straight ? 0 : 2 * rows + 1);
+    for (; count > 0 && at_ < whole; --count, ++at_) {
+        if (at_ < count_) {
+            std::fill_n(moments_.begin() + at_ * data_.dimension, data_.dimension, 0.0);
+        } else if (at_ < count_ + rows) {
+            forward(first_row_ + at_ - count_);
+        } else if (at_ < count_ + 2 * rows) {
+            backward(end_row_ - 1 - (at_ - count_ - rows));
+        } else if (periodic()) {
+            close();
+        }
+    }
+    return at_ >= whole;
+}
+
+// Thomas's algorithm. In a cycle the moment of knot 0 stays unknown, and each row keeps how much of it it takes away.
+void NaturalCubic::forward(size_t row) {
+    const size_t n = data_.dimension;
+    const bool has_before = row > 0, has_after = row < pieces_;
+    const Piece before = has_before ? piece(row - 1) : Piece{}, after = has_after ? piece(row) : Piece{};
+    const bool couples = row > first_row_;
+    const double pivot =
+        (has_before ? before.own : 0) + (has_after ? after.own : 0) - (couples ? before.across * upper_[row - 1] : 0);
+    const bool last = row + 1 == end_row_;
+    upper_[row] = last ? 0 : after.across / pivot;
+    for (size_t c = 0; c < n; ++c) {
+        double right = bend(row, c);
+        if (couples) right -= before.across * moments_[(row - 1) * n + c];
+        moments_[row * n + c] = right / pivot;
+    }
+    if (!periodic()) return;
+    double from = couples ? -before.across * from_first_[row - 1] : before.across;
+    if (last) from += after.across;
+    from_first_[row] = from / pivot;
+}
+
+void NaturalCubic::backward(size_t row) {
+    if (row + 1 == end_row_) return;
+    const size_t n = data_.dimension;
+    for (size_t c = 0; c < n; ++c) moments_[row * n + c] -= upper_[row] * moments_[(row + 1) * n + c];
+    if (periodic()) from_first_[row] -= upper_[row] * from_first_[row + 1];
+}
+
+// Row 0 of a cycle. What it takes from the others is taken when they are read: see evaluate().
+void NaturalCubic::close() {
+    const size_t n = data_.dimension, last = count_ - 1;
+    const Piece after = piece(0), before = piece(pieces_ - 1);
+    const double pivot = before.own + after.own - after.across * from_first_[1] - before.across * from_first_[last];
+    for (size_t c = 0; c < n; ++c) {
+        moments_[c] = (bend(0, c) - after.across * moments_[n + c] - before.across * moments_[last * n + c]) / pivot;
+    }
+    from_first_[0] = 0;
+}
+
+void NaturalCubic::evaluate(double time, int derivative, double* out) const {
+    const size_t n = data_.dimension;
+    const double first = data_.knots.front(), last = data_.knots.back();
+    if (periodic() && (time < first || time >= last))
+        time -= (last - first) * std::floor((time - first) / (last - first));
+    const auto after = std::upper_bound(data_.knots.begin() + 1, data_.knots.end() - 1, time);
+    const size_t begin = static_cast<size_t>(after - data_.knots.begin()) - 1, end = next(begin);
+    const double h = data_.knots[begin + 1] - data_.knots[begin], t = time - data_.knots[begin];
+    const bool straight = std::isinf(data_.tension);
+    const double to_end = straight ? 0 : basis(h, stiffness_, t, derivative);
+    const double to_begin = straight ? 0 : (derivative % 2 == 0 ? 1 : -1) * basis(h, stiffness_, h - t, derivative);
+    const double share = derivative == 0 ? t / h : derivative == 1 ? 1 / h : 0;
+    const double rest = derivative == 0 ? (h - t) / h : -share;
+    const double own[2] = {periodic() ? from_first_[begin] : 0, periodic() ? from_first_[end] : 0};
+    for (size_t c = 0; c < n; ++c) {
+        const double m0 = moments_[begin * n + c] - own[0] * moments_[c];
+        const double m1 = moments_[end * n + c] - own[1] * moments_[c];
+        out[c] = rest * data_.values[begin * n + c] + share * data_.values[end * n + c] + to_begin * m0 + to_end * m1;
+    }
+}
+
+double NaturalCubic::energy() const {
+    const size_t n = data_.dimension;
+    const bool straight = std::isinf(data_.tension);
+    double sum = 0;
+    for (size_t i = 0; i < count_ && !straight; ++i) {
+        const double own = periodic() ? from_first_[i] : 0;
+        for (size_t c = 0; c < n; ++c) sum += (moments_[i * n + c] - own * moments_[c]) * bend(i, c);
+    }
+    const double weight = straight ? 1 : data_.tension;
+    for (size_t i = 0; i < pieces_ && weight > 0; ++i) {
+        const double h = data_.knots[i + 1] - data_.knots[i];
+        for (size_t c = 0; c < n; ++c) {
+            const double d = data_.values[next(i) * n + c] - data_.values[i * n + c];
+            sum += weight * d * d / h;
+        }
+    }
+    return sum;
+}
+
+}  // namespace flg
