@@ -95,8 +95,9 @@ std::string GlbBuilder::finish(const std::string& materials) const {
 
 std::string GlbBuilder::finish_scene(const std::string& top, const std::string& mesh_name) const {
     const std::string name = mesh_name.empty() ? "" : "\"name\":" + json_text(mesh_name) + ",";
-    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top + "\"meshes\":[{" + name +
-                       "\"primitives\":[" + primitives_ + "]}],\"accessors\":[" + accessors_ + "],\"bufferViews\":[" +
+    const std::string meshes = "\"meshes\":[{" + name + "\"primitives\":[" + primitives_ + "]}],";
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top +
+                       (primitives_.empty() ? "" : meshes) + "\"accessors\":[" + accessors_ + "],\"bufferViews\":[" +
                        views_ + "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
     json.resize((json.size() + glb_alignment - 1) / glb_alignment * glb_alignment, ' ');
     constexpr size_t headers = 7 * sizeof(uint32_t);

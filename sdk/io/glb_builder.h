@@ -42,7 +42,8 @@ public:
 
     // `materials` is empty or ends with a comma.
     std::string finish(const std::string& materials) const;
-    // The same, with nodes of which at least one shows mesh 0: `top` is JSON from `"scene":` on, and ends with a comma.
+    // The same, with nodes of which at least one shows mesh 0, if there are primitives: `top` is JSON from `"scene":` on, and
+    // ends with a comma.
     std::string finish_scene(const std::string& top, const std::string& mesh_name) const;
 
 private:

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 
-#include "io/glb_builder.h"
 #include "io/gltf_materials.h"
 #include "io/vec3.h"
 
@@ -48,8 +47,7 @@ std::string material_of(const CheckedMesh& mesh, uint32_t region) {
 
 }  // namespace
 
-std::string write_glb_mesh(const CheckedMesh& mesh) {
-    GlbBuilder glb;
+std::string add_mesh(GlbBuilder& glb, const CheckedMesh& mesh) {
     const size_t count = mesh.vertex_count();
     const std::vector<float> positions = packed(mesh.position, count, 3);
     std::string attributes =
@@ -76,7 +74,13 @@ std::string write_glb_mesh(const CheckedMesh& mesh) {
         if (!materials.empty()) materials += ',';
         materials += material_of(mesh, region);
     }
-    return glb.finish("\"materials\":[" + materials + "],");
+    return "\"materials\":[" + materials + "],";
+}
+
+std::string write_glb_mesh(const CheckedMesh& mesh) {
+    GlbBuilder glb;
+    const std::string materials = add_mesh(glb, mesh);
+    return glb.finish(materials);
 }
 
 }  // namespace flg::io

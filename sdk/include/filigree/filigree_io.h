@@ -260,6 +260,33 @@ FLG_API FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint32_t struct_siz
  * Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
 FLG_API FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileDesc* desc);
 
+/* ---- Motions of rigid bodies ----------------------------------------------------------------------------------- */
+
+typedef struct FlgMotionFileDesc {
+    uint32_t struct_size;
+    uint32_t position_count;           /* at least 1 */
+    const double* times;               /* seconds from 0 on; as floats they must rise */
+    const double* poses;               /* 12 a position: three rows of four, the rotation and the place, metres. Points p of the
+                                          body are at rotation p + place */
+    double end_time;                   /* when the first pose comes again, after the last time; 0: it does not. Default 0 */
+    const FlgMeshView* mesh;           /* moves with the body; null: none */
+    const FlgMeshWriteDesc* mesh_desc; /* its materials, as for flgMeshFileWrite; null: defaults */
+    float camera_fov_rad;              /* above 0 and below pi: a camera that looks along the body's -z, with y up, and sees this
+                                          angle from bottom to top. Default 0: none */
+    uint32_t reserved;
+    const char* name;                  /* of the body, UTF-8, at most 255 bytes; null: "motion" */
+} FlgMotionFileDesc;
+
+FLG_API FlgResult flgMotionFileDescInit(FlgMotionFileDesc* desc, uint32_t struct_size);
+
+/* Writes a motion to .glb, whole or not at all as flgCurveFileWrite: one node, with the mesh and the camera where given, and an
+ * animation that moves it by a translation and a rotation a position; between positions both go evenly (LINEAR). Without an
+ * animation it stands at the first one. Rotations of poses may be off by 0.001; quaternions are, to the bits of a float, of length
+ * 1, and next ones on the same side. Cost: about 1 us a position, and what the mesh takes.
+ * Errors: FLG_ERROR_INVALID_ARGUMENT (also for poses that are no rotations), FLG_ERROR_FORMAT for another extension,
+ * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
+FLG_API FlgResult flgMotionFileWrite(const char* path, const FlgMotionFileDesc* desc);
+
 /* ---- Documents of tangles ------------------------------------------------------------------------------------- */
 
 /* A history read from a file, with its memory. */
