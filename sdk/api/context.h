@@ -19,6 +19,9 @@ class HeldPart;
 class HeldPartMesh;
 class HeldModel;
 class HeldSkin;
+class HeldManifold;
+class HeldSpline;
+class HeldMotion;
 }  // namespace flg
 
 // In the global namespace because the C header declares it.
@@ -39,6 +42,9 @@ struct FlgContextT {
           part_meshes(flg::HandleKind::part_mesh, salt, &memory),
           models(flg::HandleKind::model, salt, &memory),
           skins(flg::HandleKind::skin, salt, &memory),
+          manifolds(flg::HandleKind::manifold, salt, &memory),
+          splines(flg::HandleKind::spline, salt, &memory),
+          motions(flg::HandleKind::motion, salt, &memory),
           runtime(desc, &memory) {}
 
     static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
@@ -58,6 +64,9 @@ struct FlgContextT {
     flg::HandleTable<flg::HeldPartMesh> part_meshes;
     flg::HandleTable<flg::HeldModel> models;
     flg::HandleTable<flg::HeldSkin> skins;
+    flg::HandleTable<flg::HeldManifold> manifolds;
+    flg::HandleTable<flg::HeldSpline> splines;
+    flg::HandleTable<flg::HeldMotion> motions;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };
@@ -100,6 +109,10 @@ public:
     // The job waits for another, which may be null: done already.
     void wait_for(std::shared_ptr<Job> job) {
         if (job) dependencies_.push_back(std::move(job));
+    }
+    // Likewise, but that one may fail.
+    void wait_for_end_of(std::shared_ptr<Job> job) {
+        if (job) dependencies_.emplace_back(std::move(job), true);
     }
     // The job waits for its turn on a surface, and for the job that makes it.
     void read_surface(const std::shared_ptr<Surface>& surface, const char* argument) {

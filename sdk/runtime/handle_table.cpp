@@ -19,6 +19,9 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::part_mesh: return "mesh of a part";
         case HandleKind::model: return "model";
         case HandleKind::skin: return "skin";
+        case HandleKind::manifold: return "manifold";
+        case HandleKind::spline: return "spline";
+        case HandleKind::motion: return "motion";
     }
     return "handle";
 }

@@ -27,7 +27,10 @@ enum class HandleKind : uint8_t {
     part,
     part_mesh,
     model,
-    skin
+    skin,
+    manifold,
+    spline,
+    motion
 };
 
 const char* handle_kind_name(HandleKind kind);

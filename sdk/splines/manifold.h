@@ -18,7 +18,7 @@ namespace flg {
 class Manifold {
 public:
     static constexpr uint32_t max_ambient = 12;
-    static constexpr uint32_t max_dimension = 6;
+    static constexpr uint32_t max_dimension = 12;
 
     virtual ~Manifold() = default;
 

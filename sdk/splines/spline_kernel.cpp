@@ -298,11 +298,4 @@ void SplineKernel::finish(SplineEnding ending) {
     enter(Pass::done, 0);
 }
 
-void SplineKernel::parameters(double* out) const {
-    double u = problem_.parameters.size() > 0 ? problem_.parameters[0] : 0;
-    const std::span<const double> steps = const_cast<Moments&>(moments_).steps();
-    out[0] = u;
-    for (size_t i = 0; i < steps.size(); ++i) out[i + 1] = u += steps[i];
-}
-
 }  // namespace flg

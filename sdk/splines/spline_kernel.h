@@ -73,9 +73,12 @@ public:
     const SplineReport& report() const { return report_; }
     // Those of the last round that was accepted.
     const double* points() const { return now_.points.data(); }
+    // When done: the same, to keep.
+    Buffer<double> take_points() { return std::move(now_.points); }
     uint32_t nodes() const { return nodes_; }
-    // One a node, and in a closed curve one more: where it comes back to its beginning.
-    void parameters(double* out) const;
+    double first_parameter() const { return problem_.parameters.size() > 0 ? problem_.parameters[0] : 0; }
+    // Of parameters, from a node to the next; 0 after the last one of an open curve.
+    double step_after(uint32_t node) const { return moments_.step_after(node); }
     // The manifold's basis at a node, k x n numbers, of the last round that was finished.
     const double* basis(uint32_t node) const { return basis_of(node); }
 

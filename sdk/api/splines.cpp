@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// Splines: made, shown, copied into curve sets, released.
+#include "splines/spline.h"
+
+#include <cmath>
+
+#include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "api/products.h"
+#include "api/surface_inputs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t most_points = 65536;
+constexpr uint32_t most_subdivisions = 8;
+
+FlgSplineDesc default_spline_desc() {
+    FlgSplineDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.tension = 1;
+    desc.max_rounds = 200;
+    desc.tolerance = 1e-6;
+    return desc;
+}
+
+FlgSplineCurvesDesc default_spline_curves_desc() {
+    FlgSplineCurvesDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    return desc;
+}
+
+Buffer<double> read_numbers(const double* from, size_t count, const char* argument, Memory* memory) {
+    require(from, argument);
+    Buffer<double> out(count, memory);
+    for (size_t i = 0; i < count; ++i) {
+        if (!(std::abs(from[i]) <= 1e30)) {
+            char name[64];
+            std::snprintf(name, sizeof name, "%s[%zu]", argument, i);
+            check_range(false, name, from[i], "finite and at most 1e30 in size");
+        }
+        out[i] = from[i];
+    }
+    return out;
+}
+
+void read_energy(const FlgSplineDesc& desc, SplineProblem& problem) {
+    check_enum(desc.energy, FLG_SPLINE_E2, FLG_SPLINE_ET, "desc.energy", "FLG_SPLINE_E");
+    check_enum(desc.method, FLG_SPLINE_NEWTON, FLG_SPLINE_FOOTPOINT_CONE, "desc.method", "FLG_SPLINE_");
+    problem.bending = desc.energy == FLG_SPLINE_E1 ? 0 : 1;
+    if (desc.energy == FLG_SPLINE_ET) {
+        check_range(desc.tension > 0 && desc.tension <= 1e12, "desc.tension", desc.tension, "above 0, at most 1e12");
+        problem.tension = desc.tension;
+    } else {
+        problem.tension = desc.energy == FLG_SPLINE_E1 ? 1 : 0;
+    }
+    check_range(desc.smoothing >= 0 && desc.smoothing <= 1e30, "desc.smoothing", desc.smoothing, "0 to 1e30");
+    problem.smoothing = desc.smoothing;
+    check_range(desc.first_tension >= 0 && desc.first_tension <= 1e12, "desc.first_tension", desc.first_tension,
+                "0 to 1e12");
+    problem.first_tension = desc.energy == FLG_SPLINE_E1 ? 0 : desc.first_tension;
+    check_range(desc.max_rounds >= 1 && desc.max_rounds <= 10000, "desc.max_rounds", desc.max_rounds, "1 to 10000");
+    check_range(desc.tolerance >= 1e-12 && desc.tolerance <= 1, "desc.tolerance", desc.tolerance, "1e-12 to 1");
+    problem.max_rounds = desc.max_rounds;
+    problem.tolerance = desc.tolerance;
+    problem.method = desc.method == FLG_SPLINE_NEWTON ? SplineMethod::newton : SplineMethod::footpoint_cone;
+}
+
+void read_parameters(const FlgSplineDesc& desc, SplineProblem& problem, Memory* memory) {
+    if (!desc.parameters) return;
+    const size_t count = size_t{desc.point_count} + (problem.closed ? 1 : 0);
+    problem.parameters = read_numbers(desc.parameters, count, "desc.parameters", memory);
+    const double span = problem.parameters[count - 1] - problem.parameters[0];
+    for (size_t i = 1; i < count; ++i) {
+        if (problem.parameters[i] - problem.parameters[i - 1] > 1e-9 * span) continue;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.parameters[%zu] is %s, must be above the one before it, which is %s", i,
+                      NumberText(problem.parameters[i]).c_str(), NumberText(problem.parameters[i - 1]).c_str());
+    }
+}
+
+// A curve of nodes, and which of them are held.
+void read_curve(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& request, Memory* memory) {
+    SplineProblem& problem = request.problem;
+    if (!desc.curve) {
+        const uint32_t least = problem.closed ? 3 : 2;
+        check_range(desc.point_count >= least, "desc.point_count", desc.point_count,
+                    problem.closed ? "3 to 65536" : "2 to 65536");
+        check_range(desc.node_count <= FLG_SPLINE_MAX_NODES, "desc.node_count", desc.node_count, "at most 2^20");
+        check_enum(desc.start, FLG_SPLINE_START_GEODESIC, FLG_SPLINE_START_PROJECTED, "desc.start",
+                   "FLG_SPLINE_START_");
+        request.node_count = desc.node_count;
+        request.start = desc.start;
+        return;
+    }
+    require(desc.curve_knots, "desc.curve_knots");
+    const uint32_t least = problem.closed ? 3 : 2;
+    check_range(desc.curve_count >= least && desc.curve_count <= FLG_SPLINE_MAX_NODES, "desc.curve_count",
+                desc.curve_count, problem.closed ? "3 to 2^20" : "2 to 2^20");
+    check_range(desc.point_count >= (problem.closed ? 1 : 2), "desc.point_count", desc.point_count,
+                problem.closed ? "at least 1" : "at least 2");
+    problem.knots = Buffer<uint32_t>(desc.point_count, memory);
+    for (uint32_t i = 0; i < desc.point_count; ++i) {
+        const uint32_t knot = problem.knots[i] = desc.curve_knots[i];
+        const bool ascends = i == 0 ? knot == 0 : knot > problem.knots[i - 1];
+        if (ascends && knot < desc.curve_count) continue;
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT, "desc.curve_knots[%u] is %u, must be %s", i, knot,
+            i == 0 ? "0: a curve begins at a given point" : "above the one before it and below desc.curve_count");
+    }
+    if (!problem.closed && problem.knots[desc.point_count - 1] + 1 != desc.curve_count) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.curve_knots ends with %u, must end with the open curve's last node, %u",
+                      problem.knots[desc.point_count - 1], desc.curve_count - 1);
+    }
+    request.curve = read_numbers(desc.curve, size_t{desc.curve_count} * ambient, "desc.curve", memory);
+}
+
+void read_subdivisions(const FlgSplineDesc& desc, SplineRequest& request) {
+    check_range(desc.subdivisions <= most_subdivisions, "desc.subdivisions", desc.subdivisions, "0 to 8");
+    const uint64_t first = desc.curve ? desc.curve_count : std::max(desc.node_count, 32 * desc.point_count);
+    if ((first << desc.subdivisions) > FLG_SPLINE_MAX_NODES) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.subdivisions is %u, which makes more than 2^20 nodes of %u",
+                      desc.subdivisions, static_cast<uint32_t>(first));
+    }
+    request.subdivisions = desc.subdivisions;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_spline_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_spline, "out_spline") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgSplineDesc read = read_struct(desc, default_spline_desc(), "desc");
+        Submission submission(self, read.job);
+        const auto manifold = self.manifolds.get(read.manifold.id, "desc.manifold");
+        submission.read(*manifold, "desc.manifold");
+        const uint32_t ambient = manifold->given_ambient;
+        SplineRequest request;
+        request.problem.closed = read.closed != 0;
+        check_range(read.point_count <= most_points, "desc.point_count", read.point_count, "at most 65536");
+        read_energy(read, request.problem);
+        read_curve(read, ambient, request, &self.memory);
+        read_subdivisions(read, request);
+        read_parameters(read, request.problem, &self.memory);
+        request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", &self.memory);
+        if (read.begin_slope)
+            request.slopes[0] = read_numbers(read.begin_slope, ambient, "desc.begin_slope", &self.memory);
+        if (read.end_slope) request.slopes[1] = read_numbers(read.end_slope, ambient, "desc.end_slope", &self.memory);
+        if (read.warm_start.id != 0) {
+            request.warm_start = self.splines.get(read.warm_start.id, "desc.warm_start");
+            if (request.warm_start->manifold != manifold)
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.warm_start is on another manifold");
+            submission.wait_for_end_of(request.warm_start->producer.lock());
+        }
+        if (manifold->surface) {
+            submission.wait_for(start_blocks(self, manifold->surface));
+            submission.read_surface(manifold->surface, "the surface of desc.manifold");
+        }
+        const auto out = make_object<HeldSpline>(self, manifold);
+        request.out = out;
+        submission.job().strand.start(make_spline(submission.pace(), std::move(request)));
+        *out_spline = {submission.commit(self.splines, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size) {
+    return init_view(view, struct_size);
+}
+
+FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view) {
+    return get_view(out_view, [&] { return get_context(context).splines.get(spline.id, "spline"); });
+}
+
+FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_spline_curves_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_set, "out_set") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgSplineCurvesDesc read = read_struct(desc, default_spline_curves_desc(), "desc");
+        check_range(is_coordinate(read.height), "desc.height", read.height, "finite and at most 1e30 in size");
+        Submission submission(self, read.job);
+        const auto spline = self.splines.get(read.spline.id, "desc.spline");
+        submission.read(*spline, "desc.spline");
+        check_range(spline->manifold->given_ambient == 3, "the number of coordinates of desc.spline",
+                    spline->manifold->given_ambient, "3");
+        const auto out = make_object<CurveSet>(self, &self.memory);
+        submission.job().strand.start(spline_curves(submission.pace(), spline, read.height, out));
+        *out_set = {submission.commit(self.curve_sets, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgSplineRelease(FlgContext context, FlgSpline spline) {
+    return guarded([&] {
+        get_context(context).splines.remove(spline.id, "spline");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: MIT
+ * SPDX-FileCopyrightText: 2026 The Filigree authors
+ *
+ * Smooth curves that stay on anything: energy-minimizing splines in manifolds (Hofer, Pottmann 2004). It follows the grammar of
+ * filigree.h and filigree_surface.h. Coordinates are doubles, metres; parameters are lengths unless the host gives them.
+ */
+#ifndef FILIGREE_FILIGREE_SPLINE_H
+#define FILIGREE_FILIGREE_SPLINE_H
+
+#include "filigree_surface.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What curves stay on: a surface of dimension k in R^n. Never changes once ready. */
+FLG_HANDLE(FlgManifold);
+/* A curve through points of a manifold. Never changes once ready. */
+FLG_HANDLE(FlgSpline);
+
+#define FLG_MANIFOLD_MAX_AMBIENT 12u
+#define FLG_SPLINE_MAX_NODES (1u << 20)
+
+/* ---- Manifolds --------------------------------------------------------------------------------------------------- */
+
+typedef enum FlgShape {
+    FLG_SHAPE_SPACE = 0,  /* R^ambient itself: nothing restricts a curve */
+    FLG_SHAPE_PLANE = 1,  /* z = 0 in R^3 */
+    FLG_SHAPE_SPHERE = 2, /* about the origin of R^3, of `radius` */
+    FLG_SHAPE_TORUS = 3,  /* about the z-axis: the circle of `radius` in the plane z = 0, of thickness `tube_radius` */
+    FLG_SHAPE_FORMULA = 4, /* the zero set of a smooth formula, by `name`: see flgFormulaName */
+    FLG_SHAPE_FORCE_32BIT = 0x7fffffff
+} FlgShape;
+
+typedef struct FlgShapeDesc {
+    uint32_t struct_size;
+    FlgShape shape;     /* default FLG_SHAPE_SPACE */
+    uint32_t ambient;   /* of FLG_SHAPE_SPACE: 2 to 12. Default 3 */
+    uint32_t reserved;
+    double radius;      /* metres, 1e-6 to 1e6. Default 1 */
+    double tube_radius; /* metres, 1e-6 to below radius. Default 0.25 */
+    double size;        /* metres, of FLG_SHAPE_SPACE and FLG_SHAPE_PLANE: about how large what happens there is. Default 1 */
+    const char* name;   /* of FLG_SHAPE_FORMULA */
+} FlgShapeDesc;
+
+FLG_API FlgResult flgShapeDescInit(FlgShapeDesc* desc, uint32_t struct_size);
+
+/* Makes a manifold at once. */
+FLG_API FlgResult flgManifoldCreateShape(FlgContext context, const FlgShapeDesc* desc, FlgManifold* out_manifold);
+
+/* The names of formulas, from number 0 on; null beyond the last one. They live for ever. */
+FLG_API const char* flgFormulaName(uint32_t number);
+
+typedef struct FlgMeshManifoldDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    FlgJobOptions job;
+    FlgSurface surface; /* kept by the manifold; a later cut of it does not change the manifold */
+} FlgMeshManifoldDesc;
+
+FLG_API FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their normals and
+ * curvatures. It follows smooth parts to the square of the edges' lengths and rounds creases off; how far its vertices are from
+ * it is in the manifold's view. At open borders it goes on a little, see FlgSplineDesc.keep_inside. Cost: about 1 us a triangle. */
+FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc,
+                                               FlgManifold* out_manifold, FlgJob* out_job);
+
+typedef struct FlgCloudManifoldDesc {
+    uint32_t struct_size;
+    uint32_t point_count; /* 16 to 2^24 */
+    FlgJobOptions job;
+    const float* points;  /* 3 a point, metres; read during the call */
+    const float* normals; /* 3 a point, not 0; or null: found, and turned alike along the cloud */
+    float radius;         /* of the points' spacing: how far smoothing reaches, 1 to 10; default 0: 3 with normals, 4 without */
+    uint32_t reserved;
+} FlgCloudManifoldDesc;
+
+FLG_API FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes the smooth surface of a cloud of points by moving least squares (sec. 3.2). Cost: some us a point. */
+FLG_API FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifoldDesc* desc,
+                                              FlgManifold* out_manifold, FlgJob* out_job);
+
+typedef struct FlgGridManifoldDesc {
+    uint32_t struct_size;
+    uint32_t counts[3];  /* samples along x, y, z: 4 to 2048 each, 2^28 in all */
+    FlgJobOptions job;
+    double origin[3];    /* of the first sample, metres */
+    double spacing;      /* metres, above 0 */
+    const float* values; /* x fastest: a function that is negative inside and has no flat place at 0; read during the call */
+} FlgGridManifoldDesc;
+
+FLG_API FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes the zero set of a sampled function, such as signed distances. Cost: about 20 ns a sample. */
+FLG_API FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc, FlgManifold* out_manifold,
+                                            FlgJob* out_job);
+
+/* The image manifold of a surface's normals (sec. 6, Fig. 17): (x, weight * normal) in R^6. Curves on it avoid crossing creases,
+ * the more the larger the weight (metres, above 0) is. `base`: a surface in R^3, ready. Points are given and shown in R^3: the
+ * normals are added and left out. */
+FLG_API FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double weight, FlgManifold* out_manifold);
+
+/* A manifold of the host's own. Functions are called from worker threads, several at a time; they must not throw, call the SDK
+ * or take more than some us, and give the same numbers for the same arguments. */
+typedef struct FlgManifoldFunctions {
+    uint32_t struct_size;
+    uint32_t ambient;     /* n, 2 to 12 */
+    uint32_t dimension;   /* k, 1 to n */
+    uint32_t memory_size; /* doubles that are kept with each point, 0 to 256; zeros at first. Default 0 */
+    double size;          /* metres: about how large it is, above 0. Default 1 */
+    void* user_data;      /* passed to the functions */
+    /* Moves point (n numbers) onto the surface, near it; 0 if there is no point to be found. */
+    int32_t (*project)(void* user_data, double* point, double* memory);
+    /* k rows of n numbers: an orthonormal basis of the tangent space at a projected point. */
+    void (*tangent_basis)(void* user_data, const double* point, double* memory, double* basis);
+    /* k x k numbers: the inner products of `force` (n numbers) with the second fundamental form in the basis. Null: from
+     * differences of projections. */
+    void (*second_form)(void* user_data, const double* point, double* memory, const double* basis, const double* force,
+                        double* form);
+} FlgManifoldFunctions;
+
+FLG_API FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint32_t struct_size);
+
+/* Makes a manifold of a copy of the functions; user_data must live until it and all splines on it are released. Tries them at
+ * one point and refuses what is not orthonormal or not finite there. */
+FLG_API FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* functions, const double* point_near,
+                                        FlgManifold* out_manifold);
+
+typedef struct FlgManifoldView {
+    uint32_t struct_size;
+    uint32_t ambient;         /* n, that points are given and shown in */
+    uint32_t dimension;       /* k */
+    uint32_t reserved;
+    double size;              /* metres */
+    double largest_deviation; /* metres: of what it was made of (vertices, points) from it; 0 where it is exact */
+    double mean_deviation;    /* root mean square of the same */
+} FlgManifoldView;
+
+FLG_API FlgResult flgManifoldViewInit(FlgManifoldView* view, uint32_t struct_size);
+FLG_API FlgResult flgManifoldGetView(FlgContext context, FlgManifold manifold, FlgManifoldView* out_view);
+
+/* Moves up to 64 points onto a manifold, at once: a cursor's, some us each. out_distances, metres, may be null; a point that can't
+ * be projected stays and gets HUGE_VAL. FLG_NOT_READY before the manifold's job is published. */
+FLG_API FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* points, uint32_t point_count,
+                                     double* out_distances);
+
+FLG_API FlgResult flgManifoldRelease(FlgContext context, FlgManifold manifold);
+
+/* ---- Splines ------------------------------------------------------------------------------------------------------ */
+
+typedef enum FlgSplineEnergy {
+    FLG_SPLINE_E2 = 0, /* the square of the second derivative: cubic splines. Wide, even turns */
+    FLG_SPLINE_E1 = 1, /* the square of the first one: geodesics, with corners at the points */
+    FLG_SPLINE_ET = 2, /* E2 + tension * E1: between the two */
+    FLG_SPLINE_ENERGY_FORCE_32BIT = 0x7fffffff
+} FlgSplineEnergy;
+
+typedef enum FlgSplineStart {
+    FLG_SPLINE_START_GEODESIC = 0,  /* about the shortest ways from point to point */
+    FLG_SPLINE_START_PROJECTED = 1, /* the spline that nothing restricts, projected; for points that are near to each other */
+    FLG_SPLINE_START_FORCE_32BIT = 0x7fffffff
+} FlgSplineStart;
+
+typedef enum FlgSplineMethod {
+    FLG_SPLINE_NEWTON = 0,        /* a few rounds */
+    FLG_SPLINE_FOOTPOINT_CONE = 1, /* the paper's stepsize (Algorithm 1); for comparison, and where a manifold has no second derivatives */
+    FLG_SPLINE_METHOD_FORCE_32BIT = 0x7fffffff
+} FlgSplineMethod;
+
+typedef struct FlgSplineDesc {
+    uint32_t struct_size;
+    uint32_t point_count;      /* 2 to 65536, closed: 3 at least (1 and 2 less where a `curve` is given) */
+    FlgJobOptions job;         /* partial_results: every round can be seen */
+    FlgManifold manifold;
+    const double* points;      /* ambient numbers a point: to be passed through in this order, read during the call. Points off the
+                                * manifold are projected, how far is in the view; two in a row must not come to one place */
+    const double* parameters;  /* one a point, closed: one more, of the first point again; ascending. Null: lengths of the curve */
+    uint32_t closed;           /* nonzero: from the last point back to the first. Default 0 */
+    FlgSplineEnergy energy;    /* default FLG_SPLINE_E2 */
+    double tension;            /* of FLG_SPLINE_ET: w, 1 / square metre, above 0 to 1e12. Default 1 */
+    double smoothing;          /* 0: through the points. Above: the energy plus the squares of the distances to the points over
+                                * this is least; metres to the third with E2 and lengths. Default 0 */
+    double first_tension;      /* begins with this tension, which falls by 4 a round (sec. 3.2, homotopy). Default 0: it does not */
+    const double* begin_slope; /* ambient numbers: the derivative by the parameter at the first point, its tangent part is
+                                * taken; open curves only. Null: natural, no bending at the end */
+    const double* end_slope;   /* the same at the last point */
+    FlgSplineStart start;      /* default FLG_SPLINE_START_GEODESIC */
+    FlgSplineMethod method;    /* default FLG_SPLINE_NEWTON */
+    uint32_t node_count;       /* points of the chain that stands for the curve, given ones included: up to 2^20, at least two
+                                * intervals from one given point to the next. Default 0: 32 intervals each */
+    uint32_t max_rounds;       /* of the optimization, 1 to 10000; a few smooth a curve a little (Remark 5). Default 200 */
+    double tolerance;          /* of the residual, see the view; 1e-12 to 1. Default 1e-6 */
+    FlgSpline warm_start;      /* begin at this one, of as many points on the same manifold, moved along: for points that are
+                                * dragged. If that failed or does not fit it is not used. Default none */
+    /* A curve to be made fair or to be refined, instead of points in space: its points are the nodes, in order, and
+     * points[i] is what node curve_knots[i] is held at (ascending; of open curves the first and the last node are among them).
+     * node_count, start and warm_start do not count then. Default null */
+    const double* curve;
+    const uint32_t* curve_knots;
+    uint32_t curve_count;      /* nodes of `curve`, 2 (closed: 3) to 2^20 */
+    uint32_t subdivisions;     /* rounds of variational subdivision (Remark 6) afterwards: each puts one node between two, and
+                                * optimizes all but the given points again. 0 to 8. Default 0 */
+} FlgSplineDesc;
+
+FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
+
+/* Starts a job that makes the curve of least energy through points of a manifold, among those that the first curve can be
+ * moved to: a chain of nodes on the manifold such that what is tangent to it of the curve's fourth derivative (E1: second)
+ * vanishes between the given points. Fails with FLG_ERROR_INVALID_ARGUMENT, and a sentence, where a point can't be projected, two
+ * in a row coincide, or no way leads from one to the next (put points between). Antipodal points of a sphere: a half circle,
+ * always the same one. Two points: a geodesic, with E2 as well. If rounds are used up or rounding lets it get no nearer the curve is
+ * there, and the view says so. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds. */
+FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job);
+
+typedef enum FlgSplineEnding {
+    FLG_SPLINE_RUNNING = 0,   /* what is shown is a round's result */
+    FLG_SPLINE_CONVERGED = 1, /* the residual is at most the tolerance */
+    FLG_SPLINE_ROUNDING = 2,  /* as near as rounding allows: with thousands of nodes between points differences vanish */
+    FLG_SPLINE_ROUNDS = 3,    /* max_rounds are used up */
+    FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
+} FlgSplineEnding;
+
+typedef struct FlgSplineView {
+    uint32_t struct_size;
+    uint32_t ambient;         /* n */
+    uint32_t node_count;
+    uint32_t point_count;
+    uint32_t closed;
+    FlgSplineEnding ending;
+    const double* nodes;      /* n a node */
+    const double* parameters; /* one a node, closed: one more */
+    const float* normals;     /* 3 a node, unit: the surface's, outwards; null if it isn't one in R^3, and while it is running */
+    const uint32_t* point_nodes; /* one a given point: its node */
+    const double* offsets;    /* one a given point, metres: how far it was from the manifold */
+    double largest_offset;
+    uint32_t rounds;          /* of the optimization */
+    uint32_t projections;     /* of all nodes onto the manifold */
+    double energy;            /* with all weights */
+    double bending;           /* E2: exact for the spline of R^n through the nodes */
+    double stretching;        /* E1 of the chain */
+    double length;            /* metres, of the chain */
+    /* Tangential part of the fourth derivative (with tension less w times the second, of E1 the second) at nodes that are free,
+     * root mean square, over the mean of all forces along the curve, those that hold the given points included. */
+    double residual;
+} FlgSplineView;
+
+FLG_API FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size);
+
+/* The arrays live until the spline is released; of running ones until the next flgTick. FLG_NOT_READY before its job is
+ * published (with partial_results: before its first round), its error if it failed. */
+FLG_API FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
+
+typedef struct FlgSplineCurvesDesc {
+    uint32_t struct_size;
+    float height;      /* metres above the surface, along its normals. Default 0 */
+    FlgJobOptions job;
+    FlgSpline spline;  /* of R^3 */
+} FlgSplineCurvesDesc;
+
+FLG_API FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t struct_size);
+
+/* Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3, NORMAL: to be
+ * stylized in the surface's frame (FLG_FRAME_SUPPLIED), drawn, projected, cut in. */
+FLG_API FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "splines/first_curve.h"
+
+#include <cmath>
+
+#include "core/failure.h"
+#include "splines/space_manifold.h"
+#include "surfaces/nearest_points.h"
+#include "surfaces/tracing_jobs.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t halvings = 4;
+constexpr uint32_t kernel_chunk = 200;  // 10 us
+constexpr uint32_t build_chunk = 300;
+constexpr uint32_t find_chunk = 100;
+constexpr double longest_way = 2;  // of a chord, over the projected middle
+
+using Point = std::array<double, Manifold::max_ambient>;
+
+double distance(const double* a, const double* b, uint32_t n) {
+    double sum = 0;
+    for (uint32_t c = 0; c < n; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
+    return std::sqrt(sum);
+}
+
+// The middle of two points on the manifold, projected. False where the way over it is too long or there is none.
+bool project_middle(const Manifold& manifold, const double* a, const double* b, double* out) {
+    const uint32_t n = manifold.ambient();
+    std::pmr::vector<double> memory(manifold.memory_size(), 0.0);
+    const double chord = distance(a, b, n);
+    Point basis_point{};
+    for (const double aside : {0.0, 0.05, -0.05}) {
+        for (uint32_t c = 0; c < n; ++c) out[c] = 0.5 * (a[c] + b[c]);
+        if (aside != 0) {
+            std::fill(memory.begin(), memory.end(), 0.0);
+            std::copy_n(a, n, basis_point.begin());
+            std::array<double, Manifold::max_ambient * Manifold::max_dimension> basis{};
+            if (!manifold.project(basis_point.data(), memory.data())) return false;
+            manifold.tangent_basis(basis_point.data(), memory.data(), basis.data());
+            for (uint32_t c = 0; c < n; ++c) out[c] += aside * chord * basis[c];
+        }
+        std::fill(memory.begin(), memory.end(), 0.0);
+        if (!manifold.project(out, memory.data())) continue;
+        if (distance(a, out, n) + distance(out, b, n) <= longest_way * chord) return true;
+    }
+    return false;
+}
+
+// The outward normal of a surface in R^3 at a point on it.
+Vec3 normal_at(const Manifold& manifold, const double* x) {
+    std::pmr::vector<double> memory(manifold.memory_size(), 0.0);
+    Point at{};
+    std::copy_n(x, 3, at.begin());
+    if (!manifold.project(at.data(), memory.data())) return Vec3::Zero();
+    double basis[6];
+    manifold.tangent_basis(at.data(), memory.data(), basis);
+    return Vec3(basis[0], basis[1], basis[2]).cross(Vec3(basis[3], basis[4], basis[5]));
+}
+
+// Whether a way of points keeps to one side of the surface: normals of neighbours do not oppose each other.
+Task<bool> keeps_side(Pace& pace, const HeldManifold& held, const std::pmr::vector<double>& points, size_t offset) {
+    if (!held.has_normals()) co_return true;
+    Vec3 last = normal_at(*held.manifold, &points[offset]);
+    for (size_t p = offset + 3; p < points.size(); p += 3) {
+        const Vec3 normal = normal_at(*held.manifold, &points[p]);
+        if (normal.dot(last) < 0) co_return false;
+        last = normal;
+        co_await pace;
+    }
+    co_return true;
+}
+
+// Fills points first to last of a segment's; both ends are there.
+Task<bool> halve(Pace& pace, const Manifold& manifold, std::pmr::vector<double>& points, size_t offset) {
+    const uint32_t n = manifold.ambient();
+    constexpr uint32_t pieces = 1u << halvings;
+    for (uint32_t step = pieces; step > 1; step /= 2) {
+        for (uint32_t first = 0; first < pieces; first += step) {
+            const double* const a = &points[offset + size_t{first} * n];
+            const double* const b = &points[offset + size_t{first + step} * n];
+            if (!project_middle(manifold, a, b, &points[offset + size_t{first + step / 2} * n])) co_return false;
+            co_await pace;
+        }
+    }
+    co_return true;
+}
+
+// A shortest path over the mesh, for the segment's points but the first.
+Task<void> follow_mesh(Pace& pace, const HeldManifold& held, GivenPoints given, uint32_t segment,
+                       NearestPoints& nearest, FirstCurve& out) {
+    Surface& surface = *held.surface;
+    const uint32_t count = given.count(3), ends[2] = {segment, (segment + 1) % count};
+    Paths paths{.offsets = Buffer<uint32_t>(2, pace.memory()),
+                .points = Buffer<SurfacePoint>(2, pace.memory()),
+                .closed = false,
+                .regions = RegionSet(pace.memory())};
+    paths.offsets[0] = 0;
+    paths.offsets[1] = 2;
+    for (uint32_t e = 0; e < 2; ++e) {
+        const double* const x = &given.values[size_t{3} * ends[e]];
+        nearest.begin({static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+        while (!nearest.find(find_chunk)) co_await pace;
+        paths.points[e] = nearest.found();
+    }
+    SurfaceCurves curves(pace.memory());
+    try {
+        co_await trace_polylines(pace, surface, paths, given.argument, curves);
+    } catch (const Failure& failure) {
+        if (failure.result() != FLG_ERROR_INVALID_ARGUMENT) throw;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: no way leads over the surface from point %u to point %u",
+                      given.argument, ends[0], ends[1]);
+    }
+    for (size_t p = 1; p + 1 < curves.points.size(); ++p) {
+        const Vec3 x = position_of(surface.mesh(), curves.points[p]);
+        out.points.insert(out.points.end(), {x.x(), x.y(), x.z()});
+        if (p % 64 == 0) co_await pace;
+    }
+    const double* const last = &given.values[size_t{3} * ends[1]];
+    out.points.insert(out.points.end(), last, last + 3);
+}
+
+}  // namespace
+
+Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints given, FirstCurve& out) {
+    const Manifold& manifold = *held.manifold;
+    const uint32_t n = manifold.ambient(), count = given.count(n), segments = given.segments(n);
+    constexpr uint32_t pieces = 1u << halvings;
+    out.points.assign(given.values.begin(), given.values.begin() + n);
+    std::optional<NearestPoints> nearest;
+    for (uint32_t s = 0; s < segments; ++s) {
+        const double* const b = &given.values[size_t{(s + 1) % count} * n];
+        const size_t offset = out.points.size() - n;
+        out.points.resize(out.points.size() + size_t{pieces} * n);
+        std::copy_n(b, n, out.points.end() - n);
+        bool found = co_await halve(pace, manifold, out.points, offset);
+        if (found) found = co_await keeps_side(pace, held, out.points, offset);
+        if (!found) {
+            out.points.resize(offset + n);
+            if (!held.surface) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                              "%s: halving the chord from point %u to point %u does not lead along the surface; put "
+                              "points between",
+                              given.argument, s, (s + 1) % count);
+            }
+            if (!nearest) {
+                nearest.emplace(held.surface->mesh(), pace.memory());
+                while (!nearest->build(build_chunk)) co_await pace;
+            }
+            co_await follow_mesh(pace, held, given, s, *nearest, out);
+        }
+        out.ends.push_back(static_cast<uint32_t>(out.points.size() / n));
+    }
+}
+
+Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& first, GivenPoints given, uint32_t nodes,
+                       uint32_t least, SplineProblem& problem) {
+    const uint32_t n = manifold.ambient(), count = given.count(n), segments = given.segments(n);
+    const std::pmr::vector<double>& chain = first.points;
+    std::pmr::vector<double> shares(segments, 0.0, pace.memory());
+    double whole = 0;
+    for (uint32_t s = 0; s < segments; ++s) {
+        const uint32_t begin = s == 0 ? 0 : first.ends[s - 1] - 1;
+        double length = 0;
+        for (uint32_t p = begin; p + 1 < first.ends[s]; ++p)
+            length += distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+        shares[s] = problem.parameters.size() > 0 ? problem.parameters[s + 1] - problem.parameters[s] : length;
+        whole += shares[s];
+        if (s % 8 == 0) co_await pace;
+    }
+    // As many as its share of what is left, segment by segment: so they add up.
+    uint32_t left = std::max(given.closed ? nodes : nodes - 1, least * segments);
+    double rest = whole;
+    problem.knots = Buffer<uint32_t>(count, pace.memory());
+    problem.given = Buffer<double>(given.values.size(), pace.memory());
+    problem.points = Buffer<double>(size_t{left + (given.closed ? 0 : 1)} * n, pace.memory());
+    uint32_t at = 0;
+    for (uint32_t s = 0; s < segments; ++s) {
+        const uint32_t spare = left - least * (segments - s);
+        uint32_t intervals = least;
+        if (s + 1 == segments) {
+            intervals = left;
+        } else if (rest > 0) {
+            const double wanted = shares[s] / rest * left;
+            intervals = std::clamp(static_cast<uint32_t>(std::lround(wanted)), least, least + spare);
+        }
+        rest -= shares[s];
+        left -= intervals;
+        problem.knots[s] = at;
+        std::copy_n(&given.values[size_t{s} * n], n, &problem.given[size_t{s} * n]);
+        const uint32_t begin = s == 0 ? 0 : first.ends[s - 1] - 1, end = first.ends[s] - 1;
+        double length = 0;
+        for (uint32_t p = begin; p < end; ++p) length += distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+        uint32_t p = begin;
+        double passed = 0, piece = distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+        for (uint32_t i = 0; i < intervals; ++i) {
+            const double target = length * i / intervals;
+            while (p + 1 < end && passed + piece < target) {
+                passed += piece;
+                ++p;
+                piece = distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+            }
+            const double t = piece > 0 ? std::clamp((target - passed) / piece, 0.0, 1.0) : 0;
+            for (uint32_t c = 0; c < n; ++c) {
+                problem.points[size_t{at} * n + c] =
+                    chain[size_t{p} * n + c] * (1 - t) + chain[size_t{p + 1} * n + c] * t;
+            }
+            ++at;
+            if (at % 128 == 0) co_await pace;
+        }
+    }
+    if (given.closed) co_return;
+    problem.knots[segments] = at;
+    std::copy_n(&given.values[size_t{segments} * n], n, &problem.given[size_t{segments} * n]);
+    std::copy_n(&given.values[size_t{segments} * n], n, &problem.points[size_t{at} * n]);
+}
+
+Task<void> unrestricted_spline(Pace& pace, SplineProblem& problem) {
+    const SpaceManifold space(problem.manifold->ambient(), problem.manifold->size());
+    const Manifold* const own = problem.manifold;
+    problem.manifold = &space;
+    {
+        SplineKernel kernel(problem, pace.memory());
+        while (!kernel.run(kernel_chunk)) co_await pace;
+        problem.points = kernel.take_points();
+    }
+    problem.manifold = own;
+}
+
+}  // namespace flg

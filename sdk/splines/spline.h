@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Splines as hosts hold them, and the job that makes them.
+#pragma once
+
+#include "curves/curve_set.h"
+#include "splines/first_curve.h"
+#include "splines/triple_buffer.h"
+
+namespace flg {
+
+class HeldSpline final : public Product {
+public:
+    explicit HeldSpline(std::shared_ptr<const HeldManifold> on) : manifold(std::move(on)) {}
+
+    const std::shared_ptr<const HeldManifold> manifold;
+
+    // A chain as the host sees it.
+    struct Chain {
+        Buffer<double> nodes, parameters;  // as many coordinates as the manifold shows; one a node, closed: one more
+        SplineReport report;
+    };
+
+    // By the job that makes it.
+    TripleBuffer<Chain> rounds;  // of jobs with partial results
+    Chain chain;                 // the last one
+    Buffer<double> points;       // of that, all coordinates: where others begin
+    Buffer<double> given;        // the same, of the given points
+    Buffer<uint32_t> knots;      // their nodes
+    Buffer<double> offsets;      // how far they were from the manifold, m
+    Buffer<float> normals;       // 3 a node, of surfaces in R^3
+    bool closed = false;
+    bool is_complete = false;  // all of it is there
+
+    const FlgSplineView& view() const { return view_; }
+    void publish_partial() noexcept override;
+
+private:
+    void show() noexcept override;
+    void show_chain(const Chain& chain) noexcept;
+
+    FlgSplineView view_{};
+};
+
+struct SplineRequest {
+    std::shared_ptr<HeldSpline> out;
+    std::shared_ptr<const HeldSpline> warm_start;  // or null
+    Buffer<double> points;                         // as given, given_ambient each
+    Buffer<double> curve;                          // the same, or empty
+    Buffer<double> slopes[2];                      // the same, or empty
+    SplineProblem problem;                         // options, parameters and, with a curve, knots
+    FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
+    uint32_t node_count = 0;
+    uint32_t subdivisions = 0;
+};
+
+// The whole of flgSplineCreate.
+Task<void> make_spline(Pace& pace, SplineRequest request);
+
+// The whole of flgSplineCurves.
+Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, float height,
+                         std::shared_ptr<CurveSet> out);
+
+}  // namespace flg
