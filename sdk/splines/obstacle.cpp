@@ -58,7 +58,8 @@ double ObstacleSet::distance(const double* x, uint32_t* which, double* gradient,
 }
 
 // Between two places that are t apart, one of them t away from all obstacles, all is free.
-bool ObstacleSet::clear(const double* a, const double* b, double margin, uint32_t max_steps) const {
+ObstacleSet::Way ObstacleSet::follow(const double* a, const double* b, double margin, uint32_t steps,
+                                     double* done) const {
     Obstacle::Place along{}, at{};
     double square = 0;
     for (uint32_t k = 0; k < dimension_; ++k) {
@@ -66,16 +67,23 @@ bool ObstacleSet::clear(const double* a, const double* b, double margin, uint32_
         square += along[k] * along[k];
     }
     const double length = std::sqrt(square);
-    double done = 0;
-    for (uint32_t step = 0; step < max_steps; ++step) {
-        const double t = length > 0 ? std::min(done / length, 1.0) : 1;
+    for (uint32_t step = 0; step < steps; ++step) {
+        const double t = length > 0 ? std::min(*done / length, 1.0) : 1;
         for (uint32_t k = 0; k < dimension_; ++k) at[k] = a[k] + t * along[k];
         const double d = distance(at.data());
-        if (!(d >= margin)) return false;
-        if (t >= 1) return true;
-        done += d;
+        if (!(d >= margin)) return Way::blocked;
+        if (t >= 1) return Way::clear;
+        *done += d;
     }
-    return false;
+    return Way::unfinished;
+}
+
+bool ObstacleSet::clear(const double* a, const double* b, double margin) const {
+    double done = 0;
+    for (;;) {
+        const Way way = follow(a, b, margin, UINT32_MAX, &done);
+        if (way != Way::unfinished) return way == Way::clear;
+    }
 }
 
 double ObstacleSet::step_limit() const {

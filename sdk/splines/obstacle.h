@@ -84,9 +84,13 @@ public:
     double distance(const double* x, uint32_t* which = nullptr, double* gradient = nullptr,
                     double below = std::numeric_limits<double>::infinity()) const;
 
-    // Whether the straight way from a to b stays `margin` (> 0) away: in steps of the distance, at most `max_steps`. Exact: a
-    // way that is said to be clear has no point nearer than 0. The ends too have to be a margin away.
-    bool clear(const double* a, const double* b, double margin, uint32_t max_steps = 4096) const;
+    // Whether the straight way from a to b stays clear: in steps of the distance, each of which ends `margin` (> 0) away at
+    // least, the ends of the way too. Exact: a way that is said to be clear has no point nearer than 0. Takes so many steps
+    // and, if these did not do, goes on from `done` (0 at first, a length) when called again.
+    enum class Way { clear, blocked, unfinished };
+    Way follow(const double* a, const double* b, double margin, uint32_t steps, double* done) const;
+    // In one go.
+    bool clear(const double* a, const double* b, double margin) const;
 
     // Step limit of a point of the curve: shorter ones, projected, pass no obstacle (see core_depth()).
     double step_limit() const;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The grid that first curves around obstacles are found on (Hofer, Pottmann 2004, sec. 5, Fig. 14): how fine it is, which of its
+// nodes are free, which edges are closed by something thinner than a cell; and which side of an obstacle a curve must pass.
+//
+// A side is had by extending the obstacle without end in the opposite direction: what the extension holds is not free, so every
+// way passes on the side that is left. A point x is in the extension of O along -u if O is met from x in direction u. Obstacles
+// that are thinner than a cell are extended as bars two cells wide, which no way along the grid crosses.
+//
+// Spacing: a quarter of the narrowest gap between two obstacles (found by projecting to and fro, so between dents not the
+// narrowest), not coarser than 1/128 of the longest side of the grid's box (space: 1/48), not finer than 1/512 (1/96). Gaps
+// that are narrower than a cell are seen only where nodes happen to lie in them.
+#pragma once
+
+#include "splines/sweep_distance.h"
+
+namespace flg {
+
+struct ObstacleSide {
+    uint32_t obstacle;
+    Obstacle::Place direction;  // the side that is passed, as seen from the obstacle; any length but 0
+};
+
+class ObstacleGrid {
+public:
+    // points: d numbers each; the grid's box has them and all obstacles, with a tenth of its size around. All outlive it.
+    // Throws a Failure: sides of obstacles that there are not, or that have no outside, directions without length.
+    ObstacleGrid(const ObstacleSet& obstacles, std::span<const double> points, std::span<const ObstacleSide> sides,
+                 Memory* memory);
+
+    // A unit is a pair of obstacles, a node or an edge of it: 0.1 to 1 us, more where a side's extension is grazed. True when
+    // done.
+    bool run(uint32_t count);
+
+    // After run() returned true.
+    const SweepGrid& grid() const { return grid_; }
+    const uint8_t* flags() const { return flags_.data(); }  // as for SweepDistance
+    // So far from all obstacles are free nodes, a sixteenth of the spacing; and ways at least 0.
+    double margin() const { return margin_; }
+    double way_margin() const { return margin_ / 4; }
+    bool free(uint32_t node) const { return (flags_[node] & SweepDistance::unused) == 0; }
+    // Whether a straight way stays out of all extensions, by the nodes that are nearest to it: 5 ns half a cell.
+    bool on_side(const double* a, const double* b) const;
+    // The first side of which the extension holds x, by the obstacle as it is; the number of sides if none does.
+    uint32_t behind(const double* x) const;
+    uint32_t side_count() const { return static_cast<uint32_t>(sides_.size()); }
+    const ObstacleSide& side(uint32_t i) const { return sides_[i]; }
+
+private:
+    enum class Pass { gaps, nodes, edges, done };
+    static constexpr uint8_t extension = 16;  // beside SweepDistance's flags
+
+    void measure_gap();
+    void choose_spacing();
+    void flag_node();
+    void close_edge();
+    bool in_extension(const ObstacleSide& side, const double* x, double margin) const;
+
+    const ObstacleSet& obstacles_;
+    std::pmr::vector<ObstacleSide> sides_;  // with unit directions
+    Memory* memory_;
+    Pass pass_ = Pass::gaps;
+    uint32_t at_ = 0, other_ = 1;
+    Obstacle::Box box_;
+    double longest_ = 0, gap_ = std::numeric_limits<double>::infinity(), margin_ = 0;
+    SweepGrid grid_;
+    Buffer<float> away_;  // a node's distance
+    Buffer<uint8_t> flags_;
+};
+
+}  // namespace flg
