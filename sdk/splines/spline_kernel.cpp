@@ -182,7 +182,10 @@ void SplineKernel::after_frames() {
         const double density = forces_ / span_;
         const double mean = free_nodes_ > 0 ? std::sqrt(tangential_ / free_nodes_) : 0;
         last_residual_ = report_.residual;
-        report_.residual = mean > 0 ? mean / density : 0;
+        // The energy of a straight chain whose points are rounded.
+        const double rounding = epsilon * problem_.manifold->size(), mean_step = span_ / nodes_;
+        const double nothing = 1e3 * nodes_ * rounding * rounding / (mean_step * mean_step * mean_step);
+        report_.residual = weighted(now_) > nothing ? mean / density : 0;
         report_.energy = weighted(now_);
         report_.bending = now_.bending;
         report_.stretching = now_.stretching;
