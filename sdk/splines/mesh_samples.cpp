@@ -282,17 +282,14 @@ bool MeshSamplesKernel::between(const double* weights, double radius, OrientedSa
 void MeshSamplesKernel::measure() {
     const uint32_t triangles = mesh_.triangle_count(),
                    stride = (triangles + measured_triangles - 1) / measured_triangles;
-    double memory[Manifold::max_ambient * 8] = {}, value = 0, square = 0;
     const Triple& corners = mesh_.triangles[at_ * stride];
     const Vec3 a = mesh_.position(corners[0]), b = mesh_.position(corners[1]), c = mesh_.position(corners[2]);
     for (const Vec3& place : {a, Vec3((a + b + c) / 3)}) {
-        Vec3 gradient;
-        if (!surface_->evaluate(place.data(), memory, &value, gradient.data(), nullptr)) {
+        double away = 0;
+        if (!surface_->distance_estimate(place, &away)) {
             ++deviation_.uncovered;
             continue;
         }
-        square = gradient.squaredNorm();
-        const double away = square > 0 ? std::abs(value) / std::sqrt(square) : 0;
         deviation_.largest = std::max(deviation_.largest, away);
         deviations_ += away;
         ++deviation_.places;

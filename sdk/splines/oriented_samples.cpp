@@ -205,6 +205,15 @@ bool OrientedSamples::evaluate(const double* x, double* memory, double* value, d
     return true;
 }
 
+bool OrientedSamples::distance_estimate(const Vec3& place, double* distance) const {
+    double memory[sizeof(Nearby) / sizeof(double)] = {};
+    Blend here;
+    if (!blend(place.data(), memory, nullptr, false, here)) return false;
+    const double slope = here.gradient.norm();
+    *distance = slope > 0 ? std::abs(here.value) / slope : 0;
+    return true;
+}
+
 // Newton's method along the gradient, from a place near the surface.
 bool OrientedSamples::descend(Vec3& x, double* memory, bool from_sample) const {
     Vec3 at = x, sheet = Vec3::Zero();

@@ -43,6 +43,9 @@ public:
     // open border that is a point near the border. 1 us near the surface, up to 20 us far away.
     bool project(double* x, double* memory) const override;
 
+    // How far a place near the surface is from it, up to the square of that: |F| / |grad F|. False where no sample reaches.
+    bool distance_estimate(const Vec3& place, double* distance) const;
+
     uint32_t sample_count() const { return static_cast<uint32_t>(samples_.size()); }
     const OrientedSample& sample(uint32_t i) const { return samples_[i]; }
     // The one whose position is nearest; of equally near ones, any, but always the same.
