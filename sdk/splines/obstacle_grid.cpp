@@ -58,6 +58,11 @@ ObstacleGrid::ObstacleGrid(const ObstacleSet& obstacles, std::span<const double>
         box_.upper[k] += border * longest_;
     }
     longest_ *= 1 + 2 * border;
+    // What an obstacle leaves free that is not bounded is about so wide.
+    for (uint32_t i = 0; i < obstacles.count(); ++i) {
+        const double wide = 2 * (obstacles[i].core_depth() - obstacles.clearance());
+        if (!obstacles[i].bounded() && wide > 0) gap_ = std::min(gap_, wide);
+    }
 }
 
 bool ObstacleGrid::run(uint32_t count) {

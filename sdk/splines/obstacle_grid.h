@@ -7,7 +7,7 @@
 // that are thinner than a cell are extended as bars two cells wide, which no way along the grid crosses.
 //
 // Spacing: a quarter of the narrowest gap between two obstacles (found by projecting to and fro, so between dents not the
-// narrowest), not coarser than 1/128 of the longest side of the grid's box (space: 1/48), not finer than 1/512 (1/96). Gaps
+// narrowest) and of a layer's thickness, not coarser than 1/128 of the longest side of the grid's box (space: 1/48), not finer than 1/512 (1/96). Gaps
 // that are narrower than a cell are seen only where nodes happen to lie in them.
 #pragma once
 
