@@ -20,6 +20,7 @@ class HeldPartMesh;
 class HeldModel;
 class HeldSkin;
 class HeldManifold;
+class HeldObstacles;
 class HeldSpline;
 class HeldMotion;
 }  // namespace flg
@@ -43,6 +44,7 @@ struct FlgContextT {
           models(flg::HandleKind::model, salt, &memory),
           skins(flg::HandleKind::skin, salt, &memory),
           manifolds(flg::HandleKind::manifold, salt, &memory),
+          obstacles(flg::HandleKind::obstacles, salt, &memory),
           splines(flg::HandleKind::spline, salt, &memory),
           motions(flg::HandleKind::motion, salt, &memory),
           runtime(desc, &memory) {}
@@ -65,6 +67,7 @@ struct FlgContextT {
     flg::HandleTable<flg::HeldModel> models;
     flg::HandleTable<flg::HeldSkin> skins;
     flg::HandleTable<flg::HeldManifold> manifolds;
+    flg::HandleTable<flg::HeldObstacles> obstacles;
     flg::HandleTable<flg::HeldSpline> splines;
     flg::HandleTable<flg::HeldMotion> motions;
     flg::Runtime runtime;

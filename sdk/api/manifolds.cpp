@@ -9,9 +9,9 @@
 #include "api/inputs.h"
 #include "api/products.h"
 #include "api/surface_inputs.h"
-#include "splines/held_manifold.h"
 #include "splines/host_manifold.h"
 #include "splines/implicit_surfaces.h"
+#include "splines/manifold_jobs.h"
 #include "splines/space_manifold.h"
 
 namespace flg {
@@ -29,6 +29,13 @@ FlgShapeDesc default_shape_desc() {
     desc.radius = 1;
     desc.tube_radius = 0.25;
     desc.size = 1;
+    return desc;
+}
+
+FlgMeshManifoldDesc default_mesh_desc() {
+    FlgMeshManifoldDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
     return desc;
 }
 
@@ -127,7 +134,32 @@ FlgResult flgManifoldCreateShape(FlgContext context, const FlgShapeDesc* desc, F
         const FlgShapeDesc read = read_struct(desc, default_shape_desc(), "desc");
         const auto held = make_object<HeldManifold>(self);
         held->manifold = make_shape(self, read);
+        held->is_space = read.shape == FLG_SHAPE_SPACE;
         *out_manifold = publish_at_once(self, held);
+        return FLG_OK;
+    });
+}
+
+FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_mesh_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc, FlgManifold* out_manifold,
+                                       FlgJob* out_job) {
+    return guarded([&] {
+        require(out_manifold, "out_manifold") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgMeshManifoldDesc read = read_struct(desc, default_mesh_desc(), "desc");
+        Submission submission(self, read.job);
+        const auto held = make_object<HeldManifold>(self);
+        held->surface = self.surfaces.get(read.surface.id, "desc.surface");
+        submission.read_surface(held->surface, "desc.surface");
+        submission.job().strand.start(make_mesh_manifold(submission.pace(), held));
+        *out_manifold = {submission.commit(self.manifolds, held, out_job)};
         return FLG_OK;
     });
 }

@@ -25,6 +25,7 @@ FlgSplineDesc default_spline_desc() {
     desc.tension = 1;
     desc.max_rounds = 200;
     desc.tolerance = 1e-6;
+    desc.obstacle_radius = 1e-3;
     return desc;
 }
 
@@ -121,6 +122,28 @@ void read_curve(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& requ
     request.curve = read_numbers(desc.curve, size_t{desc.curve_count} * ambient, "desc.curve", memory);
 }
 
+void read_obstacles(Context& context, const FlgSplineDesc& desc, const HeldManifold& manifold, SplineRequest& request) {
+    if (desc.obstacles.id == 0) return;
+    request.obstacles = context.obstacles.get(desc.obstacles.id, "desc.obstacles");
+    const uint32_t dimension = request.obstacles->set->dimension();
+    if (!manifold.is_space || manifold.given_ambient != dimension) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.obstacles are those of a FLG_SHAPE_SPACE of %u dimensions, which desc.manifold is not",
+                      dimension);
+    }
+    check_range(desc.obstacle_radius >= 1e-5 && desc.obstacle_radius <= 0.1, "desc.obstacle_radius",
+                desc.obstacle_radius, "1e-5 to 0.1");
+    request.obstacle_radius = desc.obstacle_radius;
+    if (desc.side_count > 0) require(desc.sides, "desc.sides");
+    check_range(desc.side_count <= ObstacleSet::max_count, "desc.side_count", desc.side_count, "at most 256");
+    request.sides = Buffer<ObstacleSide>(desc.side_count, &context.memory);
+    for (uint32_t i = 0; i < desc.side_count; ++i) {
+        const FlgObstacleSide& side = desc.sides[i];
+        request.sides[i] = {side.obstacle,
+                            {side.direction[0], side.direction[1], dimension == 3 ? side.direction[2] : 0}};
+    }
+}
+
 void read_subdivisions(const FlgSplineDesc& desc, SplineRequest& request) {
     check_range(desc.subdivisions <= most_subdivisions, "desc.subdivisions", desc.subdivisions, "0 to 8");
     const uint64_t first = desc.curve ? desc.curve_count : std::max(desc.node_count, 32 * desc.point_count);
@@ -163,6 +186,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         read_curve(read, ambient, request, &self.memory);
         read_subdivisions(read, request);
         read_parameters(read, request.problem, &self.memory);
+        read_obstacles(self, read, *manifold, request);
         request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", &self.memory);
         if (read.begin_slope)
             request.slopes[0] = read_numbers(read.begin_slope, ambient, "desc.begin_slope", &self.memory);

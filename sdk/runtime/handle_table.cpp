@@ -20,6 +20,7 @@ const char* handle_kind_name(HandleKind kind) {
         case HandleKind::model: return "model";
         case HandleKind::skin: return "skin";
         case HandleKind::manifold: return "manifold";
+        case HandleKind::obstacles: return "obstacles";
         case HandleKind::spline: return "spline";
         case HandleKind::motion: return "motion";
     }

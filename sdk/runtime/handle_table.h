@@ -29,6 +29,7 @@ enum class HandleKind : uint8_t {
     model,
     skin,
     manifold,
+    obstacles,
     spline,
     motion
 };

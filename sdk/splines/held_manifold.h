@@ -18,6 +18,7 @@ public:
     double largest_deviation = 0, mean_deviation = 0;
     // So many coordinates of a point are given and shown, the first ones; the others come from projection. Set at once.
     uint32_t given_ambient = 3;
+    bool is_space = false;  // R^n itself
     // Whether it is a surface in R^3.
     bool has_normals() const { return manifold->ambient() == 3 && manifold->dimension() == 2; }
 

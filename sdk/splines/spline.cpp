@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/obstacle_spline.h"
 
 namespace flg {
 
@@ -30,8 +31,7 @@ double distance_of(const double* a, const double* b, uint32_t n) {
 
 // The chain of the last round that was accepted, for the host.
 Task<void> copy_chain(Pace& pace, const SplineKernel& kernel, const HeldSpline& spline, HeldSpline::Chain& out) {
-    const uint32_t n = spline.manifold->manifold->ambient(), shown = spline.manifold->given_ambient,
-                   nodes = kernel.nodes();
+    const uint32_t n = kernel.ambient(), shown = spline.manifold->given_ambient, nodes = kernel.nodes();
     if (out.nodes.size() != size_t{nodes} * shown) {
         out.nodes = Buffer<double>(size_t{nodes} * shown, pace.memory());
         out.parameters = Buffer<double>(size_t{nodes} + 1, pace.memory());
@@ -47,8 +47,9 @@ Task<void> copy_chain(Pace& pace, const SplineKernel& kernel, const HeldSpline& 
     out.report = kernel.report();
 }
 
-// Runs the kernel to its end, and shows its rounds if the host wants to see them.
-Task<void> run_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline) {
+}  // namespace
+
+Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline) {
     uint32_t rounds = 0;
     while (!kernel.run(kernel_chunk)) {
         co_await pace;
@@ -63,6 +64,8 @@ Task<void> run_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline) {
                       kernel.report().failed_node, kernel.nodes());
     }
 }
+
+namespace {
 
 // Points of the host put onto the manifold: all their coordinates, and how far they were from it.
 Task<void> place_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
@@ -187,9 +190,10 @@ Task<void> subdivide(Pace& pace, const SplineKernel& kernel, SplineProblem& prob
     }
 }
 
-// What stays of a kernel that is done.
-Task<void> keep(Pace& pace, const SplineKernel& kernel, HeldSpline& out) {
-    const uint32_t n = out.manifold->manifold->ambient(), nodes = kernel.nodes();
+}  // namespace
+
+Task<void> keep_spline(Pace& pace, const SplineKernel& kernel, HeldSpline& out) {
+    const uint32_t n = kernel.ambient(), nodes = kernel.nodes();
     co_await copy_chain(pace, kernel, out, out.chain);
     out.points = Buffer<double>(size_t{nodes} * n, pace.memory());
     const bool has_normals = out.manifold->has_normals();
@@ -205,8 +209,6 @@ Task<void> keep(Pace& pace, const SplineKernel& kernel, HeldSpline& out) {
     }
 }
 
-}  // namespace
-
 Task<void> make_spline(Pace& pace, SplineRequest request) {
     HeldSpline& out = *request.out;
     const HeldManifold& held = *out.manifold;
@@ -214,6 +216,7 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     problem.manifold = held.manifold.get();
     const uint32_t n = problem.manifold->ambient();
     out.closed = problem.closed;
+    if (request.obstacles) co_return co_await make_obstacle_spline(pace, request);
     pace.stage("place");
     Buffer<double> given;
     co_await place_points(pace, held, request.points, "desc.points", given, &out.offsets);
@@ -232,9 +235,9 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     pace.stage("minimize");
     for (uint32_t round = 0;; ++round) {
         SplineKernel kernel(problem, pace.memory());
-        co_await run_kernel(pace, kernel, out);
+        co_await run_spline_kernel(pace, kernel, out);
         if (round == request.subdivisions) {
-            co_await keep(pace, kernel, out);
+            co_await keep_spline(pace, kernel, out);
             break;
         }
         co_await subdivide(pace, kernel, problem);

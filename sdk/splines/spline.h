@@ -4,6 +4,7 @@
 
 #include "curves/curve_set.h"
 #include "splines/first_curve.h"
+#include "splines/held_obstacles.h"
 #include "splines/triple_buffer.h"
 
 namespace flg {
@@ -51,10 +52,18 @@ struct SplineRequest {
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
     uint32_t node_count = 0;
     uint32_t subdivisions = 0;
+    std::shared_ptr<const HeldObstacles> obstacles;  // or null
+    Buffer<ObstacleSide> sides;
+    double obstacle_radius = 1e-3;  // of the scene's size
 };
 
 // The whole of flgSplineCreate.
 Task<void> make_spline(Pace& pace, SplineRequest request);
+
+// Steps of that. Runs the kernel to its end, and shows its rounds if the host wants to see them.
+Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline);
+// What stays of a kernel that is done.
+Task<void> keep_spline(Pace& pace, const SplineKernel& kernel, HeldSpline& out);
 
 // The whole of flgSplineCurves.
 Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, float height,

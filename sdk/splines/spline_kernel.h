@@ -76,6 +76,7 @@ public:
     // When done: the same, to keep.
     Buffer<double> take_points() { return std::move(now_.points); }
     uint32_t nodes() const { return nodes_; }
+    uint32_t ambient() const { return n_; }
     double first_parameter() const { return problem_.parameters.size() > 0 ? problem_.parameters[0] : 0; }
     // Of parameters, from a node to the next; 0 after the last one of an open curve.
     double step_after(uint32_t node) const { return moments_.step_after(node); }

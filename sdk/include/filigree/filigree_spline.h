@@ -148,6 +148,63 @@ FLG_API FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, d
 
 FLG_API FlgResult flgManifoldRelease(FlgContext context, FlgManifold manifold);
 
+/* ---- Obstacles ---------------------------------------------------------------------------------------------------- */
+
+/* Solids that curves of the plane or of space keep out of. Never change once ready. */
+FLG_HANDLE(FlgObstacles);
+
+typedef enum FlgObstacleKind {
+    FLG_OBSTACLE_BALL = 0,     /* centre, radius */
+    FLG_OBSTACLE_BOX = 1,      /* centre, half, axes */
+    FLG_OBSTACLE_CAPSULE = 2,  /* all within `radius` of the segment from centre to `to` */
+    FLG_OBSTACLE_POLYGON = 3,  /* of the plane: points */
+    FLG_OBSTACLE_FUNCTION = 4, /* the host's */
+    FLG_OBSTACLE_KIND_FORCE_32BIT = 0x7fffffff
+} FlgObstacleKind;
+
+/* Of the plane only x and y count. Metres. */
+typedef struct FlgObstacle {
+    FlgObstacleKind kind;
+    uint32_t point_count; /* 3 to 256 */
+    double centre[3];
+    double half[3];       /* half the box's sides, above 0 */
+    double axes[9];       /* rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first two */
+    double to[3];
+    double radius;        /* above 0 */
+    const double* points; /* 2 a point: a simple polygon, either way around; read during the call */
+    /* Of FUNCTION, called from any thread; a value that is positive outside and nowhere more than the distance, and its gradient,
+     * which is not 0 within half a `half` of where it is 0. centre and half: a box with all of the solid in it. */
+    double (*value)(void* user_data, const double* x, double* gradient);
+    void* user_data;      /* lives until the obstacles and all splines among them are released */
+} FlgObstacle;
+
+/* A ball of radius 1 about the origin; a box of sides of 2. */
+FLG_API void flgObstacleInit(FlgObstacle* obstacle);
+
+typedef struct FlgObstaclesDesc {
+    uint32_t struct_size;
+    uint32_t dimension;     /* 2 or 3. Default 3 */
+    const FlgObstacle* obstacles;
+    uint32_t obstacle_count; /* 1 to 256 */
+    uint32_t reserved;
+    double clearance;        /* metres, at least 0: how far curves stay away, such as the radius of a body whose centre they are.
+                              * Default 0 */
+} FlgObstaclesDesc;
+
+FLG_API FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size);
+
+/* Makes obstacles at once. */
+FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles);
+FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
+
+/* On which side a curve passes an obstacle: while its first curve is found the obstacle goes on without end against the
+ * direction. What the optimization does later keeps to it. */
+typedef struct FlgObstacleSide {
+    uint32_t obstacle;
+    uint32_t reserved;
+    double direction[3]; /* from the obstacle to where the curve passes; any length but 0 */
+} FlgObstacleSide;
+
 /* ---- Splines ------------------------------------------------------------------------------------------------------ */
 
 typedef enum FlgSplineEnergy {
@@ -202,6 +259,13 @@ typedef struct FlgSplineDesc {
     uint32_t curve_count;      /* nodes of `curve`, 2 (closed: 3) to 2^20 */
     uint32_t subdivisions;     /* rounds of variational subdivision (Remark 6) afterwards: each puts one node between two, and
                                 * optimizes all but the given points again. 0 to 8. Default 0 */
+    uint32_t side_count;       /* of `sides`. Default 0 */
+    /* With a FLG_SHAPE_SPACE of as many dimensions: the curve stays out of these (sec. 5). It is what splines on surfaces around
+     * them become whose radius shrinks to `obstacle_radius` of the scene's size; closer than that it may touch them along a
+     * stretch. A given point in an obstacle is refused. `curve`, start, warm_start, slopes and subdivisions do not count. Default none */
+    FlgObstacles obstacles;
+    const FlgObstacleSide* sides; /* how the first curve passes; default null: the shortest way */
+    double obstacle_radius;    /* 1e-5 to 0.1. Default 1e-3 */
 } FlgSplineDesc;
 
 FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Obstacles: made, released.
+#include <cmath>
+
+#include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "filigree/filigree_spline.h"
+#include "splines/held_obstacles.h"
+#include "splines/obstacle_polygon.h"
+#include "splines/obstacle_shapes.h"
+
+namespace flg {
+
+namespace {
+
+FlgObstacle default_obstacle() {
+    FlgObstacle obstacle{};
+    obstacle.radius = 1;
+    for (int i = 0; i < 3; ++i) obstacle.half[i] = obstacle.axes[4 * i] = 1;
+    return obstacle;
+}
+
+FlgObstaclesDesc default_obstacles_desc() {
+    FlgObstaclesDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.dimension = 3;
+    return desc;
+}
+
+std::shared_ptr<const Obstacle> make_box(Context& context, const FlgObstacle& in, uint32_t dimension) {
+    double axes[9];
+    for (uint32_t r = 0; r < dimension; ++r) {
+        for (uint32_t c = 0; c < dimension; ++c) axes[r * dimension + c] = in.axes[3 * r + c];
+    }
+    return make_object<BoxObstacle>(context, dimension, in.centre, in.half, axes);
+}
+
+// Of a host's function: bounded by its box, and as exact and as deep as the header asks.
+std::shared_ptr<const Obstacle> make_function(Context& context, const FlgObstacle& in, uint32_t dimension) {
+    if (!in.value) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "value is null");
+    Obstacle::Box box;
+    double least = HUGE_VAL;
+    for (uint32_t c = 0; c < dimension; ++c) {
+        check_range(in.half[c] > 0 && in.half[c] <= 1e30, "half", in.half[c], "above 0");
+        check_range(std::abs(in.centre[c]) <= 1e30, "centre", in.centre[c], "finite and at most 1e30 in size");
+        box.lower[c] = in.centre[c] - in.half[c];
+        box.upper[c] = in.centre[c] + in.half[c];
+        least = std::min(least, in.half[c]);
+    }
+    const FunctionObstacle::Function function{.value = in.value, .second = nullptr, .user = in.user_data};
+    return make_object<FunctionObstacle>(context, dimension, function, box, true, 0.1 * least, 0.5 * least);
+}
+
+std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacle& in, uint32_t dimension) {
+    check_enum(in.kind, FLG_OBSTACLE_BALL, FLG_OBSTACLE_FUNCTION, "kind", "FLG_OBSTACLE_");
+    switch (in.kind) {
+        case FLG_OBSTACLE_BALL: return make_object<BallObstacle>(context, dimension, in.centre, in.radius);
+        case FLG_OBSTACLE_BOX: return make_box(context, in, dimension);
+        case FLG_OBSTACLE_CAPSULE: return make_object<CapsuleObstacle>(context, dimension, in.centre, in.to, in.radius);
+        case FLG_OBSTACLE_FUNCTION: return make_function(context, in, dimension);
+        default: break;
+    }
+    if (dimension != 2)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is FLG_OBSTACLE_POLYGON, which is for the plane, dimension 2");
+    require(in.points, "points");
+    return make_object<PolygonObstacle>(context, std::span<const double>(in.points, size_t{2} * in.point_count),
+                                        &context.memory);
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+void flgObstacleInit(FlgObstacle* obstacle) {
+    if (obstacle) *obstacle = default_obstacle();
+}
+
+FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_obstacles_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles) {
+    return guarded([&] {
+        require(out_obstacles, "out_obstacles") = {};
+        Context& self = get_context(context);
+        refuse_after_destroy(self);
+        const FlgObstaclesDesc read = read_struct(desc, default_obstacles_desc(), "desc");
+        check_range(read.dimension == 2 || read.dimension == 3, "desc.dimension", read.dimension, "2 or 3");
+        check_range(read.obstacle_count >= 1 && read.obstacle_count <= ObstacleSet::max_count, "desc.obstacle_count",
+                    read.obstacle_count, "1 to 256");
+        require(read.obstacles, "desc.obstacles");
+        const auto held = make_object<HeldObstacles>(self, &self.memory);
+        std::pmr::vector<const Obstacle*> pointers(&self.memory);
+        for (uint32_t i = 0; i < read.obstacle_count; ++i) {
+            try {
+                held->solids.push_back(make_obstacle(self, read.obstacles[i], read.dimension));
+            } catch (const Failure& failure) {
+                throw Failure(failure.result(), "desc.obstacles[%u]: %.200s", i, failure.what());
+            }
+            pointers.push_back(held->solids.back().get());
+        }
+        held->set.emplace(pointers, read.clearance, &self.memory);
+        held->publish_complete();
+        *out_obstacles = {self.obstacles.add(held)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles) {
+    return guarded([&] {
+        get_context(context).obstacles.remove(obstacles.id, "obstacles");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

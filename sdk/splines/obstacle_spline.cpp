@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "splines/obstacle_spline.h"
+
+#include <cmath>
+
+#include "core/failure.h"
+#include "splines/barrier_surface.h"
+#include "splines/obstacle_path.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t path_chunk = 10;
+constexpr uint32_t copy_chunk = 200;
+constexpr double first_radius = 0.05;  // of the scene's size
+constexpr double shrink = 0.35;        // of the radius, from one solve to the next
+constexpr double rough = 1e-2;         // the tolerance before the last one
+
+// The diameter of all that there is.
+double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
+    const uint32_t d = set.dimension();
+    Obstacle::Box box;
+    if (!set.box(box)) {
+        std::copy_n(points.begin(), d, box.lower.begin());
+        box.upper = box.lower;
+    }
+    double square = 0;
+    for (uint32_t c = 0; c < d; ++c) {
+        double lower = box.lower[c], upper = box.upper[c];
+        for (size_t i = c; i < points.size(); i += d) {
+            lower = std::min(lower, points[i]);
+            upper = std::max(upper, points[i]);
+        }
+        square += (upper - lower) * (upper - lower);
+    }
+    return std::sqrt(square);
+}
+
+// The chain with d coordinates a node, on the barrier as it is now; given points exactly above where they are.
+Task<void> lift_chain(Pace& pace, const BarrierSurface& barrier, const Buffer<double>& flat,
+                      const Buffer<double>& given, SplineProblem& problem) {
+    const uint32_t n = barrier.ambient(), d = n - 1;
+    const size_t nodes = flat.size() / d;
+    problem.points = Buffer<double>(nodes * n, pace.memory());
+    for (size_t i = 0; i < nodes; ++i) {
+        barrier.lift(&flat[i * d], &problem.points[i * n]);
+        if (i % copy_chunk == 0) co_await pace;
+    }
+    problem.given = Buffer<double>(given.size() / d * n, pace.memory());
+    for (size_t k = 0; k < given.size() / d; ++k) {
+        if (!barrier.lift(&given[k * d], &problem.given[k * n])) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "desc.points: point %zu is in an obstacle or nearer than the clearance", k);
+        }
+        if (k % copy_chunk == 0) co_await pace;
+    }
+}
+
+}  // namespace
+
+Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
+    HeldSpline& out = *request.out;
+    SplineProblem& problem = request.problem;
+    const ObstacleSet& set = *request.obstacles->set;
+    const uint32_t d = set.dimension();
+    pace.stage("first curve");
+    const GivenPoints given{
+        .values = {request.points.data(), request.points.size()}, .closed = problem.closed, .argument = "desc.points"};
+    ObstaclePath path(pace.memory());
+    ObstaclePathKernel finding(set, given.values, problem.closed, {request.sides.data(), request.sides.size()}, path,
+                               pace.memory());
+    while (!finding.run(path_chunk)) co_await pace;
+    FirstCurve first(pace.memory());
+    first.points = std::move(path.points);
+    for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
+    const uint32_t segments = given.segments(d);
+    const uint32_t nodes =
+        request.node_count > 0 ? request.node_count : std::min(32 * segments + 1, FLG_SPLINE_MAX_NODES);
+    co_await place_nodes(pace, *problem.manifold, first, given, nodes, 2, problem);
+
+    Buffer<double> flat = std::move(problem.points);
+    const Buffer<double> points = std::move(problem.given);
+    const double size = scene_size(set, request.points), last = request.obstacle_radius * size,
+                 tolerance = problem.tolerance;
+    double radius = std::min(std::max(first_radius * size, last), 0.9 * set.reach());
+    BarrierSurface barrier(set, radius, size);
+    problem.manifold = &barrier;
+    pace.stage("minimize");
+    for (;;) {
+        const bool is_last = radius <= last;
+        co_await lift_chain(pace, barrier, flat, points, problem);
+        problem.tolerance = is_last ? tolerance : rough;
+        SplineKernel kernel(problem, pace.memory());
+        co_await run_spline_kernel(pace, kernel, out);
+        if (is_last) {
+            co_await keep_spline(pace, kernel, out);
+            break;
+        }
+        for (uint32_t i = 0; i < kernel.nodes(); ++i) {
+            std::copy_n(kernel.points() + size_t{i} * (d + 1), d, &flat[size_t{i} * d]);
+            if (i % copy_chunk == 0) co_await pace;
+        }
+        radius = std::max(radius * shrink, last);
+        barrier.set_radius(radius);
+    }
+    out.knots = std::move(problem.knots);
+    out.offsets = Buffer<double>(out.knots.size(), pace.memory());
+    for (size_t k = 0; k < out.offsets.size(); ++k) {
+        out.offsets[k] = 0;
+        if (k % copy_chunk == 0) co_await pace;
+    }
+    out.is_complete = true;
+}
+
+}  // namespace flg
