@@ -20,6 +20,7 @@ Command add_stylize(CLI::App& program, const CommonOptions& common);
 Command add_replay(CLI::App& program, const CommonOptions& common);
 std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common);
 Command add_geodesic(CLI::App& program, const CommonOptions& common);
+Command add_motion(CLI::App& program, const CommonOptions& common);
 Command add_path(CLI::App& program, const CommonOptions& common);
 Command add_contour(CLI::App& program, const CommonOptions& common);
 Command add_skeleton(CLI::App& program, const CommonOptions& common);

@@ -63,11 +63,15 @@ bool JsonPlace::flag() const {
 }
 
 float JsonPlace::number(double least, double most) const {
+    return static_cast<float>(real(least, most));
+}
+
+double JsonPlace::real(double least, double most) const {
     const double value = value_->is_number() ? value_->get<double>() : std::nan("");
     if (!(value >= least && value <= most)) {
         fail("must be a number from " + nlohmann::json(least).dump() + " to " + nlohmann::json(most).dump());
     }
-    return static_cast<float>(value);
+    return value;
 }
 
 uint32_t JsonPlace::count(uint32_t least, uint32_t most) const {

@@ -30,6 +30,7 @@ public:
     std::string text() const;
     bool flag() const;
     float number(double least, double most) const;
+    double real(double least, double most) const;  // the same with all its digits
     uint32_t count(uint32_t least, uint32_t most) const;
     // One of these words: its place in the list.
     size_t word(std::initializer_list<const char*> words) const;

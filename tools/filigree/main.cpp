@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
     commands.push_back(flg::cli::add_geodesic(program, common));
     commands.push_back(flg::cli::add_path(program, common));
     commands.push_back(flg::cli::add_contour(program, common));
+    commands.push_back(flg::cli::add_motion(program, common));
     commands.push_back(flg::cli::add_skeleton(program, common));
     commands.push_back(flg::cli::add_straight_skeleton(program, common));
     commands.push_back(flg::cli::add_tangle(program, common));

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Motions of rigid bodies: made, shown, released.
+#include "splines/motion.h"
+
+#include <algorithm>
+
+#include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/inputs.h"
+#include "api/products.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t default_intervals = 32;  // from key to key
+constexpr uint32_t max_body_points = 1u << 20;
+constexpr uint32_t max_rounds = 10000;
+constexpr double largest = 1e30;  // coordinate, m
+constexpr double largest_weight = 1e12;
+
+FlgMotionDesc default_motion_desc() {
+    FlgMotionDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.energy = FLG_SPLINE_E2;
+    desc.tension = 1;
+    desc.max_rounds = 200;
+    desc.tolerance = 1e-6;
+    std::fill_n(desc.body_box, 3, 2.0);
+    return desc;
+}
+
+BodyInertia read_body(const FlgMotionDesc& desc) {
+    if (!desc.body_points) {
+        check_range(desc.body_point_count == 0, "desc.body_point_count", desc.body_point_count,
+                    "0 without body_points");
+        for (const double side : desc.body_box)
+            check_range(side >= 0 && side <= largest, "desc.body_box", side, "from 0 to 1e30");
+        const Vec3 half = 0.5 * Vec3(desc.body_box[0], desc.body_box[1], desc.body_box[2]);
+        return inertia_of_box(-half, half);
+    }
+    const uint32_t count = desc.body_point_count;
+    check_range(count >= 1 && count <= max_body_points, "desc.body_point_count", count, "1 to 2^20");
+    for (size_t i = 0; i < size_t{3} * count; ++i) {
+        const double value = desc.body_points[i];
+        check_range(std::abs(value) <= largest, "desc.body_points", value, "finite and at most 1e30 in size");
+    }
+    if (!desc.body_masses) return inertia_of_points({desc.body_points, size_t{3} * count}, {});
+    double sum = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const double mass = desc.body_masses[i];
+        check_range(mass >= 0 && mass <= largest, "desc.body_masses", mass, "from 0 to 1e30");
+        sum += mass;
+    }
+    check_range(sum > 0, "desc.body_masses", sum, "above 0 in all");
+    return inertia_of_points({desc.body_points, size_t{3} * count}, {desc.body_masses, count});
+}
+
+void read_weights(const FlgMotionDesc& desc, MotionInput& input) {
+    check_enum(desc.energy, FLG_SPLINE_E2, FLG_SPLINE_ET, "desc.energy", "FLG_SPLINE_");
+    if (desc.energy == FLG_SPLINE_ET) {
+        check_range(desc.tension > 0 && desc.tension <= largest_weight, "desc.tension", desc.tension,
+                    "above 0, to 1e12");
+        input.tension = desc.tension;
+    }
+    if (desc.energy == FLG_SPLINE_E1) {
+        input.bending = 0;
+        input.tension = 1;
+    }
+    check_range(desc.smoothing >= 0 && desc.smoothing <= largest_weight, "desc.smoothing", desc.smoothing,
+                "from 0 to 1e12");
+    input.smoothing = desc.smoothing;
+    check_range(desc.max_rounds >= 1 && desc.max_rounds <= max_rounds, "desc.max_rounds", desc.max_rounds,
+                "1 to 10000");
+    input.max_rounds = desc.max_rounds;
+    check_range(desc.tolerance >= 1e-12 && desc.tolerance <= 1, "desc.tolerance", desc.tolerance, "1e-12 to 1");
+    input.tolerance = desc.tolerance;
+}
+
+MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
+    MotionInput input(memory);
+    const uint32_t keys = desc.key_count;
+    check_range(keys >= 2 && keys <= FLG_MOTION_MAX_KEYS, "desc.key_count", keys, "2 to 65536");
+    require(desc.times, "desc.times");
+    require(desc.poses, "desc.poses");
+    input.times.assign(desc.times, desc.times + keys);
+    input.poses.assign(desc.poses, desc.poses + MotionKeys::pose_size * keys);
+    input.body = read_body(desc);
+    read_weights(desc, input);
+    input.closed = desc.closed != 0;
+    if (input.closed) {
+        const double mean = (input.times.back() - input.times.front()) / (keys - 1);
+        input.end_time = desc.end_time != 0 ? desc.end_time : input.times.back() + mean;
+    } else {
+        check_range(desc.end_time == 0, "desc.end_time", desc.end_time, "0 for motions that are not closed");
+    }
+    const uint64_t intervals = uint64_t{default_intervals} * (input.closed ? keys : keys - 1);
+    const uint64_t usual = std::min<uint64_t>(intervals + (input.closed ? 0 : 1), FLG_MOTION_MAX_POSITIONS);
+    input.positions = desc.position_count != 0 ? desc.position_count : static_cast<uint32_t>(usual);
+    // The optimizer's cycles have three nodes at least.
+    const uint32_t least = std::max(keys, input.closed ? 3u : 2u);
+    check_range(input.positions >= least && input.positions <= FLG_MOTION_MAX_POSITIONS, "desc.position_count",
+                input.positions, "key_count to 2^20, closed 3 at least");
+    return input;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_motion_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMotion* out_motion, FlgJob* out_job) {
+    return guarded([&] {
+        require(out_motion, "out_motion") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgMotionDesc read = read_struct(desc, default_motion_desc(), "desc");
+        Submission submission(self, read.job);
+        const auto out = make_object<HeldMotion>(self, read_input(read, &self.memory), &self.memory);
+        submission.job().strand.start(make_motion(submission.pace(), out));
+        *out_motion = {submission.commit(self.motions, out, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgMotionViewInit(FlgMotionView* view, uint32_t struct_size) {
+    return init_view(view, struct_size);
+}
+
+FlgResult flgMotionGetView(FlgContext context, FlgMotion motion, FlgMotionView* out_view) {
+    return get_view(out_view, [&] { return get_context(context).motions.get(motion.id, "motion"); });
+}
+
+FlgResult flgMotionRelease(FlgContext context, FlgMotion motion) {
+    return guarded([&] {
+        get_context(context).motions.remove(motion.id, "motion");
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"

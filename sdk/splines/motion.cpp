@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "splines/motion.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/failure.h"
+#include "splines/natural_cubic.h"
+#include "splines/rotation_manifold.h"
+#include "splines/space_manifold.h"
+
+namespace flg {
+
+namespace {
+
+using Mat3 = Eigen::Matrix3d;
+
+// Each about 10 us.
+constexpr uint32_t key_chunk = 8;
+constexpr uint32_t knot_chunk = 100;
+constexpr uint32_t position_chunk = 50;
+constexpr uint32_t optimizer_chunk = 200;
+
+constexpr uint32_t coarse_intervals = 6;  // a segment
+constexpr double coarse_tolerance = 1e-3;
+
+// The chain of positions, or a coarser one: where keys are, and when its nodes are passed.
+struct Chain {
+    uint32_t nodes;
+    Buffer<uint32_t> knots;  // one a key
+};
+
+struct Scene {
+    const MotionInput& input;
+    const MotionKeys& keys;
+    const RotationManifold& rotations;
+    uint32_t segments() const { return static_cast<uint32_t>(keys.times().size()) - 1; }
+    uint32_t key_after(uint32_t segment) const { return segment + 1 == keys.count() ? 0 : segment + 1; }
+};
+
+// Positions that are not keys are shared by segments as their durations are.
+Chain fine_chain(const Scene& scene, Memory* memory) {
+    const std::span<const double> times = scene.keys.times();
+    const uint32_t more = scene.input.positions - static_cast<uint32_t>(scene.keys.count());
+    Chain chain{scene.input.positions, Buffer<uint32_t>(scene.keys.count(), memory)};
+    for (uint32_t i = 0; i < chain.knots.size(); ++i) {
+        const double share = (times[i] - times.front()) / (times.back() - times.front());
+        chain.knots[i] = i + static_cast<uint32_t>(std::lround(share * more));
+    }
+    return chain;
+}
+
+Chain coarse_chain(const Scene& scene, Memory* memory) {
+    Chain chain{coarse_intervals * scene.segments() + (scene.input.closed ? 0 : 1),
+                Buffer<uint32_t>(scene.keys.count(), memory)};
+    for (uint32_t i = 0; i < chain.knots.size(); ++i) chain.knots[i] = coarse_intervals * i;
+    return chain;
+}
+
+// Goes along the nodes of a chain: each one's segment, and its share of that.
+class ChainWalk {
+public:
+    ChainWalk(const Scene& scene, const Chain& chain) : scene_(scene), chain_(chain) {}
+
+    void go_to(uint32_t node) {
+        while (segment + 1 < chain_.knots.size() && node >= chain_.knots[segment + 1]) ++segment;
+        const bool at_end = segment == scene_.segments();
+        const uint32_t first = chain_.knots[segment];
+        const uint32_t end = segment + 1 < chain_.knots.size() ? chain_.knots[segment + 1] : chain_.nodes;
+        share = node == first ? 0 : static_cast<double>(node - first) / (end - first);
+        const std::span<const double> times = scene_.keys.times();
+        time = share == 0 ? times[segment] : times[segment] + share * (times[segment + 1] - times[segment]);
+        if (at_end) segment = scene_.segments();
+    }
+
+    uint32_t segment = 0;  // at the end of an open chain the number of segments
+    double share = 0, time = 0;
+
+private:
+    const Scene& scene_;
+    const Chain& chain_;
+};
+
+double least_tension(const MotionInput& input) {
+    return input.bending > 0 ? input.tension : std::numeric_limits<double>::infinity();
+}
+
+// What the two splines have in common.
+SplineProblem problem_of(const Scene& scene, const Manifold& manifold, const Chain& chain, Memory* memory) {
+    SplineProblem problem;
+    problem.manifold = &manifold;
+    problem.closed = scene.input.closed;
+    problem.bending = scene.input.bending;
+    problem.tension = scene.input.tension;
+    problem.smoothing = scene.input.smoothing;
+    problem.tolerance = scene.input.tolerance;
+    problem.max_rounds = scene.input.max_rounds;
+    const size_t n = manifold.ambient(), count = scene.keys.count();
+    problem.points = Buffer<double>(n * chain.nodes, memory);
+    problem.knots = Buffer<uint32_t>(count, memory);
+    problem.given = Buffer<double>(n * count, memory);
+    problem.parameters = Buffer<double>(scene.keys.times().size(), memory);
+    return problem;
+}
+
+Task<void> set_knots(Pace& pace, const Scene& scene, const Chain& chain, SplineProblem& problem) {
+    for (size_t i = 0; i < scene.keys.times().size(); ++i) {
+        problem.parameters[i] = scene.keys.times()[i];
+        if (i < problem.knots.size()) problem.knots[i] = chain.knots[i];
+        if (i % knot_chunk == 0) co_await pace;
+    }
+}
+
+// Runs the optimizer; `after_round` is a task to await after each round.
+template <class AfterRound>
+Task<void> optimize(Pace& pace, SplineKernel& kernel, const AfterRound& after_round) {
+    uint32_t rounds = 0;
+    while (!kernel.run(optimizer_chunk)) {
+        co_await pace;
+        if (kernel.report().rounds == rounds) continue;
+        rounds = kernel.report().rounds;
+        co_await after_round();
+    }
+}
+
+Task<void> nothing(Pace&) {
+    co_return;
+}
+
+// Places of the barycentre, 3 a node; returns the energy of the path.
+Task<double> find_path(Pace& pace, const Scene& scene, const Chain& chain, Buffer<double>& path) {
+    const CubicEnds ends = scene.input.closed ? CubicEnds::periodic : CubicEnds::natural;
+    NaturalCubic spline({.knots = scene.keys.times(),
+                         .values = scene.keys.barycentres(),
+                         .ends = ends,
+                         .tension = least_tension(scene.input)},
+                        pace.memory());
+    while (!spline.run(knot_chunk)) co_await pace;
+    ChainWalk walk(scene, chain);
+    for (uint32_t i = 0; i < chain.nodes; ++i) {
+        walk.go_to(i);
+        spline.evaluate(walk.time, 0, path.data() + size_t{3} * i);
+        if (i % position_chunk == 0) co_await pace;
+    }
+    if (scene.input.smoothing == 0)
+        co_return scene.input.bending > 0 ? spline.energy() : scene.input.tension* spline.energy();
+
+    double size = 0;
+    for (const double value : scene.keys.barycentres()) size = std::max(size, std::abs(value));
+    const SpaceManifold space(3, size > 0 ? size : 1);
+    SplineProblem problem = problem_of(scene, space, chain, pace.memory());
+    co_await set_knots(pace, scene, chain, problem);
+    for (size_t i = 0; i < path.size(); ++i) {
+        problem.points[i] = path[i];
+        if (i < problem.given.size()) problem.given[i] = scene.keys.barycentres()[i];
+        if (i % (3 * position_chunk) == 0) co_await pace;
+    }
+    SplineKernel kernel(problem, pace.memory());
+    co_await optimize(pace, kernel, [&] { return nothing(pace); });
+    for (size_t i = 0; i < path.size(); ++i) {
+        path[i] = kernel.points()[i];
+        if (i % (3 * position_chunk) == 0) co_await pace;
+    }
+    co_return kernel.report().energy;
+}
+
+// Turns at constant speed from key to key.
+Task<void> turn_evenly(Pace& pace, const Scene& scene, const Chain& chain, double* points) {
+    ChainWalk walk(scene, chain);
+    for (uint32_t i = 0; i < chain.nodes; ++i) {
+        walk.go_to(i);
+        const uint32_t from = walk.segment, to = scene.key_after(from);
+        const Mat3 rotation = walk.share == 0
+                                  ? scene.keys.rotation(from)
+                                  : rotation_between(scene.keys.rotation(from), scene.keys.rotation(to), walk.share);
+        scene.rotations.point_of(rotation, points + size_t{9} * i);
+        if (i % position_chunk == 0) co_await pace;
+    }
+}
+
+Task<void> set_rotations(Pace& pace, const Scene& scene, const Chain& chain, SplineProblem& problem) {
+    co_await set_knots(pace, scene, chain, problem);
+    for (size_t i = 0; i < scene.keys.count(); ++i) {
+        scene.rotations.point_of(scene.keys.rotation(i), problem.given.data() + 9 * i);
+        if (i % knot_chunk == 0) co_await pace;
+    }
+}
+
+// The rotations of the chain, from those of a coarse one: its spline in R^9, which is near the manifold.
+Task<void> begin_coarsely(Pace& pace, const Scene& scene, const Chain& chain, double* points) {
+    const Chain coarse = coarse_chain(scene, pace.memory());
+    SplineProblem problem = problem_of(scene, scene.rotations, coarse, pace.memory());
+    problem.tolerance = std::max(coarse_tolerance, problem.tolerance);
+    co_await set_rotations(pace, scene, coarse, problem);
+    co_await turn_evenly(pace, scene, coarse, problem.points.data());
+    SplineKernel kernel(problem, pace.memory());
+    co_await optimize(pace, kernel, [&] { return nothing(pace); });
+
+    const bool closed = scene.input.closed;
+    Buffer<double> times(coarse.nodes + (closed ? 1 : 0), pace.memory());
+    ChainWalk coarse_walk(scene, coarse);
+    for (uint32_t i = 0; i < coarse.nodes; ++i) {
+        coarse_walk.go_to(i);
+        times[i] = coarse_walk.time;
+        if (i % knot_chunk == 0) co_await pace;
+    }
+    if (closed) times[coarse.nodes] = scene.keys.times().back();
+    NaturalCubic spline({.knots = {times.data(), times.size()},
+                         .values = {kernel.points(), size_t{9} * coarse.nodes},
+                         .dimension = 9,
+                         .ends = closed ? CubicEnds::periodic : CubicEnds::natural,
+                         .tension = least_tension(scene.input)},
+                        pace.memory());
+    while (!spline.run(knot_chunk)) co_await pace;
+    ChainWalk walk(scene, chain);
+    for (uint32_t i = 0; i < chain.nodes; ++i) {
+        walk.go_to(i);
+        spline.evaluate(walk.time, 0, points + size_t{9} * i);
+        if (i % position_chunk == 0) co_await pace;
+    }
+}
+
+// Puts barycentres and rotations together, and shows that.
+Task<void> show_state(Pace& pace, const Scene& scene, const Buffer<double>& path, const double* rotations,
+                      const SplineReport& report, double path_energy, TripleBuffer<MotionState>& states) {
+    MotionState& state = states.write();
+    state.report = report;
+    state.barycentre_energy = path_energy;
+    Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
+    for (uint32_t i = 0; i < scene.input.positions; ++i) {
+        const Mat3 turn = scene.rotations.rotation_of(rotations + size_t{9} * i);
+        const Vec3 at(path[3 * i], path[3 * i + 1], path[3 * i + 2]);
+        pose_of(scene.input.body, at, turn, state.poses.data() + MotionKeys::pose_size * i);
+        Eigen::Quaterniond q(turn * scene.input.body.axes.transpose());
+        if (q.dot(before) < 0) q.coeffs() *= -1;
+        before = q;
+        for (int c = 0; c < 4; ++c) state.quaternions[4 * i + c] = q.coeffs()[c];
+        if (i % position_chunk == 0) co_await pace;
+    }
+    states.hand_over();
+}
+
+}  // namespace
+
+HeldMotion::HeldMotion(MotionInput given, Memory* memory)
+    : input(std::move(given)),
+      times(input.positions + (input.closed ? 1 : 0), memory),
+      key_positions(input.times.size(), memory) {
+    for (MotionState& state : states.all()) {
+        state.poses = Buffer<double>(MotionKeys::pose_size * input.positions, memory);
+        state.quaternions = Buffer<double>(size_t{4} * input.positions, memory);
+    }
+}
+
+void HeldMotion::publish_partial() noexcept {
+    if (!states.take()) return;
+    show();
+    show_early();
+}
+
+void HeldMotion::show() noexcept {
+    states.take();
+    const MotionState& state = states.read();
+    const SplineReport& report = state.report;
+    view_ = {};
+    view_.struct_size = sizeof view_;
+    view_.position_count = input.positions;
+    view_.key_count = static_cast<uint32_t>(input.times.size());
+    view_.closed = input.closed ? 1 : 0;
+    view_.times = times.data();
+    view_.poses = state.poses.data();
+    view_.quaternions = state.quaternions.data();
+    view_.key_positions = key_positions.data();
+    view_.mass = input.body.mass;
+    for (int i = 0; i < 3; ++i) {
+        view_.barycentre[i] = input.body.barycentre[i];
+        view_.inertia[i] = input.body.f[static_cast<size_t>(i)];
+        for (int j = 0; j < 3; ++j) view_.axes[3 * i + j] = input.body.axes(j, i);
+    }
+    view_.greatest_stretch = greatest_stretch;
+    view_.ending = report.ending == SplineEnding::converged  ? FLG_SPLINE_CONVERGED
+                   : report.ending == SplineEnding::rounding ? FLG_SPLINE_ROUNDING
+                   : report.ending == SplineEnding::rounds   ? FLG_SPLINE_ROUNDS
+                                                             : FLG_SPLINE_RUNNING;
+    view_.rounds = report.rounds;
+    view_.barycentre_energy = input.body.mass * state.barycentre_energy;
+    view_.rotation_energy = report.energy;
+    view_.energy = view_.barycentre_energy + view_.rotation_energy;
+    view_.residual = report.residual;
+}
+
+Task<void> make_motion(Pace& pace, std::shared_ptr<HeldMotion> out) {
+    const MotionInput& input = out->input;
+    pace.stage("keys");
+    MotionKeys keys({input.times, input.poses, input.closed, input.end_time}, input.body, pace.memory());
+    while (!keys.run(key_chunk)) co_await pace;
+    out->greatest_stretch = keys.greatest_stretch();
+    const RotationManifold rotations(input.body.f);
+    const Scene scene{input, keys, rotations};
+    const Chain chain = fine_chain(scene, pace.memory());
+    ChainWalk walk(scene, chain);
+    for (uint32_t i = 0; i < chain.nodes; ++i) {
+        walk.go_to(i);
+        out->times[i] = walk.time;
+        if (i % position_chunk == 0) co_await pace;
+    }
+    if (input.closed) out->times[chain.nodes] = keys.times().back();
+    for (size_t i = 0; i < keys.count(); ++i) out->key_positions[i] = chain.knots[i];
+    co_await pace;
+
+    pace.stage("barycentre");
+    Buffer<double> path(size_t{3} * chain.nodes, pace.memory());
+    const double path_energy = co_await find_path(pace, scene, chain, path);
+
+    pace.stage("rotations");
+    SplineProblem problem = problem_of(scene, rotations, chain, pace.memory());
+    co_await set_rotations(pace, scene, chain, problem);
+    const bool coarse_first = input.smoothing == 0 && chain.nodes > 2 * coarse_intervals * scene.segments();
+    if (coarse_first) {
+        co_await begin_coarsely(pace, scene, chain, problem.points.data());
+    } else {
+        co_await turn_evenly(pace, scene, chain, problem.points.data());
+    }
+    SplineKernel kernel(problem, pace.memory());
+    const bool partial = pace.job().partial_results;
+    const auto show_round = [&] {
+        return partial ? show_state(pace, scene, path, kernel.points(), kernel.report(), path_energy, out->states)
+                       : nothing(pace);
+    };
+    co_await optimize(pace, kernel, show_round);
+    if (kernel.report().ending == SplineEnding::failed) {
+        throw Failure(FLG_ERROR_INTERNAL, "position %u has no nearest rotation", kernel.report().failed_node);
+    }
+    co_await show_state(pace, scene, path, kernel.points(), kernel.report(), path_energy, out->states);
+}
+
+}  // namespace flg

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+// Motions of least energy: against free bodies, statics, the natural spline, and the keys.
+#include "splines/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "splines/natural_cubic.h"
+#include "surfaces/run_task.h"
+
+namespace flg::test {
+namespace {
+
+using Mat3 = Eigen::Matrix3d;
+
+const std::vector<double> hammer{0, 0, 0, 0.5, 0, 0, 1, 0, 0, 1, 0.3, 0.1, 1, -0.3, 0.1, 1.2, 0.1, -0.2};
+
+Mat3 turn(const Vec3& vector) {
+    return Eigen::AngleAxisd(vector.norm(), vector.normalized()).toRotationMatrix();
+}
+
+struct Pose {
+    Mat3 rotation;
+    Vec3 place;
+    Vec3 at(const Vec3& p) const { return rotation * p + place; }
+};
+
+Pose pose_at(const double* p) {
+    Pose pose;
+    pose.rotation << p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10];
+    pose.place = Vec3(p[3], p[7], p[11]);
+    return pose;
+}
+
+MotionInput random_keys(size_t count, double amount, bool closed) {
+    MotionInput input(test_memory());
+    input.body = inertia_of_points(hammer, {});
+    input.closed = closed;
+    std::mt19937 random(static_cast<unsigned>(count));
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> gap(0.6, 1.4);
+    Mat3 rotation = Mat3::Identity();
+    double time = 0.5;
+    for (size_t i = 0; i < count; ++i) {
+        input.times.push_back(time);
+        time += gap(random);
+        const Vec3 place(normal(random), 2 * normal(random), normal(random));
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column) input.poses.push_back(rotation(row, column));
+            input.poses.push_back(place[row]);
+        }
+        rotation = rotation * turn(amount * Vec3(normal(random), normal(random), normal(random)).normalized());
+    }
+    input.end_time = time;
+    input.positions = static_cast<uint32_t>(24 * count);
+    return input;
+}
+
+std::shared_ptr<HeldMotion> make(const MotionInput& input, bool haltingly = false) {
+    auto motion = std::make_shared<HeldMotion>(input, test_memory());
+    run_task([&](Pace& pace) { return make_motion(pace, motion); }, haltingly);
+    motion->publish_complete();
+    return motion;
+}
+
+void set_energy(MotionInput& input, FlgSplineEnergy energy, double tension = 3) {
+    input.bending = energy == FLG_SPLINE_E1 ? 0 : 1;
+    input.tension = energy == FLG_SPLINE_E2 ? 0 : energy == FLG_SPLINE_E1 ? 1 : tension;
+}
+
+constexpr FlgSplineEnergy all_energies[] = {FLG_SPLINE_E2, FLG_SPLINE_E1, FLG_SPLINE_ET};
+
+TEST(Motion, KeysAreHit) {
+    for (const bool closed : {false, true}) {
+        for (const FlgSplineEnergy energy : all_energies) {
+            MotionInput input = random_keys(6, 2, closed);
+            set_energy(input, energy);
+            const auto motion = make(input);
+            const FlgMotionView& view = motion->view();
+            EXPECT_EQ(view.ending, FLG_SPLINE_CONVERGED);
+            EXPECT_LE(view.residual, 1e-6);
+            ASSERT_EQ(view.key_count, 6u);
+            for (uint32_t i = 0; i < 6; ++i) {
+                const uint32_t position = view.key_positions[i];
+                EXPECT_EQ(view.times[position], input.times[i]);
+                for (int c = 0; c < 12; ++c) EXPECT_NEAR(view.poses[12 * position + c], input.poses[12 * i + c], 1e-13);
+            }
+            EXPECT_EQ(view.key_positions[0], 0u);
+            if (closed) {
+                EXPECT_EQ(view.times[view.position_count], input.end_time);
+            } else {
+                EXPECT_EQ(view.key_positions[5], view.position_count - 1);
+            }
+            for (uint32_t i = 1; i < view.position_count; ++i) EXPECT_LT(view.times[i - 1], view.times[i]);
+        }
+    }
+}
+
+TEST(Motion, PositionsAreRotationsAndQuaternionsAreTheirs) {
+    const auto motion = make(random_keys(7, 2.5, true));
+    const FlgMotionView& view = motion->view();
+    for (uint32_t i = 0; i < view.position_count; ++i) {
+        const Pose pose = pose_at(view.poses + 12 * i);
+        EXPECT_LT((pose.rotation.transpose() * pose.rotation - Mat3::Identity()).norm(), 1e-14);
+        EXPECT_GT(pose.rotation.determinant(), 0);
+        const Eigen::Map<const Eigen::Quaterniond> q(view.quaternions + 4 * i);
+        EXPECT_LT((q.toRotationMatrix() - pose.rotation).norm(), 1e-14);
+        if (i > 0) {
+            EXPECT_GT(q.dot(Eigen::Map<const Eigen::Quaterniond>(view.quaternions + 4 * i - 4)), 0.5);
+        }
+    }
+}
+
+TEST(Motion, TheBarycentreIsTheClassicalSpline) {
+    for (const bool closed : {false, true}) {
+        for (const FlgSplineEnergy energy : all_energies) {
+            MotionInput input = random_keys(5, 1.5, closed);
+            set_energy(input, energy);
+            const auto motion = make(input);
+            const FlgMotionView& view = motion->view();
+            const Vec3 middle(view.barycentre[0], view.barycentre[1], view.barycentre[2]);
+            std::vector<double> values, knots(input.times.begin(), input.times.end());
+            if (closed) knots.push_back(input.end_time);
+            for (size_t i = 0; i < 5; ++i) {
+                const Vec3 p = pose_at(&input.poses[12 * i]).at(middle);
+                values.insert(values.end(), p.data(), p.data() + 3);
+            }
+            NaturalCubic spline({.knots = knots,
+                                 .values = values,
+                                 .ends = closed ? CubicEnds::periodic : CubicEnds::natural,
+                                 .tension = energy == FLG_SPLINE_E1 ? HUGE_VAL : input.tension},
+                                test_memory());
+            while (!spline.run(100)) continue;
+            for (uint32_t i = 0; i < view.position_count; ++i) {
+                Vec3 expected;
+                spline.evaluate(view.times[i], 0, expected.data());
+                EXPECT_LT((pose_at(view.poses + 12 * i).at(middle) - expected).norm(), 1e-13);
+            }
+        }
+    }
+}
+
+// The derivative of order 2 or 4 of a point's path, by differences around a position whose neighbours are equally far.
+Vec3 derivative(const FlgMotionView& view, uint32_t position, int order, const Vec3& p) {
+    constexpr double weights[2][5] = {{-1.0 / 12, 4.0 / 3, -5.0 / 2, 4.0 / 3, -1.0 / 12}, {1, -4, 6, -4, 1}};
+    const double step = view.times[position + 1] - view.times[position];
+    Vec3 sum = Vec3::Zero();
+    for (int j = 0; j < 5; ++j) sum += weights[order / 4][j] * pose_at(view.poses + 12 * (position + j - 2)).at(p);
+    return sum / std::pow(step, order);
+}
+
+struct ForceSystem {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    double size = 0;  // of the single forces, and of their arms
+};
+
+ForceSystem forces(const FlgMotionView& view, uint32_t position, int order) {
+    ForceSystem system;
+    const Vec3 middle =
+        pose_at(view.poses + 12 * position).at(Vec3(view.barycentre[0], view.barycentre[1], view.barycentre[2]));
+    for (size_t i = 0; i < hammer.size(); i += 3) {
+        const Vec3 p(hammer[i], hammer[i + 1], hammer[i + 2]);
+        const Vec3 force = derivative(view, position, order, p);
+        system.force += force;
+        system.moment += (pose_at(view.poses + 12 * position).at(p) - middle).cross(force);
+        system.size += force.norm();
+    }
+    return system;
+}
+
+// Away from keys, where derivatives of that order jump.
+template <class Visit>
+void visit_smooth(const FlgMotionView& view, const Visit& visit) {
+    for (uint32_t k = 0; k + 1 < view.key_count; ++k) {
+        for (uint32_t i = view.key_positions[k] + 3; i + 3 < view.key_positions[k + 1]; i += 5) visit(i);
+    }
+}
+
+TEST(Motion, FourthDerivativesAreInBalance) {
+    double before = 0;
+    for (const uint32_t positions : {121u, 241u}) {
+        MotionInput input = random_keys(5, 1.5, false);
+        input.positions = positions;
+        const auto motion = make(input);
+        const FlgMotionView& view = motion->view();
+        double worst = 0;
+        visit_smooth(view, [&](uint32_t i) {
+            const ForceSystem system = forces(view, i, 4);
+            EXPECT_LT(system.force.norm(), 1e-3 * system.size);
+            worst = std::max(worst, system.moment.norm() / system.size);
+        });
+        // Up to the differences' error, the square of the step.
+        EXPECT_LT(worst, 0.02);
+        if (before > 0) {
+            EXPECT_LT(worst, 0.4 * before);
+        }
+        before = worst;
+    }
+}
+
+// At natural ends the forces of the second derivatives are in balance: nothing turns the body there, nor pushes it.
+TEST(Motion, SecondDerivativesAreInBalanceAtTheEnds) {
+    double before = 0;
+    for (const uint32_t positions : {121u, 481u}) {
+        MotionInput input = random_keys(4, 1.5, false);
+        input.positions = positions;
+        const auto motion = make(input);
+        const FlgMotionView& view = motion->view();
+        double greatest = 0;
+        visit_smooth(view, [&](uint32_t i) { greatest = std::max(greatest, forces(view, i, 2).moment.norm()); });
+        const double at_end = forces(view, 2, 2).moment.norm() + forces(view, view.position_count - 3, 2).moment.norm();
+        // Two steps away from the end: as large as they are long.
+        EXPECT_LT(at_end, 0.25 * greatest);
+        if (before > 0) {
+            EXPECT_LT(at_end, 0.3 * before);
+        }
+        before = at_end;
+    }
+}
+
+// Between two keys E1 gives the flight of a free body: the barycentre goes evenly, energy and angular momentum stay.
+TEST(Motion, FreeBodiesKeepTheirAngularMomentum) {
+    MotionInput input = random_keys(2, 2.5, false);
+    set_energy(input, FLG_SPLINE_E1);
+    input.positions = 401;
+    const auto motion = make(input);
+    const FlgMotionView& view = motion->view();
+    const Vec3 middle(view.barycentre[0], view.barycentre[1], view.barycentre[2]);
+    Vec3 first = Vec3::Zero();
+    double first_energy = 0, turned = 0;
+    for (uint32_t i = 0; i + 1 < view.position_count; ++i) {
+        const Pose a = pose_at(view.poses + 12 * i), b = pose_at(view.poses + 12 * (i + 1));
+        const double step = view.times[i + 1] - view.times[i];
+        Vec3 momentum = Vec3::Zero();
+        double energy = 0;
+        for (size_t k = 0; k < hammer.size(); k += 3) {
+            const Vec3 p(hammer[k], hammer[k + 1], hammer[k + 2]);
+            const Vec3 arm = 0.5 * (a.at(p) + b.at(p) - a.at(middle) - b.at(middle)),
+                       velocity = (b.at(p) - a.at(p)) / step;
+            momentum += arm.cross(velocity);
+            energy += velocity.squaredNorm();
+        }
+        if (i == 0) {
+            first = momentum;
+            first_energy = energy;
+        }
+        EXPECT_LT((momentum - first).norm(), 1e-4 * first.norm());
+        EXPECT_NEAR(energy, first_energy, 1e-4 * first_energy);
+        EXPECT_LT(
+            ((b.at(middle) - a.at(middle)) / step -
+             (pose_at(view.poses + 12).at(middle) - pose_at(view.poses).at(middle)) / (view.times[1] - view.times[0]))
+                .norm(),
+            1e-10);
+        const Mat3 moved = pose_at(view.poses).rotation.transpose() * b.rotation;
+        turned = std::max(turned, Eigen::AngleAxisd(moved).angle());
+    }
+    EXPECT_NEAR(view.energy, first_energy * (view.times[400] - view.times[0]), 1e-3 * view.energy);
+    EXPECT_GT(turned, 2.4);
+}
+
+// A ball turns at constant speed about one axis: the great circle of the quaternions (Fig. 9), and E1 of it.
+TEST(Motion, BallsTurnAboutOneAxis) {
+    MotionInput input = random_keys(2, 2, false);
+    input.body = BodyInertia();
+    set_energy(input, FLG_SPLINE_E1);
+    input.positions = 101;
+    const auto motion = make(input);
+    const FlgMotionView& view = motion->view();
+    const Mat3 first = pose_at(view.poses).rotation, last = pose_at(view.poses + 1200).rotation;
+    for (uint32_t i = 0; i <= 100; ++i) {
+        EXPECT_LT((pose_at(view.poses + 12 * i).rotation - rotation_between(first, last, 0.01 * i)).norm(), 1e-7);
+    }
+}
+
+// Moving the space, and another choice of the body's coordinates, change nothing else.
+TEST(Motion, IsEquivariant) {
+    const MotionInput input = random_keys(5, 2, true);
+    const Pose space{turn(Vec3(1, -2, 0.5)), Vec3(5, 6, -7)}, body{turn(Vec3(0.3, 1, 2)), Vec3(-1, 2, 3)};
+    MotionInput moved = input;
+    std::vector<double> points;
+    for (size_t i = 0; i < hammer.size(); i += 3) {
+        const Vec3 p = body.at(Vec3(hammer[i], hammer[i + 1], hammer[i + 2]));
+        points.insert(points.end(), p.data(), p.data() + 3);
+    }
+    moved.body = inertia_of_points(points, {});
+    const auto change = [&](const Pose& pose) {
+        Pose changed;
+        changed.rotation = space.rotation * pose.rotation * body.rotation.transpose();
+        changed.place = space.at(pose.at(-body.rotation.transpose() * body.place));
+        return changed;
+    };
+    for (size_t i = 0; i < 5; ++i) {
+        const Pose pose = change(pose_at(&input.poses[12 * i]));
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                moved.poses[12 * i + 4 * row + column] = pose.rotation(row, column);
+            moved.poses[12 * i + 4 * row + 3] = pose.place[row];
+        }
+    }
+    const auto first = make(input), second = make(moved);
+    EXPECT_NEAR(first->view().energy, second->view().energy, 1e-9 * first->view().energy);
+    for (uint32_t i = 0; i < input.positions; ++i) {
+        const Pose expected = change(pose_at(first->view().poses + 12 * i));
+        const Pose found = pose_at(second->view().poses + 12 * i);
+        EXPECT_LT((expected.rotation - found.rotation).norm(), 1e-7);
+        EXPECT_LT((expected.place - found.place).norm(), 1e-6);
+    }
+}
+
+TEST(Motion, ManyPositionsComeToTheSameMotion) {
+    MotionInput coarse = random_keys(5, 1.5, false), fine = coarse, straight = coarse;
+    coarse.positions = 4 * 20 + 1;
+    fine.positions = 4 * 80 + 1;
+    for (size_t i = 0; i < 5; ++i) coarse.times[i] = fine.times[i] = static_cast<double>(i);
+    const auto a = make(coarse), b = make(fine);
+    for (uint32_t i = 0; i < coarse.positions; ++i) {
+        EXPECT_EQ(a->view().times[i], b->view().times[4 * i]);
+        const Pose p = pose_at(a->view().poses + 12 * i), q = pose_at(b->view().poses + 48 * i);
+        EXPECT_LT((p.rotation - q.rotation).norm(), 2e-4);
+    }
+    // Few positions, where no coarse chain comes first.
+    straight.positions = 5;
+    const auto keys_only = make(straight);
+    EXPECT_EQ(keys_only->view().position_count, 5u);
+    EXPECT_EQ(keys_only->view().ending, FLG_SPLINE_CONVERGED);
+}
+
+// Near keys that jitter the motion goes with little energy; with a small weight it hardly smooths, with a large one it goes far off.
+TEST(Motion, SmoothingGoesNearTheKeys) {
+    MotionInput input = random_keys(40, 0.4, false);
+    input.positions = 40;
+    const double rough = make(input)->view().energy;
+    double energy = rough, off = 0;
+    for (const double smoothing : {1e-8, 1e-2, 1.0}) {
+        input.smoothing = smoothing;
+        const auto motion = make(input);
+        double distance = 0;
+        for (size_t i = 0; i < 40; ++i) {
+            for (int c = 0; c < 12; ++c) {
+                distance = std::max(distance, std::abs(motion->view().poses[12 * i + c] - input.poses[12 * i + c]));
+            }
+        }
+        EXPECT_LE(motion->view().energy, energy * (1 + 1e-12));
+        EXPECT_GT(distance, off);
+        if (smoothing == 1e-8) {
+            EXPECT_LT(distance, 1e-4);
+        }
+        energy = motion->view().energy;
+        off = distance;
+    }
+    EXPECT_LT(energy, 0.1 * rough);
+}
+
+TEST(Motion, SameBitsWhereverItPauses) {
+    const MotionInput input = random_keys(6, 2, true);
+    const auto whole = make(input), halting = make(input, true);
+    EXPECT_TRUE(std::equal(whole->view().poses, whole->view().poses + 12 * input.positions, halting->view().poses));
+    EXPECT_EQ(whole->view().energy, halting->view().energy);
+}
+
+}  // namespace
+}  // namespace flg::test
