@@ -10,11 +10,14 @@ namespace flg {
 
 namespace {
 
+constexpr double clearly_less = 1 - 1e-6;  // triangles that share the nearest point do not take turns
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double band = 1.5;  // cells around a triangle that get its distance at once
 constexpr double border = 3;  // cells beyond the reach, where the spline's ends are felt
 constexpr uint32_t splat_batch = 16, sweep_batch = 8, polish_batch = 2, batch = 64;
 constexpr uint32_t polish_steps = 16;
+constexpr uint32_t most_sweeps = 255;   // more than any mesh needs: a path of nearest triangles turns a few times
+constexpr double longest_hop = 1.7321;  // of the spacing, to a neighbour
 
 // Ericson: Real-time collision detection (2005), sec. 5.1.5, by Voronoi regions.
 double square_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -120,17 +123,20 @@ void MeshDistanceKernel::choose_grid() {
         grid.origin[k] = middle - 0.5 * grid.spacing * (grid.counts[k] - 1);
     }
     out_.reach = reach_;
+    out_.shift = has_sign_ ? 0 : std::max(0.5 * reach_, grid.spacing);
     out_.deepest = 0;
-    out_.values = Buffer<double>(grid.size(), memory_);
+    values_ = Buffer<float>(grid.size(), memory_);
     nearest_ = Buffer<uint32_t>(grid.size(), memory_);
+    changed_ = Buffer<uint8_t>(grid.size(), memory_);
     for (Buffer<int16_t>& winding : windings_) winding = Buffer<int16_t>(has_sign_ ? grid.size() : 0, memory_);
     enter(Pass::clear);
 }
 
 void MeshDistanceKernel::clear() {
     for (uint32_t k = 0; k < batch && at_ < out_.grid.size(); ++k, ++at_) {
-        out_.values[at_] = infinite;
+        values_[at_] = std::numeric_limits<float>::infinity();
         nearest_[at_] = no_index;
+        changed_[at_] = 0;
         for (Buffer<int16_t>& winding : windings_) {
             if (has_sign_) winding[at_] = 0;
         }
@@ -138,9 +144,21 @@ void MeshDistanceKernel::clear() {
     if (at_ == out_.grid.size()) enter(Pass::splat);
 }
 
-double MeshDistanceKernel::square(uint32_t triangle, const Vec3& x) const {
+// Of cell_.
+Vec3 MeshDistanceKernel::place() const {
+    const SweepGrid& grid = out_.grid;
+    return {grid.origin[0] + grid.spacing * cell_[0], grid.origin[1] + grid.spacing * cell_[1],
+            grid.origin[2] + grid.spacing * cell_[2]};
+}
+
+// Takes the triangle if it is nearer than the node's, and than `most`.
+bool MeshDistanceKernel::try_triangle(uint32_t node, uint32_t triangle, const Vec3& x, double most) {
     const Triple& t = mesh_.triangles[triangle];
-    return square_distance(x, mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
+    const double away = std::sqrt(square_distance(x, mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])));
+    if (!(away < clearly_less * double(values_[node])) || away > most) return false;
+    values_[node] = static_cast<float>(away);
+    nearest_[node] = triangle;
+    return true;
 }
 
 // The nodes in the box of triangle at_, made wider by so many cells; false if there are none.
@@ -164,9 +182,8 @@ void MeshDistanceKernel::splat() {
     if (!in_triangle_) {
         if (at_ == mesh_.triangle_count()) {
             enter(Pass::sweep);
-            order_ = idle_ = 0;
+            sweep_ = last_change_ = 8;
             cell_ = {};
-            changed_ = false;
             return;
         }
         in_triangle_ = begin_triangle(band);
@@ -174,15 +191,9 @@ void MeshDistanceKernel::splat() {
         return;
     }
     const SweepGrid& grid = out_.grid;
-    const double most = band * grid.spacing * band * grid.spacing;
     for (uint32_t k = 0; k < splat_batch && in_triangle_; ++k) {
         const uint32_t node = grid.node(cell_);
-        const Obstacle::Place x = grid.place(node);
-        const double d = square(at_, Vec3(x[0], x[1], x[2]));
-        if (d <= most && d < out_.values[node]) {
-            out_.values[node] = d;
-            nearest_[node] = at_;
-        }
+        if (try_triangle(node, at_, place(), band * grid.spacing)) changed_[node] = 7;
         if (++cell_[0] <= last_[0]) continue;
         cell_[0] = first_[0];
         if (++cell_[1] <= last_[1]) continue;
@@ -192,15 +203,13 @@ void MeshDistanceKernel::splat() {
     if (!in_triangle_) ++at_;
 }
 
-// A node tries the triangles of the seven neighbours that the sweep has passed.
+// A node tries the triangles of the seven neighbours that the sweep has passed: those that are new within eight sweeps, in which
+// it comes past each neighbour, and that may be nearer, as they are as near to the neighbour.
 void MeshDistanceKernel::sweep() {
     const SweepGrid& grid = out_.grid;
-    const auto backwards = [&](uint32_t axis) { return (order_ >> axis & 1) != 0; };
+    const auto backwards = [&](uint32_t axis) { return (sweep_ >> axis & 1) != 0; };
     for (uint32_t k = 0; k < sweep_batch && at_ < grid.size(); ++k, ++at_) {
         const uint32_t node = grid.node(cell_);
-        const Obstacle::Place place = grid.place(node);
-        const Vec3 x(place[0], place[1], place[2]);
-        uint32_t tried = nearest_[node];
         for (uint32_t subset = 1; subset < 8; ++subset) {
             std::array<uint32_t, 3> from = cell_;
             bool inside = true;
@@ -210,14 +219,13 @@ void MeshDistanceKernel::sweep() {
                 inside = inside && from[axis] < grid.counts[axis];
             }
             if (!inside) continue;
-            const uint32_t triangle = nearest_[grid.node(from)];
-            if (triangle == no_index || triangle == tried || triangle == nearest_[node]) continue;
-            tried = triangle;
-            const double d = square(triangle, x);
-            if (!(d < out_.values[node])) continue;
-            out_.values[node] = d;
-            nearest_[node] = triangle;
-            changed_ = true;
+            const uint32_t other = grid.node(from);
+            if (changed_[other] + 8u < sweep_ || nearest_[other] == no_index || nearest_[other] == nearest_[node])
+                continue;
+            if (values_[other] - values_[node] > longest_hop * grid.spacing) continue;
+            if (!try_triangle(node, nearest_[other], place(), infinite)) continue;
+            changed_[node] = static_cast<uint8_t>(sweep_);
+            last_change_ = sweep_;
         }
         for (uint32_t axis = 0; axis < 3; ++axis) {
             if (cell_[axis] != (backwards(axis) ? 0 : grid.counts[axis] - 1)) {
@@ -229,11 +237,9 @@ void MeshDistanceKernel::sweep() {
     }
     if (at_ < grid.size()) return;
     at_ = 0;
-    idle_ = changed_ ? 0 : idle_ + 1;
-    order_ = (order_ + 1) % 8;
-    changed_ = false;
+    ++sweep_;
     for (uint32_t axis = 0; axis < 3; ++axis) cell_[axis] = backwards(axis) ? grid.counts[axis] - 1 : 0;
-    if (idle_ == 8) enter(Pass::polish);
+    if (sweep_ > last_change_ + 8 || sweep_ == most_sweeps) enter(Pass::polish);
 }
 
 // From the triangle to those across its edges and on, as long as they are nearer.
@@ -248,10 +254,7 @@ void MeshDistanceKernel::polish() {
                 for (const uint32_t triangle :
                      {side, mesh_.neighbours[side][0], mesh_.neighbours[side][1], mesh_.neighbours[side][2]}) {
                     if (triangle == no_index || triangle == from) continue;
-                    const double d = square(triangle, x);
-                    if (!(d < out_.values[at_])) continue;
-                    out_.values[at_] = d;
-                    nearest_[at_] = triangle;
+                    try_triangle(at_, triangle, x, infinite);
                 }
             }
         }
@@ -299,33 +302,50 @@ void MeshDistanceKernel::cross() {
     if (!in_triangle_) ++at_;
 }
 
+// The first node of line at_ along axis_.
+uint32_t MeshDistanceKernel::line_start() const {
+    const std::array<uint32_t, 3>& n = out_.grid.counts;
+    if (axis_ == 0) return at_ * n[0];
+    if (axis_ == 1) return at_ / n[0] * n[0] * n[1] + at_ % n[0];
+    return at_;
+}
+
 void MeshDistanceKernel::count_line() {
-    const uint32_t start = out_.line_start(axis_, at_), stride = out_.grid.stride(axis_);
-    int16_t* line = windings_[axis_].data() + start;
+    int16_t* line = windings_[axis_].data() + line_start();
+    const uint32_t stride = out_.grid.stride(axis_);
     for (uint32_t k = 1; k < out_.grid.counts[axis_]; ++k) {
         line[k * stride] = static_cast<int16_t>(line[k * stride] + line[(k - 1) * stride]);
     }
-    if (++at_ < out_.line_count(axis_)) return;
+    if (++at_ < line_count()) return;
     at_ = 0;
     if (++axis_ == 3) enter(Pass::sign);
 }
 
+// A distance without sign gets values of both signs: it is less than the shift next to the mesh and more at the grid's sides.
 void MeshDistanceKernel::sign() {
     for (uint32_t k = 0; k < batch && at_ < out_.grid.size(); ++k, ++at_) {
         int votes = 0;
         for (const Buffer<int16_t>& winding : windings_) votes += has_sign_ && winding[at_] != 0;
-        const double away = std::sqrt(out_.values[at_]);
-        out_.values[at_] = votes >= 2 ? -away : away;
+        const double away = values_[at_];
+        values_[at_] = static_cast<float>((votes >= 2 ? -away : away) - out_.shift);
         out_.deepest = std::max(out_.deepest, votes >= 2 ? away : 0.0);
     }
-    if (at_ == out_.grid.size()) enter(Pass::filter);
+    if (at_ < out_.grid.size()) return;
+    if (has_sign_ && !(out_.deepest > 0)) {
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT,
+            "a mesh that is to be a solid holds no node of a grid with a spacing of %g: it is open or too thin",
+            out_.grid.spacing);
+    }
+    enter(Pass::filter);
+    const SweepGrid& grid = out_.grid;
+    filter_.emplace(GridInput{grid.counts, grid.origin, grid.spacing, values_.data()}, memory_);
 }
 
 void MeshDistanceKernel::filter() {
-    out_.filter_line(axis_, at_);
-    if (++at_ < out_.line_count(axis_)) return;
-    at_ = 0;
-    if (++axis_ == 3) pass_ = Pass::done;
+    if (!filter_->run(8)) return;
+    out_.spline.emplace(filter_->take());
+    pass_ = Pass::done;
 }
 
 }  // namespace flg

@@ -19,13 +19,13 @@ public:
     static constexpr uint32_t least_cells = 8, most_cells = 192;
 
     // reach: metres > 0, how far around the mesh's box the distance is needed. cells: along the longest side of the box, reach
-    // included; least_cells to most_cells. has_sign: negative inside. Throws a Failure for values out of their range. The mesh
-    // has a triangle and does not change meanwhile; `out` is complete when run() returned true.
+    // included; least_cells to most_cells. has_sign: negative inside. Throws a Failure for values out of their range and,
+    // while it runs, for a mesh that is to have an inside and holds no node. The mesh does not change meanwhile; `out` is complete when run() returned true.
     MeshDistanceKernel(const Mesh& mesh, double reach, uint32_t cells, bool has_sign, SampledDistance& out,
                        Memory* memory);
 
-    // A unit is 16 nodes of a triangle's box, or 8 nodes of a sweep, or 64 of simpler passes: about 1 us. Memory: 12 bytes a
-    // node besides the result's 8, 18 with sign.
+    // A unit is 16 nodes of a triangle's box, or 8 nodes of a sweep, or 64 of simpler passes: about 1 us. Memory: 9 bytes a
+    // node besides the result's 4, 15 with sign.
     bool run(uint32_t count);
 
 private:
@@ -42,8 +42,11 @@ private:
     void count_line();
     void sign();
     void filter();
+    uint32_t line_count() const { return out_.grid.size() / out_.grid.counts[axis_]; }
+    uint32_t line_start() const;
     bool begin_triangle(double wider);
-    double square(uint32_t triangle, const Vec3& x) const;
+    Vec3 place() const;
+    bool try_triangle(uint32_t node, uint32_t triangle, const Vec3& x, double most);
 
     const Mesh& mesh_;
     double reach_;
@@ -51,14 +54,17 @@ private:
     bool has_sign_;
     SampledDistance& out_;
     Memory* memory_;
-    Buffer<uint32_t> nearest_;  // a node's triangle; its value is the square meanwhile
+    Buffer<float> values_;      // a node's distance, m
+    Buffer<uint32_t> nearest_;  // a node's triangle
+    Buffer<uint8_t> changed_;   // the sweep it is from
     std::array<Buffer<int16_t>, 3> windings_;
     Pass pass_ = Pass::box;
     uint32_t at_ = 0, axis_ = 0;
-    uint32_t order_ = 0, idle_ = 0;
-    bool changed_ = false;
+    uint32_t sweep_ = 0,
+             last_change_ = 0;  // counted from 8; the order of a sweep is its number, bit k: backwards along axis k
     std::array<uint32_t, 3> cell_{}, first_{}, last_{};  // of the nodes around a triangle, or of a sweep
     bool in_triangle_ = false;
+    std::optional<DistanceGridKernel> filter_;
 };
 
 }  // namespace flg

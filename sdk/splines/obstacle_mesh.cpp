@@ -14,10 +14,7 @@ constexpr double least_layer = 4, smooth_from = 3;  // cells: nearer to the mesh
 
 double checked_depth(const SampledDistance& distance) {
     if (!(distance.deepest > 0)) {
-        throw Failure(
-            FLG_ERROR_INVALID_ARGUMENT,
-            "a mesh that is to be an obstacle holds no node of a grid with a spacing of %g: it is open or too thin",
-            distance.grid.spacing);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a distance that is to be a solid's has no sign");
     }
     return 0.5 * distance.deepest;
 }

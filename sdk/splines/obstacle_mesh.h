@@ -15,7 +15,7 @@ namespace flg {
 class MeshObstacle final : public Obstacle {
 public:
     // Of a distance with sign, which outlives it. core_depth() is half of its greatest depth: of a solid of several lumps with
-    // thin necks between them it says too much. Throws a Failure if no node is inside: the mesh is open, or thinner than a cell.
+    // thin necks between them it says too much. Throws a Failure for one without sign.
     explicit MeshObstacle(const SampledDistance& distance);
     double evaluate(const double* x, double* gradient, double* second) const override;
 

@@ -47,7 +47,7 @@ TEST(MeshDistance, OfABoxIsExactAtTheNodes) {
             Obstacle::Place in = x;  // the last nodes may lie outside by rounding
             for (uint32_t k = 0; k < 3; ++k) in[k] -= 1e-12 * x[k];
             ASSERT_TRUE(d.evaluate(in.data(), &value, gradient, nullptr));
-            EXPECT_NEAR(value, exact, 1e-9);
+            EXPECT_NEAR(value, exact, 1e-6);  // samples are floats
             inside += exact < 0;
         }
         EXPECT_GT(inside, 100u);
@@ -77,7 +77,7 @@ TEST(MeshDistance, SweepingFindsTheNearestTriangles) {
         ASSERT_TRUE(d.evaluate(x.data(), &value, nullptr, nullptr));
         const double error = std::abs(std::abs(value) - (foot - Vec3(x[0], x[1], x[2])).norm());
         most = std::max(most, error);
-        missed += error > 1e-6;
+        missed += error > 1e-5;
         ++tried;
     }
     EXPECT_LT(most, 1e-3);
@@ -117,8 +117,14 @@ TEST(MeshDistance, DerivativesAreThoseOfDifferences) {
 TEST(MeshDistance, ChunksDoNotMatter) {
     const Mesh mesh = make_mesh(torus(20, 10));
     const SampledDistance a = sampled(mesh, 0.2, 16, true, 1), b = sampled(mesh, 0.2, 16, true, 1013);
-    ASSERT_EQ(a.values.size(), b.values.size());
-    EXPECT_TRUE(std::equal(a.values.begin(), a.values.end(), b.values.begin()));
+    EXPECT_EQ(a.deepest, b.deepest);
+    for (uint64_t item = 0; item < 1000; ++item) {
+        const Numbers x = random_numbers(item, 1.4);
+        double first[13] = {}, second[13] = {};
+        EXPECT_EQ(a.evaluate(x.data(), first, first + 1, first + 4),
+                  b.evaluate(x.data(), second, second + 1, second + 4));
+        EXPECT_TRUE(std::equal(first, first + 13, second));
+    }
 }
 
 TEST(MeshDistance, BadNumbersAreRefused) {
@@ -151,7 +157,8 @@ TEST(MeshObstacle, ASphereIsABall) {
         }
     }
     EXPECT_NEAR(obstacle.core_depth(), 0.5, 0.03);
-    EXPECT_THROW(MeshObstacle(sampled(make_mesh(plane(4)), 0.3, 30, true)), Failure);
+    EXPECT_THROW(sampled(make_mesh(plane(4)), 0.3, 30, true), Failure);  // nothing is inside
+    EXPECT_THROW(MeshObstacle(sampled(mesh, 0.3, 30, false)), Failure);
 }
 
 TEST(MeshObstacle, ABarrierKeepsPointsOut) {
