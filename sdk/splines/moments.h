@@ -8,7 +8,7 @@
 //
 // Ends. The tangent of a curve on a surface has no part along the surface's normals. So the spline is clamped in these directions
 // (slope 0) and natural in the tangent ones: else a whole step at each end would count too little. `normals`: the projection
-// onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n.
+// onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n or the end may move.
 //
 // Invariants: exact for cubic splines with breaks at given points; E2 >= 0; linear in the points but for the ends' slopes.
 #pragma once

@@ -100,6 +100,7 @@ bool NaturalCubic::run(size_t count) {
     for (; count > 0 && at_ < whole; --count, ++at_) {
         if (at_ < count_) {
             std::fill_n(moments_.begin() + at_ * data_.dimension, data_.dimension, 0.0);
+            if (periodic()) from_first_[at_] = 0;
         } else if (at_ < count_ + rows) {
             forward(first_row_ + at_ - count_);
         } else if (at_ < count_ + 2 * rows) {

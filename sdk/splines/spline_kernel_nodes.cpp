@@ -76,6 +76,11 @@ void SplineKernel::set_end(bool last, double* points, double* memory, bool with_
         if (with_slope) std::copy_n(problem_.slopes[last], n_, end.slope);
         return;
     }
+    // An end that moves would turn these directions, which the gradient does not know of: natural in all of them.
+    if (pull_ > 0) {
+        std::fill_n(end.normals, n_ * n_, 0.0);
+        return;
+    }
     double basis[Manifold::max_dimension * Manifold::max_ambient];
     problem_.manifold->tangent_basis(points, memory, basis);
     for (uint32_t a = 0; a < k_; ++a) {

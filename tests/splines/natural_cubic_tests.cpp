@@ -11,6 +11,8 @@
 #include <random>
 #include <vector>
 
+#include "splines/nan_memory.h"
+
 namespace flg::test {
 namespace {
 
@@ -40,7 +42,7 @@ Case random_case(size_t count, CubicEnds ends, double tension) {
 NaturalCubic spline_of(const Case& c, size_t chunk = 1000000) {
     NaturalCubic spline(
         {c.knots, c.values, c.dimension, c.ends, c.slopes.empty() ? nullptr : c.slopes.data(), c.tension},
-        std::pmr::get_default_resource());
+        nan_memory());
     while (!spline.run(chunk)) {}
     return spline;
 }
