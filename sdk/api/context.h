@@ -160,8 +160,11 @@ private:
     Context& context_;
     std::shared_ptr<Job> job_;
     std::pmr::vector<Prerequisite> dependencies_;
-    std::shared_ptr<Surface> surface_;
-    bool changes_surface_ = false;
+    struct Turn {
+        std::shared_ptr<Surface> surface;
+        bool changes;
+    };
+    std::pmr::vector<Turn> turns_;
 };
 
 // Defaults of the job part of descriptors.

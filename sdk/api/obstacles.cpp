@@ -6,8 +6,8 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
-#include "filigree/filigree_spline.h"
 #include "splines/held_obstacles.h"
+#include "splines/mesh_distance.h"
 #include "splines/obstacle_polygon.h"
 #include "splines/obstacle_shapes.h"
 
@@ -18,6 +18,7 @@ namespace {
 FlgObstacle default_obstacle() {
     FlgObstacle obstacle{};
     obstacle.radius = 1;
+    obstacle.cells = 64;
     for (int i = 0; i < 3; ++i) obstacle.half[i] = obstacle.axes[4 * i] = 1;
     return obstacle;
 }
@@ -26,6 +27,7 @@ FlgObstaclesDesc default_obstacles_desc() {
     FlgObstaclesDesc desc{};
     desc.struct_size = sizeof desc;
     desc.dimension = 3;
+    desc.job = default_job_options();
     return desc;
 }
 
@@ -54,7 +56,7 @@ std::shared_ptr<const Obstacle> make_function(Context& context, const FlgObstacl
 }
 
 std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacle& in, uint32_t dimension) {
-    check_enum(in.kind, FLG_OBSTACLE_BALL, FLG_OBSTACLE_FUNCTION, "kind", "FLG_OBSTACLE_");
+    check_enum(in.kind, FLG_OBSTACLE_BALL, FLG_OBSTACLE_LAYER, "kind", "FLG_OBSTACLE_");
     switch (in.kind) {
         case FLG_OBSTACLE_BALL: return make_object<BallObstacle>(context, dimension, in.centre, in.radius);
         case FLG_OBSTACLE_BOX: return make_box(context, in, dimension);
@@ -67,6 +69,19 @@ std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacl
     require(in.points, "points");
     return make_object<PolygonObstacle>(context, std::span<const double>(in.points, size_t{2} * in.point_count),
                                         &context.memory);
+}
+
+// What the job makes of a mesh.
+void read_mesh(Context& context, const FlgObstacle& in, uint32_t number, HeldObstacles& out, Submission& submission) {
+    if (out.dimension != 3)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is that of a mesh, which is for space, dimension 3");
+    const auto surface = context.surfaces.get(in.surface.id, "surface");
+    check_range(in.cells >= MeshDistanceKernel::least_cells && in.cells <= MeshDistanceKernel::most_cells, "cells",
+                in.cells, "8 to 192");
+    const bool is_layer = in.kind == FLG_OBSTACLE_LAYER;
+    if (is_layer) check_range(in.radius > 0 && in.radius <= 1e30, "radius", in.radius, "above 0");
+    submission.read_surface(surface, "surface");
+    out.meshes.push_back({number, surface, in.cells, is_layer ? in.radius : 0});
 }
 
 }  // namespace
@@ -88,29 +103,31 @@ FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size) {
     });
 }
 
-FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles) {
+FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles,
+                             FlgJob* out_job) {
     return guarded([&] {
         require(out_obstacles, "out_obstacles") = {};
+        if (out_job) *out_job = {};
         Context& self = get_context(context);
-        refuse_after_destroy(self);
         const FlgObstaclesDesc read = read_struct(desc, default_obstacles_desc(), "desc");
         check_range(read.dimension == 2 || read.dimension == 3, "desc.dimension", read.dimension, "2 or 3");
         check_range(read.obstacle_count >= 1 && read.obstacle_count <= ObstacleSet::max_count, "desc.obstacle_count",
                     read.obstacle_count, "1 to 256");
         require(read.obstacles, "desc.obstacles");
-        const auto held = make_object<HeldObstacles>(self, &self.memory);
-        std::pmr::vector<const Obstacle*> pointers(&self.memory);
+        check_range(read.clearance >= 0 && read.clearance <= 1e30, "desc.clearance", read.clearance, "0 to 1e30");
+        Submission submission(self, read.job);
+        const auto held = make_object<HeldObstacles>(self, read.dimension, &self.memory);
+        held->clearance = read.clearance;
         for (uint32_t i = 0; i < read.obstacle_count; ++i) {
             try {
                 held->solids.push_back(make_obstacle(self, read.obstacles[i], read.dimension));
+                if (!held->solids.back()) read_mesh(self, read.obstacles[i], i, *held, submission);
             } catch (const Failure& failure) {
                 throw Failure(failure.result(), "desc.obstacles[%u]: %.200s", i, failure.what());
             }
-            pointers.push_back(held->solids.back().get());
         }
-        held->set.emplace(pointers, read.clearance, &self.memory);
-        held->publish_complete();
-        *out_obstacles = {self.obstacles.add(held)};
+        submission.job().strand.start(make_obstacles(submission.pace(), held));
+        *out_obstacles = {submission.commit(self.obstacles, held, out_job)};
         return FLG_OK;
     });
 }

@@ -122,15 +122,22 @@ void read_curve(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& requ
     request.curve = read_numbers(desc.curve, size_t{desc.curve_count} * ambient, "desc.curve", memory);
 }
 
-void read_obstacles(Context& context, const FlgSplineDesc& desc, const HeldManifold& manifold, SplineRequest& request) {
+void read_obstacles(Context& context, const FlgSplineDesc& desc, const HeldManifold& manifold, SplineRequest& request,
+                    Submission& submission) {
     if (desc.obstacles.id == 0) return;
     request.obstacles = context.obstacles.get(desc.obstacles.id, "desc.obstacles");
-    const uint32_t dimension = request.obstacles->set->dimension();
-    if (!manifold.is_space || manifold.given_ambient != dimension) {
+    submission.read(*request.obstacles, "desc.obstacles");
+    const uint32_t dimension = request.obstacles->dimension;
+    const bool fits = manifold.kind == ManifoldKind::space
+                          ? manifold.given_ambient == dimension
+                          : manifold.kind == ManifoldKind::hypersurface && dimension == 3;
+    if (!fits) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "desc.obstacles are those of a FLG_SHAPE_SPACE of %u dimensions, which desc.manifold is not",
+                      "desc.obstacles are of %u dimensions: desc.manifold must be a FLG_SHAPE_SPACE of as many, or "
+                      "with 3 a surface in R^3",
                       dimension);
     }
+    if (desc.curve) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.curve can't be given together with desc.obstacles");
     check_range(desc.obstacle_radius >= 1e-5 && desc.obstacle_radius <= 0.1, "desc.obstacle_radius",
                 desc.obstacle_radius, "1e-5 to 0.1");
     request.obstacle_radius = desc.obstacle_radius;
@@ -186,7 +193,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         read_curve(read, ambient, request, &self.memory);
         read_subdivisions(read, request);
         read_parameters(read, request.problem, &self.memory);
-        read_obstacles(self, read, *manifold, request);
+        read_obstacles(self, read, *manifold, request, submission);
         request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", &self.memory);
         if (read.begin_slope)
             request.slopes[0] = read_numbers(read.begin_slope, ambient, "desc.begin_slope", &self.memory);

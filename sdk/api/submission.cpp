@@ -12,7 +12,7 @@ FlgJobOptions default_job_options() {
 }
 
 Submission::Submission(Context& context, const FlgJobOptions& options)
-    : context_(context), dependencies_(&context.memory) {
+    : context_(context), dependencies_(&context.memory), turns_(&context.memory) {
     refuse_after_destroy(context);
     check_enum(options.priority, FLG_PRIORITY_LOW, FLG_PRIORITY_HIGH, "job.priority", "FLG_PRIORITY_");
     if (options.dependency_count > 0 && !options.dependencies) {
@@ -32,8 +32,7 @@ Submission::Submission(Context& context, const FlgJobOptions& options)
 void Submission::use_surface(const std::shared_ptr<Surface>& surface, bool changes, const char* argument) {
     read(*surface, argument);
     surface->order.add_prerequisites(changes, dependencies_);
-    surface_ = surface;
-    changes_surface_ = changes;
+    turns_.push_back({surface, changes});
 }
 
 void Submission::queue(FlgJob* out_job) {
@@ -44,7 +43,7 @@ void Submission::queue(FlgJob* out_job) {
         if (out_job) context_.jobs.remove(job_->handle.id, "job");
         throw;
     }
-    if (surface_) surface_->order.enter(job_, changes_surface_);
+    for (const Turn& turn : turns_) turn.surface->order.enter(job_, turn.changes);
     if (out_job) *out_job = job_->handle;
 }
 

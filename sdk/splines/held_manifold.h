@@ -9,8 +9,12 @@
 
 namespace flg {
 
+// What else may be done with one: obstacles are in space, or on a Hypersurface of R^3.
+enum class ManifoldKind { other, space, hypersurface };
+
 class HeldManifold final : public Product {
 public:
+    std::shared_ptr<const HeldManifold> base;  // that an image manifold is of; it looks into that
     std::shared_ptr<const Manifold> manifold;  // there once the job that makes it is done
     // A mesh that it is made of, for first curves along it where projected chords do not lead there; or null.
     std::shared_ptr<Surface> surface;
@@ -18,7 +22,7 @@ public:
     double largest_deviation = 0, mean_deviation = 0;
     // So many coordinates of a point are given and shown, the first ones; the others come from projection. Set at once.
     uint32_t given_ambient = 3;
-    bool is_space = false;  // R^n itself
+    ManifoldKind kind = ManifoldKind::other;
     // Whether it is a surface in R^3.
     bool has_normals() const { return manifold->ambient() == 3 && manifold->dimension() == 2; }
 

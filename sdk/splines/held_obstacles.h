@@ -6,17 +6,36 @@
 #include <optional>
 #include <vector>
 
+#include "filigree/filigree_spline.h"
 #include "runtime/product.h"
 #include "splines/obstacle_grid.h"
+#include "splines/sampled_distance.h"
+#include "surfaces/surface.h"
 
 namespace flg {
 
 class HeldObstacles final : public Product {
 public:
-    explicit HeldObstacles(Memory* memory) : solids(memory) {}
+    explicit HeldObstacles(uint32_t of_dimension, Memory* memory)
+        : dimension(of_dimension), solids(memory), meshes(memory), distances(memory) {}
 
+    // One that a job makes: solids[at], of a mesh.
+    struct OfMesh {
+        uint32_t at;
+        std::shared_ptr<Surface> surface;
+        uint32_t cells;
+        double layer;  // its thickness, m; 0: the mesh is a solid
+    };
+
+    const uint32_t dimension;
+    double clearance = 0;
     std::pmr::vector<std::shared_ptr<const Obstacle>> solids;
-    std::optional<ObstacleSet> set;  // of these
+    std::pmr::vector<OfMesh> meshes;
+    std::pmr::vector<std::shared_ptr<SampledDistance>> distances;  // what the solids of meshes look into
+    std::optional<ObstacleSet> set;                                // of these; by the job
 };
+
+// The whole of flgObstaclesCreate.
+Task<void> make_obstacles(Pace& pace, std::shared_ptr<HeldObstacles> out);
 
 }  // namespace flg

@@ -2,13 +2,17 @@
 #include "splines/manifold_jobs.h"
 
 #include "core/failure.h"
+#include "splines/cloud_samples.h"
 #include "splines/mesh_samples.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t sample_chunk = 100;  // 10 us
+// About 10 us each.
+constexpr uint32_t sample_chunk = 100;
+constexpr uint32_t cloud_chunk = 30;
+constexpr uint32_t grid_chunk = 150;
 
 template <class T>
 std::shared_ptr<const Manifold> keep(T&& manifold, Memory* memory) {
@@ -25,6 +29,28 @@ Task<void> make_mesh_manifold(Pace& pace, std::shared_ptr<HeldManifold> out) {
     while (!kernel.run(sample_chunk)) co_await pace;
     out->largest_deviation = kernel.deviation().largest;
     out->mean_deviation = kernel.deviation().mean;
+    out->manifold = keep(kernel.take(), pace.memory());
+}
+
+Task<void> make_cloud_manifold(Pace& pace, Buffer<Position> points, Buffer<Position> normals, uint32_t neighbours,
+                               std::shared_ptr<HeldManifold> out) {
+    pace.stage("samples");
+    const CloudInput input{.points = points.data(),
+                           .normals = normals.data(),
+                           .count = static_cast<uint32_t>(points.size()),
+                           .neighbours = neighbours};
+    CloudSamplesKernel kernel(input, pace.memory());
+    while (!kernel.run(cloud_chunk)) co_await pace;
+    out->largest_deviation = kernel.deviation().largest;
+    out->mean_deviation = kernel.deviation().mean;
+    out->manifold = keep(kernel.take(), pace.memory());
+}
+
+Task<void> make_grid_manifold(Pace& pace, Buffer<float> values, GridInput input, std::shared_ptr<HeldManifold> out) {
+    pace.stage("filter");
+    input.values = values.data();
+    DistanceGridKernel kernel(input, pace.memory());
+    while (!kernel.run(grid_chunk)) co_await pace;
     out->manifold = keep(kernel.take(), pace.memory());
 }
 

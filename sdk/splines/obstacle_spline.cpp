@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "core/failure.h"
-#include "splines/barrier_surface.h"
 #include "splines/obstacle_path.h"
+#include "splines/surface_barrier.h"
 
 namespace flg {
 
 namespace {
 
 constexpr uint32_t path_chunk = 10;
-constexpr uint32_t copy_chunk = 200;
+constexpr uint32_t copy_chunk = 1000;
+constexpr uint32_t lift_chunk = 4;
 constexpr double first_radius = 0.05;  // of the scene's size
 constexpr double shrink = 0.35;        // of the radius, from one solve to the next
 constexpr double rough = 1e-2;         // the tolerance before the last one
@@ -37,24 +38,64 @@ double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
     return std::sqrt(square);
 }
 
-// The chain with d coordinates a node, on the barrier as it is now; given points exactly above where they are.
-Task<void> lift_chain(Pace& pace, const BarrierSurface& barrier, const Buffer<double>& flat,
-                      const Buffer<double>& given, SplineProblem& problem) {
-    const uint32_t n = barrier.ambient(), d = n - 1;
+// Over free space or over a surface.
+class Barrier {
+public:
+    Barrier(const HeldManifold& held, const ObstacleSet& set, double radius, double size) {
+        if (held.kind == ManifoldKind::space) {
+            space_.emplace(set, radius, size);
+        } else {
+            surface_.emplace(static_cast<const Hypersurface&>(*held.manifold), set, radius);
+        }
+    }
+    const Manifold& manifold() const { return space_ ? static_cast<const Manifold&>(*space_) : *surface_; }
+    void set_radius(double radius) { space_ ? space_->set_radius(radius) : surface_->set_radius(radius); }
+    // memory: of the manifold, zeros.
+    bool lift(const double* point, double* memory, double* x) const {
+        return space_ ? space_->lift(point, x) : surface_->lift(point, memory, x);
+    }
+
+private:
+    std::optional<BarrierSurface> space_;
+    std::optional<SurfaceBarrier> surface_;
+};
+
+// The chain with d coordinates a node, on the barrier as it is now.
+Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Buffer<double>& flat, const Buffer<double>& given,
+                      SplineProblem& problem) {
+    const uint32_t n = barrier.manifold().ambient(), d = n - 1;
     const size_t nodes = flat.size() / d;
+    std::pmr::vector<double> memory(barrier.manifold().memory_size(), 0.0, pace.memory());
     problem.points = Buffer<double>(nodes * n, pace.memory());
     for (size_t i = 0; i < nodes; ++i) {
-        barrier.lift(&flat[i * d], &problem.points[i * n]);
-        if (i % copy_chunk == 0) co_await pace;
+        std::fill(memory.begin(), memory.end(), 0.0);
+        barrier.lift(&flat[i * d], memory.data(), &problem.points[i * n]);
+        if (i % lift_chunk == 0) co_await pace;
     }
     problem.given = Buffer<double>(given.size() / d * n, pace.memory());
     for (size_t k = 0; k < given.size() / d; ++k) {
-        if (!barrier.lift(&given[k * d], &problem.given[k * n])) {
+        std::fill(memory.begin(), memory.end(), 0.0);
+        if (!barrier.lift(&given[k * d], memory.data(), &problem.given[k * n])) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.points: point %zu is in an obstacle or nearer than the clearance", k);
         }
-        if (k % copy_chunk == 0) co_await pace;
+        if (k % lift_chunk == 0) co_await pace;
     }
+}
+
+// In space around the obstacles, on a surface as if there were none.
+Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints given, FirstCurve& first) {
+    const HeldManifold& held = *request.out->manifold;
+    if (held.kind != ManifoldKind::space) {
+        co_await find_first_curve(pace, held, given, first);
+        co_return;
+    }
+    ObstaclePath path(pace.memory());
+    ObstaclePathKernel finding(*request.obstacles->set, given.values, given.closed,
+                               {request.sides.data(), request.sides.size()}, path, pace.memory());
+    while (!finding.run(path_chunk)) co_await pace;
+    first.points = std::move(path.points);
+    for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
 
 }  // namespace
@@ -64,16 +105,16 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     SplineProblem& problem = request.problem;
     const ObstacleSet& set = *request.obstacles->set;
     const uint32_t d = set.dimension();
-    pace.stage("first curve");
+    pace.stage("begin");
+    const HeldManifold& held = *out.manifold;
+    problem.manifold = held.manifold.get();
+    out.closed = problem.closed;
+    Buffer<double> placed;
+    co_await place_spline_points(pace, held, request.points, "desc.points", placed, &out.offsets);
     const GivenPoints given{
-        .values = {request.points.data(), request.points.size()}, .closed = problem.closed, .argument = "desc.points"};
-    ObstaclePath path(pace.memory());
-    ObstaclePathKernel finding(set, given.values, problem.closed, {request.sides.data(), request.sides.size()}, path,
-                               pace.memory());
-    while (!finding.run(path_chunk)) co_await pace;
+        .values = {placed.data(), placed.size()}, .closed = problem.closed, .argument = "desc.points"};
     FirstCurve first(pace.memory());
-    first.points = std::move(path.points);
-    for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
+    co_await find_beginning(pace, request, given, first);
     const uint32_t segments = given.segments(d);
     const uint32_t nodes =
         request.node_count > 0 ? request.node_count : std::min(32 * segments + 1, FLG_SPLINE_MAX_NODES);
@@ -84,8 +125,8 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     const double size = scene_size(set, request.points), last = request.obstacle_radius * size,
                  tolerance = problem.tolerance;
     double radius = std::min(std::max(first_radius * size, last), 0.9 * set.reach());
-    BarrierSurface barrier(set, radius, size);
-    problem.manifold = &barrier;
+    Barrier barrier(held, set, radius, size);
+    problem.manifold = &barrier.manifold();
     pace.stage("minimize");
     for (;;) {
         const bool is_last = radius <= last;
@@ -105,11 +146,6 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
         barrier.set_radius(radius);
     }
     out.knots = std::move(problem.knots);
-    out.offsets = Buffer<double>(out.knots.size(), pace.memory());
-    for (size_t k = 0; k < out.offsets.size(); ++k) {
-        out.offsets[k] = 0;
-        if (k % copy_chunk == 0) co_await pace;
-    }
     out.is_complete = true;
 }
 

@@ -65,11 +65,8 @@ Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& splin
     }
 }
 
-namespace {
-
-// Points of the host put onto the manifold: all their coordinates, and how far they were from it.
-Task<void> place_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
-                        Buffer<double>& out, Buffer<double>* offsets) {
+Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
+                               Buffer<double>& out, Buffer<double>* offsets) {
     const Manifold& manifold = *held.manifold;
     const uint32_t n = manifold.ambient(), shown = held.given_ambient;
     const size_t count = from.size() / shown;
@@ -89,6 +86,8 @@ Task<void> place_points(Pace& pace, const HeldManifold& held, const Buffer<doubl
         if (i % place_chunk == 0) co_await pace;
     }
 }
+
+namespace {
 
 Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n, bool closed, double size) {
     const size_t count = given.size() / n;
@@ -150,7 +149,7 @@ Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& 
 Task<void> begin_chain(Pace& pace, const SplineRequest& request, SplineProblem& problem, Buffer<double>& given) {
     const HeldManifold& held = *request.out->manifold;
     if (!request.curve.empty()) {
-        co_await place_points(pace, held, request.curve, "desc.curve", problem.points, nullptr);
+        co_await place_spline_points(pace, held, request.curve, "desc.curve", problem.points, nullptr);
         problem.given = std::move(given);
         co_return;
     }
@@ -219,7 +218,7 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     if (request.obstacles) co_return co_await make_obstacle_spline(pace, request);
     pace.stage("place");
     Buffer<double> given;
-    co_await place_points(pace, held, request.points, "desc.points", given, &out.offsets);
+    co_await place_spline_points(pace, held, request.points, "desc.points", given, &out.offsets);
     co_await refuse_coincident(pace, given, n, problem.closed, problem.manifold->size());
     if (!problem.closed) {
         place_slope(held, request.slopes[0], given.data(), false, problem);

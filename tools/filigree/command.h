@@ -22,6 +22,7 @@ std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common);
 Command add_geodesic(CLI::App& program, const CommonOptions& common);
 Command add_motion(CLI::App& program, const CommonOptions& common);
 Command add_path(CLI::App& program, const CommonOptions& common);
+Command add_spline(CLI::App& program, const CommonOptions& common);
 Command add_contour(CLI::App& program, const CommonOptions& common);
 Command add_skeleton(CLI::App& program, const CommonOptions& common);
 Command add_straight_skeleton(CLI::App& program, const CommonOptions& common);

@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
     for (flg::cli::Command& command : flg::cli::add_mesh(program, common)) commands.push_back(std::move(command));
     commands.push_back(flg::cli::add_geodesic(program, common));
     commands.push_back(flg::cli::add_path(program, common));
+    commands.push_back(flg::cli::add_spline(program, common));
     commands.push_back(flg::cli::add_contour(program, common));
     commands.push_back(flg::cli::add_motion(program, common));
     commands.push_back(flg::cli::add_skeleton(program, common));

@@ -62,17 +62,17 @@ FLG_API FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t st
 
 /* Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their normals and
  * curvatures. It follows smooth parts to the square of the edges' lengths and rounds creases off; how far its vertices are from
- * it is in the manifold's view. At open borders it goes on a little, see FlgSplineDesc.keep_inside. Cost: about 1 us a triangle. */
+ * it is in the manifold's view. At open borders it goes on a little. Cost: about 1 us a triangle. */
 FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc,
                                                FlgManifold* out_manifold, FlgJob* out_job);
 
 typedef struct FlgCloudManifoldDesc {
     uint32_t struct_size;
-    uint32_t point_count; /* 16 to 2^24 */
+    uint32_t point_count; /* 4 to 2^24 */
     FlgJobOptions job;
     const float* points;  /* 3 a point, metres; read during the call */
     const float* normals; /* 3 a point, not 0; or null: found, and turned alike along the cloud */
-    float radius;         /* of the points' spacing: how far smoothing reaches, 1 to 10; default 0: 3 with normals, 4 without */
+    uint32_t neighbours;  /* how many points a point's surroundings are, 6 to 32: more of them smooth more. Default 16 */
     uint32_t reserved;
 } FlgCloudManifoldDesc;
 
@@ -84,7 +84,7 @@ FLG_API FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloud
 
 typedef struct FlgGridManifoldDesc {
     uint32_t struct_size;
-    uint32_t counts[3];  /* samples along x, y, z: 4 to 2048 each, 2^28 in all */
+    uint32_t counts[3];  /* samples along x, y, z: 2 to 65536 each, 2^31 in all */
     FlgJobOptions job;
     double origin[3];    /* of the first sample, metres */
     double spacing;      /* metres, above 0 */
@@ -159,6 +159,9 @@ typedef enum FlgObstacleKind {
     FLG_OBSTACLE_CAPSULE = 2,  /* all within `radius` of the segment from centre to `to` */
     FLG_OBSTACLE_POLYGON = 3,  /* of the plane: points */
     FLG_OBSTACLE_FUNCTION = 4, /* the host's */
+    FLG_OBSTACLE_MESH = 5,     /* of space: surface, a closed one, to half a cell of a grid of `cells` */
+    FLG_OBSTACLE_LAYER = 6,    /* of space: all that is farther than `radius` from surface, an open one: curves stay in a thin layer
+                                * around it, and so between its borders */
     FLG_OBSTACLE_KIND_FORCE_32BIT = 0x7fffffff
 } FlgObstacleKind;
 
@@ -166,6 +169,9 @@ typedef enum FlgObstacleKind {
 typedef struct FlgObstacle {
     FlgObstacleKind kind;
     uint32_t point_count; /* 3 to 256 */
+    FlgSurface surface;
+    uint32_t cells;       /* of the grid along the longest side, 8 to 192; a layer is 4 of them thick at least. Default 64 */
+    uint32_t reserved;
     double centre[3];
     double half[3];       /* half the box's sides, above 0 */
     double axes[9];       /* rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first two */
@@ -183,7 +189,8 @@ FLG_API void flgObstacleInit(FlgObstacle* obstacle);
 
 typedef struct FlgObstaclesDesc {
     uint32_t struct_size;
-    uint32_t dimension;     /* 2 or 3. Default 3 */
+    uint32_t dimension;      /* 2 or 3. Default 3 */
+    FlgJobOptions job;
     const FlgObstacle* obstacles;
     uint32_t obstacle_count; /* 1 to 256 */
     uint32_t reserved;
@@ -193,8 +200,9 @@ typedef struct FlgObstaclesDesc {
 
 FLG_API FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size);
 
-/* Makes obstacles at once. */
-FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles);
+/* Starts a job that makes obstacles; splines may be asked for before it is done. Cost: of meshes 100 to 500 ns a cell of their grid. */
+FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles,
+                                     FlgJob* out_job);
 FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
 
 /* On which side a curve passes an obstacle: while its first curve is found the obstacle goes on without end against the
@@ -260,9 +268,10 @@ typedef struct FlgSplineDesc {
     uint32_t subdivisions;     /* rounds of variational subdivision (Remark 6) afterwards: each puts one node between two, and
                                 * optimizes all but the given points again. 0 to 8. Default 0 */
     uint32_t side_count;       /* of `sides`. Default 0 */
-    /* With a FLG_SHAPE_SPACE of as many dimensions: the curve stays out of these (sec. 5). It is what splines on surfaces around
-     * them become whose radius shrinks to `obstacle_radius` of the scene's size; closer than that it may touch them along a
-     * stretch. A given point in an obstacle is refused. `curve`, start, warm_start, slopes and subdivisions do not count. Default none */
+    /* The curve stays out of these (sec. 5): the manifold is a FLG_SHAPE_SPACE of as many dimensions, or a surface in R^3. It is
+     * what splines on barriers around them become whose radius shrinks to `obstacle_radius` of the scene's size; it may touch
+     * them along a stretch. A given point in an obstacle is refused. In space the first curve goes around them, on a surface the
+     * start is without them, and sides do not count. `curve`, slopes and subdivisions do not count. Default none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the first curve passes; default null: the shortest way */
     double obstacle_radius;    /* 1e-5 to 0.1. Default 1e-3 */

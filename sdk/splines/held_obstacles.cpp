@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "splines/held_obstacles.h"
+
+#include "core/failure.h"
+#include "runtime/pace.h"
+#include "splines/mesh_distance.h"
+#include "splines/obstacle_mesh.h"
+
+namespace flg {
+
+namespace {
+
+constexpr uint32_t distance_chunk = 10;
+constexpr double solid_reach = 0.15;  // of a solid's size: how far around it the distance is exact
+
+template <class T, class... Arguments>
+std::shared_ptr<T> make_shared_in(Memory* memory, Arguments&&... arguments) {
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::forward<Arguments>(arguments)...);
+}
+
+double longest_side(const Surface& surface) {
+    double longest = 0;
+    for (int c = 0; c < 3; ++c) longest = std::max(longest, double{surface.extent.upper[c]} - surface.extent.lower[c]);
+    return longest;
+}
+
+}  // namespace
+
+Task<void> make_obstacles(Pace& pace, std::shared_ptr<HeldObstacles> out) {
+    pace.stage("distances");
+    for (const HeldObstacles::OfMesh& mesh : out->meshes) {
+        const bool is_layer = mesh.layer > 0;
+        const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * longest_side(*mesh.surface) + out->clearance;
+        auto distance = make_shared_in<SampledDistance>(pace.memory());
+        MeshDistanceKernel kernel(mesh.surface->mesh(), reach, mesh.cells, !is_layer, *distance, pace.memory());
+        while (!kernel.run(distance_chunk)) co_await pace;
+        if (is_layer) {
+            out->solids[mesh.at] = make_shared_in<LayerObstacle>(pace.memory(), *distance, mesh.layer);
+        } else {
+            out->solids[mesh.at] = make_shared_in<MeshObstacle>(pace.memory(), *distance);
+        }
+        out->distances.push_back(std::move(distance));
+    }
+    std::pmr::vector<const Obstacle*> pointers(pace.memory());
+    for (const auto& solid : out->solids) pointers.push_back(solid.get());
+    out->set.emplace(pointers, out->clearance, pace.memory());
+}
+
+}  // namespace flg

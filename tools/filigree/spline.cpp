@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// filigree spline: a smooth curve through points, on a surface or among obstacles.
+#include <array>
+#include <charconv>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "choices.h"
+#include "command.h"
+#include "failure.h"
+#include "path_curves.h"
+#include "space_lines.h"
+#include "spline_manifold.h"
+#include "spline_obstacles.h"
+#include "text_file.h"
+
+namespace flg::cli {
+namespace {
+
+struct Options {
+    std::string surface, points, output, obstacles;
+    FlgSplineEnergy energy = FLG_SPLINE_E2;
+    double tension = 1, smoothing = 0, tolerance = 1e-6, feature = 0;
+    float height = 0;
+    uint32_t nodes = 0, rounds = 200;
+    bool closed = false;
+    FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
+    FlgSplineMethod method = FLG_SPLINE_NEWTON;
+};
+
+const std::map<std::string, FlgSplineEnergy>& energy_names() {
+    static const std::map<std::string, FlgSplineEnergy> names = {
+        {"e1", FLG_SPLINE_E1}, {"e2", FLG_SPLINE_E2}, {"et", FLG_SPLINE_ET}};
+    return names;
+}
+const std::map<std::string, FlgSplineStart>& start_names() {
+    static const std::map<std::string, FlgSplineStart> names = {{"geodesic", FLG_SPLINE_START_GEODESIC},
+                                                                {"projected", FLG_SPLINE_START_PROJECTED}};
+    return names;
+}
+const std::map<std::string, FlgSplineMethod>& method_names() {
+    static const std::map<std::string, FlgSplineMethod> names = {{"newton", FLG_SPLINE_NEWTON},
+                                                                 {"cone", FLG_SPLINE_FOOTPOINT_CONE}};
+    return names;
+}
+const char* ending_name(FlgSplineEnding ending) {
+    return ending == FLG_SPLINE_CONVERGED ? "converged" : ending == FLG_SPLINE_ROUNDING ? "rounding" : "rounds";
+}
+
+// One spline for each curve of the file.
+struct Made {
+    FlgSpline spline = {};
+    FlgSplineView view = {};
+    std::string subject;
+};
+
+Made make_one(Session& session, const Options& options, const SplineManifold& manifold,
+              const SplineObstacles* obstacles, const SpaceLines& lines, uint32_t line, Report& report) {
+    Made made;
+    made.subject = options.points + (lines.count() > 1 ? ": curve " + std::to_string(line) : "");
+    const uint32_t n = manifold.view.ambient;
+    std::vector<double> points;
+    for (uint32_t i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i) {
+        for (uint32_t c = 0; c < n; ++c) points.push_back(lines.positions[size_t{3} * i + c]);
+    }
+    FlgSplineDesc desc;
+    flgSplineDescInit(&desc, sizeof desc);
+    desc.manifold = manifold.handle;
+    desc.points = points.data();
+    desc.point_count = static_cast<uint32_t>(points.size() / n);
+    desc.closed = options.closed || (lines.flags[line] & FLG_CURVE_CLOSED) != 0;
+    desc.energy = options.energy;
+    desc.tension = options.tension;
+    desc.smoothing = options.smoothing;
+    desc.tolerance = options.tolerance;
+    desc.node_count = options.nodes;
+    desc.max_rounds = options.rounds;
+    desc.start = options.start;
+    desc.method = options.method;
+    if (obstacles) {
+        desc.obstacles = obstacles->handle;
+        desc.sides = obstacles->sides.data();
+        desc.side_count = static_cast<uint32_t>(obstacles->sides.size());
+    }
+    FlgJob job = {};
+    check(flgSplineCreate(session.context(), &desc, &made.spline, &job), made.subject);
+    session.finish({{{job, made.subject}}}, report);
+    flgSplineViewInit(&made.view, sizeof made.view);
+    check(flgSplineGetView(session.context(), made.spline, &made.view), made.subject);
+    return made;
+}
+
+void append_number(std::string& text, double value) {
+    char number[32];
+    text.append(number, std::to_chars(number, number + sizeof number, value, std::chars_format::general, 9).ptr);
+}
+
+// In double precision, not through a curve set's floats.
+std::string xyz_text(const std::vector<Made>& all, float height) {
+    std::string text;
+    for (const Made& made : all) {
+        const FlgSplineView& view = made.view;
+        if (!text.empty()) text += '\n';
+        if (view.closed) text += "# closed\n";
+        for (uint32_t i = 0; i < view.node_count; ++i) {
+            for (uint32_t c = 0; c < 3; ++c) {
+                double value = c < view.ambient ? view.nodes[size_t{view.ambient} * i + c] : 0;
+                if (view.normals) value += height * view.normals[size_t{3} * i + c];
+                append_number(text, value);
+                text += c == 2 ? '\n' : ' ';
+            }
+        }
+    }
+    return text;
+}
+
+void write_output(Session& session, const std::vector<Made>& all, const Options& options) {
+    if (options.output.ends_with(".xyz")) return write_text_file(options.output, xyz_text(all, options.height));
+    SpaceLines lines;
+    for (const Made& made : all) {
+        for (uint32_t i = 0; i < made.view.node_count; ++i) {
+            Vector place = {}, normal = {};
+            for (uint32_t c = 0; c < made.view.ambient; ++c)
+                place[c] = made.view.nodes[size_t{made.view.ambient} * i + c];
+            if (made.view.normals) {
+                for (uint32_t c = 0; c < 3; ++c) normal[c] = made.view.normals[size_t{3} * i + c];
+                lines.add(place + options.height * normal, normal);
+            } else {
+                lines.add(place);
+            }
+        }
+        lines.end_line(made.view.closed != 0);
+    }
+    write_curves(session.context(), create_set(session.context(), lines, options.output), options.output);
+}
+
+void describe(const Options& options, Report& report) {
+    report.parameters["surface"] = options.surface;
+    report.parameters["points"] = options.points;
+    report.parameters["energy"] = name_of(energy_names(), options.energy);
+    if (options.energy == FLG_SPLINE_ET) report.parameters["tension"] = options.tension;
+    report.parameters["smoothing"] = options.smoothing;
+    report.parameters["tolerance"] = options.tolerance;
+    if (options.feature > 0) report.parameters["feature"] = options.feature;
+    if (!options.obstacles.empty()) report.parameters["obstacles"] = options.obstacles;
+}
+
+void run_spline(const Options& options, const CommonOptions& common) {
+    require_curve_output(options.output);
+    require_writable(common.report);
+    Report report("spline", common);
+    describe(options, report);
+    Session session(common);
+    const SpaceLines lines = read_lines(options.points, report);
+    const bool among = !options.obstacles.empty();
+    const SplineManifold manifold = make_spline_manifold(session, options.surface, among, options.feature, report);
+    SplineObstacles obstacles;
+    if (among) obstacles = read_obstacles(session, options.obstacles, manifold.view.ambient);
+    std::vector<Made> all;
+    uint32_t rounds = 0, nodes = 0;
+    double energy = 0, residual = 0, offset = 0, length = 0;
+    for (uint32_t line = 0; line < lines.count(); ++line) {
+        all.push_back(make_one(session, options, manifold, among ? &obstacles : nullptr, lines, line, report));
+        const FlgSplineView& view = all.back().view;
+        rounds += view.rounds;
+        nodes += view.node_count;
+        energy += view.energy;
+        length += view.length;
+        residual = std::max(residual, view.residual);
+        offset = std::max(offset, view.largest_offset);
+        if (view.ending != FLG_SPLINE_CONVERGED) {
+            report.warn(all.back().subject + ": ended by " + ending_name(view.ending) + ", with a residual of " +
+                        std::to_string(view.residual));
+        }
+    }
+    report.counts["points"] = lines.offsets.back();
+    report.counts["curves"] = lines.count();
+    report.counts["curve_points"] = nodes;
+    report.quality["iterations"] = rounds;
+    report.quality["energy"] = energy;
+    report.quality["residual"] = residual;
+    report.quality["length"] = length;
+    report.quality["largest_offset"] = offset;
+    write_output(session, all, options);
+    report.write();
+}
+
+}  // namespace
+
+Command add_spline(CLI::App& program, const CommonOptions& common) {
+    CLI::App* app = program.add_subcommand("spline", "A smooth curve through points, on a surface or among obstacles");
+    const auto o = std::make_shared<Options>();
+    app->add_option("SURFACE", o->surface,
+                    "Where it stays: a mesh (.ply, .obj, .off, .glb), a cloud of points (.xyz), sphere:R, torus:R,r, "
+                    "plane (z = 0), "
+                    "implicit:NAME, or space")
+        ->required();
+    app->add_option("POINTS", o->points,
+                    "The points (metres), a curve for each block of the file: .xyz, .obj or .glb. Those off the "
+                    "surface are projected")
+        ->required();
+    app->add_option("-o,--output", o->output, "Result: .xyz, .obj or .glb")->required()->type_name("CURVE");
+    add_choice(*app, "--energy", o->energy, energy_names(),
+               "What is least: e2 bends least, e1 is shortest, et is between");
+    app->add_option("--tension", o->tension, "Weight of e1 in et (1 / square metre)")
+        ->check(above_zero())
+        ->capture_default_str();
+    app->add_option("--smoothing", o->smoothing,
+                    "Lets the curve leave the points: the energy plus their squared distances over this is least; 0 "
+                    "goes through")
+        ->check(at_least_zero())
+        ->capture_default_str();
+    app->add_flag("--closed", o->closed, "From the last point back to the first");
+    app->add_option("--points", o->nodes,
+                    "Points of the result, given ones included; 0: 32 intervals from one to the next")
+        ->check(CLI::Range(0u, FLG_SPLINE_MAX_NODES))
+        ->capture_default_str();
+    app->add_option("--height", o->height, "Lifts the result off a surface, along its normals (metres)")
+        ->check(finite())
+        ->capture_default_str();
+    app->add_option("--feature", o->feature, "Weight of the normals (metres): keeps the curve off creases; 0: none")
+        ->check(at_least_zero())
+        ->capture_default_str();
+    app->add_option("--obstacles", o->obstacles, "Solids to keep out of (tools/README.md), with SURFACE plane or space")
+        ->type_name("FILE.json");
+    app->add_option("--tolerance", o->tolerance, "Of the residual")
+        ->check(CLI::Range(1e-12, 1.0))
+        ->capture_default_str();
+    app->add_option("--rounds", o->rounds, "At most so many")->check(CLI::Range(1u, 10000u))->capture_default_str();
+    add_choice(*app, "--start", o->start, start_names(),
+               "Where to begin: about geodesics, or the free spline projected");
+    add_choice(*app, "--method", o->method, method_names(), "Newton's method, or the stepsize of the paper");
+    return {app, [o, &common] { run_spline(*o, common); }};
+}
+
+}  // namespace flg::cli

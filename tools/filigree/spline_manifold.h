@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What `filigree spline` takes for SURFACE: a shape by its name, a mesh, a cloud of points.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "filigree/filigree_spline.h"
+#include "mesh_surface.h"
+
+namespace flg::cli {
+
+struct SplineManifold {
+    FlgManifold handle = {};
+    FlgManifoldView view = {};
+    std::unique_ptr<MeshSurface> mesh;  // if it is one
+    std::string name;
+    bool is_space = false;  // of view.ambient dimensions: 2 of the plane among obstacles
+};
+
+// sphere:R, torus:R,r, plane, space, implicit:NAME, or a file. `among_obstacles`: a plane is R^2, and surfaces are refused. Says in
+// the report how far the smooth surface is from what it was made of. Throws InputError, UsageError.
+SplineManifold make_spline_manifold(Session& session, const std::string& text, bool among_obstacles, double feature,
+                                    Report& report);
+
+}  // namespace flg::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Obstacles from a JSON file:
+//
+//     {"clearance": 0.1,
+//      "obstacles": [{"ball": {"centre": [0, 0, 0], "radius": 1}},
+//                    {"box": {"centre": [2, 0, 0], "half": [1, 1, 1], "axes": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}},
+//                    {"capsule": {"from": [0, 0, 0], "to": [0, 0, 2], "radius": 0.5}},
+//                    {"polygon": [[0, 0], [1, 0], [0, 1]]}],
+//      "sides": [{"obstacle": 0, "direction": [0, 1, 0]}]}
+//
+// Metres; of the plane two numbers a place. Clearance, axes and sides may be left out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filigree/filigree_spline.h"
+#include "session.h"
+
+namespace flg::cli {
+
+struct SplineObstacles {
+    FlgObstacles handle = {};
+    std::vector<FlgObstacleSide> sides;
+    uint32_t count = 0;
+};
+
+// Throws InputError, with file and place.
+SplineObstacles read_obstacles(const Session& session, const std::string& file, uint32_t dimension);
+
+}  // namespace flg::cli
