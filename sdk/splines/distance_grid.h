@@ -24,7 +24,7 @@ public:
     // Coefficients as DistanceGridKernel makes them, instead of values.
     DistanceGrid(const GridInput& input, Buffer<float> coefficients);
 
-    // 0.2 us.
+    // 0.4 us.
     bool evaluate(const double* x, double*, double* value, double* gradient, double* second) const override;
     // As Hypersurface, but places outside of the box are first moved to its nearest point, and steps end at its sides.
     bool project(double* x, double* memory) const override;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/failure.h"
+#include "surfaces/mesh_measures_normals.h"
 
 namespace flg {
 
@@ -20,6 +20,9 @@ constexpr double most_bent = 0.7;
 constexpr double crease_share = 1.0 / 24;
 // Samples that are not at vertices are at most so many, or so many times the vertices.
 constexpr double most_extras = 20000, most_extras_share = 3;
+// How far from a sharp edge its rounding begins, of the samples' radius; edges that are a smaller share of that are those of
+// thin parts, which would vanish.
+constexpr double rounded_share = 0.5, least_edge = 0.4;
 constexpr uint32_t most_parts = 4096;  // of an edge
 // An edge that is longer than samples may be apart is divided if it is so many times as long.
 constexpr double tolerated = 1.8;
@@ -88,10 +91,8 @@ bool MeshSamplesKernel::run(uint32_t count) {
                 break;
             }
             case Pass::vertices:
-                if (fitted_[at_].sample.radius > 0) {
-                    samples_.push_back(fitted_[at_].sample);
-                }
-                if (++at_ == sectors_.sector_count()) enter(Pass::extras);
+                emit_vertex();
+                if (at_ == sectors_.sector_count()) enter(Pass::extras);
                 break;
             case Pass::extras: {
                 OrientedSample sample;
@@ -215,7 +216,7 @@ bool MeshSamplesKernel::next_extra(OrientedSample* sample) {
 bool MeshSamplesKernel::along_edge(OrientedSample* sample) {
     const Corner edge = 3 * at_ + place_.stage, other = mesh_.opposite(edge);
     uint32_t parts = 1;
-    const bool mine = other == no_index || edge < other || sectors_.sharp(edge);
+    const bool mine = other == no_index || edge < other;
     const double fine = mine ? divide(edge, parts) : 0;
     if (++place_.row >= parts) {
         place_ = {place_.stage + 1, 0, 0};
@@ -225,6 +226,7 @@ bool MeshSamplesKernel::along_edge(OrientedSample* sample) {
     const double share = double(place_.row) / parts;
     weights[place_.stage] = 1 - share;
     weights[(place_.stage + 1) % 3] = share;
+    if (sample && sectors_.sharp(edge) && on_crease(edge, share, radius_share * fine, *sample)) return true;
     return between(weights, radius_share * fine, sample);
 }
 
@@ -258,6 +260,64 @@ bool MeshSamplesKernel::across_rows(OrientedSample* sample) {
     weights[shortest] = down * (1 - share);
     weights[(shortest + 1) % 3] = down * share;
     return between(weights, radius_share * fine, sample);
+}
+
+// A vertex of several sectors has one sample that rounds them all, or each sector has its own where that is not possible.
+void MeshSamplesKernel::emit_vertex() {
+    const MeshSector& sector = sectors_.sector(at_);
+    const uint32_t vertex = mesh_.vertex_at(sector.first);
+    if (!crease_) {
+        crease_.emplace(mesh_.position(vertex));
+        group_ = at_;
+    }
+    if (fitted_[at_].spacing > 0) crease_->add_normal(Vec3(fitted_[at_].sample.normal.data()));
+    if (sectors_.sharp(sector.first)) crease_->add_edge(convex(sector.first));
+    const uint32_t end = ++at_;
+    if (end < sectors_.sector_count() && mesh_.vertex_at(sectors_.sector(end).first) == vertex) return;
+    double shortest = std::numeric_limits<double>::infinity(), radius = 0;
+    for (uint32_t i = group_; i < end; ++i) {
+        if (!(fitted_[i].spacing > 0)) continue;
+        shortest = std::min(shortest, double{sectors_.sector(i).shortest});
+        radius = std::max(radius, fitted_[i].sample.radius);
+    }
+    OrientedSample sample;
+    const double length = rounded_share * radius;
+    if (end > group_ + 1 && radius > 0 && shortest > least_edge * length && crease_->round(length, radius, sample)) {
+        samples_.push_back(sample);
+    } else {
+        for (uint32_t i = group_; i < end; ++i) {
+            if (fitted_[i].sample.radius > 0) samples_.push_back(fitted_[i].sample);
+        }
+    }
+    crease_.reset();
+}
+
+// Whether the triangles at a sharp edge fall away from each other.
+bool MeshSamplesKernel::convex(Corner edge) const {
+    const Vec3 far = mesh_.position(mesh_.vertex_at(previous_corner(mesh_.opposite(edge))));
+    const Vec3 from = mesh_.position(mesh_.vertex_at(edge));
+    return vector_area(mesh_, triangle_of(edge)).dot(far - from) < 0;
+}
+
+bool MeshSamplesKernel::on_crease(Corner edge, double share, double radius, OrientedSample& sample) const {
+    const Corner other = mesh_.opposite(edge);
+    const Corner corners[2][2] = {{edge, next_corner(edge)}, {next_corner(other), other}};
+    const Vec3 from = mesh_.position(mesh_.vertex_at(edge)), to = mesh_.position(mesh_.vertex_at(other));
+    CreaseRounding crease((1 - share) * from + share * to);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& side : corners) {
+        Vec3 normal = Vec3::Zero();
+        for (const size_t k : {0u, 1u}) {
+            const uint32_t sector = sectors_.sector_of(side[k]);
+            if (!(fitted_[sector].spacing > 0)) return false;
+            normal += (k == 0 ? 1 - share : share) * Vec3(fitted_[sector].sample.normal.data());
+            shortest = std::min(shortest, double{sectors_.sector(sector).shortest});
+        }
+        crease.add_normal(normal.normalized());
+    }
+    crease.add_edge(convex(edge));
+    const double length = rounded_share * radius;
+    return shortest > least_edge * length && crease.round(length, radius, sample);
 }
 
 // A sample in the triangle at_: what its corners know, in between. False if they know no normal.

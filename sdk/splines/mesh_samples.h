@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "splines/mesh_creases.h"
 #include "splines/mesh_sectors.h"
 #include "splines/oriented_samples.h"
 #include "splines/quadric_fit.h"
@@ -54,6 +55,9 @@ private:
     bool along_edge(OrientedSample* sample);
     bool across_rows(OrientedSample* sample);
     bool between(const double* weights, double radius, OrientedSample* sample) const;
+    void emit_vertex();
+    bool convex(Corner edge) const;
+    bool on_crease(Corner edge, double share, double radius, OrientedSample& sample) const;
     void measure();
 
     const Mesh& mesh_;
@@ -61,6 +65,8 @@ private:
     MeshSectorsKernel sectors_;
     Buffer<Fitted> fitted_;
     std::optional<QuadricFit> fit_;
+    std::optional<CreaseRounding> crease_;  // of the vertex whose sectors come
+    uint32_t group_ = 0;                    // its first sector
     GrowingBuffer<OrientedSample> samples_;
     std::optional<OrientedSamplesKernel> sort_;
     std::optional<OrientedSamples> surface_;

@@ -146,9 +146,10 @@ bool OrientedSamples::blend(const double* x, double* memory, const Vec3* sheet, 
     uint32_t together = 0;
     for (uint32_t i = 0; i < covering; ++i) {
         const Active& a = active[i];
-        const auto& n = samples_[a.sample].normal;
+        const OrientedSample& s = samples_[a.sample];
+        const auto& n = s.normal;
         if (n[0] * out[0] + n[1] * out[1] + n[2] * out[2] < facing_away) continue;
-        const double c2 = a.closeness * a.closeness, weight = c2 * c2;
+        const double c2 = a.closeness * a.closeness * s.sharpness, weight = c2 * c2;
         w += weight;
         wf += weight * a.level;
         active[together++] = a;
@@ -164,15 +165,16 @@ bool OrientedSamples::blend(const double* x, double* memory, const Vec3* sheet, 
         const OrientedSample& s = samples_[a.sample];
         const double* d = a.offset;
         const auto& b = s.bend;
-        const double c2 = a.closeness * a.closeness, weight = c2 * c2;
-        const double slope = -8 * c2 * a.closeness * s.sharpness;  // dw = slope * d
+        // w, and with it all its derivatives, has the factor sharpness^2.
+        const double c2 = a.closeness * a.closeness, fine = s.sharpness * s.sharpness, weight = fine * c2 * c2;
+        const double slope = -8 * fine * c2 * a.closeness * s.sharpness;  // dw = slope * d
         const double level = a.level - value, slope_level = slope * level;
         const double g[3] = {s.normal[0] + b[0] * d[0] + b[1] * d[1] + b[2] * d[2],
                              s.normal[1] + b[1] * d[0] + b[3] * d[1] + b[4] * d[2],
                              s.normal[2] + b[2] * d[0] + b[4] * d[1] + b[5] * d[2]};
         for (int k = 0; k < 3; ++k) first[k] += slope_level * d[k] + weight * g[k];
         if (!with_second) continue;
-        const double curve_level = 48 * c2 * s.sharpness * s.sharpness * level;  // ddw = curve d d^T + slope I
+        const double curve_level = 48 * fine * c2 * s.sharpness * s.sharpness * level;  // ddw = curve d d^T + slope I
         double along[3];
         for (int k = 0; k < 3; ++k) {
             w1[k] += slope * d[k];

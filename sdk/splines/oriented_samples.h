@@ -3,7 +3,8 @@
 // least squares, 2008; Adamson, Alexa: Approximating and intersecting surfaces from points, 2003) with samples that also know
 // how the surface bends. F(x) is the mean of
 //     f_i(x) = n_i . (x - p_i) + 1/2 (x - p_i)^T B_i (x - p_i)
-// weighted by (1 - |x - p_i|^2 / r_i^2)^4, which is 0 from the radius r_i on; F has three continuous derivatives.
+// weighted by (1 - |x - p_i|^2 / r_i^2)^4 / r_i^4, which is 0 from the radius r_i on: where samples of different radii overlap,
+// fine ones count. F has three continuous derivatives.
 //
 // Sheets. Of thin parts only one side may count: what faces away from the sample that suits x best, by more than about 114
 // degrees, takes no part. On a sheet that turns less within its radii nothing depends on which sample that is; across an edge

@@ -100,6 +100,7 @@ TEST(MeshSamples, OfACubeAreARoundedCube) {
         Vec3 foot = x;
         ASSERT_TRUE(cube.surface.project(foot.data(), memory.data()));
         EXPECT_NEAR(evaluate_at(cube.surface, foot, memory).value, 0, 1e-10);
+        EXPECT_LT(foot.cwiseAbs().maxCoeff(), 0.504) << "it does not swell";
         const Vec3 sorted = x.cwiseAbs();
         const double second = sorted.sum() - sorted.maxCoeff() - sorted.minCoeff();
         if (second < 0.3) {
@@ -107,6 +108,22 @@ TEST(MeshSamples, OfACubeAreARoundedCube) {
         } else {
             EXPECT_LT((foot - x).norm(), 0.05) << x.transpose();
         }
+    }
+}
+
+// Seen from inside, edges are concave, and rounded the same way.
+TEST(MeshSamples, ConcaveEdgesAreRoundedAsConvexOnes) {
+    Soup soup = box({1, 0.8, 0.6});
+    const SampledMesh outside = sample_mesh(make_mesh(soup));
+    for (Triple& triangle : soup.triangles) std::swap(triangle[1], triangle[2]);
+    const SampledMesh inside = sample_mesh(make_mesh(soup));
+    for (const Vec3& place : random_points(200, 0.5)) {
+        std::vector<double> memory = fresh_memory(outside.surface), other = memory;
+        Vec3 x = Vec3(1, 0.8, 0.6).cwiseProduct(0.5 / place.cwiseAbs().maxCoeff() * place), y = x;
+        ASSERT_TRUE(outside.surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(inside.surface.project(y.data(), other.data()));
+        EXPECT_LT((x - y).norm(), 5e-3);
+        EXPECT_LT(evaluate_at(outside.surface, x).gradient.dot(evaluate_at(inside.surface, x).gradient), 0);
     }
 }
 

@@ -27,7 +27,7 @@ std::vector<OrientedSample> on_a_sphere(size_t count, double radius, double bend
 
 double literal_weight(const OrientedSample& s, const Vec3& x) {
     const double t = (x - Vec3(s.position.data())).squaredNorm() / (s.radius * s.radius);
-    return t < 1 ? std::pow(1 - t, 4) : 0;
+    return t < 1 ? std::pow((1 - t) / s.radius, 4) : 0;
 }
 
 double literal_level(const OrientedSample& s, const Vec3& x) {
@@ -39,7 +39,8 @@ double literal_level(const OrientedSample& s, const Vec3& x) {
 }
 
 TEST(OrientedSamples, AreTheWeightedMeanOfTheirSamples) {
-    const auto list = on_a_sphere(400, 0.9, 0.2);
+    auto list = on_a_sphere(400, 0.9, 0.2);
+    for (size_t i = 0; i < list.size(); ++i) list[i].radius *= 1 + 0.3 * static_cast<double>(i % 3);
     const OrientedSamples surface = make_samples(list);
     for (const Vec3& direction : random_points(100, 1, 3)) {
         const Vec3 x = 2.1 * direction.normalized();
