@@ -30,10 +30,10 @@ constexpr double tolerated = 1.8;
 // How many parts a length has where samples may be `fine` apart.
 uint32_t parts_of(double length, double fine) {
     if (!(length > tolerated * fine)) return 1;
-    return static_cast<uint32_t>(std::clamp(std::ceil(length / fine), 1.0, double{most_parts}));
+    return static_cast<uint32_t>(std::clamp(std::round(length / fine), 2.0, double{most_parts}));
 }
 
-constexpr uint32_t measured_triangles = 2048, units_a_measurement = 16;
+constexpr uint32_t measured_triangles = 1024, units_a_measurement = 16;
 
 }  // namespace
 
@@ -49,6 +49,12 @@ void MeshSamplesKernel::enter(Pass pass) {
         case Pass::fit:
             fitted_ = Buffer<Fitted>(sectors_.sector_count(), memory_);
             size_ = (sectors_.upper() - sectors_.lower()).norm();
+            break;
+        case Pass::reach:
+            if (spacing_.empty()) {
+                spacing_ = Buffer<float>(mesh_.triangle_count(), memory_);
+                longest_ = Buffer<float>(mesh_.triangle_count(), memory_);
+            }
             break;
         case Pass::count: extra_count_ = 0; break;
         case Pass::vertices:
@@ -95,6 +101,10 @@ bool MeshSamplesKernel::run(uint32_t count) {
                 if (at_ == sectors_.sector_count()) enter(Pass::extras);
                 break;
             case Pass::extras: {
+                if (extra_count_ == 0) {
+                    enter(Pass::sort);
+                    break;
+                }
                 OrientedSample sample;
                 if (next_extra(&sample)) {
                     samples_.push_back(sample);
@@ -185,6 +195,8 @@ void MeshSamplesKernel::spread_reach() {
         longest = std::max(longest, along.norm());
     }
     const double fine = spacing(at_);
+    spacing_[at_] = static_cast<float>(fine);
+    longest_[at_] = static_cast<float>(longest);
     const double reach = radius_share * (parts_of(longest, fine) == 1 ? longest : fine);
     for (Corner corner = 3 * at_; corner < 3 * at_ + 3; ++corner) {
         Fitted& fitted = fitted_[sectors_.sector_of(corner)];
@@ -194,9 +206,9 @@ void MeshSamplesKernel::spread_reach() {
 
 // How many parts an edge has, and how long they may be: as the finer of its triangles wants it.
 double MeshSamplesKernel::divide(Corner edge, uint32_t& parts) const {
-    double fine = spacing(triangle_of(edge));
+    double fine = spacing_[triangle_of(edge)];
     const uint32_t across = mesh_.neighbour_at(edge);
-    if (across != no_index) fine = std::min(fine, spacing(across));
+    if (across != no_index) fine = std::min(fine, double{spacing_[across]});
     const double length =
         (mesh_.position(mesh_.vertex_at(next_corner(edge))) - mesh_.position(mesh_.vertex_at(edge))).norm();
     parts = parts_of(length, fine);
@@ -205,6 +217,16 @@ double MeshSamplesKernel::divide(Corner edge, uint32_t& parts) const {
 
 // Makes the next sample of the triangle at_ (only counts it if there is no place for it); false if that step made none.
 bool MeshSamplesKernel::next_extra(OrientedSample* sample) {
+    if (place_.stage == 0 && place_.row == 0) {
+        float fine = spacing_[at_];
+        for (const uint32_t across : mesh_.neighbours[at_]) {
+            if (across != no_index) fine = std::min(fine, spacing_[across]);
+        }
+        if (!(longest_[at_] > 0.99 * tolerated * fine)) {  // most triangles
+            ++at_;
+            return false;
+        }
+    }
     const bool made = place_.stage < 3 ? along_edge(sample) : across_rows(sample);
     if (place_.stage == 4) {
         place_ = {};
@@ -241,7 +263,7 @@ bool MeshSamplesKernel::across_rows(OrientedSample* sample) {
         longest = std::max(longest, lengths[k]);
         if (lengths[k] < lengths[shortest]) shortest = k;
     }
-    const double fine = spacing(at_);
+    const double fine = spacing_[at_];
     const uint32_t rows = parts_of(longest, fine);
     if (place_.row == 0) place_ = {3, 1, 0};
     if (place_.row >= rows) {

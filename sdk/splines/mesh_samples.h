@@ -64,6 +64,7 @@ private:
     Memory* memory_;
     MeshSectorsKernel sectors_;
     Buffer<Fitted> fitted_;
+    Buffer<float> spacing_, longest_;  // metres, of triangles: how far samples may be apart, and the longest edge
     std::optional<QuadricFit> fit_;
     std::optional<CreaseRounding> crease_;  // of the vertex whose sectors come
     uint32_t group_ = 0;                    // its first sector

@@ -53,7 +53,7 @@ public:
     uint32_t nearest_sample(const Vec3& x) const;
 
 private:
-    static constexpr uint32_t most_active = 256, remembered = 60;
+    static constexpr uint32_t most_active = 256, remembered = 90;
     struct Active;
     struct Nearby;
     struct Blend;
