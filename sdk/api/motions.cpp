@@ -28,6 +28,7 @@ FlgMotionDesc default_motion_desc() {
     desc.tension = 1;
     desc.max_rounds = 200;
     desc.tolerance = 1e-6;
+    desc.obstacle_radius = 1e-3;
     std::fill_n(desc.body_box, 3, 2.0);
     return desc;
 }
@@ -106,6 +107,24 @@ MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
     return input;
 }
 
+void read_obstacles(Context& context, const FlgMotionDesc& desc, MotionInput& input, Submission& submission) {
+    if (desc.obstacles.id == 0) return;
+    input.obstacles = context.obstacles.get(desc.obstacles.id, "desc.obstacles");
+    submission.read(*input.obstacles, "desc.obstacles");
+    const uint32_t dimension = input.obstacles->dimension;
+    check_range(dimension == 3, "desc.obstacles' dimension", dimension, "3");
+    check_range(desc.smoothing == 0, "desc.smoothing", desc.smoothing, "0 with obstacles");
+    const double radius = desc.obstacle_radius;
+    check_range(radius >= 1e-5 && radius <= 0.1, "desc.obstacle_radius", radius, "1e-5 to 0.1");
+    input.obstacle_radius = radius;
+    check_range(desc.side_count <= ObstacleSet::max_count, "desc.side_count", desc.side_count, "at most 256");
+    if (desc.side_count > 0) require(desc.sides, "desc.sides");
+    for (uint32_t i = 0; i < desc.side_count; ++i) {
+        const FlgObstacleSide& side = desc.sides[i];
+        input.sides.push_back({side.obstacle, {side.direction[0], side.direction[1], side.direction[2]}});
+    }
+}
+
 }  // namespace
 
 }  // namespace flg
@@ -128,7 +147,9 @@ FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMoti
         Context& self = get_context(context);
         const FlgMotionDesc read = read_struct(desc, default_motion_desc(), "desc");
         Submission submission(self, read.job);
-        const auto out = make_object<HeldMotion>(self, read_input(read, &self.memory), &self.memory);
+        MotionInput input = read_input(read, &self.memory);
+        read_obstacles(self, read, input, submission);
+        const auto out = make_object<HeldMotion>(self, std::move(input), &self.memory);
         submission.job().strand.start(make_motion(submission.pace(), out));
         *out_motion = {submission.commit(self.motions, out, out_job)};
         return FLG_OK;

@@ -42,8 +42,10 @@ BodyInertia inertia_of_points(std::span<const double> points, std::span<const do
     }
     body.barycentre = first + body.barycentre / body.mass;
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+    body.radius = 0;
     for (size_t i = 0; i < count; ++i) {
         const Vec3 arm = at(i) - body.barycentre;
+        body.radius = std::max(body.radius, arm.norm());
         inertia += (masses.empty() ? 1 : masses[i]) * arm * arm.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
@@ -61,6 +63,7 @@ BodyInertia inertia_of_points(std::span<const double> points, std::span<const do
 BodyInertia inertia_of_box(const Vec3& low, const Vec3& high) {
     BodyInertia body;
     body.barycentre = 0.5 * (low + high);
+    body.radius = 0.5 * (high - low).norm();
     for (int i = 0; i < 3; ++i) body.f[i] = 0.5 * std::abs(high[i] - low[i]);
     thicken(body.f, std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()));
     return body;

@@ -23,6 +23,7 @@ struct BodyInertia {
     Vec3 barycentre = Vec3::Zero();  // in the body's coordinates, metres
     Eigen::Matrix3d axes =
         Eigen::Matrix3d::Identity();   // columns, principal axes in the body's coordinates, right-handed
+    double radius = 1;                 // the farthest point's distance from the barycentre, metres
     std::array<double, 3> f{1, 1, 1};  // half axes of the inertia ellipsoid, metres; 2 f_i^2 are eigenvalues of (8)
 };
 

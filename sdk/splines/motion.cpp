@@ -23,6 +23,7 @@ constexpr uint32_t optimizer_chunk = 200;
 
 constexpr uint32_t coarse_intervals = 6;  // a segment
 constexpr double coarse_tolerance = 1e-3;
+constexpr uint32_t path_intervals = 16;  // a segment, at least, around obstacles
 
 // The chain of positions, or a coarser one: where keys are, and when its nodes are passed.
 struct Chain {
@@ -127,23 +128,85 @@ Task<void> nothing(Pace&) {
     co_return;
 }
 
-// Places of the barycentre, 3 a node; returns the energy of the path.
-Task<double> find_path(Pace& pace, const Scene& scene, const Chain& chain, Buffer<double>& path) {
-    const CubicEnds ends = scene.input.closed ? CubicEnds::periodic : CubicEnds::natural;
-    NaturalCubic spline({.knots = scene.keys.times(),
-                         .values = scene.keys.barycentres(),
-                         .ends = ends,
-                         .tension = least_tension(scene.input)},
-                        pace.memory());
+// The classical spline through values at knots, or with E1 the polyline, at the nodes of a chain.
+Task<double> sample_spline(Pace& pace, const Scene& scene, const CubicData& data, const Chain& chain, double* out) {
+    NaturalCubic spline(data, pace.memory());
     while (!spline.run(knot_chunk)) co_await pace;
     ChainWalk walk(scene, chain);
     for (uint32_t i = 0; i < chain.nodes; ++i) {
         walk.go_to(i);
-        spline.evaluate(walk.time, 0, path.data() + size_t{3} * i);
+        spline.evaluate(walk.time, 0, out + data.dimension * i);
         if (i % position_chunk == 0) co_await pace;
     }
-    if (scene.input.smoothing == 0)
-        co_return scene.input.bending > 0 ? spline.energy() : scene.input.tension* spline.energy();
+    co_return spline.energy();
+}
+
+CubicEnds ends_of(const MotionInput& input) {
+    return input.closed ? CubicEnds::periodic : CubicEnds::natural;
+}
+
+// Keys that no path around the obstacles can pass through are named as such.
+Task<void> check_clearance(Pace& pace, const Scene& scene) {
+    const ObstacleSet& set = *scene.input.obstacles->set;
+    for (size_t key = 0; key < scene.keys.count(); ++key) {
+        const double* const at = &scene.keys.barycentres()[3 * key];
+        for (uint32_t i = 0; i < set.count(); ++i) {
+            if (set.evaluate(i, at, nullptr, nullptr) >= 0) continue;
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "keys[%zu] has its barycentre in obstacle %u or nearer to it than the clearance", key, i);
+        }
+        co_await pace;
+    }
+}
+
+// The path around obstacles: a chain that is finer than segments need to be told apart.
+Task<double> find_path_around(Pace& pace, const Scene& scene, const Chain& chain, Buffer<double>& path) {
+    co_await check_clearance(pace, scene);
+    const std::pmr::polymorphic_allocator<> allocator(pace.memory());
+    const auto space = std::allocate_shared<HeldManifold>(allocator);
+    space->manifold = std::allocate_shared<SpaceManifold>(allocator, 3, 1.0);
+    space->kind = ManifoldKind::space;
+    SplineRequest request;
+    request.out = std::allocate_shared<HeldSpline>(allocator, space);
+    request.obstacles = scene.input.obstacles;
+    request.obstacle_radius = scene.input.obstacle_radius;
+    request.sides = Buffer<ObstacleSide>(scene.input.sides.size(), pace.memory());
+    for (size_t i = 0; i < request.sides.size(); ++i) request.sides[i] = scene.input.sides[i];
+    request.node_count = std::min(std::max(chain.nodes, path_intervals * scene.segments() + 1), FLG_SPLINE_MAX_NODES);
+    SplineProblem& problem = request.problem;
+    problem.closed = scene.input.closed;
+    problem.bending = scene.input.bending;
+    problem.tension = scene.input.tension;
+    problem.tolerance = scene.input.tolerance;
+    problem.max_rounds = scene.input.max_rounds;
+    request.points = Buffer<double>(3 * scene.keys.count(), pace.memory());
+    problem.parameters = Buffer<double>(scene.keys.times().size(), pace.memory());
+    for (size_t i = 0; i < scene.keys.times().size(); ++i) {
+        problem.parameters[i] = scene.keys.times()[i];
+        for (size_t c = 3 * i; c < 3 * (i + 1) && c < request.points.size(); ++c)
+            request.points[c] = scene.keys.barycentres()[c];
+        if (i % knot_chunk == 0) co_await pace;
+    }
+    const std::shared_ptr<HeldSpline> around = request.out;
+    co_await make_spline(pace, std::move(request));
+    const HeldSpline::Chain& found = around->chain;
+    const size_t nodes = found.nodes.size() / 3;
+    const CubicData data{.knots = {found.parameters.data(), nodes + (scene.input.closed ? 1 : 0)},
+                         .values = {found.nodes.data(), 3 * nodes},
+                         .ends = ends_of(scene.input),
+                         .tension = least_tension(scene.input)};
+    co_await sample_spline(pace, scene, data, chain, path.data());
+    co_return found.report.energy;
+}
+
+// Places of the barycentre, 3 a node; returns the energy of the path.
+Task<double> find_path(Pace& pace, const Scene& scene, const Chain& chain, Buffer<double>& path) {
+    const CubicData data{.knots = scene.keys.times(),
+                         .values = scene.keys.barycentres(),
+                         .ends = ends_of(scene.input),
+                         .tension = least_tension(scene.input)};
+    const double energy = co_await sample_spline(pace, scene, data, chain, path.data());
+    if (scene.input.smoothing == 0) co_return scene.input.bending > 0 ? energy : scene.input.tension* energy;
 
     double size = 0;
     for (const double value : scene.keys.barycentres()) size = std::max(size, std::abs(value));
@@ -205,19 +268,12 @@ Task<void> begin_coarsely(Pace& pace, const Scene& scene, const Chain& chain, do
         if (i % knot_chunk == 0) co_await pace;
     }
     if (closed) times[coarse.nodes] = scene.keys.times().back();
-    NaturalCubic spline({.knots = {times.data(), times.size()},
+    const CubicData data{.knots = {times.data(), times.size()},
                          .values = {kernel.points(), size_t{9} * coarse.nodes},
                          .dimension = 9,
-                         .ends = closed ? CubicEnds::periodic : CubicEnds::natural,
-                         .tension = least_tension(scene.input)},
-                        pace.memory());
-    while (!spline.run(knot_chunk)) co_await pace;
-    ChainWalk walk(scene, chain);
-    for (uint32_t i = 0; i < chain.nodes; ++i) {
-        walk.go_to(i);
-        spline.evaluate(walk.time, 0, points + size_t{9} * i);
-        if (i % position_chunk == 0) co_await pace;
-    }
+                         .ends = ends_of(scene.input),
+                         .tension = least_tension(scene.input)};
+    co_await sample_spline(pace, scene, data, chain, points);
 }
 
 // Puts barycentres and rotations together, and shows that.
@@ -277,6 +333,7 @@ void HeldMotion::show() noexcept {
         view_.inertia[i] = input.body.f[static_cast<size_t>(i)];
         for (int j = 0; j < 3; ++j) view_.axes[3 * i + j] = input.body.axes(j, i);
     }
+    view_.radius = input.body.radius;
     view_.greatest_stretch = greatest_stretch;
     view_.ending = report.ending == SplineEnding::converged  ? FLG_SPLINE_CONVERGED
                    : report.ending == SplineEnding::rounding ? FLG_SPLINE_ROUNDING
@@ -310,7 +367,12 @@ Task<void> make_motion(Pace& pace, std::shared_ptr<HeldMotion> out) {
 
     pace.stage("barycentre");
     Buffer<double> path(size_t{3} * chain.nodes, pace.memory());
-    const double path_energy = co_await find_path(pace, scene, chain, path);
+    double path_energy = 0;
+    if (input.obstacles) {
+        path_energy = co_await find_path_around(pace, scene, chain, path);
+    } else {
+        path_energy = co_await find_path(pace, scene, chain, path);
+    }
 
     pace.stage("rotations");
     SplineProblem problem = problem_of(scene, rotations, chain, pace.memory());

@@ -6,6 +6,9 @@
 // optimizer on the manifold of rotations (rotation_manifold.h): from rotations at constant speed, first with 6 intervals a
 // segment; the cubic through these is so near that the fine chain takes one round or two.
 //
+// Among obstacles (sec. 5, Fig. 16) the barycentre's path is a spline around them instead (obstacle_spline.h). With a clearance of
+// the body's radius the whole body stays out of them, however it turns.
+//
 // Invariants: keys are passed through to rounding, unless smoothing; the barycentre's path does not depend on the rotations.
 #pragma once
 
@@ -16,13 +19,12 @@
 #include "runtime/pace.h"
 #include "runtime/product.h"
 #include "splines/motion_keys.h"
-#include "splines/spline_kernel.h"
-#include "splines/triple_buffer.h"
+#include "splines/spline.h"
 
 namespace flg {
 
 struct MotionInput {
-    explicit MotionInput(Memory* memory) : times(memory), poses(memory) {}
+    explicit MotionInput(Memory* memory) : times(memory), poses(memory), sides(memory) {}
 
     BodyInertia body;
     std::pmr::vector<double> times, poses;  // of keys, see motion_keys.h
@@ -32,6 +34,10 @@ struct MotionInput {
     uint32_t positions = 0;                          // at least as many as keys
     double tolerance = 1e-6;
     uint32_t max_rounds = 200;
+    // What the barycentre keeps out of, or null; see SplineRequest.
+    std::shared_ptr<const HeldObstacles> obstacles;
+    std::pmr::vector<ObstacleSide> sides;
+    double obstacle_radius = 1e-3;
 };
 
 // The motion after a round.

@@ -96,11 +96,13 @@ double NaturalCubic::bend(size_t knot, size_t component) const {
 bool NaturalCubic::run(size_t count) {
     const bool straight = std::isinf(data_.tension);
     const size_t rows = end_row_ > first_row_ ? end_row_ - first_row_ : 0;
-    const size_t whole = count_ + (straight ? 0 : 2 * rows + 1);
+    const size_t solved = count_ + (straight ? 0 : 2 * rows + 1), whole = solved + count_;
     for (; count > 0 && at_ < whole; --count, ++at_) {
         if (at_ < count_) {
             std::fill_n(moments_.begin() + at_ * data_.dimension, data_.dimension, 0.0);
             if (periodic()) from_first_[at_] = 0;
+        } else if (at_ >= solved) {
+            finish(at_ - solved);
         } else if (at_ < count_ + rows) {
             forward(first_row_ + at_ - count_);
         } else if (at_ < count_ + 2 * rows) {
@@ -140,7 +142,7 @@ void NaturalCubic::backward(size_t row) {
     if (periodic()) from_first_[row] -= upper_[row] * from_first_[row + 1];
 }
 
-// Row 0 of a cycle. What it takes from the others is taken when they are read: see evaluate().
+// Row 0 of a cycle.
 void NaturalCubic::close() {
     const size_t n = data_.dimension, last = count_ - 1;
     const Piece after = piece(0), before = piece(pieces_ - 1);
@@ -148,7 +150,21 @@ void NaturalCubic::close() {
     for (size_t c = 0; c < n; ++c) {
         moments_[c] = (bend(0, c) - after.across * moments_[n + c] - before.across * moments_[last * n + c]) / pivot;
     }
-    from_first_[0] = 0;
+}
+
+// A knot's moment without what that of knot 0 takes away, and the knot's share of the energy: moment times bend, and tension times
+// that of the straight line after it.
+void NaturalCubic::finish(size_t knot) {
+    const size_t n = data_.dimension;
+    const double weight = std::isinf(data_.tension) ? 1 : data_.tension;
+    for (size_t c = 0; c < n; ++c) {
+        double& moment = moments_[knot * n + c];
+        if (periodic() && knot > 0) moment -= from_first_[knot] * moments_[c];
+        energy_ += moment * bend(knot, c);
+        if (knot == pieces_) continue;
+        const double change = data_.values[next(knot) * n + c] - data_.values[knot * n + c];
+        energy_ += weight * change * change / (data_.knots[knot + 1] - data_.knots[knot]);
+    }
 }
 
 void NaturalCubic::evaluate(double time, int derivative, double* out) const {
@@ -164,31 +180,10 @@ void NaturalCubic::evaluate(double time, int derivative, double* out) const {
     const double to_begin = straight ? 0 : (derivative % 2 == 0 ? 1 : -1) * basis(h, stiffness_, h - t, derivative);
     const double share = derivative == 0 ? t / h : derivative == 1 ? 1 / h : 0;
     const double rest = derivative == 0 ? (h - t) / h : -share;
-    const double own[2] = {periodic() ? from_first_[begin] : 0, periodic() ? from_first_[end] : 0};
     for (size_t c = 0; c < n; ++c) {
-        const double m0 = moments_[begin * n + c] - own[0] * moments_[c];
-        const double m1 = moments_[end * n + c] - own[1] * moments_[c];
-        out[c] = rest * data_.values[begin * n + c] + share * data_.values[end * n + c] + to_begin * m0 + to_end * m1;
+        out[c] = rest * data_.values[begin * n + c] + share * data_.values[end * n + c] +
+                 to_begin * moments_[begin * n + c] + to_end * moments_[end * n + c];
     }
-}
-
-double NaturalCubic::energy() const {
-    const size_t n = data_.dimension;
-    const bool straight = std::isinf(data_.tension);
-    double sum = 0;
-    for (size_t i = 0; i < count_ && !straight; ++i) {
-        const double own = periodic() ? from_first_[i] : 0;
-        for (size_t c = 0; c < n; ++c) sum += (moments_[i * n + c] - own * moments_[c]) * bend(i, c);
-    }
-    const double weight = straight ? 1 : data_.tension;
-    for (size_t i = 0; i < pieces_ && weight > 0; ++i) {
-        const double h = data_.knots[i + 1] - data_.knots[i];
-        for (size_t c = 0; c < n; ++c) {
-            const double d = data_.values[next(i) * n + c] - data_.values[i * n + c];
-            sum += weight * d * d / h;
-        }
-    }
-    return sum;
 }
 
 }  // namespace flg

@@ -40,7 +40,7 @@ public:
     void evaluate(double time, int derivative, double* out) const;
 
     // The curve's energy: the integral of |x''|^2 + w |x'|^2; of a polyline that of |x'|^2.
-    double energy() const;
+    double energy() const { return energy_; }
 
 private:
     struct Piece {
@@ -53,6 +53,7 @@ private:
     void forward(size_t row);
     void backward(size_t row);
     void close();
+    void finish(size_t knot);
 
     CubicData data_;
     size_t count_;  // of different values
@@ -60,6 +61,7 @@ private:
     size_t first_row_, end_row_;  // of the system, but row 0 of a periodic one
     size_t at_ = 0;
     double stiffness_;  // s
+    double energy_ = 0;
     Buffer<double> moments_;
     Buffer<double> upper_, from_first_;
 };

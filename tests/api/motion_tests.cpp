@@ -14,10 +14,10 @@ namespace {
 // Turns by a quarter about one axis after another, on a way that bends.
 struct Keys {
     std::vector<double> times{0, 1, 2.5, 3};
-    std::vector<double> poses{1, 0, 0,  0, 0, 1, 0,  0, 0,  0,  1, 0,  //
-                              1, 0, 0,  1, 0, 0, -1, 0, 0,  1,  0, 0,  //
-                              0, 0, 1,  1, 1, 0, 0,  2, 0,  1,  0, 0,  //
-                              0, 0, 1,  0, 0, 1, 0,  2, -1, 0,  0, 1};
+    std::vector<double> poses{1, 0, 0, 0, 0, 1, 0,  0, 0,  0, 1, 0,  //
+                              1, 0, 0, 1, 0, 0, -1, 0, 0,  1, 0, 0,  //
+                              0, 0, 1, 1, 1, 0, 0,  2, 0,  1, 0, 0,  //
+                              0, 0, 1, 0, 0, 1, 0,  2, -1, 0, 0, 1};
     FlgMotionDesc desc = flgMotionDefaults();
     Keys() {
         desc.key_count = 4;
@@ -197,6 +197,44 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
     EXPECT_EQ(with_body(origin, negative), "desc.body_masses is -1, must be from 0 to 1e30");
     EXPECT_NE(refusal([](Desc& d) { d.struct_size = 3; }).find("desc: struct_size is 3"), std::string::npos);
     EXPECT_EQ(flgMotionCreate(host.context, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(MotionApi, ObstaclesAreThoseOfSplines) {
+    const Host host;
+    Keys keys;
+    FlgObstacle ball{};
+    flgObstacleInit(&ball);
+    ball.centre[0] = 0.6;
+    ball.centre[1] = 0.1;
+    ball.radius = 0.2;
+    FlgObstaclesDesc desc = {};
+    ASSERT_EQ(flgObstaclesDescInit(&desc, sizeof desc), FLG_OK);
+    desc.obstacles = &ball;
+    desc.obstacle_count = 1;
+    ASSERT_EQ(flgObstaclesCreate(host.context, &desc, &keys.desc.obstacles, nullptr), FLG_OK) << flgLastError();
+    const FlgMotionView view = made(host, keys.desc);
+    double least = 1e9;
+    for (uint32_t i = 0; i < view.position_count; ++i) {
+        const double* const p = view.poses + 12 * i;
+        least = std::min(least, std::hypot(p[3] - 0.6, p[7] - 0.1, p[11]));
+    }
+    EXPECT_GT(least, 0.199);
+    EXPECT_NEAR(view.radius, std::sqrt(3), 1e-15);
+    const auto refusal = [&](const char* words) {
+        FlgMotion motion{};
+        EXPECT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(std::string(flgLastError()), words);
+    };
+    keys.desc.obstacle_radius = 1;
+    refusal("desc.obstacle_radius is 1, must be 1e-5 to 0.1");
+    keys.desc.obstacle_radius = 1e-3;
+    keys.desc.side_count = 1;
+    refusal("desc.sides is null");
+    keys.desc.smoothing = 1;
+    refusal("desc.smoothing is 1, must be 0 with obstacles");
+    keys.desc.obstacles.id = 77;
+    FlgMotion motion{};
+    EXPECT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, nullptr), FLG_ERROR_INVALID_HANDLE);
 }
 
 TEST(MotionApi, BadKeysFailTheJob) {

@@ -10,9 +10,11 @@
 #include <limits>
 #include <random>
 
+#include "core/failure.h"
 #include "runtime/job.h"
 #include "splines/nan_memory.h"
 #include "splines/natural_cubic.h"
+#include "splines/obstacle_shapes.h"
 
 namespace flg::test {
 namespace {
@@ -365,6 +367,51 @@ TEST(Motion, SmoothingGoesNearTheKeys) {
         off = distance;
     }
     EXPECT_LT(energy, 0.1 * rough);
+}
+
+// Fig. 16: with a clearance of the body's radius no point of it comes into the obstacle, however it turns.
+TEST(Motion, KeepsOutOfObstacles) {
+    MotionInput input = random_keys(2, 2, false);
+    input.positions = 200;
+    const double ways[2][3] = {{-4, 0.1, 0}, {4, 0.2, 0.1}};
+    for (size_t k = 0; k < 2; ++k) {
+        const Pose pose = pose_at(&input.poses[12 * k]);
+        const Vec3 place = Vec3(ways[k][0], ways[k][1], ways[k][2]) - pose.rotation * input.body.barycentre;
+        for (int row = 0; row < 3; ++row) input.poses[12 * k + 4 * row + 3] = place[row];
+    }
+    const auto held = std::make_shared<HeldObstacles>(3u, nan_memory());
+    const double centre[3] = {0, 0, 0};
+    held->solids.push_back(std::make_shared<BallObstacle>(3, centre, 1.0));
+    const Obstacle* const solid = held->solids[0].get();
+    held->set.emplace(std::span(&solid, 1), input.body.radius, nan_memory());
+    const auto through = make(input);
+    input.obstacles = held;
+    const auto around = make(input), halting = make(input, true);
+    const auto nearest = [&](const HeldMotion& motion) {
+        double least = 1e9;
+        for (uint32_t i = 0; i < input.positions; ++i) {
+            for (size_t p = 0; p < hammer.size(); p += 3) {
+                const Vec3 point(hammer[p], hammer[p + 1], hammer[p + 2]);
+                least = std::min(least, pose_at(motion.view().poses + 12 * i).at(point).norm());
+            }
+        }
+        return least;
+    };
+    EXPECT_LT(nearest(*through), 0.8);
+    EXPECT_GT(nearest(*around), 1);
+    EXPECT_GT(around->view().barycentre_energy, through->view().barycentre_energy);
+    // The rotations know nothing of it.
+    EXPECT_EQ(around->view().rotation_energy, through->view().rotation_energy);
+    EXPECT_TRUE(std::equal(around->view().poses, around->view().poses + 12 * input.positions, halting->view().poses));
+    for (int c = 0; c < 12; ++c) EXPECT_NEAR(around->view().poses[12 * 199 + c], input.poses[12 + c], 1e-12);
+    // A key within the clearance.
+    input.poses[3] += 4;
+    try {
+        make(input);
+        ADD_FAILURE();
+    } catch (const Failure& failure) {
+        EXPECT_STREQ(failure.what(), "keys[0] has its barycentre in obstacle 0 or nearer to it than the clearance");
+    }
 }
 
 TEST(Motion, SameBitsWhereverItPauses) {

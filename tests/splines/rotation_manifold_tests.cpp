@@ -174,6 +174,7 @@ TEST(BodyInertia, SixPointsOfTheEllipsoidGiveItBack) {
     }
     const BodyInertia body = inertia_of_points(points, {});
     EXPECT_EQ(body.mass, 6);
+    EXPECT_NEAR(body.radius, 3, 1e-14);
     EXPECT_LT((body.barycentre - middle).norm(), 1e-14);
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(body.f[i], half[i], 1e-13);
@@ -186,6 +187,7 @@ TEST(BodyInertia, ABoxIsTheMiddlesOfItsFacesAndASolid) {
     const std::vector<double> middles{-1, 1, 1, 3, 1, 1, 1, -2, 1, 1, 4, 1, 1, 1, -3, 1, 1, 5};
     const BodyInertia points = inertia_of_points(middles, {});
     EXPECT_LT((box.barycentre - points.barycentre).norm(), 1e-14);
+    EXPECT_NEAR(box.radius, std::sqrt(4 + 9 + 16), 1e-14);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(box.f[i], points.f[2 - i], 1e-13);
     // A solid as a grid of cells: second moments about the middle, cells' own left out, so up to the square of a cell's share.
     std::vector<double> cells, masses;

@@ -106,6 +106,26 @@ TEST_F(MotionCommand, ClosedAndSmoothedAndInTension) {
     EXPECT_GT(std::abs(poses("smooth.txt")[0][3]), 0.01);
 }
 
+TEST_F(MotionCommand, KeepsOutOfObstacles) {
+    folder.write("ball.json",
+                 R"({"clearance": 0.2, "obstacles": [{"ball": {"centre": [1.6, 0.7, 0], "radius": 0.4}}]})");
+    done({"motion", "tumble.json", "--poses", "poses.txt", "--obstacles", "ball.json", "--quiet", "--report",
+          "report.json"});
+    const auto all = poses();
+    ASSERT_EQ(all.size(), 61u);
+    double least = 1e9;
+    // The barycentre is the body's origin.
+    for (const auto& p : all) least = std::min(least, std::hypot(p[3] - 1.6, p[7] - 0.7, p[11]));
+    EXPECT_GT(least, 0.599);
+    EXPECT_LT(least, 0.65);
+    EXPECT_EQ(report().at("counts").at("obstacles"), 1);
+    EXPECT_NEAR(report().at("quality").at("body_radius").get<double>(), 2, 1e-12);
+    folder.write("ball.json", R"({"clearance": 0.2, "obstacles": [{"ball": {"centre": [3, 1, 0], "radius": 0.4}}]})");
+    expect_refused({"motion", "tumble.json", "--poses", "out.txt", "--obstacles", "ball.json"}, 1,
+                   {"tumble.json: keys[1] has its barycentre in obstacle 0"});
+    expect_refused({"motion", "tumble.json", "--poses", "out.txt", "--obstacles", "none.json"}, 1, {"none.json"});
+}
+
 TEST_F(MotionCommand, RefusesWhatItCantUse) {
     const auto refused = [&](const std::string& pointer, const Json& value, const std::string& words) {
         Json json = Json::parse(tumble);

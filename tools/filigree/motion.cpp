@@ -11,13 +11,14 @@
 #include "mesh_file.h"
 #include "motion_file.h"
 #include "session.h"
+#include "spline_obstacles.h"
 #include "text_file.h"
 
 namespace flg::cli {
 namespace {
 
 struct Options {
-    std::string keys, output, poses, mesh;
+    std::string keys, output, poses, mesh, obstacles;
     double camera_degrees = 0;
 };
 
@@ -100,8 +101,7 @@ void write_poses(const std::string& path, const FlgMotionView& view) {
     write_text_file(path, text);
 }
 
-void write_animation(const Options& options, const MotionFile& file, const MeshFile* mesh,
-                     const FlgMotionView& view) {
+void write_animation(const Options& options, const MotionFile& file, const MeshFile* mesh, const FlgMotionView& view) {
     FlgMotionFileDesc desc = {};
     flgMotionFileDescInit(&desc, sizeof desc);
     // Players begin at 0.
@@ -143,6 +143,7 @@ void describe(const MotionFile& file, const FlgMotionView& view, Report& report)
     report.quality["rotation_energy"] = view.rotation_energy;
     report.quality["residual"] = view.residual;
     report.quality["greatest_stretch"] = view.greatest_stretch;
+    report.quality["body_radius"] = view.radius;
 }
 
 void run_motion(const Options& options, const CommonOptions& common) {
@@ -166,6 +167,14 @@ void run_motion(const Options& options, const CommonOptions& common) {
     file.desc.body_points = file.body_points.empty() ? nullptr : file.body_points.data();
     file.desc.body_masses = file.body_masses.empty() ? nullptr : file.body_masses.data();
     file.desc.body_point_count = static_cast<uint32_t>(file.body_points.size() / 3);
+    SplineObstacles obstacles;
+    if (!options.obstacles.empty()) {
+        obstacles = read_obstacles(session, options.obstacles, 3);
+        file.desc.obstacles = obstacles.handle;
+        file.desc.sides = obstacles.sides.data();
+        file.desc.side_count = static_cast<uint32_t>(obstacles.sides.size());
+        report.counts["obstacles"] = obstacles.count;
+    }
     FlgMotion motion = {};
     FlgJob job = {};
     check(flgMotionCreate(session.context(), &file.desc, &motion, &job), options.keys);
@@ -200,6 +209,11 @@ Command add_motion(CLI::App& program, const CommonOptions& common) {
         ->add_option("--camera", options->camera_degrees,
                      "The body is a camera that looks along -z, with this field of view from bottom to top, degrees")
         ->check(CLI::Range(1.0, 179.0));
+    command
+        ->add_option(
+            "--obstacles", options->obstacles,
+            "What the barycentre keeps out of; the body too if their clearance is its radius, which the report tells")
+        ->type_name("OBSTACLES.json");
     command->add_option("--poses", options->poses, "One position a line: 3 rows of 4 numbers, rotation and place")
         ->type_name("POSES.txt");
     return {command, [options, &common] { run_motion(*options, common); }};

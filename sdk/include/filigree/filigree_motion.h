@@ -47,6 +47,13 @@ typedef struct FlgMotionDesc {
     uint32_t max_rounds;       /* of the optimization, 1 to 10000. Default 200 */
     uint32_t reserved;
     double tolerance;          /* of the residual, see FlgSplineView; 1e-12 to 1. Default 1e-6 */
+    /* Of space: the barycentre keeps out of these (sec. 5, Fig. 16), see FlgSplineDesc. If their clearance is the body's radius, the
+     * distance of its farthest point from the barycentre, so does all of it. Not with smoothing. Default none */
+    FlgObstacles obstacles;
+    const FlgObstacleSide* sides; /* how the first path passes; default null: the shortest way */
+    uint32_t side_count;          /* default 0 */
+    uint32_t reserved2;
+    double obstacle_radius;       /* 1e-5 to 0.1, see FlgSplineDesc. Default 1e-3 */
 } FlgMotionDesc;
 
 FLG_API FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size);
@@ -56,8 +63,9 @@ FLG_API FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size);
  * second ones) of the points' paths, taken as forces, are in balance: they neither push nor turn the body. Between keys a body
  * takes the shorter way round; put a key between where it is to take the longer one. The job fails with
  * FLG_ERROR_INVALID_ARGUMENT, and a sentence that names the key, for fewer than two keys, times that do not rise, numbers that are
- * not finite, poses with reflections or that stretch by more than 0.001 (less is taken off), and two keys in a row with one
- * pose. Cost: some 15 us a position, closed 20. */
+ * not finite, poses with reflections or that stretch by more than 0.001 (less is taken off), two keys in a row with one pose, and
+ * keys whose barycentre is in an obstacle. Cost: some 15 us a position, closed 20; around obstacles
+ * what the spline there costs. */
 FLG_API FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMotion* out_motion, FlgJob* out_job);
 
 typedef struct FlgMotionView {
@@ -72,6 +80,7 @@ typedef struct FlgMotionView {
     double mass;                   /* of the body: its points' number or masses; a box has 6 */
     double barycentre[3];          /* in the body's coordinates */
     double axes[9];                /* principal axes in the body's coordinates, one after another, right-handed */
+    double radius;                 /* the distance of its farthest point from the barycentre, metres */
     double inertia[3];             /* half the axes of its ellipsoid of inertia: sqrt(sum of mass * square along the axis / 2) */
     double greatest_stretch;       /* of the keys' poses: what was taken off */
     FlgSplineEnding ending;
