@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/natural_cubic.h"
 #include "splines/space_manifold.h"
 #include "surfaces/nearest_points.h"
 #include "surfaces/tracing_jobs.h"
@@ -16,6 +17,7 @@ constexpr uint32_t halvings = 4;
 constexpr uint32_t kernel_chunk = 200;  // 10 us
 constexpr uint32_t build_chunk = 300;
 constexpr uint32_t find_chunk = 100;
+constexpr uint32_t cubic_chunk = 100;
 constexpr double longest_way = 2;  // of a chord, over the projected middle
 
 using Point = std::array<double, Manifold::max_ambient>;
@@ -155,6 +157,35 @@ Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints gi
     }
 }
 
+namespace {
+
+// Shares a number of intervals between segments, so that they add up: to each its part of what is left.
+class IntervalShares {
+public:
+    IntervalShares(uint32_t intervals, uint32_t segments, uint32_t least, double whole)
+        : left_(intervals), segments_(segments), least_(least), rest_(whole) {}
+
+    uint32_t left() const { return left_; }
+    uint32_t next(double share) {
+        const uint32_t most = left_ - least_ * (segments_ - 1);
+        uint32_t intervals = most;
+        if (segments_ > 1) {
+            const double wanted = rest_ > 0 ? share / rest_ * left_ : 0;
+            intervals = std::clamp(static_cast<uint32_t>(std::lround(wanted)), least_, most);
+        }
+        rest_ -= share;
+        left_ -= intervals;
+        --segments_;
+        return intervals;
+    }
+
+private:
+    uint32_t left_, segments_, least_;
+    double rest_;
+};
+
+}  // namespace
+
 Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& first, GivenPoints given, uint32_t nodes,
                        uint32_t least, SplineProblem& problem) {
     const uint32_t n = manifold.ambient(), count = given.count(n), segments = given.segments(n);
@@ -170,24 +201,13 @@ Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& f
         whole += shares[s];
         if (s % 8 == 0) co_await pace;
     }
-    // As many as its share of what is left, segment by segment: so they add up.
-    uint32_t left = std::max(given.closed ? nodes : nodes - 1, least * segments);
-    double rest = whole;
+    IntervalShares sharing(std::max(given.closed ? nodes : nodes - 1, least * segments), segments, least, whole);
     problem.knots = Buffer<uint32_t>(count, pace.memory());
     problem.given = Buffer<double>(given.values.size(), pace.memory());
-    problem.points = Buffer<double>(size_t{left + (given.closed ? 0 : 1)} * n, pace.memory());
+    problem.points = Buffer<double>(size_t{sharing.left() + (given.closed ? 0 : 1)} * n, pace.memory());
     uint32_t at = 0;
     for (uint32_t s = 0; s < segments; ++s) {
-        const uint32_t spare = left - least * (segments - s);
-        uint32_t intervals = least;
-        if (s + 1 == segments) {
-            intervals = left;
-        } else if (rest > 0) {
-            const double wanted = shares[s] / rest * left;
-            intervals = std::clamp(static_cast<uint32_t>(std::lround(wanted)), least, least + spare);
-        }
-        rest -= shares[s];
-        left -= intervals;
+        const uint32_t intervals = sharing.next(shares[s]);
         problem.knots[s] = at;
         std::copy_n(&given.values[size_t{s} * n], n, &problem.given[size_t{s} * n]);
         const uint32_t begin = s == 0 ? 0 : first.ends[s - 1] - 1, end = first.ends[s] - 1;
@@ -215,6 +235,40 @@ Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& f
     problem.knots[segments] = at;
     std::copy_n(&given.values[size_t{segments} * n], n, &problem.given[size_t{segments} * n]);
     std::copy_n(&given.values[size_t{segments} * n], n, &problem.points[size_t{at} * n]);
+}
+
+Task<void> refine_chain(Pace& pace, const SplineKernel& coarse, uint32_t nodes, uint32_t least,
+                        SplineProblem& problem) {
+    const uint32_t n = coarse.ambient(), old_nodes = coarse.nodes();
+    std::pmr::vector<double> times(1, 0.0, pace.memory());
+    for (uint32_t i = 0; i + (problem.closed ? 0 : 1) < old_nodes; ++i) {
+        times.push_back(times.back() + coarse.step_after(i));
+        if (i % 128 == 0) co_await pace;
+    }
+    CubicData data{.knots = times, .values = {coarse.points(), size_t{old_nodes} * n}};
+    data.dimension = n;
+    data.ends = problem.closed ? CubicEnds::periodic : CubicEnds::natural;
+    data.tension = problem.bending > 0 ? 0 : HUGE_VAL;
+    NaturalCubic curve(data, pace.memory());
+    while (!curve.run(cubic_chunk)) co_await pace;
+    const uint32_t count = static_cast<uint32_t>(problem.knots.size()), segments = count - (problem.closed ? 0 : 1);
+    IntervalShares sharing(problem.closed ? nodes : nodes - 1, segments, least, times.back());
+    problem.points = Buffer<double>(size_t{nodes} * n, pace.memory());
+    uint32_t at = 0, last_knot = 0;
+    for (uint32_t s = 0; s < segments; ++s) {
+        const uint32_t next_knot = s + 1 < count ? problem.knots[s + 1] : old_nodes;
+        const double begin = times[last_knot], end = times[next_knot];
+        const uint32_t intervals = sharing.next(end - begin);
+        problem.knots[s] = at;
+        for (uint32_t i = 0; i < intervals; ++i, ++at) {
+            curve.evaluate(begin + (end - begin) * i / intervals, 0, &problem.points[size_t{at} * n]);
+            if (at % 32 == 0) co_await pace;
+        }
+        last_knot = next_knot;
+    }
+    if (problem.closed) co_return;
+    problem.knots[segments] = at;
+    curve.evaluate(times.back(), 0, &problem.points[size_t{at} * n]);
 }
 
 Task<void> unrestricted_spline(Pace& pace, SplineProblem& problem) {

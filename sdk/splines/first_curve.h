@@ -39,6 +39,10 @@ Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints gi
 Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& first, GivenPoints given, uint32_t nodes,
                        uint32_t least, SplineProblem& problem);
 
+// The chain of a kernel that is done becomes that of so many nodes, along the classical spline through its nodes (E1: along
+// itself), intervals shared by parameters: to go on from where a coarser chain has come to.
+Task<void> refine_chain(Pace& pace, const SplineKernel& coarse, uint32_t nodes, uint32_t least, SplineProblem& problem);
+
 // The problem's points become those of the unrestricted spline through its knots.
 Task<void> unrestricted_spline(Pace& pace, SplineProblem& problem);
 

@@ -13,6 +13,7 @@ namespace {
 constexpr uint32_t kernel_chunk = 200;  // 10 us
 constexpr uint32_t copy_chunk = 1000;
 constexpr uint32_t place_chunk = 4;
+constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
 
 FlgSplineEnding ending_of(SplineEnding ending) {
     switch (ending) {
@@ -146,7 +147,18 @@ Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& 
     co_return true;
 }
 
-Task<void> begin_chain(Pace& pace, const SplineRequest& request, SplineProblem& problem, Buffer<double>& given) {
+// How many nodes the first of the chains has that end with one of `nodes`: each has four times those of the one before it.
+uint32_t coarsest(uint32_t segments, uint32_t nodes) {
+    while (nodes / 4 >= 6 * segments) nodes /= 4;
+    return nodes;
+}
+
+uint32_t next_finer(uint32_t nodes, uint32_t finest) {
+    return nodes > finest / 7 ? finest : 4 * nodes;
+}
+
+Task<void> begin_chain(Pace& pace, const SplineRequest& request, uint32_t nodes, SplineProblem& problem,
+                       Buffer<double>& given) {
     const HeldManifold& held = *request.out->manifold;
     if (!request.curve.empty()) {
         co_await place_spline_points(pace, held, request.curve, "desc.curve", problem.points, nullptr);
@@ -163,10 +175,8 @@ Task<void> begin_chain(Pace& pace, const SplineRequest& request, SplineProblem& 
         .values = {given.data(), given.size()}, .closed = problem.closed, .argument = "desc.points"};
     FirstCurve first(pace.memory());
     co_await find_first_curve(pace, held, points, first);
-    const uint32_t nodes = request.node_count > 0
-                               ? request.node_count
-                               : 32 * points.segments(held.manifold->ambient()) + (problem.closed ? 0 : 1);
-    co_await place_nodes(pace, *held.manifold, first, points, nodes, 2, problem);
+    const uint32_t first_nodes = coarsest(points.segments(held.manifold->ambient()), nodes);
+    co_await place_nodes(pace, *held.manifold, first, points, first_nodes, 2, problem);
     if (request.start == FLG_SPLINE_START_PROJECTED) co_await unrestricted_spline(pace, problem);
 }
 
@@ -230,17 +240,33 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
         if (i % copy_chunk == 0) co_await pace;
     }
     pace.stage("begin");
-    co_await begin_chain(pace, request, problem, given);
+    const uint32_t segments = static_cast<uint32_t>(given.size() / n) - (problem.closed ? 0 : 1);
+    const uint32_t least = 2 * segments + (problem.closed ? 0 : 1);
+    const uint32_t wanted =
+        request.node_count > 0 ? request.node_count : std::min(32 * segments + 1, FLG_SPLINE_MAX_NODES);
+    const uint32_t nodes = std::max(wanted, least);
+    co_await begin_chain(pace, request, nodes, problem, given);
     pace.stage("minimize");
-    for (uint32_t round = 0;; ++round) {
+    const double tolerance = problem.tolerance;
+    uint32_t subdivisions = request.subdivisions, rounds = 0;
+    for (;;) {
+        const bool is_coarse = request.curve.empty() && problem.points.size() < size_t{nodes} * n;
+        problem.tolerance = is_coarse ? std::max(tolerance, coarse_tolerance) : tolerance;
         SplineKernel kernel(problem, pace.memory());
         co_await run_spline_kernel(pace, kernel, out);
-        if (round == request.subdivisions) {
+        rounds += kernel.report().rounds;
+        if (is_coarse) {
+            problem.first_tension = 0;
+            co_await refine_chain(pace, kernel, next_finer(kernel.nodes(), nodes), 2, problem);
+        } else if (subdivisions > 0) {
+            --subdivisions;
+            co_await subdivide(pace, kernel, problem);
+        } else {
             co_await keep_spline(pace, kernel, out);
             break;
         }
-        co_await subdivide(pace, kernel, problem);
     }
+    out.chain.report.rounds = rounds;
     out.knots = std::move(problem.knots);
     out.is_complete = true;
 }

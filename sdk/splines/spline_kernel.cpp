@@ -16,6 +16,7 @@ constexpr double tension_fall = 0.25;  // a round
 constexpr double heavy_change = 0.02;  // of a segment's share of the length, until parameters are measured again
 constexpr uint32_t max_reparametrizations = 6;
 constexpr double settled_residual = 0.05;  // when lengths are looked at for the first time
+constexpr double least_share = 0.1;        // of concave curvature, before there is none
 constexpr double epsilon = 0x1p-52;
 
 uint32_t block_size(const SplineProblem& problem) {
@@ -53,7 +54,6 @@ SplineKernel::SplineKernel(SplineProblem& problem, Memory* memory)
     trial_.memory = Buffer<double>(size_t{nodes_} * memory_size_, memory);
     tension_ = std::max(problem.tension, problem.first_tension);
     pull_ = problem.smoothing > 0 ? 1 / problem.smoothing : 0;
-    with_form_ = problem.method == SplineMethod::newton;
     enter(Pass::project_first, nodes_);
 }
 
@@ -199,7 +199,6 @@ void SplineKernel::after_frames() {
         if (!free_system_) free_system_.emplace(nodes_, (bends() ? n_ : 0) + n_, problem_.closed, memory_);
         return begin_elimination(*free_system_, Pass::eliminate_free);
     }
-    with_form_ = problem_.method == SplineMethod::newton;
     begin_elimination(system_, Pass::eliminate);
 }
 
@@ -219,8 +218,9 @@ void SplineKernel::eliminate(BlockTridiagonal& system, uint32_t k, bool unrestri
 
 void SplineKernel::after_elimination() {
     const uint32_t expected = bends() ? n_ * nodes_ : 0;
-    if (with_form_ && (system_.negative_pivots() != expected || system_.is_singular())) {
-        with_form_ = false;
+    const bool indefinite = system_.negative_pivots() != expected || system_.is_singular();
+    if (problem_.method == SplineMethod::newton && indefinite && concave_share_ > 0) {
+        concave_share_ = concave_share_ > least_share ? 0.5 * concave_share_ : 0;
         return begin_elimination(system_, Pass::eliminate);
     }
     enter(Pass::substitute, nodes_);
@@ -261,6 +261,7 @@ void SplineKernel::accept() {
     const double noise = 10 * epsilon * problem_.manifold->size() * forces_;
     const bool idle = -slope_ < noise && report_.residual > 0.5 * last_residual_ && last_residual_ > 0;
     last_energy_ = weighted(now_);
+    if (step_ == 1) concave_share_ = std::min(1.0, std::max(2 * concave_share_, least_share));
     std::swap(now_.points, last_);
     std::swap(now_.points, trial_.points);
     std::swap(now_.memory, trial_.memory);

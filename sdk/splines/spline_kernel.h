@@ -8,8 +8,9 @@
 //
 // Departures from the paper
 // - Newton's method: the Gramian gets the curvature of the surface times the force on each point (Manifold::second_form). It
-//   replaces the search for a stepsize and needs a few rounds where the paper's needs dozens. Where it is not positive, which the
-//   signs of the pivots tell, the paper's direction is taken. The paper's stepsize is there for comparison (footpoint_cone.h).
+//   replaces the search for a stepsize and needs a few rounds where the paper's needs dozens. Where that is not positive, which
+//   the signs of the pivots tell, less is taken of each node's negative part (the paper's Gramian has nothing of either, and goes
+//   too far where surfaces bend away). The paper's stepsize is there for comparison (footpoint_cone.h).
 // - Parameters are lengths of the first curve, measured again when one is off by more than a fiftieth of its share.
 //
 // Invariants: given points stay where they are to the bit, unless smoothing; the energy falls from round to round, but for
@@ -179,7 +180,8 @@ private:
     uint32_t units_ = 0, at_ = 0, end_ = 0;
     Measured measured_ = Measured::now;
     double sums_[3] = {};  // of what is collected
-    bool with_form_ = true;
+    // How much of what makes the energy less convex in the surface's curvature the system has.
+    double concave_share_ = 1;
     bool has_last_ = false, has_least_ = false;
     bool projects_ = true;
     double least_ = 0;      // the energy of the free minimizer

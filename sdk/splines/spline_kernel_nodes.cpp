@@ -2,6 +2,7 @@
 // What the optimization does at one node.
 #include <cmath>
 
+#include "splines/positive_part.h"
 #include "splines/spline_kernel.h"
 
 namespace flg {
@@ -192,6 +193,12 @@ void SplineKernel::assemble(BlockTridiagonal& system, uint32_t node, bool unrest
     }
     const bool free = is_free(node);
     const double pull = knot_of_[node] != no_knot ? pull_ : 0;
+    double form[Manifold::max_dimension * Manifold::max_dimension];
+    const bool has_form = free && !unrestricted && problem_.method == SplineMethod::newton;
+    if (has_form) {
+        std::copy_n(&form_[size_t{node} * k_ * k_], k_ * k_, form);
+        if (concave_share_ < 1) scale_negative_part(form, k_, concave_share_);
+    }
     for (uint32_t a = 0; a < moving; ++a) {
         double* const row = diagonal + (moments + a) * b;
         row[moments + a] = free ? tension_ * stiffness + pull : 1;
@@ -206,9 +213,7 @@ void SplineKernel::assemble(BlockTridiagonal& system, uint32_t node, bool unrest
             if (before > 0) force -= (dot(&moment_[size_t{previous(node)} * n_], own, n_) - dot(m, own, n_)) / before;
         }
         right[moments + a] = -force;
-        if (with_form_ && !unrestricted) {
-            for (uint32_t e = 0; e <= a; ++e) row[moments + e] += form_[size_t{node} * k_ * k_ + a * k_ + e];
-        }
+        for (uint32_t e = 0; has_form && e <= a; ++e) row[moments + e] += form[a * k_ + e];
         restrict_moment(node, own);
         for (uint32_t c = 0; c < moments; ++c) row[c] = -stiffness * own[c];
     }
