@@ -19,6 +19,7 @@ constexpr uint32_t max_body_points = 1u << 20;
 constexpr uint32_t max_rounds = 10000;
 constexpr double largest = 1e30;  // coordinate, m
 constexpr double largest_weight = 1e12;
+constexpr double largest_smoothing = 1e9;  // rounding hides the pull of the keys beyond
 
 FlgMotionDesc default_motion_desc() {
     FlgMotionDesc desc{};
@@ -70,8 +71,8 @@ void read_weights(const FlgMotionDesc& desc, MotionInput& input) {
         input.bending = 0;
         input.tension = 1;
     }
-    check_range(desc.smoothing >= 0 && desc.smoothing <= largest_weight, "desc.smoothing", desc.smoothing,
-                "from 0 to 1e12");
+    check_range(desc.smoothing >= 0 && desc.smoothing <= largest_smoothing, "desc.smoothing", desc.smoothing,
+                "from 0 to 1e9");
     input.smoothing = desc.smoothing;
     check_range(desc.max_rounds >= 1 && desc.max_rounds <= max_rounds, "desc.max_rounds", desc.max_rounds,
                 "1 to 10000");

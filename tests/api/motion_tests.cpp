@@ -173,7 +173,7 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
                   d.tension = 0;
               }),
               "desc.tension is 0, must be above 0, to 1e12");
-    EXPECT_EQ(refusal([](Desc& d) { d.smoothing = -1; }), "desc.smoothing is -1, must be from 0 to 1e12");
+    EXPECT_EQ(refusal([](Desc& d) { d.smoothing = -1; }), "desc.smoothing is -1, must be from 0 to 1e9");
     EXPECT_EQ(refusal([](Desc& d) { d.end_time = 9; }),
               "desc.end_time is 9, must be 0 for motions that are not closed");
     EXPECT_EQ(refusal([](Desc& d) { d.position_count = 3; }),

@@ -117,6 +117,10 @@ TEST(MotionKeys, RefusesWhatIsNoMotion) {
     EXPECT_EQ(refusal(keys), "keys[2] has the time 1 after 1; times must rise");
 
     keys = three_keys();
+    keys.times[1] = 1e-10;
+    EXPECT_EQ(refusal(keys), "keys[1] has the time 1e-10, too soon after 0 for a motion of 2.5 s");
+
+    keys = three_keys();
     keys.times[1] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refusal(keys), "keys[1] has a time that is not finite");
 

@@ -85,7 +85,7 @@ MotionFile read_motion_file(const std::string& path) {
     if (const auto place = root.find("energy"))
         desc.energy = static_cast<FlgSplineEnergy>(place->word({"e2", "e1", "et"}));
     if (const auto place = root.find("tension")) desc.tension = place->real(0, 1e12);
-    if (const auto place = root.find("smoothing")) desc.smoothing = place->real(0, 1e12);
+    if (const auto place = root.find("smoothing")) desc.smoothing = place->real(0, 1e9);
     if (const auto place = root.find("positions")) desc.position_count = place->count(2, FLG_MOTION_MAX_POSITIONS);
     if (const auto place = root.find("body")) read_body(*place, file);
     read_keys(root.at("keys"), file);

@@ -33,7 +33,7 @@ typedef struct FlgMotionDesc {
                                 * long as keys are apart on the average */
     double tension;            /* of FLG_SPLINE_ET: w, 1 / square second, above 0 to 1e12. Default 1 */
     double smoothing;          /* 0: through the keys. Above: near them, the energy plus the squares of the distances of the
-                                * body's points over this is least; seconds to the third (E1: seconds), to 1e12. Default 0 */
+                                * body's points over this is least; seconds to the third (E1: seconds), to 1e9. Default 0 */
     /* The body. Only its barycentre and its inertia count. Points with masses; or, where there are none, a solid box. */
     const double* body_points; /* 3 a point, in the body's coordinates: a few feature points, or a mesh's vertices; read during the
                                 * call. Default null: the box */
@@ -62,7 +62,7 @@ FLG_API FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size);
  * energies of their paths. Then the barycentre's path is the classical spline, and at every moment the fourth derivatives (E1: the
  * second ones) of the points' paths, taken as forces, are in balance: they neither push nor turn the body. Between keys a body
  * takes the shorter way round; put a key between where it is to take the longer one. The job fails with
- * FLG_ERROR_INVALID_ARGUMENT, and a sentence that names the key, for fewer than two keys, times that do not rise, numbers that are
+ * FLG_ERROR_INVALID_ARGUMENT, and a sentence that names the key, for fewer than two keys, times that do not rise by 1e-9 of the whole motion, numbers that are
  * not finite, poses with reflections or that stretch by more than 0.001 (less is taken off), two keys in a row with one pose, and
  * keys whose barycentre is in an obstacle. Cost: some 15 us a position, closed 20; around obstacles
  * what the spline there costs. */
