@@ -42,6 +42,10 @@ public:
     // that a curve keeps its homotopy class: the way of a point on its straight step and then out of the solid does not go
     // through a solid's core.
     double step_limit() const { return obstacles_.step_limit(); }
+    // Steps may be longer where this says yes for each piece of the curve (ObstacleSet::keeps_sides): points of the surface.
+    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const {
+        return obstacles_.keeps_sides(a, b, c, e);
+    }
 
     bool evaluate(const double* x, double* memory, double* value, double* gradient, double* second) const override;
 

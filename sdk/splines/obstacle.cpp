@@ -8,6 +8,21 @@
 
 namespace flg {
 
+namespace {
+
+constexpr double deep = 0.5;  // of the core's depth
+constexpr uint32_t most_looks = 64;
+
+// How often the way from a to b turns around p, beside what its ends and others' cancel: its crossings of the ray from p along x.
+int crossing(const Obstacle::Place& p, const double* a, const double* b) {
+    if ((a[1] <= p[1]) == (b[1] <= p[1])) return 0;
+    const double side = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);
+    const bool up = a[1] <= p[1];
+    return (side > 0) == up ? (up ? 1 : -1) : 0;
+}
+
+}  // namespace
+
 ObstacleSet::ObstacleSet(std::span<const Obstacle* const> obstacles, double clearance, Memory* memory)
     : obstacles_(obstacles.begin(), obstacles.end(), memory), clearance_(clearance) {
     if (obstacles_.empty() || obstacles_.size() > max_count) {
@@ -84,6 +99,43 @@ bool ObstacleSet::clear(const double* a, const double* b, double margin) const {
         const Way way = follow(a, b, margin, UINT32_MAX, &done);
         if (way != Way::unfinished) return way == Way::clear;
     }
+}
+
+// In steps to where it may get so deep, looks of a sixty-fourth of the way at least.
+bool ObstacleSet::pierces(uint32_t i, const double* a, const double* b) const {
+    const double depth = deep * obstacles_[i]->core_depth();
+    double square = 0;
+    Obstacle::Place at{};
+    for (uint32_t k = 0; k < dimension_; ++k) {
+        square += (b[k] - a[k]) * (b[k] - a[k]);
+        at[k] = 0.5 * (a[k] + b[k]);
+    }
+    const double length = std::sqrt(square);
+    if (obstacles_[i]->bounded() && at_least(i, at.data()) + clearance_ > 0.5 * length) return false;
+    if (obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth > 0.5 * length) return false;
+    for (double done = 0; done <= length;) {
+        const double t = length > 0 ? done / length : 0;
+        for (uint32_t k = 0; k < dimension_; ++k) at[k] = a[k] + t * (b[k] - a[k]);
+        const double above = obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth;
+        if (above < 0) return true;
+        done += std::max(above, length / most_looks);
+        if (length == 0) break;
+    }
+    return false;
+}
+
+bool ObstacleSet::keeps_sides(const double* a, const double* b, const double* c, const double* e) const {
+    for (uint32_t i = 0; i < count(); ++i) {
+        if (dimension_ == 2) {
+            const Obstacle::Place& core = obstacles_[i]->core();
+            if (crossing(core, a, b) + crossing(core, b, e) + crossing(core, e, c) + crossing(core, c, a) != 0)
+                return false;
+        } else if (pierces(i, a, c) || pierces(i, b, e)) {
+            return false;
+        }
+        if (pierces(i, c, e) && !pierces(i, a, b)) return false;
+    }
+    return true;
 }
 
 double ObstacleSet::step_limit() const {

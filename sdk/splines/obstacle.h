@@ -41,13 +41,19 @@ public:
     // A length. Steps of a point that are shorter, followed by a way out along the gradient, leave it on its side: the solid
     // has a connected core that is deeper everywhere.
     double core_depth() const { return core_depth_; }
+    // A place deep inside: what ways of the plane turn around, on one side or the other.
+    const Place& core() const { return core_; }
     // How far from the boundary the value is exact and smooth.
     double reach() const { return reach_; }
 
 protected:
     Obstacle(uint32_t dimension, const Box& box, bool bounded, double core_depth,
              double reach = std::numeric_limits<double>::infinity())
-        : dimension_(dimension), box_(box), bounded_(bounded), core_depth_(core_depth), reach_(reach) {}
+        : dimension_(dimension), box_(box), bounded_(bounded), core_depth_(core_depth), reach_(reach) {
+        for (uint32_t k = 0; k < max_dimension; ++k) core_[k] = 0.5 * (box.lower[k] + box.upper[k]);
+    }
+    // The box's middle is it otherwise.
+    void set_core(const Place& core) { core_ = core; }
     Obstacle(const Obstacle&) = default;
     Obstacle& operator=(const Obstacle&) = default;
 
@@ -56,6 +62,7 @@ private:
     Box box_;
     bool bounded_;
     double core_depth_, reach_;
+    Place core_{};
 };
 
 // Several obstacles as one: the distance is the least one, less a clearance to keep from all of them (the radius of a body whose
@@ -92,6 +99,13 @@ public:
     // In one go.
     bool clear(const double* a, const double* b, double margin) const;
 
+    // Whether a curve's straight piece from a to b may become that from c to e, as far as one step tells, without a change of
+    // sides: in the plane, what the piece sweeps over has no core in it; in space, its ends do not go through a solid; and the
+    // new piece goes through none that the old one went around. Through: deeper than half of core_depth(). Of a curve of which
+    // given points stay, all pieces together keep its homotopy class in the plane. 5 ns an obstacle that is far, and some
+    // evaluations of each that is near.
+    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const;
+
     // Step limit of a point of the curve: shorter ones, projected, pass no obstacle (see core_depth()).
     double step_limit() const;
     // How far from the boundaries the distance is smooth.
@@ -100,6 +114,8 @@ public:
     bool box(Obstacle::Box& box) const;
 
 private:
+    bool pierces(uint32_t i, const double* a, const double* b) const;
+
     std::pmr::vector<const Obstacle*> obstacles_;
     uint32_t dimension_ = 0;
     double clearance_;

@@ -16,6 +16,9 @@ struct PolygonObstacle::Shape {
 
 namespace {
 
+constexpr uint32_t net = 8;
+constexpr double near_edge = 1e-3;  // of its length: inside, unless others are as near
+
 template <class V>
 double cross(const V& o, const V& a, const V& b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
@@ -117,6 +120,31 @@ PolygonObstacle::PolygonObstacle(Shape&& shape)
                    std::max(run.upper_y, v.y)};
         }
     }
+    set_core(find_core());
+}
+
+// The deepest of the middle, of places next to the edges' middles and of a net.
+PolygonObstacle::Place PolygonObstacle::find_core() const {
+    Place best{};
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](double x, double y) {
+        const Place at{x, y};
+        const double d = evaluate(at.data(), nullptr, nullptr);
+        if (d < least) least = d, best = at;
+    };
+    for (uint32_t i = 0; i < vertices_.size(); ++i) {
+        const Vertex &a = vertices_[i], &b = vertices_[next(i)];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        for (const double by : {core_depth(), near_edge * length}) {
+            look(0.5 * (a.x + b.x) - by * (b.y - a.y) / length, 0.5 * (a.y + b.y) + by * (b.x - a.x) / length);
+        }
+    }
+    for (uint32_t k = 1; k < net * net; ++k) {
+        const double u = double(k % net) / net, v = double(k / net) / net;
+        look(box().lower[0] + u * (box().upper[0] - box().lower[0]),
+             box().lower[1] + v * (box().upper[1] - box().lower[1]));
+    }
+    return best;
 }
 
 double PolygonObstacle::evaluate(const double* x, double* gradient, double* second) const {

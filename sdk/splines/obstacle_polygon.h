@@ -13,7 +13,7 @@ public:
 
     // x and y of each vertex, around it in either sense; the last one is joined to the first. Copied. Throws a Failure: fewer
     // than 3 vertices or more than max_vertices, numbers that are not finite, edges without length, that meet or lie on
-    // each other. 0.1 ms with 256 vertices.
+    // each other. 0.2 ms with 256 vertices.
     PolygonObstacle(std::span<const double> vertices, Memory* memory);
     double evaluate(const double* x, double* gradient, double* second) const override;
 
@@ -29,6 +29,7 @@ private:
 
     explicit PolygonObstacle(Shape&& shape);
 
+    Place find_core() const;
     uint32_t next(uint32_t i) const { return i + 1 == vertices_.size() ? 0 : i + 1; }
 
     std::pmr::vector<Vertex> vertices_;  // counter-clockwise

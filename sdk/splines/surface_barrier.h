@@ -21,6 +21,9 @@ public:
     // Between solves, see BarrierSurface.
     void set_radius(double radius) { barrier_.set_radius(radius); }
     double step_limit() const { return barrier_.step_limit(); }
+    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const {
+        return obstacles_.keeps_sides(a, b, c, e);
+    }
     // The nearest point of S, and its z. False if there is none, or if it is in an obstacle: then x is the nearest one outside,
     // as far as there is.
     bool lift(const double* point, double* memory, double* x) const;

@@ -227,6 +227,43 @@ TEST(Obstacles, AWayIsClearIfAllItsPointsAre) {
     EXPECT_GT(hit, 50u);
 }
 
+TEST(Obstacles, CoresAreDeepInside) {
+    for (const auto& shape : all_shapes()) {
+        EXPECT_LT(shape->evaluate(shape->core().data(), nullptr, nullptr), -0.05);
+    }
+    // A frame with a slit: its middle is outside.
+    const std::vector<double> frame = {-1,   -1,  1,   -1,  1,   1,    -1,   1,    -1,   0.1,  -0.8, 0.1,
+                                       -0.8, 0.8, 0.8, 0.8, 0.8, -0.8, -0.8, -0.8, -0.8, -0.1, -1,   -0.1};
+    const PolygonObstacle polygon(frame, heap());
+    EXPECT_NEAR(polygon.core_depth(), 0.1, 0.01);
+    EXPECT_LT(polygon.evaluate(polygon.core().data(), nullptr, nullptr), -0.05);
+}
+
+// A piece may slide along a disc, not jump over it, nor swing around one of its ends through it.
+TEST(Obstacles, PiecesOfCurvesKeepTheirSides) {
+    const BallObstacle disc(2, std::array{0.0, 0.0}.data(), 0.5);
+    const BoxObstacle wall(2, std::array{3.0, 0.0}.data(), std::array{0.05, 1.0}.data(), nullptr);
+    const Obstacle* all[] = {&disc, &wall};
+    const ObstacleSet set(all, 0, heap());
+    const auto keeps = [&](std::array<double, 8> x) { return set.keeps_sides(&x[0], &x[2], &x[4], &x[6]); };
+    EXPECT_TRUE(keeps({-1, 0.6, 1, 0.6, -1, 0.9, 1, 0.7}));
+    EXPECT_TRUE(keeps({-1, 0.6, 1, 0.6, -1, 0.6, 1, 0.6}));
+    EXPECT_FALSE(keeps({-1, 0.6, 1, 0.6, -1, -0.6, 1, -0.6}));
+    EXPECT_FALSE(keeps({-0.1, 0.6, 0.1, 0.6, -0.1, -0.6, 0.1, -0.6}));  // short ones too
+    EXPECT_FALSE(keeps({-1, 0.6, 1, 0.6, -1, 0.6, 1, -0.7}));
+    EXPECT_TRUE(keeps({-1, 0.6, 0, 0.6, -1, 0.6, 0.6, 0.5}));
+    EXPECT_FALSE(keeps({2, 0, 2.9, 0, 2, 0, 3.1, 0}));  // through the wall, beside its core
+    EXPECT_FALSE(keeps({2, 0.7, 2.9, 0.7, 2, 0.7, 3.1, 0.7}));
+    EXPECT_TRUE(keeps({2, 0.7, 2.9, 0.7, 2, 0.5, 2.9, 0.9}));
+    const BallObstacle ball(3, std::array{0.0, 0.0, 0.0}.data(), 0.5);
+    const Obstacle* one[] = {&ball};
+    const ObstacleSet space(one, 0, heap());
+    const double a[3] = {-0.1, 0, 0.6}, b[3] = {0.1, 0, 0.6}, c[3] = {-0.1, 0, -0.6}, e[3] = {0.1, 0, -0.6};
+    const double f[3] = {-0.1, 0.2, 0.6}, g[3] = {0.1, 0.2, 0.6};
+    EXPECT_FALSE(space.keeps_sides(a, b, c, e));
+    EXPECT_TRUE(space.keeps_sides(a, b, f, g));
+}
+
 TEST(Obstacles, BadNumbersAreRefused) {
     const double nan = std::nan("");
     const double good[3] = {0, 0, 0}, bad[3] = {0, nan, 0}, half[3] = {1, 1, 1}, flat[3] = {1, 0, 1};
