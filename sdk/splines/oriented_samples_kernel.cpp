@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "core/failure.h"
 #include "splines/oriented_samples.h"
 
@@ -7,6 +9,9 @@ namespace flg {
 namespace {
 
 constexpr uint32_t fewest_samples = 4;
+// A sample is another one again if it is nearer to it than this share of both radii, and turned by less than 18 degrees.
+constexpr double same_share = 0.15, parallel_cosine = 0.95;
+constexpr uint32_t looked_back = 8;
 
 }  // namespace
 
@@ -19,7 +24,6 @@ OrientedSamplesKernel::OrientedSamplesKernel(GrowingBuffer<OrientedSample> sampl
     }
     positions_ = GrowingBuffer<Position>(count, memory);
     sorted_ = Buffer<OrientedSample>(count, memory);
-    tree_ = PointTree(static_cast<uint32_t>(count), memory);
 }
 
 bool OrientedSamplesKernel::run(uint32_t count) {
@@ -39,15 +43,11 @@ bool OrientedSamplesKernel::run(uint32_t count) {
             if (!order_->run(count)) return false;
             break;
         case Pass::sort:
-            for (; count > 0 && at_ < samples; --count, ++at_) {
-                OrientedSample& sample = sorted_[at_];
-                sample = samples_[order_->vertex_at(at_)];
-                sample.sharpness = 1 / (sample.radius * sample.radius);
-                radii_ += sample.radius;
-            }
+            for (; count > 0 && at_ < samples; --count, ++at_) keep(samples_[order_->vertex_at(at_)]);
             if (at_ < samples) return false;
             order_.reset();
             positions_ = {};
+            tree_ = PointTree(kept_, memory_);
             break;
         case Pass::tree: {
             const auto ball = [&](uint32_t i, double* centre, double& radius) {
@@ -64,9 +64,23 @@ bool OrientedSamplesKernel::run(uint32_t count) {
     return pass_ == Pass::done;
 }
 
+// Unless it is all but another one: of those that came last, since what is near in space is near in the order.
+void OrientedSamplesKernel::keep(const OrientedSample& sample) {
+    const Vec3 place(sample.position.data()), normal(sample.normal.data());
+    for (uint32_t back = 1; back <= std::min(kept_, looked_back); ++back) {
+        const OrientedSample& other = sorted_[kept_ - back];
+        const double apart = (Vec3(other.position.data()) - place).norm();
+        const bool parallel = normal.dot(Vec3(other.normal.data())) > parallel_cosine;
+        if (parallel && apart < same_share * std::min(other.radius, sample.radius)) return;
+    }
+    OrientedSample& kept = sorted_[kept_++];
+    kept = sample;
+    kept.sharpness = 1 / (sample.radius * sample.radius);
+    radii_ += sample.radius;
+}
+
 OrientedSamples OrientedSamplesKernel::take() {
-    return OrientedSamples(std::move(sorted_), std::move(tree_), (upper_ - lower_).norm(),
-                           radii_ / static_cast<double>(samples_.size()));
+    return OrientedSamples(std::move(sorted_), std::move(tree_), (upper_ - lower_).norm(), radii_ / kept_);
 }
 
 }  // namespace flg

@@ -178,6 +178,49 @@ TEST(MeshSamples, OfUnevenTrianglesAreCovered) {
     EXPECT_LT(errors.normal, 0.05);
 }
 
+// Around a globe's poles vertices crowd: most of them are left out, and nothing is lost.
+TEST(MeshSamples, OfAGlobeDoNotCrowdAtItsPoles) {
+    const uint32_t around = 500, up = 40;
+    Soup soup;
+    for (uint32_t j = 1; j < up; ++j) {
+        for (uint32_t i = 0; i < around; ++i) {
+            const double a = 2 * std::numbers::pi * i / around, b = std::numbers::pi * j / up;
+            soup.positions.push_back(to_position({std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), -std::cos(b)}));
+        }
+    }
+    soup.positions.push_back({0, 0, -1});
+    soup.positions.push_back({0, 0, 1});
+    const uint32_t south = static_cast<uint32_t>(soup.positions.size()) - 2, north = south + 1;
+    for (uint32_t i = 0; i < around; ++i) {
+        const uint32_t next = (i + 1) % around, top = (up - 2) * around;
+        soup.triangles.push_back({south, next, i});
+        soup.triangles.push_back({north, top + i, top + next});
+        for (uint32_t j = 0; j + 2 < up; ++j) {
+            const uint32_t low = j * around, high = low + around;
+            soup.triangles.push_back({low + i, low + next, high + next});
+            soup.triangles.push_back({low + i, high + next, high + i});
+        }
+    }
+    const SampledMesh globe = sample_mesh(make_mesh(soup));
+    EXPECT_EQ(globe.deviation.uncovered, 0u);
+    EXPECT_LT(globe.surface.sample_count(), soup.positions.size());
+    for (const Vec3& pole : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+        uint32_t reaching = 0;
+        for (uint32_t i = 0; i < globe.surface.sample_count(); ++i) {
+            const OrientedSample& sample = globe.surface.sample(i);
+            reaching += (Vec3(sample.position.data()) - pole).norm() < sample.radius;
+        }
+        EXPECT_LT(reaching, 90u);
+        EXPECT_GT(reaching, 5u);
+    }
+    std::vector<Vec3> points = random_points(200, 1);
+    for (size_t i = 0; i < 100; ++i) points[i] = Vec3(0.1 * points[i].x(), 0.1 * points[i].y(), i % 2 == 0 ? 1 : -1);
+    const SurfaceErrors errors = errors_against(SphereSurface(1), globe.surface, points);
+    EXPECT_LT(errors.place, 2e-4);
+    EXPECT_LT(errors.normal, 5e-3);
+    EXPECT_LT(errors.form, 0.1);
+}
+
 TEST(MeshSamples, TurnWithTheMesh) {
     const Soup soup = closed_torus(20);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();

@@ -45,7 +45,8 @@ TEST(OrientedSamples, AreTheWeightedMeanOfTheirSamples) {
     for (const Vec3& direction : random_points(100, 1, 3)) {
         const Vec3 x = 2.1 * direction.normalized();
         double sum = 0, weights = 0;
-        for (const OrientedSample& s : list) {
+        for (uint32_t i = 0; i < surface.sample_count(); ++i) {
+            const OrientedSample& s = surface.sample(i);
             sum += literal_weight(s, x) * literal_level(s, x);
             weights += literal_weight(s, x);
         }
@@ -71,9 +72,12 @@ TEST(OrientedSamples, WithTheRightBendASphereComesOutExactly) {
 TEST(OrientedSamples, FindTheNearestSample) {
     const auto list = on_a_sphere(1000, 0.3, 0);
     const OrientedSamples surface = make_samples(list);
+    EXPECT_GT(surface.sample_count(), 900u);
     for (const Vec3& x : random_points(200, 4, 5)) {
         double nearest = 1e300;
-        for (const OrientedSample& s : list) nearest = std::min(nearest, (Vec3(s.position.data()) - x).norm());
+        for (uint32_t i = 0; i < surface.sample_count(); ++i) {
+            nearest = std::min(nearest, (Vec3(surface.sample(i).position.data()) - x).norm());
+        }
         const OrientedSample& found = surface.sample(surface.nearest_sample(x));
         EXPECT_DOUBLE_EQ((Vec3(found.position.data()) - x).norm(), nearest);
     }
