@@ -126,6 +126,15 @@ void CloudSamplesKernel::find_neighbours() {
     const Vec3 place = load_vec3(places_[at_].data());
     double squares[most_neighbours], limit = std::numeric_limits<double>::infinity();
     uint32_t found[most_neighbours], count = 0, visited = 0;
+    // Those beside it in the order are near, and the k-th neighbour is no farther than the farthest of k of them.
+    const uint32_t begin = std::min(at_ - std::min(at_, per_point_ / 2), input_.count - 1 - per_point_);
+    double farthest = 0, closest = limit;
+    for (uint32_t i = begin; i <= begin + per_point_; ++i) {
+        const double square = (load_vec3(places_[i].data()) - place).squaredNorm();
+        farthest = std::max(farthest, square);
+        if (i != at_) closest = std::min(closest, square);
+    }
+    if (closest > 0) limit = std::nextafter(farthest, limit);
     tree_.nearest(place.data(), limit, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             const double square = (load_vec3(places_[i].data()) - place).squaredNorm();

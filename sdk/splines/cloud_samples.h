@@ -25,7 +25,7 @@ class CloudSamplesKernel {
 public:
     // The arrays outlive the kernel. A Failure says so if there are fewer than 4 points. Memory: 300 bytes a point.
     CloudSamplesKernel(const CloudInput& input, Memory* memory);
-    // A unit is a point in one of about 15 passes: 5 ns to 2 us, 300 ns in the mean.
+    // A unit is a point in one of about 15 passes: 5 ns to 4 us, 400 ns in the mean.
     bool run(uint32_t count);
 
     // After run() returned true, once. Points in whose neighbourhood there is no plane have no sample; a Failure says so if fewer
