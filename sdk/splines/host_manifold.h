@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A manifold whose points the host knows, through a struct of functions.
+// Manifolds of the host's own, through structs of functions.
 #pragma once
 
 #include "filigree/filigree_spline.h"
-#include "splines/manifold.h"
+#include "splines/parametric_patch.h"
 
 namespace flg {
 
@@ -27,6 +27,30 @@ public:
 
 private:
     FlgManifoldFunctions functions_;
+};
+
+class HostPatch final : public ParametricPatch {
+public:
+    HostPatch(const FlgPatchFunctions& functions, Memory* memory)
+        : ParametricPatch({.low = {functions.low[0], functions.low[1]},
+                           .high = {functions.high[0], functions.high[1]},
+                           .periodic = {functions.periodic[0] != 0, functions.periodic[1] != 0},
+                           .margin = functions.margin},
+                          functions.size, memory),
+          functions_(functions) {
+        prepare();
+    }
+
+    PatchPoint evaluate(double u, double v) const override {
+        double out[18];
+        functions_.evaluate(functions_.user_data, u, v, out);
+        return {load(out), load(out + 3), load(out + 6), load(out + 9), load(out + 12), load(out + 15)};
+    }
+
+private:
+    static Vec3 load(const double* p) { return {p[0], p[1], p[2]}; }
+
+    FlgPatchFunctions functions_;
 };
 
 }  // namespace flg

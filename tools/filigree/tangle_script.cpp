@@ -7,6 +7,7 @@
 
 #include "failure.h"
 #include "mesh_places.h"
+#include "surface_spline.h"
 #include "tangle_borders.h"
 #include "tangle_shapes.h"
 
@@ -90,9 +91,9 @@ float TangleScript::length(const JsonPlace& place) const {
 }
 
 void TangleScript::run_operation(const JsonPlace& operation) {
-    operation.allow({"op",    "name",     "on",     "from", "to",           "delta",     "count", "groups",
-                     "cycle", "scaffold", "closed", "each", "perturbation", "frequency", "seed",  "amount",
-                     "bias",  "gain",     "reach",  "size", "spacing",      "svg",       "turn",  "style"});
+    operation.allow({"op",       "name",   "on",      "from",         "to",        "delta", "count",  "groups", "cycle",
+                     "scaffold", "closed", "each",    "perturbation", "frequency", "seed",  "amount", "bias",   "gain",
+                     "reach",    "size",   "spacing", "svg",          "turn",      "style", "smooth"});
     const size_t op = operation.at("op").word({"contour", "stream", "voronoi", "polyline", "displace", "group", "join",
                                                "sunburst", "polka_dots", "frames", "flower", "grid", "outline", "lace",
                                                "cells", "shapes", "stylize"});
@@ -101,7 +102,10 @@ void TangleScript::run_operation(const JsonPlace& operation) {
     if (result.applied.empty()) operation.at("on").fail("selects no region");
     const uint32_t before = info().region_count;
     const bool each = operation.find("each") && operation.at("each").flag();
+    const bool smooth = operation.find("smooth") && operation.at("smooth").flag();
+    if (smooth && op != FLG_TANGLE_POLYLINE) operation.at("smooth").fail("is for polylines");
     const auto divide_all = [&](const std::vector<uint32_t>& regions) {
+        if (smooth) return cut_spline(operation, regions);
         if (op <= FLG_TANGLE_POLYLINE) return divide(operation, static_cast<FlgTangleOperator>(op), regions);
         apply_macro(operation, static_cast<FlgTangleMacro>(op - kFirstMacro), regions);
     };
@@ -207,6 +211,22 @@ void TangleScript::cut_lines(const JsonPlace& operation, const std::vector<uint3
     FlgJob job = {};
     check(flgTangleDivide(session_.context(), &desc, &job), operation.path());
     finish(job, operation);
+}
+
+// A polyline's points joined by a spline on the surface.
+void TangleScript::cut_spline(const JsonPlace& operation, const std::vector<uint32_t>& regions) {
+    SeedArrays arrays;
+    read_seeds(operation.at("from"), arrays);
+    if (arrays.points.empty()) operation.at("from").fail("has no points, which a smooth polyline goes through");
+    const bool closed = operation.find("closed") && operation.at("closed").flag();
+    if (spline_manifold_.id == 0)
+        spline_manifold_ = create_manifold(session_, surface_.handle(), operation.path(), report_);
+    const FlgCurveSet line =
+        spline_through(session_, spline_manifold_, surface_.view(), arrays.points, closed, operation.path(), report_);
+    const FlgSurfaceCurves laid = lay_lines(session_, surface_.handle(), line, operation.path(), report_);
+    cut_lines(operation, regions, laid);
+    flgCurveSetRelease(session_.context(), line);
+    flgSurfaceCurvesRelease(session_.context(), laid);
 }
 
 // Cut into the regions, then into those around them; what these lose is joined to the regions, whose identifiers are lower.

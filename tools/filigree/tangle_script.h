@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "filigree/filigree_spline.h"
 #include "filigree/filigree_tangle.h"
 #include "json_place.h"
 #include "mesh_surface.h"
@@ -42,6 +43,7 @@ private:
     void displace(const JsonPlace& operation, const std::vector<uint32_t>& regions);
     void stylize_borders(const JsonPlace& operation, const std::vector<uint32_t>& regions);
     void cut_shapes(const JsonPlace& operation, const std::vector<uint32_t>& regions);
+    void cut_spline(const JsonPlace& operation, const std::vector<uint32_t>& regions);
     void cut_lines(const JsonPlace& operation, const std::vector<uint32_t>& regions, FlgSurfaceCurves lines);
     void read_groups(const JsonPlace& operation, FlgTangleDivideDesc& desc) const;
     std::vector<uint32_t> leaves_of(const std::vector<uint32_t>& regions) const;
@@ -71,7 +73,8 @@ private:
     double unit_ = 1;  // metres a length of the script
     std::map<std::string, Result> results_;
     TangleMaterials materials_;
-    std::filesystem::path folder_;  // of the script, which files are named from
+    FlgManifold spline_manifold_ = {};  // of the surface, once it was needed; lives as long as the context
+    std::filesystem::path folder_;      // of the script, which files are named from
 };
 
 }  // namespace flg::cli

@@ -25,8 +25,10 @@
 
 #include "filigree.h"
 #include "filigree_live.h"
+#include "filigree_motion.h"
 #include "filigree_project.h"
 #include "filigree_skeleton.h"
+#include "filigree_spline.h"
 #include "filigree_surface.h"
 #include "filigree_tangle.h"
 
@@ -192,6 +194,60 @@ public:
     FlgSurfaceCurvesView view() const {
         FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
         check(flgSurfaceCurvesGetView(context_, handle_, &view));
+        return view;
+    }
+};
+
+// See filigree_spline.h.
+class Manifold : public detail::Owner<FlgManifold, flgManifoldRelease> {
+public:
+    using Owner::Owner;
+    bool ready() const {
+        FlgManifoldView view = flgManifoldViewDefaults();
+        return check(flgManifoldGetView(context_, handle_, &view));
+    }
+    // Empty until ready.
+    FlgManifoldView view() const {
+        FlgManifoldView view = flgManifoldViewDefaults();
+        check(flgManifoldGetView(context_, handle_, &view));
+        return view;
+    }
+};
+
+class Obstacles : public detail::Owner<FlgObstacles, flgObstaclesRelease> {
+public:
+    using Owner::Owner;
+};
+
+class Spline : public detail::Owner<FlgSpline, flgSplineRelease> {
+public:
+    using Owner::Owner;
+    // Or a round of it can be seen.
+    bool ready() const {
+        FlgSplineView view = flgSplineViewDefaults();
+        return check(flgSplineGetView(context_, handle_, &view));
+    }
+    // Empty until ready.
+    FlgSplineView view() const {
+        FlgSplineView view = flgSplineViewDefaults();
+        check(flgSplineGetView(context_, handle_, &view));
+        return view;
+    }
+};
+
+// See filigree_motion.h.
+class Motion : public detail::Owner<FlgMotion, flgMotionRelease> {
+public:
+    using Owner::Owner;
+    // Or a round of it can be seen.
+    bool ready() const {
+        FlgMotionView view = flgMotionViewDefaults();
+        return check(flgMotionGetView(context_, handle_, &view));
+    }
+    // Empty until ready.
+    FlgMotionView view() const {
+        FlgMotionView view = flgMotionViewDefaults();
+        check(flgMotionGetView(context_, handle_, &view));
         return view;
     }
 };
@@ -426,6 +482,32 @@ public:
     }
     StraightSkeleton straight_skeleton(const FlgStraightSkeletonDesc& desc, Job* out_job = nullptr) {
         return start<StraightSkeleton, FlgStraightSkeleton>(flgStraightSkeletonCreate, desc, out_job);
+    }
+    Manifold manifold(const FlgShapeDesc& desc) {
+        FlgManifold manifold{};
+        check(flgManifoldCreateShape(context_, &desc, &manifold));
+        return {context_, manifold};
+    }
+    Manifold manifold(const FlgMeshManifoldDesc& desc, Job* out_job = nullptr) {
+        return start<Manifold, FlgManifold>(flgManifoldCreateFromSurface, desc, out_job);
+    }
+    Manifold manifold(const FlgCloudManifoldDesc& desc, Job* out_job = nullptr) {
+        return start<Manifold, FlgManifold>(flgManifoldCreateFromPoints, desc, out_job);
+    }
+    Manifold manifold(const FlgGridManifoldDesc& desc, Job* out_job = nullptr) {
+        return start<Manifold, FlgManifold>(flgManifoldCreateFromGrid, desc, out_job);
+    }
+    Obstacles obstacles(const FlgObstaclesDesc& desc, Job* out_job = nullptr) {
+        return start<Obstacles, FlgObstacles>(flgObstaclesCreate, desc, out_job);
+    }
+    Spline spline(const FlgSplineDesc& desc, Job* out_job = nullptr) {
+        return start<Spline, FlgSpline>(flgSplineCreate, desc, out_job);
+    }
+    CurveSet curves(const FlgSplineCurvesDesc& desc, Job* out_job = nullptr) {
+        return start<CurveSet, FlgCurveSet>(flgSplineCurves, desc, out_job);
+    }
+    Motion motion(const FlgMotionDesc& desc, Job* out_job = nullptr) {
+        return start<Motion, FlgMotion>(flgMotionCreate, desc, out_job);
     }
     Tangle tangle(const Surface& surface) {
         FlgTangle tangle{};

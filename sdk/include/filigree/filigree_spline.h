@@ -128,6 +128,27 @@ FLG_API FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint
 FLG_API FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* functions, const double* point_near,
                                         FlgManifold* out_manifold);
 
+/* A surface in R^3 that the host knows by two parameters. */
+typedef struct FlgPatchFunctions {
+    uint32_t struct_size;
+    uint32_t periodic[2]; /* nonzero: the parameter u, v has the period high - low. Default 0: the domain ends there */
+    uint32_t reserved;
+    double low[2], high[2]; /* the domain. Default 0 to 1 */
+    double margin;          /* of a domain that ends, in shares of it: so far beyond its ends points are still taken, twice as far
+                             * the function is asked. 0 to 1. Default 0.05 */
+    double size;            /* metres: about how large it is. Default 1 */
+    void* user_data;        /* passed to the function; lives until the manifold and all splines on it are released */
+    /* Writes 18 numbers: the point and its derivatives u, v, uu, uv, vv; u and v are nowhere parallel, their cross product points
+     * outwards. From worker threads, several at a time; must not throw or call the SDK, 100 ns at most. */
+    void (*evaluate)(void* user_data, double u, double v, double* out);
+} FlgPatchFunctions;
+
+FLG_API FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint32_t struct_size);
+
+/* Makes a manifold of a copy of these at once; asks for 1089 points of it. Refuses what is not finite there, and derivatives that
+ * are parallel. Fixed points such as poles are to be left out of the domain. */
+FLG_API FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* functions, FlgManifold* out_manifold);
+
 typedef struct FlgManifoldView {
     uint32_t struct_size;
     uint32_t ambient;         /* n, that points are given and shown in */
@@ -339,6 +360,80 @@ FLG_API FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t st
 FLG_API FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
 FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
+
+/* ---- Defaults by value ------------------------------------------------------------------------------------------- */
+
+static inline FlgShapeDesc flgShapeDefaults(void) {
+    FlgShapeDesc desc;
+    flgShapeDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgMeshManifoldDesc flgMeshManifoldDefaults(void) {
+    FlgMeshManifoldDesc desc;
+    flgMeshManifoldDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCloudManifoldDesc flgCloudManifoldDefaults(void) {
+    FlgCloudManifoldDesc desc;
+    flgCloudManifoldDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgGridManifoldDesc flgGridManifoldDefaults(void) {
+    FlgGridManifoldDesc desc;
+    flgGridManifoldDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgManifoldFunctions flgManifoldFunctionsDefaults(void) {
+    FlgManifoldFunctions functions;
+    flgManifoldFunctionsInit(&functions, (uint32_t)sizeof functions);
+    return functions;
+}
+
+static inline FlgPatchFunctions flgPatchFunctionsDefaults(void) {
+    FlgPatchFunctions functions;
+    flgPatchFunctionsInit(&functions, (uint32_t)sizeof functions);
+    return functions;
+}
+
+static inline FlgManifoldView flgManifoldViewDefaults(void) {
+    FlgManifoldView view;
+    flgManifoldViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgObstaclesDesc flgObstaclesDefaults(void) {
+    FlgObstaclesDesc desc;
+    flgObstaclesDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSplineDesc flgSplineDefaults(void) {
+    FlgSplineDesc desc;
+    flgSplineDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSplineView flgSplineViewDefaults(void) {
+    FlgSplineView view;
+    flgSplineViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
+
+static inline FlgSplineCurvesDesc flgSplineCurvesDefaults(void) {
+    FlgSplineCurvesDesc desc;
+    flgSplineCurvesDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgObstacle flgObstacleDefaults(void) {
+    FlgObstacle obstacle;
+    flgObstacleInit(&obstacle);
+    return obstacle;
+}
 
 #ifdef __cplusplus
 }

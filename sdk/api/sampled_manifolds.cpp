@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Manifolds of meshes, clouds of points and grids, which jobs make.
+#include "api/manifolds.h"
+
+#include <cmath>
+
+#include "api/descriptors.h"
+#include "api/error.h"
+#include "api/surface_inputs.h"
+#include "splines/manifold_jobs.h"
+
+namespace flg {
+
+namespace {
+
+FlgMeshManifoldDesc default_mesh_desc() {
+    FlgMeshManifoldDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    return desc;
+}
+
+FlgCloudManifoldDesc default_cloud_desc() {
+    FlgCloudManifoldDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.neighbours = 16;
+    return desc;
+}
+
+FlgGridManifoldDesc default_grid_desc() {
+    FlgGridManifoldDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.job = default_job_options();
+    desc.spacing = 1;
+    return desc;
+}
+
+Buffer<Position> read_positions(const float* from, uint32_t count, const char* argument, Memory* memory) {
+    Buffer<Position> out(count, memory);
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t c = 0; c < 3; ++c) {
+            const float value = from[size_t{3} * i + c];
+            if (is_coordinate(value)) continue;
+            char name[48];
+            std::snprintf(name, sizeof name, "%s[%u]", argument, 3 * i + c);
+            check_range(false, name, value, "finite and at most 1e30 in size");
+        }
+        out[i] = {from[size_t{3} * i], from[size_t{3} * i + 1], from[size_t{3} * i + 2]};
+    }
+    return out;
+}
+
+GridInput read_grid(const FlgGridManifoldDesc& desc) {
+    GridInput input;
+    uint64_t all = 1;
+    for (uint32_t c = 0; c < 3; ++c) {
+        check_range(desc.counts[c] >= 2 && desc.counts[c] <= 65536, "desc.counts", desc.counts[c], "2 to 65536 each");
+        check_range(std::abs(desc.origin[c]) <= 1e30, "desc.origin", desc.origin[c], "finite and at most 1e30 in size");
+        input.counts[c] = desc.counts[c];
+        input.origin[c] = desc.origin[c];
+        all = std::min(all * desc.counts[c], uint64_t{1} << 40);
+    }
+    check_range(all <= uint64_t{1} << 31, "the product of desc.counts", static_cast<double>(all), "at most 2^31");
+    check_length(desc.spacing, "desc.spacing");
+    input.spacing = desc.spacing;
+    return input;
+}
+
+}  // namespace
+
+}  // namespace flg
+
+using namespace flg;
+
+extern "C" {
+
+FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_mesh_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc, FlgManifold* out_manifold,
+                                       FlgJob* out_job) {
+    return guarded([&] {
+        require(out_manifold, "out_manifold") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgMeshManifoldDesc read = read_struct(desc, default_mesh_desc(), "desc");
+        Submission submission(self, read.job);
+        const auto held = make_object<HeldManifold>(self);
+        held->kind = ManifoldKind::hypersurface;
+        held->surface = self.surfaces.get(read.surface.id, "desc.surface");
+        submission.read_surface(held->surface, "desc.surface");
+        submission.job().strand.start(make_mesh_manifold(submission.pace(), held));
+        *out_manifold = {submission.commit(self.manifolds, held, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_cloud_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifoldDesc* desc, FlgManifold* out_manifold,
+                                      FlgJob* out_job) {
+    return guarded([&] {
+        require(out_manifold, "out_manifold") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgCloudManifoldDesc read = read_struct(desc, default_cloud_desc(), "desc");
+        check_range(read.point_count >= 4 && read.point_count <= 1u << 24, "desc.point_count", read.point_count,
+                    "4 to 2^24");
+        check_range(read.neighbours >= 6 && read.neighbours <= 32, "desc.neighbours", read.neighbours, "6 to 32");
+        require(read.points, "desc.points");
+        Submission submission(self, read.job);
+        Buffer<Position> points = read_positions(read.points, read.point_count, "desc.points", &self.memory), normals;
+        if (read.normals) normals = read_positions(read.normals, read.point_count, "desc.normals", &self.memory);
+        const auto held = make_object<HeldManifold>(self);
+        held->kind = ManifoldKind::hypersurface;
+        submission.job().strand.start(
+            make_cloud_manifold(submission.pace(), std::move(points), std::move(normals), read.neighbours, held));
+        *out_manifold = {submission.commit(self.manifolds, held, out_job)};
+        return FLG_OK;
+    });
+}
+
+FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint32_t struct_size) {
+    return guarded([&] {
+        init_struct(desc, struct_size, default_grid_desc(), "desc");
+        return FLG_OK;
+    });
+}
+
+FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc, FlgManifold* out_manifold,
+                                    FlgJob* out_job) {
+    return guarded([&] {
+        require(out_manifold, "out_manifold") = {};
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        const FlgGridManifoldDesc read = read_struct(desc, default_grid_desc(), "desc");
+        const GridInput input = read_grid(read);
+        require(read.values, "desc.values");
+        Submission submission(self, read.job);
+        Buffer<float> values(size_t{input.counts[0]} * input.counts[1] * input.counts[2], &self.memory);
+        for (size_t i = 0; i < values.size(); ++i) {
+            check_range(is_coordinate(read.values[i]), "a value in desc.values", read.values[i],
+                        "finite and at most 1e30 in size");
+            values[i] = read.values[i];
+        }
+        const auto held = make_object<HeldManifold>(self);
+        held->kind = ManifoldKind::hypersurface;
+        submission.job().strand.start(make_grid_manifold(submission.pace(), std::move(values), input, held));
+        *out_manifold = {submission.commit(self.manifolds, held, out_job)};
+        return FLG_OK;
+    });
+}
+
+}  // extern "C"
