@@ -43,6 +43,8 @@ public:
     // through a solid's core.
     double step_limit() const { return obstacles_.step_limit(); }
     // Steps may be longer where this says yes for each piece of the curve (ObstacleSet::keeps_sides): points of the surface.
+    // Pieces should be no longer than step_limit(): longer ones straddle an obstacle without touching it, and a curve that is
+    // pulled over it can then only stop.
     bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const {
         return obstacles_.keeps_sides(a, b, c, e);
     }
