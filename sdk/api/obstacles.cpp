@@ -64,6 +64,7 @@ std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacl
         case FLG_OBSTACLE_FUNCTION: return make_function(context, in, dimension);
         default: break;
     }
+    if (in.kind == FLG_OBSTACLE_MESH || in.kind == FLG_OBSTACLE_LAYER) return nullptr;
     if (dimension != 2)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is FLG_OBSTACLE_POLYGON, which is for the plane, dimension 2");
     require(in.points, "points");

@@ -46,6 +46,10 @@ public:
     virtual void second_form(const double* x, double* memory, const double* basis, const double* force,
                              double* form) const;
 
+    // Whether a curve's straight piece from a to b may become that from c to e in one step: a manifold around obstacles says no
+    // where the step would pass one on another side. All four are on it.
+    virtual bool keeps_sides(const double*, const double*, const double*, const double*) const { return true; }
+
 protected:
     Manifold(uint32_t ambient, uint32_t dimension, uint32_t memory_size, double size)
         : ambient_(ambient), dimension_(dimension), memory_size_(memory_size), size_(size) {}

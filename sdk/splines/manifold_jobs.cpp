@@ -10,8 +10,8 @@ namespace flg {
 namespace {
 
 // About 10 us each.
-constexpr uint32_t sample_chunk = 100;
-constexpr uint32_t cloud_chunk = 30;
+constexpr uint32_t sample_chunk = 50;
+constexpr uint32_t cloud_chunk = 4;
 constexpr uint32_t grid_chunk = 150;
 
 template <class T>

@@ -116,8 +116,9 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     FirstCurve first(pace.memory());
     co_await find_beginning(pace, request, given, first);
     const uint32_t segments = given.segments(d);
-    const uint32_t nodes =
-        request.node_count > 0 ? request.node_count : std::min(32 * segments + 1, FLG_SPLINE_MAX_NODES);
+    const uint32_t nodes = request.node_count > 0
+                               ? request.node_count
+                               : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     co_await place_nodes(pace, *problem.manifold, first, given, nodes, 2, problem);
 
     Buffer<double> flat = std::move(problem.points);

@@ -242,8 +242,9 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     pace.stage("begin");
     const uint32_t segments = static_cast<uint32_t>(given.size() / n) - (problem.closed ? 0 : 1);
     const uint32_t least = 2 * segments + (problem.closed ? 0 : 1);
-    const uint32_t wanted =
-        request.node_count > 0 ? request.node_count : std::min(32 * segments + 1, FLG_SPLINE_MAX_NODES);
+    const uint32_t wanted = request.node_count > 0
+                                ? request.node_count
+                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     const uint32_t nodes = std::max(wanted, least);
     co_await begin_chain(pace, request, nodes, problem, given);
     pace.stage("minimize");

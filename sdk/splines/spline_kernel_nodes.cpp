@@ -269,12 +269,17 @@ void SplineKernel::move(uint32_t node) {
     double* const to = at(trial_, node);
     std::copy_n(from, n_, to);
     std::copy_n(memory_of(now_, node), memory_size_, memory_of(trial_, node));
-    if (!is_free(node)) return;
-    for (uint32_t a = 0; a < k_; ++a) {
+    for (uint32_t a = 0; a < k_ && is_free(node); ++a) {
         const double by = step_ * shift_[size_t{node} * k_ + a];
         for (uint32_t c = 0; c < n_; ++c) to[c] += by * basis_of(node)[a * n_ + c];
     }
-    if (!problem_.manifold->project(to, memory_of(trial_, node))) projects_ = false;
+    if (is_free(node) && !problem_.manifold->project(to, memory_of(trial_, node))) projects_ = false;
+    const auto keeps = [&](uint32_t first) {
+        const uint32_t second = next(first);
+        return problem_.manifold->keeps_sides(at(now_, first), at(now_, second), at(trial_, first), at(trial_, second));
+    };
+    if (projects_ && node > 0 && !keeps(node - 1)) projects_ = false;
+    if (projects_ && node + 1 == nodes_ && problem_.closed && !keeps(node)) projects_ = false;
 }
 
 }  // namespace flg

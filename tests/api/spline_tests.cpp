@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+// Splines behind the C ABI: what they give on every kind of manifold.
+#include "api/spline_inputs.h"
+
+namespace flg::test {
+namespace {
+
+double largest_distance(const MadeSpline& a, const MadeSpline& b) {
+    EXPECT_EQ(a.view.node_count, b.view.node_count);
+    double largest = 0;
+    for (uint32_t i = 0; i < a.view.node_count; ++i) largest = std::max(largest, distance(a.node(i), b.node(i)));
+    return largest;
+}
+
+// The torus of radii 2 and 0.8 as the host knows it by its angles.
+void torus_patch(void*, double u, double v, double* out) {
+    const double cu = std::cos(u), su = std::sin(u), cv = std::cos(v), sv = std::sin(v), r = 2 + 0.8 * cv;
+    const double numbers[18] = {r * cu,         r * su,         0.8 * sv, -r * su,        r * cu,         0,
+                                -0.8 * sv * cu, -0.8 * sv * su, 0.8 * cv, -r * cu,        -r * su,        0,
+                                0.8 * sv * su,  -0.8 * sv * cu, 0,        -0.8 * cv * cu, -0.8 * cv * su, -0.8 * sv};
+    std::copy_n(numbers, 18, out);
+}
+
+// The same as functions of a manifold, without a second form.
+int32_t project_torus(void*, double* x, double*) {
+    const double q = std::hypot(x[0], x[1]), d = std::hypot(q - 2, x[2]);
+    if (q == 0 || d == 0) return 0;
+    const double r = 2 + 0.8 * (q - 2) / d;
+    x[2] *= 0.8 / d;
+    x[0] *= r / q;
+    x[1] *= r / q;
+    return 1;
+}
+void torus_basis(void*, const double* x, double*, double* basis) {
+    const double q = std::hypot(x[0], x[1]);
+    const double c = (q - 2) / 0.8, s = x[2] / 0.8;
+    const double rows[6] = {-x[1] / q, x[0] / q, 0, -s * x[0] / q, -s * x[1] / q, c};
+    std::copy_n(rows, 6, basis);
+}
+
+TEST(SplineApi, OneTorusAsFormulaPatchFunctionsAndMesh) {
+    const Host host(2);
+    FlgPatchFunctions patch = flgPatchFunctionsDefaults();
+    patch.periodic[0] = patch.periodic[1] = 1;
+    patch.high[0] = patch.high[1] = 2 * M_PI;
+    patch.size = 5.6;
+    patch.evaluate = torus_patch;
+    FlgManifold by_patch{}, by_functions{};
+    ASSERT_EQ(flgManifoldCreatePatch(host.context, &patch, &by_patch), FLG_OK) << flgLastError();
+    FlgManifoldFunctions functions = flgManifoldFunctionsDefaults();
+    functions.project = project_torus;
+    functions.tangent_basis = torus_basis;
+    functions.size = 5.6;
+    const double near[3] = {3, 0, 0};
+    ASSERT_EQ(flgManifoldCreateHost(host.context, &functions, near, &by_functions), FLG_OK) << flgLastError();
+    const FlgManifold by_formula = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const FlgManifold by_mesh = mesh_manifold(host, torus_mesh(160, 64, 2, 0.8));
+
+    const std::vector<double> points = torus_points(8, 2, 0.8);
+    std::vector<MadeSpline> made;
+    for (const FlgManifold manifold : {by_formula, by_patch, by_functions, by_mesh}) {
+        FlgSplineDesc desc = spline_desc(manifold, points);
+        desc.closed = 1;
+        desc.tolerance = 1e-8;
+        made.push_back(make_spline(host, desc));
+        ASSERT_EQ(made.back().result, FLG_OK) << made.back().error;
+        EXPECT_EQ(made.back().view.ending, FLG_SPLINE_CONVERGED);
+        EXPECT_EQ(made.back().view.node_count, 256u);
+        EXPECT_LE(made.back().view.residual, 1e-8);
+    }
+    EXPECT_LT(largest_distance(made[0], made[1]), 1e-8);
+    EXPECT_LT(largest_distance(made[0], made[2]), 1e-6);
+    // The mesh's smooth surface is off by the fourth power of its edges.
+    EXPECT_LT(largest_distance(made[0], made[3]), 1e-3);
+    EXPECT_NEAR(made[3].view.bending, made[0].view.bending, 1e-3 * made[0].view.bending);
+    ASSERT_NE(made[3].view.normals, nullptr);
+    for (uint32_t i = 0; i < 256; i += 16) {
+        const Point p = made[3].node(i);
+        const double q = std::hypot(p[0], p[1]);
+        const double outwards[3] = {p[0] / q * (q - 2) / 0.8, p[1] / q * (q - 2) / 0.8, p[2] / 0.8};
+        double cosine = 0;
+        for (int c = 0; c < 3; ++c) cosine += outwards[c] * double{made[3].view.normals[3 * i + c]};
+        EXPECT_GT(cosine, 0.999);
+    }
+}
+
+TEST(SplineApi, PointsOffTheSurfaceAreProjectedAndToldHowFar) {
+    const Host host;
+    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 2);
+    const std::vector<double> points = {3, 0, 0, 0, 1.5, 0, 0, 0, 2};
+    const MadeSpline made = make_spline(host, spline_desc(sphere, points));
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    const double expected[3] = {1, 0.5, 0};
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(made.view.offsets[i], expected[i], 1e-12);
+    EXPECT_NEAR(made.view.largest_offset, 1, 1e-12);
+    EXPECT_NEAR(made.node(made.view.point_nodes[1])[1], 2, 1e-12);
+    for (uint32_t i = 0; i < made.view.node_count; ++i) EXPECT_NEAR(distance(made.node(i), {0, 0, 0}), 2, 1e-12);
+}
+
+TEST(SplineApi, TwoPointsGiveAGeodesicAndAntipodesAHalfCircle) {
+    const Host host;
+    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
+    for (const FlgSplineEnergy energy : {FLG_SPLINE_E1, FLG_SPLINE_E2}) {
+        const std::vector<double> two = {1, 0, 0, 0, 1, 0}, antipodes = {1, 0, 0, -1, 0, 0};
+        FlgSplineDesc desc = spline_desc(sphere, two);
+        desc.energy = energy;
+        const MadeSpline quarter = make_spline(host, desc);
+        ASSERT_EQ(quarter.result, FLG_OK) << quarter.error;
+        EXPECT_NEAR(quarter.view.length, M_PI / 2, 1e-3);
+        for (uint32_t i = 0; i < quarter.view.node_count; ++i) EXPECT_NEAR(quarter.node(i)[2], 0, 1e-9);
+        desc = spline_desc(sphere, antipodes);
+        desc.energy = energy;
+        const MadeSpline half = make_spline(host, desc), again = make_spline(host, desc);
+        ASSERT_EQ(half.result, FLG_OK) << half.error;
+        EXPECT_NEAR(half.view.length, M_PI, 0.01);
+        EXPECT_EQ(largest_distance(half, again), 0);
+    }
+}
+
+TEST(SplineApi, TheSameBitsUnderAnyWorkersAndBudgets) {
+    std::vector<std::string> all;
+    for (const uint32_t workers : {0u, 1u, 3u}) {
+        for (const uint32_t budget : {0u, 50u}) {
+            const Host host(workers);
+            const std::vector<double> points = torus_points(7, 2, 0.8);
+            const FlgManifold mesh = mesh_manifold(host, torus_mesh(60, 24, 2, 0.8));
+            const MadeSpline made = make_spline(host, spline_desc(mesh, points), budget);
+            ASSERT_EQ(made.result, FLG_OK) << made.error;
+            all.emplace_back(reinterpret_cast<const char*>(made.view.nodes), sizeof(double) * 3 * made.view.node_count);
+        }
+    }
+    for (const std::string& bits : all) EXPECT_EQ(bits, all[0]);
+}
+
+TEST(SplineApi, RoundsCanBeWatched) {
+    const Host host;
+    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const std::vector<double> points = torus_points(9, 2, 0.8);
+    FlgSplineDesc desc = spline_desc(torus, points);
+    desc.job.partial_results = 1;
+    desc.node_count = 2000;
+    FlgSpline spline{};
+    FlgJob job{};
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, &job), FLG_OK) << flgLastError();
+    uint32_t seen = 0, last_rounds = 0;
+    FlgSplineView view = flgSplineViewDefaults();
+    for (int tick = 0; tick < 100000; ++tick) {
+        ASSERT_EQ(flgTick(host.context, 20, nullptr), FLG_OK);
+        const FlgResult result = flgSplineGetView(host.context, spline, &view);
+        if (result != FLG_OK) continue;
+        if (view.ending != FLG_SPLINE_RUNNING) break;
+        if (view.rounds != last_rounds) ++seen;
+        last_rounds = view.rounds;
+        EXPECT_EQ(view.normals, nullptr);
+        for (uint32_t i = 0; i < view.node_count; i += 100) {
+            const double* const p = view.nodes + 3 * i;
+            EXPECT_NEAR(std::hypot(std::hypot(p[0], p[1]) - 2, p[2]), 0.8, 1e-9);
+        }
+    }
+    EXPECT_GE(seen, 2u);
+    EXPECT_EQ(view.ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(view.node_count, 2000u);
+}
+
+TEST(SplineApi, DraggingAPointGoesOnFromTheLastCurve) {
+    const Host host;
+    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    std::vector<double> points = torus_points(10, 2, 0.8);
+    FlgSplineDesc desc = spline_desc(torus, points);
+    const MadeSpline first = make_spline(host, desc);
+    for (int c = 0; c < 3; ++c) points[9 + c] += 0.03;
+    const MadeSpline cold = make_spline(host, desc);
+    desc.warm_start = first.spline;
+    const MadeSpline warm = make_spline(host, desc);
+    ASSERT_EQ(warm.result, FLG_OK) << warm.error;
+    EXPECT_LE(warm.view.rounds, 4u);
+    // Nodes are shared among the segments as they were before.
+    EXPECT_NEAR(warm.view.length, cold.view.length, 1e-3 * cold.view.length);
+    EXPECT_NEAR(warm.view.bending, cold.view.bending, 0.05 * cold.view.bending);
+    EXPECT_EQ(warm.view.point_nodes[3], first.view.point_nodes[3]);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(warm.node(warm.view.point_nodes[3])[c], cold.node(cold.view.point_nodes[3])[c]);
+    // One that does not fit is not used.
+    points.resize(27);
+    FlgSplineDesc fewer = spline_desc(torus, points);
+    const MadeSpline alone = make_spline(host, fewer);
+    fewer.warm_start = first.spline;
+    EXPECT_EQ(largest_distance(make_spline(host, fewer), alone), 0);
+}
+
+TEST(SplineApi, ACurveIsMadeFairAndSubdivided) {
+    const Host host;
+    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
+    std::vector<double> curve, held;
+    const std::vector<uint32_t> knots = {0, 20, 40};
+    for (int i = 0; i <= 40; ++i) {
+        const double a = 0.05 * i, z = 0.3 * std::sin(a) + 0.02 * std::sin(40.0 * i * i);
+        curve.insert(curve.end(), {std::cos(a), std::sin(a), z});
+        if (i % 20 == 0) held.insert(held.end(), curve.end() - 3, curve.end());
+    }
+    FlgSplineDesc desc = spline_desc(sphere, held);
+    desc.curve = curve.data();
+    desc.curve_count = 41;
+    desc.curve_knots = knots.data();
+    desc.max_rounds = 1;
+    const MadeSpline fair = make_spline(host, desc);
+    ASSERT_EQ(fair.result, FLG_OK) << fair.error;
+    EXPECT_EQ(fair.view.node_count, 41u);
+    EXPECT_EQ(fair.view.ending, FLG_SPLINE_ROUNDS);
+    desc.max_rounds = 200;
+    desc.subdivisions = 2;
+    const MadeSpline fine = make_spline(host, desc);
+    ASSERT_EQ(fine.result, FLG_OK) << fine.error;
+    EXPECT_EQ(fine.view.node_count, 161u);
+    EXPECT_EQ(fine.view.point_nodes[1], 80u);
+    EXPECT_EQ(fine.view.ending, FLG_SPLINE_CONVERGED);
+}
+
+TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
+    const Host host;
+    const FlgManifold mesh = mesh_manifold(host, torus_mesh(80, 32, 2, 0.8));
+    const std::vector<double> points = torus_points(8, 2, 0.8);
+    const MadeSpline made = make_spline(host, spline_desc(mesh, points));
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    FlgSplineCurvesDesc copy = flgSplineCurvesDefaults();
+    copy.spline = made.spline;
+    copy.height = 0.01f;
+    FlgCurveSet set{};
+    ASSERT_EQ(flgSplineCurves(host.context, &copy, &set, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    const FlgCurveSetView view = host.view_of(set);
+    const FlgColumn* const normals = find_column(view, FLG_ATTRIBUTE_NORMAL);
+    ASSERT_NE(normals, nullptr);
+    ASSERT_NE(find_column(view, FLG_ATTRIBUTE_TIME), nullptr);
+    EXPECT_EQ(view.curve_offsets[1], made.view.node_count);
+
+    FlgStyleDesc style_desc = flgStyleDefaults();
+    style_desc.style = host.create(coil());
+    FlgStyle style{};
+    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgLastError();
+    FlgStylizeDesc stylize = flgStylizeDefaults();
+    stylize.style = style;
+    stylize.target = set;
+    stylize.frame = FLG_FRAME_SUPPLIED;
+    stylize.scale = 0.2f;
+    FlgCurveSet stylized{};
+    FlgJob job{};
+    ASSERT_EQ(flgStylize(host.context, &stylize, &stylized, &job), FLG_OK) << flgLastError();
+    host.finish();
+    EXPECT_EQ(host.result_of(job), FLG_OK);
+    EXPECT_GT(host.view_of(stylized).curve_offsets[1], 100u);
+}
+
+TEST(SplineApi, FeaturesAreAvoidedByTheImageManifold) {
+    const Host host;
+    // A roof with a rounded ridge along y.
+    const FlgManifold roof =
+        mesh_manifold(host, grid(60, 60, [](double x, double y) {
+                          return Point{4 * (x - 0.5), 4 * y, -std::sqrt(0.01 + 16 * (x - 0.5) * (x - 0.5))};
+                      }));
+    host.finish();
+    FlgManifold image{};
+    ASSERT_EQ(flgManifoldCreateImage(host.context, roof, 3.0, &image), FLG_OK) << flgLastError();
+    // On one slope, near the ridge, which the curve that bends least swings across.
+    const std::vector<double> points = {-1.5, 1.7, -1.5, -0.15, 1.8, -0.18, -0.15, 2.2, -0.18, -1.5, 2.3, -1.5};
+    const MadeSpline a = make_spline(host, spline_desc(roof, points)),
+                     b = make_spline(host, spline_desc(image, points));
+    ASSERT_EQ(a.result, FLG_OK) << a.error;
+    ASSERT_EQ(b.result, FLG_OK) << b.error;
+    EXPECT_EQ(b.view.ambient, 3u);
+    const auto farthest = [](const MadeSpline& made) {
+        double x = -1;
+        for (uint32_t i = 0; i < made.view.node_count; ++i) x = std::max(x, made.node(i)[0]);
+        return x;
+    };
+    EXPECT_GT(farthest(a), 0.0);
+    EXPECT_LT(farthest(b), farthest(a) - 0.05);
+}
+
+TEST(SplineApi, CancelledAndFailedJobsLeaveNothing) {
+    const Host host;
+    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const std::vector<double> points = torus_points(9, 2, 0.8);
+    FlgSplineDesc desc = spline_desc(torus, points);
+    desc.node_count = 100000;
+    FlgSpline spline{};
+    FlgJob job{};
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTick(host.context, 500, nullptr), FLG_OK);
+    ASSERT_EQ(flgJobCancel(host.context, job), FLG_OK);
+    host.finish();
+    FlgSplineView view = flgSplineViewDefaults();
+    EXPECT_EQ(flgSplineGetView(host.context, spline, &view), FLG_ERROR_CANCELLED);
+    // A curve that begins at a cancelled one begins anew.
+    desc.node_count = 0;
+    desc.warm_start = spline;
+    EXPECT_EQ(make_spline(host, desc).result, FLG_OK);
+}
+
+}  // namespace
+}  // namespace flg::test
