@@ -25,6 +25,7 @@ const std::vector<Group>& groups() {
         {"tangles", run_tangles},
         {"skeletons", run_skeletons},
         {"models", run_models},
+        {"splines", run_splines},
 #if defined(FLG_WITH_PICK)
         {"picking", run_picking},
 #endif

@@ -22,6 +22,7 @@ std::vector<Row> run_inflation();
 std::vector<Row> run_tangles();
 std::vector<Row> run_skeletons();
 std::vector<Row> run_models();
+std::vector<Row> run_splines();
 #if defined(FLG_WITH_PICK)
 std::vector<Row> run_picking();
 #endif

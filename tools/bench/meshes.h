@@ -20,4 +20,7 @@ struct MeshArrays {
 // A torus with bumps, of about so many triangles, numbered as scanners do: coherent, not sorted.
 MeshArrays bumpy_torus(uint32_t triangle_count);
 
+// The torus of radii 1 and 0.4, with waves of this height (metres), in rows.
+MeshArrays wavy_torus(uint32_t triangle_count, double height);
+
 }  // namespace flg::bench
