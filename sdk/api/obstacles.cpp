@@ -56,7 +56,7 @@ std::shared_ptr<const Obstacle> make_function(Context& context, const FlgObstacl
 }
 
 std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacle& in, uint32_t dimension) {
-    check_enum(in.kind, FLG_OBSTACLE_BALL, FLG_OBSTACLE_LAYER, "kind", "FLG_OBSTACLE_");
+    check_enum(in.kind, FLG_OBSTACLE_BALL, FLG_OBSTACLE_BORDER, "kind", "FLG_OBSTACLE_");
     switch (in.kind) {
         case FLG_OBSTACLE_BALL: return make_object<BallObstacle>(context, dimension, in.centre, in.radius);
         case FLG_OBSTACLE_BOX: return make_box(context, in, dimension);
@@ -64,7 +64,7 @@ std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacl
         case FLG_OBSTACLE_FUNCTION: return make_function(context, in, dimension);
         default: break;
     }
-    if (in.kind == FLG_OBSTACLE_MESH || in.kind == FLG_OBSTACLE_LAYER) return nullptr;
+    if (in.kind >= FLG_OBSTACLE_MESH) return nullptr;
     if (dimension != 2)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is FLG_OBSTACLE_POLYGON, which is for the plane, dimension 2");
     require(in.points, "points");
@@ -82,7 +82,7 @@ void read_mesh(Context& context, const FlgObstacle& in, uint32_t number, HeldObs
     const bool is_layer = in.kind == FLG_OBSTACLE_LAYER;
     if (is_layer) check_range(in.radius > 0 && in.radius <= 1e30, "radius", in.radius, "above 0");
     submission.read_surface(surface, "surface");
-    out.meshes.push_back({number, surface, in.cells, is_layer ? in.radius : 0});
+    out.meshes.push_back({number, surface, in.kind, in.cells, in.radius});
 }
 
 }  // namespace

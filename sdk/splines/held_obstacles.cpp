@@ -3,6 +3,7 @@
 
 #include "core/failure.h"
 #include "runtime/pace.h"
+#include "splines/border_obstacle.h"
 #include "splines/mesh_distance.h"
 #include "splines/obstacle_mesh.h"
 
@@ -11,6 +12,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t distance_chunk = 10;
+constexpr uint32_t border_chunk = 500;
 constexpr double solid_reach = 0.15;  // of a solid's size: how far around it the distance is exact
 
 template <class T, class... Arguments>
@@ -29,7 +31,13 @@ double longest_side(const Surface& surface) {
 Task<void> make_obstacles(Pace& pace, std::shared_ptr<HeldObstacles> out) {
     pace.stage("distances");
     for (const HeldObstacles::OfMesh& mesh : out->meshes) {
-        const bool is_layer = mesh.layer > 0;
+        if (mesh.kind == FLG_OBSTACLE_BORDER) {
+            BorderObstacleKernel border(mesh.surface->mesh(), pace.memory());
+            while (!border.run(border_chunk)) co_await pace;
+            out->solids[mesh.at] = make_shared_in<BorderObstacle>(pace.memory(), border.take());
+            continue;
+        }
+        const bool is_layer = mesh.kind == FLG_OBSTACLE_LAYER;
         const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * longest_side(*mesh.surface) + out->clearance;
         auto distance = make_shared_in<SampledDistance>(pace.memory());
         MeshDistanceKernel kernel(mesh.surface->mesh(), reach, mesh.cells, !is_layer, *distance, pace.memory());

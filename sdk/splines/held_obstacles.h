@@ -23,8 +23,9 @@ public:
     struct OfMesh {
         uint32_t at;
         std::shared_ptr<Surface> surface;
+        FlgObstacleKind kind;  // MESH, LAYER or BORDER
         uint32_t cells;
-        double layer;  // its thickness, m; 0: the mesh is a solid
+        double layer;  // its thickness, m
     };
 
     const uint32_t dimension;

@@ -96,9 +96,8 @@ TEST(SplineRefusals, PartsOfAMeshThatDoNotHangTogetherAreNotJoined) {
     EXPECT_EQ(make_spline(host, spline_desc(mesh, one_part)).result, FLG_OK);
 }
 
-// A square with a square hole: without more the curve may cross the hole, where there is no mesh, or be led around; in a layer it
-// stays by the mesh.
-TEST(SplineRefusals, InALayerCurvesStayByAMeshWithAHole) {
+// A square with a square hole, and points around it: curves stay off the hole where they are told to stay by the mesh.
+TEST(SplineRefusals, ByItsBordersOrInALayerCurvesStayOnAMeshWithAHole) {
     const Host host;
     MeshArrays mesh;
     const uint32_t cells = 40;
@@ -123,29 +122,54 @@ TEST(SplineRefusals, InALayerCurvesStayByAMeshWithAHole) {
     desc.surface = surface;
     FlgManifold manifold{};
     ASSERT_EQ(flgManifoldCreateFromSurface(host.context, &desc, &manifold, nullptr), FLG_OK) << flgLastError();
-    FlgObstacle layer = flgObstacleDefaults();
-    layer.kind = FLG_OBSTACLE_LAYER;
-    layer.surface = surface;
-    layer.radius = 0.05;
-    layer.cells = 128;
-    FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
-    obstacles_desc.obstacles = &layer;
-    obstacles_desc.obstacle_count = 1;
-    FlgObstacles obstacles{};
-    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
-    const std::vector<double> points = {0.2, 0.55, 0, 0.5, 0.8, 0, 0.8, 0.55, 0};
-    FlgSplineDesc spline = spline_desc(manifold, points);
-    spline.obstacles = obstacles;
-    const MadeSpline made = make_spline(host, spline);
-    ASSERT_EQ(made.result, FLG_OK) << made.error;
-    double deepest = 0;
-    for (uint32_t i = 0; i < made.view.node_count; ++i) {
-        const Point p = made.node(i);
-        const double inside = std::min({p[0] - 0.35, 0.65 - p[0], p[1] - 0.35, 0.65 - p[1]});
-        deepest = std::max(deepest, inside);
-        EXPECT_NEAR(p[2], 0, 1e-6);
+    for (const FlgObstacleKind kind : {FLG_OBSTACLE_LAYER, FLG_OBSTACLE_BORDER}) {
+        FlgObstacle layer = flgObstacleDefaults();
+        layer.kind = kind;
+        layer.surface = surface;
+        layer.radius = 0.05;
+        layer.cells = 128;
+        FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
+        obstacles_desc.obstacles = &layer;
+        obstacles_desc.obstacle_count = 1;
+        FlgObstacles obstacles{};
+        ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+        const std::vector<double> points = {0.2, 0.55, 0, 0.5, 0.8, 0, 0.8, 0.55, 0};
+        FlgSplineDesc spline = spline_desc(manifold, points);
+        spline.closed = 1;
+        spline.obstacles = obstacles;
+        const MadeSpline made = make_spline(host, spline);
+        ASSERT_EQ(made.result, FLG_OK) << made.error;
+        double deepest = 0;
+        for (uint32_t i = 0; i < made.view.node_count; ++i) {
+            const Point p = made.node(i);
+            deepest = std::max(deepest, std::min({p[0] - 0.35, 0.65 - p[0], p[1] - 0.35, 0.65 - p[1]}));
+            EXPECT_NEAR(p[2], 0, 1e-6);
+        }
+        // The layer's thickness; corners that are rounded by an edge.
+        EXPECT_LT(deepest, kind == FLG_OBSTACLE_LAYER ? 0.051 : 0.025);
     }
-    EXPECT_LT(deepest, 0.051);
+}
+
+TEST(SplineRefusals, BordersThatAreNotThereAreNoObstacle) {
+    const Host host;
+    MeshArrays torus = torus_mesh(20, 10, 2, 0.5);
+    const FlgMeshView view = torus.view();
+    FlgSurfaceDesc surface_desc = flgSurfaceDefaults();
+    surface_desc.mesh = view;
+    FlgSurface surface{};
+    ASSERT_EQ(flgSurfaceCreate(host.context, &surface_desc, &surface, nullptr), FLG_OK) << flgLastError();
+    FlgObstacle border = flgObstacleDefaults();
+    border.kind = FLG_OBSTACLE_BORDER;
+    border.surface = surface;
+    FlgObstaclesDesc desc = flgObstaclesDefaults();
+    desc.obstacles = &border;
+    desc.obstacle_count = 1;
+    FlgObstacles out{};
+    FlgJob job{};
+    ASSERT_EQ(flgObstaclesCreate(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+    host.finish();
+    EXPECT_EQ(host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::strstr(host.status_of(job).error, "0 border edges"), nullptr) << host.status_of(job).error;
 }
 
 FlgObstacles discs(const Host& host, const std::vector<std::array<double, 3>>& all, double clearance = 0) {

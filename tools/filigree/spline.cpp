@@ -21,10 +21,10 @@ namespace {
 struct Options {
     std::string surface, points, output, obstacles;
     FlgSplineEnergy energy = FLG_SPLINE_E2;
-    double tension = 1, smoothing = 0, tolerance = 1e-6, feature = 0;
+    double tension = 1, smoothing = 0, tolerance = 1e-6, feature = 0, layer = 0;
     float height = 0;
     uint32_t nodes = 0, rounds = 200;
-    bool closed = false;
+    bool closed = false, inside = false;
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
     FlgSplineMethod method = FLG_SPLINE_NEWTON;
 };
@@ -143,6 +143,7 @@ void describe(const Options& options, Report& report) {
     report.parameters["smoothing"] = options.smoothing;
     report.parameters["tolerance"] = options.tolerance;
     if (options.feature > 0) report.parameters["feature"] = options.feature;
+    if (options.layer > 0) report.parameters["layer"] = options.layer;
     if (!options.obstacles.empty()) report.parameters["obstacles"] = options.obstacles;
 }
 
@@ -157,11 +158,13 @@ void run_spline(const Options& options, const CommonOptions& common) {
     const SplineManifold manifold = make_spline_manifold(session, options.surface, among, options.feature, report);
     SplineObstacles obstacles;
     if (among) obstacles = read_obstacles(session, options.obstacles, manifold.view.ambient);
+    if (options.inside || options.layer > 0) obstacles = keep_inside(session, manifold, options.layer, report);
     std::vector<Made> all;
     uint32_t rounds = 0, nodes = 0;
     double energy = 0, residual = 0, offset = 0, length = 0;
     for (uint32_t line = 0; line < lines.count(); ++line) {
-        all.push_back(make_one(session, options, manifold, among ? &obstacles : nullptr, lines, line, report));
+        all.push_back(
+            make_one(session, options, manifold, obstacles.count > 0 ? &obstacles : nullptr, lines, line, report));
         const FlgSplineView& view = all.back().view;
         rounds += view.rounds;
         nodes += view.node_count;
@@ -222,7 +225,13 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
     app->add_option("--feature", o->feature, "Weight of the normals (metres): keeps the curve off creases; 0: none")
         ->check(at_least_zero())
         ->capture_default_str();
-    app->add_option("--obstacles", o->obstacles, "Solids to keep out of (tools/README.md), with SURFACE plane or space")
+    app->add_flag("--inside", o->inside, "Of an open mesh: keeps the curve between its borders");
+    app->add_option("--layer", o->layer,
+                    "The same by a layer around the mesh, so thick to either side (metres), as in the paper; 0: none")
+        ->check(at_least_zero())
+        ->capture_default_str();
+    app->add_option("--obstacles", o->obstacles,
+                    "Solids to keep out of (sdk/splines/README.md), with SURFACE plane or space")
         ->type_name("FILE.json");
     app->add_option("--tolerance", o->tolerance, "Of the residual")
         ->check(CLI::Range(1e-12, 1.0))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "spline_obstacles.h"
 
+#include <algorithm>
 #include <deque>
 
 #include "failure.h"
@@ -88,6 +89,27 @@ SplineObstacles read_obstacles(const Session& session, const std::string& file, 
     desc.obstacle_count = out.count;
     if (const auto clearance = root.find("clearance")) desc.clearance = clearance->number(0, most);
     check(flgObstaclesCreate(session.context(), &desc, &out.handle, nullptr), file);
+    return out;
+}
+
+SplineObstacles keep_inside(Session& session, const SplineManifold& manifold, double thickness, Report& report) {
+    if (!manifold.mesh) throw UsageError("--inside: SURFACE must be a mesh, not " + manifold.name);
+    constexpr double cells_in_a_layer = 6;
+    FlgObstacle layer = flgObstacleDefaults();
+    layer.kind = thickness > 0 ? FLG_OBSTACLE_LAYER : FLG_OBSTACLE_BORDER;
+    layer.surface = manifold.mesh->handle();
+    if (thickness > 0) {
+        layer.radius = thickness;
+        layer.cells = static_cast<uint32_t>(std::clamp(cells_in_a_layer * manifold.view.size / thickness, 16.0, 192.0));
+    }
+    FlgObstaclesDesc desc = flgObstaclesDefaults();
+    desc.obstacles = &layer;
+    desc.obstacle_count = 1;
+    SplineObstacles out;
+    out.count = 1;
+    FlgJob job = {};
+    check(flgObstaclesCreate(session.context(), &desc, &out.handle, &job), manifold.name + ": its borders");
+    session.finish({{{job, manifold.name + ": its borders"}}}, report);
     return out;
 }
 

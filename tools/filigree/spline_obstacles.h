@@ -16,6 +16,7 @@
 
 #include "filigree/filigree_spline.h"
 #include "session.h"
+#include "spline_manifold.h"
 
 namespace flg::cli {
 
@@ -27,5 +28,9 @@ struct SplineObstacles {
 
 // Throws InputError, with file and place.
 SplineObstacles read_obstacles(const Session& session, const std::string& file, uint32_t dimension);
+
+// Keeps curves between the borders of an open mesh: by a layer around it, so thick to either side, or, with 0, by its borders. Throws
+// InputError, UsageError where SURFACE is no mesh.
+SplineObstacles keep_inside(Session& session, const SplineManifold& manifold, double thickness, Report& report);
 
 }  // namespace flg::cli

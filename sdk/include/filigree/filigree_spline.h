@@ -182,7 +182,9 @@ typedef enum FlgObstacleKind {
     FLG_OBSTACLE_FUNCTION = 4, /* the host's */
     FLG_OBSTACLE_MESH = 5,     /* of space: surface, a closed one, to half a cell of a grid of `cells` */
     FLG_OBSTACLE_LAYER = 6,    /* of space: all that is farther than `radius` from surface, an open one: curves stay in a thin layer
-                                * around it, and so between its borders */
+                                * around it, and so between its borders (sec. 5) */
+    FLG_OBSTACLE_BORDER = 7,   /* of space: what is beyond the open borders of surface, for curves on its manifold; takes no grid and so
+                                * is quicker and nearer than a layer. Corners of borders are rounded by about an edge */
     FLG_OBSTACLE_KIND_FORCE_32BIT = 0x7fffffff
 } FlgObstacleKind;
 
