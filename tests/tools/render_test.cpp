@@ -142,6 +142,67 @@ TEST_F(Render, BadFieldsAreRefused) {
     EXPECT_EQ(folder.list(), files);
 }
 
+// From before the square, upright, to its right, where it is seen from the side.
+const char kFlight[] = R"({"keys": [{"time": 1, "position": [0.5, 0.5, 3]},
+    {"time": 3, "position": [3.5, 0.5, 0.5], "rotation": [0, 0.5, 0, 0.8660254037844386]}]})";
+
+TEST_F(Render, ACameraFollowsAMotion) {
+    folder.write("square.ply", kSquare);
+    folder.write("flight.json", kFlight);
+    const auto picture = [&](std::vector<std::string> options) {
+        options.insert(options.begin(),
+                       {"render", "square.ply", "-o", "out.png", "--size", "64x48", "--report", "report.json"});
+        done(options);
+        return folder.read("out.png");
+    };
+    const std::string first = picture({"--camera-motion", "flight.json"});
+    EXPECT_TRUE(first == picture({"--camera", "0.5,0.5,3,0.5,0.5,0"})) << "along -z, +y upwards";
+    EXPECT_TRUE(first == picture({"--camera-motion", "flight.json", "--time", "1"}));
+    EXPECT_EQ(report().at("parameters").at("camera_motion"), "flight.json");
+    EXPECT_EQ(report().at("counts").at("keys"), 2);
+    const std::string middle = picture({"--camera-motion", "flight.json", "--time", "2"});
+    const std::string last = picture({"--camera-motion", "flight.json", "--time", "3"});
+    EXPECT_EQ((std::set<std::string>{first, middle, last}).size(), 3u);
+    done({"render", "square.ply", "-o", "way.png", "--size", "64x48", "--camera-motion", "flight.json", "--frames",
+          "3"});
+    EXPECT_TRUE(folder.read("way-0001.png") == first);
+    EXPECT_TRUE(folder.read("way-0002.png") == middle);
+    EXPECT_TRUE(folder.read("way-0003.png") == last);
+}
+
+TEST_F(Render, AClosedMotionComesRound) {
+    folder.write("square.ply", kSquare);
+    folder.write("round.json", "{\"closed\": true, \"end_time\": 5, " + std::string(kFlight).substr(1));
+    for (const char* time : {"1", "5", "-3"}) {
+        done({"render", "square.ply", "-o", std::string("at") + time + ".png", "--size", "64x48", "--camera-motion",
+              "round.json", "--time", time});
+        EXPECT_TRUE(folder.read(std::string("at") + time + ".png") == folder.read("at1.png")) << time;
+    }
+    done(
+        {"render", "square.ply", "-o", "way.png", "--size", "64x48", "--camera-motion", "round.json", "--frames", "2"});
+    done({"render", "square.ply", "-o", "at3.png", "--size", "64x48", "--camera-motion", "round.json", "--time", "3"});
+    EXPECT_TRUE(folder.read("way-0001.png") == folder.read("at1.png"));
+    EXPECT_TRUE(folder.read("way-0002.png") == folder.read("at3.png"));
+}
+
+TEST_F(Render, BadCameraMotionsAreRefused) {
+    folder.write("flight.json", kFlight);
+    folder.write("one.json", R"({"keys": [{"time": 1, "position": [0, 0, 3]}]})");
+    folder.write("broken.json", "{");
+    const std::vector<std::string> files = folder.list();
+    const auto refused = [&](const std::vector<std::string>& options, int status, const std::string& words) {
+        std::vector<std::string> arguments = {"render", "builtin:loops", "-o", "out.png", "--camera-motion"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        expect_refused(arguments, status, {words});
+    };
+    refused({"nosuch.json"}, 1, "nosuch.json: can't be opened");
+    refused({"broken.json"}, 1, "broken.json: ");
+    refused({"one.json"}, 1, "one.json: desc.key_count is 1");
+    refused({"flight.json", "--time", "0.5"}, 1, "flight.json: --time: 0.5 is not within the motion, 1 to 3");
+    refused({"flight.json", "--camera", "10,20"}, 2, "--camera");
+    EXPECT_EQ(folder.list(), files);
+}
+
 class Strokes : public ::testing::Test {
 protected:
     Folder folder;

@@ -161,23 +161,18 @@ void run_motion(const Options& options, const CommonOptions& common) {
         use_mesh(*mesh, file);
     }
     Session session(common);
-    file.desc.key_count = static_cast<uint32_t>(file.times.size());
-    file.desc.times = file.times.data();
-    file.desc.poses = file.poses.data();
-    file.desc.body_points = file.body_points.empty() ? nullptr : file.body_points.data();
-    file.desc.body_masses = file.body_masses.empty() ? nullptr : file.body_masses.data();
-    file.desc.body_point_count = static_cast<uint32_t>(file.body_points.size() / 3);
+    FlgMotionDesc desc = desc_of(file);
     SplineObstacles obstacles;
     if (!options.obstacles.empty()) {
         obstacles = read_obstacles(session, options.obstacles, 3);
-        file.desc.obstacles = obstacles.handle;
-        file.desc.sides = obstacles.sides.data();
-        file.desc.side_count = static_cast<uint32_t>(obstacles.sides.size());
+        desc.obstacles = obstacles.handle;
+        desc.sides = obstacles.sides.data();
+        desc.side_count = static_cast<uint32_t>(obstacles.sides.size());
         report.counts["obstacles"] = obstacles.count;
     }
     FlgMotion motion = {};
     FlgJob job = {};
-    check(flgMotionCreate(session.context(), &file.desc, &motion, &job), options.keys);
+    check(flgMotionCreate(session.context(), &desc, &motion, &job), options.keys);
     session.finish({{{job, options.keys}}}, report);
     FlgMotionView view = flgMotionViewDefaults();
     check(flgMotionGetView(session.context(), motion, &view), options.keys);

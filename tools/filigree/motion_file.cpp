@@ -71,6 +71,17 @@ void read_body(const JsonPlace& body, MotionFile& file) {
 
 }  // namespace
 
+FlgMotionDesc desc_of(const MotionFile& file) {
+    FlgMotionDesc desc = file.desc;
+    desc.key_count = static_cast<uint32_t>(file.times.size());
+    desc.times = file.times.data();
+    desc.poses = file.poses.data();
+    desc.body_points = file.body_points.empty() ? nullptr : file.body_points.data();
+    desc.body_masses = file.body_masses.empty() ? nullptr : file.body_masses.data();
+    desc.body_point_count = static_cast<uint32_t>(file.body_points.size() / 3);
+    return desc;
+}
+
 MotionFile read_motion_file(const std::string& path) {
     const nlohmann::json json = JsonPlace::read(path);
     const JsonPlace root(json, path + ": motion");

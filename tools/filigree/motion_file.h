@@ -20,6 +20,9 @@ struct MotionFile {
     FlgMotionDesc desc = flgMotionDefaults();  // without arrays
 };
 
+// With its arrays, of which it must not outlive the file.
+FlgMotionDesc desc_of(const MotionFile& file);
+
 // Throws InputError, with file and place.
 MotionFile read_motion_file(const std::string& path);
 

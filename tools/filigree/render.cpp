@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <optional>
 
+#include "camera_motion.h"
 #include "choices.h"
 #include "command.h"
 #include "failure.h"
@@ -59,6 +61,22 @@ render::Camera camera_of(const Options& options, std::span<const glm::vec3> poin
     return orbit.camera;
 }
 
+// When frame `index` is on the way along a motion: all of it for several frames, --time for one.
+double time_of(const Options& options, const CameraMotion& motion, uint32_t index) {
+    if (options.frames == 1) return options.scene.pose.time.value_or(motion.begin());
+    const double parts = options.frames - (motion.closed() ? 0 : 1);
+    return motion.begin() + (motion.end() - motion.begin()) * index / parts;
+}
+
+void check_time(const Options& options, const CameraMotion& motion) {
+    if (options.frames > 1 || motion.closed() || !options.scene.pose.time) return;
+    const double time = *options.scene.pose.time;
+    if (time >= motion.begin() && time <= motion.end()) return;
+    char text[128];
+    std::snprintf(text, sizeof text, "%g is not within the motion, %g to %g", time, motion.begin(), motion.end());
+    throw InputError(options.scene.camera_motion + ": --time: " + text);
+}
+
 // A little to the right of the camera and high above it.
 glm::vec3 sun_beside(const render::Camera& camera) {
     const glm::vec3 arm = camera.eye - camera.target;
@@ -106,18 +124,31 @@ void run_render(const Options& options, const CommonOptions& common) {
     }
     report.parameters["skinning"] = name_of(kSkinnings, options.scene.pose.skinning);
     report.parameters["bones"] = options.scene.bones;
+    if (!options.scene.camera_motion.empty()) report.parameters["camera_motion"] = options.scene.camera_motion;
     const RenderScene scene(options.scene, report);
+    Session session(common);
+    std::optional<CameraMotion> motion;
+    if (!options.scene.camera_motion.empty()) {
+        motion.emplace(options.scene.camera_motion, session, report);
+        check_time(options, *motion);
+    }
     samples::calm_vulkan_loader();
     render::Renderer renderer;
     scene.upload(renderer);
     const std::vector<glm::vec3> points = scene.points();
     render::Target target(renderer, width, height);
-    render::Scene light;  // stays where it is when the camera turns around
-    light.sun_direction = sun_beside(camera_of(options, points, target.aspect(), 0));
+    render::Box box;
+    for (const glm::vec3& point : points) box.add({point, point});
+    const auto camera = [&](uint32_t index) {
+        return motion ? motion->at(time_of(options, *motion, index), box.center())
+                      : camera_of(options, points, target.aspect(), index);
+    };
+    render::Scene light;  // stays where it is when the camera moves
+    light.sun_direction = sun_beside(motion ? motion->at(motion->begin(), box.center()) : camera(0));
     renderer.set_scene(light);
     std::vector<float> cpu_ms;
     for (uint32_t i = 0; i < options.frames; ++i) {
-        renderer.draw(target, camera_of(options, points, target.aspect(), i));
+        renderer.draw(target, camera(i));
         cpu_ms.push_back(static_cast<float>(renderer.stats().cpu_ms));
         write_png(renderer.capture(target), frame_path(options, i));
     }
@@ -148,7 +179,13 @@ Command add_render(CLI::App& program, const CommonOptions& common) {
         ->type_name("...")
         ->check(finite())
         ->capture_default_str();
-    app->add_option("--frames", o->frames, "Pictures of a turn around, 1 to 10000; several are called OUT-0001.png ...")
+    app->add_option("--camera-motion", o->scene.camera_motion,
+                    "The camera follows a motion (see filigree motion), looking along the body's -z: at --time, or "
+                    "with --frames all along it")
+        ->type_name("KEYS.json")
+        ->excludes("--camera");
+    app->add_option("--frames", o->frames,
+                    "Pictures of a turn around or of a motion, 1 to 10000; several are called OUT-0001.png ...")
         ->capture_default_str()
         ->check(CLI::Range(1u, kMaxFrames).description(""));
     app->add_option("--radius", o->scene.radius,

@@ -88,7 +88,7 @@ RenderScene::RenderScene(const SceneOptions& options, Report& report) : options_
     report.counts = {{"files", options.files.size()}, {"curves", curves},     {"points", points},
                      {"meshes", meshes_.size()},      {"vertices", vertices}, {"triangles", triangles},
                      {"skins", skins_.size()}};
-    if (skins_.empty() && (options.pose.time || options.bones))
+    if (skins_.empty() && ((options.pose.time && options.camera_motion.empty()) || options.bones))
         throw UsageError(std::string(options.bones ? "--bones" : "--time") + ": no file has a skin");
     if (!options.field.empty()) {
         read_field(report);

@@ -15,11 +15,12 @@ namespace flg::cli {
 struct SceneOptions {
     std::vector<std::string> files;
     render::Shape as = render::Shape::tube;
-    double radius = 0.0;  // of curves that bring none, metres; 0 = from the size of the whole
-    std::string field;    // a file, or empty
-    double every = 0.0;   // between isolines; 0 = a round number that gives about 20
-    PoseOptions pose;     // of all skins
-    bool bones = false;   // whether joints and bones are drawn over them
+    double radius = 0.0;        // of curves that bring none, metres; 0 = from the size of the whole
+    std::string field;          // a file, or empty
+    double every = 0.0;         // between isolines; 0 = a round number that gives about 20
+    PoseOptions pose;           // of all skins
+    std::string camera_motion;  // a file, or empty; the pose's time is the camera's too
+    bool bones = false;         // whether joints and bones are drawn over them
 };
 
 class RenderScene {
