@@ -253,7 +253,9 @@ Task<void> refine_chain(Pace& pace, const SplineKernel& coarse, uint32_t nodes, 
     while (!curve.run(cubic_chunk)) co_await pace;
     const uint32_t count = static_cast<uint32_t>(problem.knots.size()), segments = count - (problem.closed ? 0 : 1);
     IntervalShares sharing(problem.closed ? nodes : nodes - 1, segments, least, times.back());
+    const uint32_t remembered = problem.manifold->memory_size();
     problem.points = Buffer<double>(size_t{nodes} * n, pace.memory());
+    problem.memory = Buffer<double>(size_t{nodes} * remembered, pace.memory());
     uint32_t at = 0, last_knot = 0;
     for (uint32_t s = 0; s < segments; ++s) {
         const uint32_t next_knot = s + 1 < count ? problem.knots[s + 1] : old_nodes;
@@ -262,6 +264,9 @@ Task<void> refine_chain(Pace& pace, const SplineKernel& coarse, uint32_t nodes, 
         problem.knots[s] = at;
         for (uint32_t i = 0; i < intervals; ++i, ++at) {
             curve.evaluate(begin + (end - begin) * i / intervals, 0, &problem.points[size_t{at} * n]);
+            // Steps of the coarse chain are equal too.
+            const uint32_t near = last_knot + static_cast<uint32_t>(uint64_t{i} * (next_knot - last_knot) / intervals);
+            std::copy_n(coarse.memory(near), remembered, problem.memory.data() + size_t{at} * remembered);
             if (at % 32 == 0) co_await pace;
         }
         last_knot = next_knot;
@@ -269,6 +274,7 @@ Task<void> refine_chain(Pace& pace, const SplineKernel& coarse, uint32_t nodes, 
     if (problem.closed) co_return;
     problem.knots[segments] = at;
     curve.evaluate(times.back(), 0, &problem.points[size_t{at} * n]);
+    std::copy_n(coarse.memory(old_nodes - 1), remembered, problem.memory.data() + size_t{at} * remembered);
 }
 
 Task<void> unrestricted_spline(Pace& pace, SplineProblem& problem) {

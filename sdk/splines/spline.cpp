@@ -130,6 +130,12 @@ Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& 
     if (!fits) co_return false;
     const size_t nodes = from.points.size() / n, count = given.size() / n;
     problem.points = Buffer<double>(from.points.size(), pace.memory());
+    problem.memory = Buffer<double>(from.memory.size(), pace.memory());
+    for (size_t at = 0; at < from.memory.size(); at += copy_chunk) {
+        std::copy_n(from.memory.begin() + at, std::min<size_t>(copy_chunk, from.memory.size() - at),
+                    problem.memory.begin() + at);
+        co_await pace;
+    }
     problem.knots = Buffer<uint32_t>(count, pace.memory());
     for (size_t k = 0; k < count; ++k) {
         problem.knots[k] = from.knots[k];
@@ -201,7 +207,7 @@ Task<void> subdivide(Pace& pace, const SplineKernel& kernel, SplineProblem& prob
 
 }  // namespace
 
-Task<void> keep_spline(Pace& pace, const SplineKernel& kernel, HeldSpline& out) {
+Task<void> keep_spline(Pace& pace, SplineKernel& kernel, HeldSpline& out) {
     const uint32_t n = kernel.ambient(), nodes = kernel.nodes();
     co_await copy_chain(pace, kernel, out, out.chain);
     out.points = Buffer<double>(size_t{nodes} * n, pace.memory());
@@ -216,6 +222,7 @@ Task<void> keep_spline(Pace& pace, const SplineKernel& kernel, HeldSpline& out) 
         }
         if (i % copy_chunk == 0) co_await pace;
     }
+    out.memory = kernel.take_memory();
 }
 
 Task<void> make_spline(Pace& pace, SplineRequest request) {

@@ -25,6 +25,7 @@ public:
     TripleBuffer<Chain> rounds;  // of jobs with partial results
     Chain chain;                 // the last one
     Buffer<double> points;       // of that, all coordinates: where others begin
+    Buffer<double> memory;       // what the manifold remembers of them
     Buffer<double> given;        // the same, of the given points
     Buffer<uint32_t> knots;      // their nodes
     Buffer<double> offsets;      // how far they were from the manifold, m
@@ -66,7 +67,7 @@ Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffe
 // Runs the kernel to its end, and shows its rounds if the host wants to see them.
 Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline);
 // What stays of a kernel that is done.
-Task<void> keep_spline(Pace& pace, const SplineKernel& kernel, HeldSpline& out);
+Task<void> keep_spline(Pace& pace, SplineKernel& kernel, HeldSpline& out);
 
 // The whole of flgSplineCurves.
 Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, float height,

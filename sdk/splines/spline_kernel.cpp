@@ -49,7 +49,8 @@ SplineKernel::SplineKernel(SplineProblem& problem, Memory* memory)
       spans_(problem.knots.size(), memory),
       system_(nodes_, block_size(problem), problem.closed, memory) {
     now_.points = std::move(problem.points);
-    now_.memory = Buffer<double>(size_t{nodes_} * memory_size_, memory);
+    remembers_ = memory_size_ > 0 && problem.memory.size() == size_t{nodes_} * memory_size_;
+    now_.memory = remembers_ ? std::move(problem.memory) : Buffer<double>(size_t{nodes_} * memory_size_, memory);
     trial_.points = Buffer<double>(size_t{nodes_} * n_, memory);
     trial_.memory = Buffer<double>(size_t{nodes_} * memory_size_, memory);
     tension_ = std::max(problem.tension, problem.first_tension);

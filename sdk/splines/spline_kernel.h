@@ -35,6 +35,7 @@ struct SplineProblem {
     double tension = 0;      // w, at least 0; above 0 if bending is 0
     double smoothing = 0;    // 0: the given points are interpolated
     Buffer<double> points;   // the first curve, n numbers a node; at least 2 nodes, in a closed curve 3
+    Buffer<double> memory;   // of the nodes (Manifold::memory_size()), from where they were before; may be empty
     Buffer<uint32_t> knots;  // ascending: the nodes of given points; the first is 0, and an open curve's last the last
     Buffer<double> given;    // n numbers a knot, on the manifold
     Buffer<double> parameters;  // one a knot, in a closed curve one more; ascending. Empty: lengths
@@ -74,8 +75,10 @@ public:
     const SplineReport& report() const { return report_; }
     // Those of the last round that was accepted.
     const double* points() const { return now_.points.data(); }
-    // When done: the same, to keep.
+    // When done: the same, and what the manifold remembers of them, to keep.
     Buffer<double> take_points() { return std::move(now_.points); }
+    Buffer<double> take_memory() { return std::move(now_.memory); }
+    const double* memory(uint32_t node) const { return now_.memory.data() + size_t{node} * memory_size_; }
     uint32_t nodes() const { return nodes_; }
     uint32_t ambient() const { return n_; }
     double first_parameter() const { return problem_.parameters.size() > 0 ? problem_.parameters[0] : 0; }
@@ -184,9 +187,10 @@ private:
     double concave_share_ = 1;
     bool has_last_ = false, has_least_ = false;
     bool projects_ = true;
-    double least_ = 0;      // the energy of the free minimizer
-    double step_ = 1;       // of the trial
-    double cone_step_ = 1;  // the last one the cone told
+    bool remembers_ = false;  // from before
+    double least_ = 0;        // the energy of the free minimizer
+    double step_ = 1;         // of the trial
+    double cone_step_ = 1;    // the last one the cone told
     double square_last_ = 0, square_tangent_ = 0;
     double last_energy_ = 0;
     uint32_t shrinks_ = 0, reparametrizations_ = 0;

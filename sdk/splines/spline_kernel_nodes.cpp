@@ -27,7 +27,7 @@ double distance(const double* a, const double* b, uint32_t n) {
 
 // Given points are where they were given, to the bit: they are on the manifold, but a projection may round.
 void SplineKernel::project_first(uint32_t node) {
-    std::fill_n(memory_of(now_, node), memory_size_, 0.0);
+    if (!remembers_) std::fill_n(memory_of(now_, node), memory_size_, 0.0);
     knot_of_[node] = no_knot;
     if (next_knot_ < problem_.knots.size() && problem_.knots[next_knot_] == node) knot_of_[node] = next_knot_++;
     double* const x = at(now_, node);
