@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/coordinates.h"
 #include "splines/natural_cubic.h"
 #include "splines/space_manifold.h"
 #include "surfaces/nearest_points.h"
@@ -22,17 +23,11 @@ constexpr double longest_way = 2;  // of a chord, over the projected middle
 
 using Point = std::array<double, Manifold::max_ambient>;
 
-double distance(const double* a, const double* b, uint32_t n) {
-    double sum = 0;
-    for (uint32_t c = 0; c < n; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
-    return std::sqrt(sum);
-}
-
 // The middle of two points on the manifold, projected. False where the way over it is too long or there is none.
 bool project_middle(const Manifold& manifold, const double* a, const double* b, double* out) {
     const uint32_t n = manifold.ambient();
     std::pmr::vector<double> memory(manifold.memory_size(), 0.0);
-    const double chord = distance(a, b, n);
+    const double chord = distance_between(a, b, n);
     Point basis_point{};
     for (const double aside : {0.0, 0.05, -0.05}) {
         for (uint32_t c = 0; c < n; ++c) out[c] = 0.5 * (a[c] + b[c]);
@@ -46,7 +41,7 @@ bool project_middle(const Manifold& manifold, const double* a, const double* b, 
         }
         std::fill(memory.begin(), memory.end(), 0.0);
         if (!manifold.project(out, memory.data())) continue;
-        if (distance(a, out, n) + distance(out, b, n) <= longest_way * chord) return true;
+        if (distance_between(a, out, n) + distance_between(out, b, n) <= longest_way * chord) return true;
     }
     return false;
 }
@@ -196,7 +191,7 @@ Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& f
         const uint32_t begin = s == 0 ? 0 : first.ends[s - 1] - 1;
         double length = 0;
         for (uint32_t p = begin; p + 1 < first.ends[s]; ++p)
-            length += distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+            length += distance_between(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
         shares[s] = problem.parameters.size() > 0 ? problem.parameters[s + 1] - problem.parameters[s] : length;
         whole += shares[s];
         if (s % 8 == 0) co_await pace;
@@ -212,15 +207,16 @@ Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& f
         std::copy_n(&given.values[size_t{s} * n], n, &problem.given[size_t{s} * n]);
         const uint32_t begin = s == 0 ? 0 : first.ends[s - 1] - 1, end = first.ends[s] - 1;
         double length = 0;
-        for (uint32_t p = begin; p < end; ++p) length += distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+        for (uint32_t p = begin; p < end; ++p)
+            length += distance_between(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
         uint32_t p = begin;
-        double passed = 0, piece = distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+        double passed = 0, piece = distance_between(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
         for (uint32_t i = 0; i < intervals; ++i) {
             const double target = length * i / intervals;
             while (p + 1 < end && passed + piece < target) {
                 passed += piece;
                 ++p;
-                piece = distance(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
+                piece = distance_between(&chain[size_t{p} * n], &chain[size_t{p + 1} * n], n);
             }
             const double t = piece > 0 ? std::clamp((target - passed) / piece, 0.0, 1.0) : 0;
             for (uint32_t c = 0; c < n; ++c) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "splines/coordinates.h"
+
 namespace flg {
 
 namespace {
@@ -15,12 +17,6 @@ constexpr double last_step = 1e-9;
 
 using Point = std::array<double, Manifold::max_ambient>;
 
-double dot(const double* a, const double* b, uint32_t n) {
-    double sum = 0;
-    for (uint32_t i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
 }  // namespace
 
 bool Hypersurface::project(double* x, double* memory) const {
@@ -30,7 +26,7 @@ bool Hypersurface::project(double* x, double* memory) const {
     for (uint32_t round = 0; round < max_rounds; ++round) {
         double value = 0;
         if (!evaluate(at.data(), memory, &value, gradient.data(), nullptr)) return false;
-        const double square = dot(gradient.data(), gradient.data(), n);
+        const double square = inner_product(gradient.data(), gradient.data(), n);
         if (!(square > 0) || !std::isfinite(value)) return false;
         const double length = std::abs(value) / std::sqrt(square);
         const double share = length > max_step_ ? max_step_ / length : 1;
@@ -49,7 +45,7 @@ void Hypersurface::tangent_basis(const double* x, double* memory, double* basis)
     Point normal{};
     double value = 0;
     if (!evaluate(x, memory, &value, normal.data(), nullptr)) normal[n - 1] = 1;
-    const double length = std::sqrt(dot(normal.data(), normal.data(), n));
+    const double length = std::sqrt(inner_product(normal.data(), normal.data(), n));
     for (uint32_t i = 0; i < n; ++i) normal[i] /= length;
     uint32_t axis = 0;
     for (uint32_t i = 1; i < n; ++i) {
@@ -58,7 +54,7 @@ void Hypersurface::tangent_basis(const double* x, double* memory, double* basis)
     const double sign = normal[axis] < 0 ? -1 : 1;
     Point mirror = normal;
     mirror[axis] += sign;
-    const double scale = 2 / dot(mirror.data(), mirror.data(), n);
+    const double scale = 2 / inner_product(mirror.data(), mirror.data(), n);
     uint32_t row = 0;
     for (uint32_t a = 0; a < n; ++a) {
         if (a == axis) continue;
@@ -70,7 +66,7 @@ void Hypersurface::tangent_basis(const double* x, double* memory, double* basis)
     const double* b = basis;
     const double* c = basis + 3;
     const Point cross{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]};
-    if (dot(cross.data(), normal.data(), 3) < 0) {
+    if (inner_product(cross.data(), normal.data(), 3) < 0) {
         for (uint32_t i = 0; i < 3; ++i) basis[3 + i] = -basis[3 + i];
     }
 }
@@ -84,11 +80,11 @@ void Hypersurface::second_form(const double* x, double* memory, const double* ba
     double value = 0;
     std::fill_n(form, k * k, 0.0);
     if (!evaluate(x, memory, &value, gradient.data(), second.data())) return;
-    const double along = -dot(force, gradient.data(), n) / dot(gradient.data(), gradient.data(), n);
+    const double along = -inner_product(force, gradient.data(), n) / inner_product(gradient.data(), gradient.data(), n);
     for (uint32_t j = 0; j < k; ++j) {
         Point image{};
-        for (uint32_t i = 0; i < n; ++i) image[i] = dot(&second[i * n], basis + j * n, n);
-        for (uint32_t i = 0; i < k; ++i) form[i * k + j] = along * dot(basis + i * n, image.data(), n);
+        for (uint32_t i = 0; i < n; ++i) image[i] = inner_product(&second[i * n], basis + j * n, n);
+        for (uint32_t i = 0; i < k; ++i) form[i * k + j] = along * inner_product(basis + i * n, image.data(), n);
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t path_chunk = 10;
 constexpr uint32_t copy_chunk = 1000;
-constexpr uint32_t lift_chunk = 4;
+constexpr uint32_t lift_chunk = 2;
 constexpr double first_radius = 0.05;  // of the scene's size
 constexpr double shrink = 0.35;        // of the radius, from one solve to the next
 constexpr double rough = 1e-2;         // the tolerance before the last one

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/coordinates.h"
 #include "splines/obstacle_spline.h"
 
 namespace flg {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr uint32_t kernel_chunk = 200;  // 10 us
 constexpr uint32_t copy_chunk = 1000;
-constexpr uint32_t place_chunk = 4;
+constexpr uint32_t place_chunk = 2;
 constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
 
 FlgSplineEnding ending_of(SplineEnding ending) {
@@ -22,12 +23,6 @@ FlgSplineEnding ending_of(SplineEnding ending) {
         case SplineEnding::rounds: return FLG_SPLINE_ROUNDS;
         default: return FLG_SPLINE_RUNNING;
     }
-}
-
-double distance_of(const double* a, const double* b, uint32_t n) {
-    double sum = 0;
-    for (uint32_t c = 0; c < n; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
-    return std::sqrt(sum);
 }
 
 // The chain of the last round that was accepted, for the host.
@@ -83,7 +78,7 @@ Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffe
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: point %zu can't be projected onto the manifold", argument,
                           i);
         }
-        if (offsets) (*offsets)[i] = distance_of(x, &from[i * shown], shown);
+        if (offsets) (*offsets)[i] = distance_between(x, &from[i * shown], shown);
         if (i % place_chunk == 0) co_await pace;
     }
 }
@@ -95,7 +90,7 @@ Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n
     for (size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
         const size_t next = (i + 1) % count;
         if (i % copy_chunk == 0) co_await pace;
-        if (distance_of(&given[i * n], &given[next * n], n) > 1e-9 * size) continue;
+        if (distance_between(&given[i * n], &given[next * n], n) > 1e-9 * size) continue;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.points: points %zu and %zu come to one place on the manifold",
                       i, next);
     }

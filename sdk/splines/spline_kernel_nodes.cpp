@@ -2,6 +2,7 @@
 // What the optimization does at one node.
 #include <cmath>
 
+#include "splines/coordinates.h"
 #include "splines/positive_part.h"
 #include "splines/spline_kernel.h"
 
@@ -10,18 +11,6 @@ namespace flg {
 namespace {
 
 using Vector = double[Manifold::max_ambient];
-
-double dot(const double* a, const double* b, uint32_t n) {
-    double sum = 0;
-    for (uint32_t c = 0; c < n; ++c) sum += a[c] * b[c];
-    return sum;
-}
-
-double distance(const double* a, const double* b, uint32_t n) {
-    double sum = 0;
-    for (uint32_t c = 0; c < n; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
-    return std::sqrt(sum);
-}
 
 }  // namespace
 
@@ -50,7 +39,7 @@ void SplineKernel::measure_length(uint32_t node) {
         lengths_[segment_] = 0;
     }
     if (!has_next(node)) return;
-    const double length = distance(at(now_, node), at(now_, next(node)), n_);
+    const double length = distance_between(at(now_, node), at(now_, next(node)), n_);
     lengths_[segment_] += length;
     report_.length += length;
 }
@@ -97,15 +86,15 @@ void SplineKernel::collect(uint32_t node) {
     const double* const x = points + size_t{node} * n_;
     if (bends()) sums_[0] += moments_.energy(node, points, &moment_[size_t{node} * n_]);
     if (has_next(node)) {
-        const double length = distance(x, points + size_t{next(node)} * n_, n_);
+        const double length = distance_between(x, points + size_t{next(node)} * n_, n_);
         sums_[1] += length * length / moments_.step_after(node);
     }
     if (knot_of_[node] == no_knot || pull_ == 0) return;
     if (measured_ == Measured::now || measured_ == Measured::trial) {
-        const double off = distance(x, &problem_.given[size_t{knot_of_[node]} * n_], n_);
+        const double off = distance_between(x, &problem_.given[size_t{knot_of_[node]} * n_], n_);
         sums_[2] += off * off;
     } else {
-        sums_[2] += dot(x, x, n_);
+        sums_[2] += inner_product(x, x, n_);
     }
 }
 
@@ -128,7 +117,7 @@ void SplineKernel::find_gradient(uint32_t node) {
         const double* const given = &problem_.given[size_t{knot_of_[node]} * n_];
         for (uint32_t c = 0; c < n_; ++c) g[c] += pull_ * (x[c] - given[c]);
     }
-    forces_ += std::sqrt(dot(g, g, n_));
+    forces_ += std::sqrt(inner_product(g, g, n_));
 }
 
 void SplineKernel::find_frame(uint32_t node) {
@@ -143,7 +132,7 @@ void SplineKernel::find_frame(uint32_t node) {
     const double width = 0.5 * ((has_previous(node) ? moments_.step_before(node) : 0) +
                                 (has_next(node) ? moments_.step_after(node) : 0));
     for (uint32_t a = 0; a < k_; ++a) {
-        const double along = dot(g, basis + a * n_, n_) / width;
+        const double along = inner_product(g, basis + a * n_, n_) / width;
         tangential_ += along * along;
     }
     ++free_nodes_;
@@ -157,7 +146,7 @@ void SplineKernel::restrict_moment(uint32_t node, double* vector) const {
     if (problem_.closed || (node > 0 && node + 1 < nodes_)) return;
     const double* const normals = moments_.end(node > 0).normals;
     Vector out;
-    for (uint32_t r = 0; r < n_; ++r) out[r] = dot(normals + r * n_, vector, n_);
+    for (uint32_t r = 0; r < n_; ++r) out[r] = inner_product(normals + r * n_, vector, n_);
     std::copy_n(out, n_, vector);
 }
 
@@ -206,11 +195,15 @@ void SplineKernel::assemble(BlockTridiagonal& system, uint32_t node, bool unrest
         direction(node, a, own);
         // What bending does not say is the rest of the gradient.
         const double* const g = &gradient_[size_t{node} * n_];
-        double force = dot(g, own, n_);
+        double force = inner_product(g, own, n_);
         if (bends()) {
             const double* const m = &moment_[size_t{node} * n_];
-            if (after > 0) force -= (dot(&moment_[size_t{next(node)} * n_], own, n_) - dot(m, own, n_)) / after;
-            if (before > 0) force -= (dot(&moment_[size_t{previous(node)} * n_], own, n_) - dot(m, own, n_)) / before;
+            if (after > 0)
+                force -=
+                    (inner_product(&moment_[size_t{next(node)} * n_], own, n_) - inner_product(m, own, n_)) / after;
+            if (before > 0)
+                force -= (inner_product(&moment_[size_t{previous(node)} * n_], own, n_) - inner_product(m, own, n_)) /
+                         before;
         }
         right[moments + a] = -force;
         for (uint32_t e = 0; has_form && e <= a; ++e) row[moments + e] += form[a * k_ + e];
@@ -231,7 +224,7 @@ void SplineKernel::assemble(BlockTridiagonal& system, uint32_t node, bool unrest
         direction(other, a, its);
         for (uint32_t e = 0; free && e < moving; ++e) {
             direction(node, e, own);
-            coupling[(moments + e) * b + moments + a] = -tension_ / after * dot(own, its, n_);
+            coupling[(moments + e) * b + moments + a] = -tension_ / after * inner_product(own, its, n_);
         }
         restrict_moment(node, its);
         for (uint32_t r = 0; r < moments; ++r) coupling[r * b + moments + a] = its[r] / after;
@@ -252,7 +245,7 @@ void SplineKernel::substitute(uint32_t k) {
     for (uint32_t a = 0; a < k_; ++a) {
         shift[a] = is_free(node) ? solution[a] : 0;
         square += shift[a] * shift[a];
-        slope_ += shift[a] * dot(&gradient_[size_t{node} * n_], basis_of(node) + a * n_, n_);
+        slope_ += shift[a] * inner_product(&gradient_[size_t{node} * n_], basis_of(node) + a * n_, n_);
     }
     largest_ = std::max(largest_, std::sqrt(square));
 }
@@ -261,7 +254,7 @@ void SplineKernel::substitute_free(uint32_t k) {
     free_system_->substitute(k);
     const uint32_t node = problem_.closed ? (nodes_ - k) % nodes_ : nodes_ - 1 - k;
     if (is_free(node))
-        slope_ += dot(free_system_->solution(node) + (bends() ? n_ : 0), &gradient_[size_t{node} * n_], n_);
+        slope_ += inner_product(free_system_->solution(node) + (bends() ? n_ : 0), &gradient_[size_t{node} * n_], n_);
 }
 
 void SplineKernel::move(uint32_t node) {
