@@ -27,6 +27,8 @@ std::span<const Picture> surface_pictures();    // distances, paths and regions
 std::span<const Picture> tangle_pictures();     // recursive ornament
 std::span<const Picture> skeleton_pictures();   // from a drawn line to bones
 std::span<const Picture> bone_pictures();       // joints, and parts that are connected
+std::span<const Picture> spline_pictures();     // curves that stay on surfaces
+std::span<const Picture> obstacle_pictures();   // and out of solids
 #if defined(FLG_WITH_SCRIPTS)
 std::span<const Picture> piece_pictures();  // finished pieces, by scripts
 std::span<const Picture> model_pictures();  // models, by drawings
