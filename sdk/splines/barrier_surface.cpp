@@ -100,7 +100,8 @@ bool BarrierSurface::evaluate(const double* x, double*, double* value, double* g
     return std::isfinite(*value);
 }
 
-// f = r - sqrt(S), S = r^2 (1 - product) + q_z^2; far from the surface on its upper side, where S = 0, the lesser distance.
+// f = r - sqrt(S), S = r^2 (1 - product) + q_z^2; far from the surface on its upper side, where S = 0, the lesser
+// distance.
 double BarrierSurface::evaluate(const ObstacleSet& obstacles, double r, const double* x, double* gradient,
                                 double* second) {
     const uint32_t d = obstacles.dimension(), n = d + 1;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Symmetric systems of equations whose unknowns form a chain of equal blocks, each coupled with the next, and in a cycle the last
-// with the first: L D L^T without pivoting, block by block, so that time and memory grow with the number of blocks.
+// Symmetric systems of equations whose unknowns form a chain of equal blocks, each coupled with the next, and in a
+// cycle the last with the first: L D L^T without pivoting, block by block, so that time and memory grow with the number
+// of blocks.
 //
-// Good for systems that are definite, or quasi-definite in the order given (unknowns of negative pivots before those of positive
-// ones that depend on them). The signs of the pivots tell the inertia (Sylvester), so who needs positive curvature asks for it.
+// Good for systems that are definite, or quasi-definite in the order given (unknowns of negative pivots before those of
+// positive ones that depend on them). The signs of the pivots tell the inertia (Sylvester), so who needs positive
+// curvature asks for it.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +21,9 @@ public:
 
     uint32_t size() const { return size_; }
 
-    // To be written whole before block i is eliminated; then they are used up. Rows of `size` numbers. Of the diagonal block
-    // only the lower triangle is read. Coupling: rows are unknowns of block i, columns those of the block after it.
+    // To be written whole before block i is eliminated; then they are used up. Rows of `size` numbers. Of the diagonal
+    // block only the lower triangle is read. Coupling: rows are unknowns of block i, columns those of the block after
+    // it.
     double* diagonal(uint32_t i) { return &diagonal_[size_t{i} * area_]; }
     double* coupling(uint32_t i) { return &coupling_[size_t{i} * area_]; }
     double* right_side(uint32_t i) { return &right_[size_t{i} * size_]; }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// All that lies beyond the open borders of a mesh, as an obstacle for curves on its smooth surface, which goes on a little there.
+// All that lies beyond the open borders of a mesh, as an obstacle for curves on its smooth surface, which goes on a
+// little there.
 //
-// Borders are samples whose normals lie in the mesh and point into it: moving least squares over them (oriented_samples.h) give a
-// smooth wall through the border, upright on the surface. Corners of the border are rounded by about an edge.
-// Departure from the paper, which keeps curves in a thin layer around the mesh (obstacle_mesh.h): no grid, no thickness, and
-// the curve may come to the border but not over it.
+// Borders are samples whose normals lie in the mesh and point into it: moving least squares over them
+// (oriented_samples.h) give a smooth wall through the border, upright on the surface. Corners of the border are rounded
+// by about an edge. Departure from the paper, which keeps curves in a thin layer around the mesh (obstacle_mesh.h): no
+// grid, no thickness, and the curve may come to the border but not over it.
 #pragma once
 
 #include "splines/obstacle.h"
@@ -27,7 +28,8 @@ class BorderObstacleKernel {
 public:
     // Outlives the kernel.
     BorderObstacleKernel(const Mesh& mesh, Memory* memory);
-    // A unit is a corner or some of a sample's sorting: about 20 ns. A Failure says so if there are fewer than 4 border edges.
+    // A unit is a corner or some of a sample's sorting: about 20 ns. A Failure says so if there are fewer than 4 border
+    // edges.
     bool run(uint32_t count);
     // After run() returned true, once.
     BorderObstacle take() { return BorderObstacle(sort_->take(), box_, reach_); }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Normals that all point to the same side: along a spanning tree of the neighbours graph that prefers neighbours whose normals
-// are nearly parallel (Hoppe, DeRose, Duchamp, McDonald, Stuetzle: Surface reconstruction from unorganized points, 1992). Of
-// each connected part, the normal of its highest point (along z) points up: outwards, if the part is closed.
+// Normals that all point to the same side: along a spanning tree of the neighbours graph that prefers neighbours whose
+// normals are nearly parallel (Hoppe, DeRose, Duchamp, McDonald, Stuetzle: Surface reconstruction from unorganized
+// points, 1992). Of each connected part, the normal of its highest point (along z) points up: outwards, if the part is
+// closed.
 #pragma once
 
 #include <array>
@@ -12,8 +13,8 @@ namespace flg {
 
 class CloudOrientationKernel {
 public:
-    // `neighbours`: as many of each point as `per_point`, no_index where there are fewer. `normals`, of unit length or 0, are
-    // turned over in place. All outlive the kernel. Memory: 24 bytes a point and 4 a neighbour.
+    // `neighbours`: as many of each point as `per_point`, no_index where there are fewer. `normals`, of unit length or
+    // 0, are turned over in place. All outlive the kernel. Memory: 24 bytes a point and 4 a neighbour.
     CloudOrientationKernel(const Buffer<Position>& places, const Buffer<uint32_t>& neighbours, uint32_t per_point,
                            Buffer<Position>& normals, Memory* memory);
     // A unit is a point or a neighbour in one of six passes: 2 to 30 ns.

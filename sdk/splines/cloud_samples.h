@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The smooth surface of a point cloud: a sample at each point, with the normal and the curvature of a quadric through its
-// neighbours. Noise is smoothed over the distance of the neighbours: samples lie on the quadrics, not at the points. Normals
-// that the host has not given are those of the neighbours' best planes, turned to one side (cloud_orientation.h).
+// The smooth surface of a point cloud: a sample at each point, with the normal and the curvature of a quadric through
+// its neighbours. Noise is smoothed over the distance of the neighbours: samples lie on the quadrics, not at the
+// points. Normals that the host has not given are those of the neighbours' best planes, turned to one side
+// (cloud_orientation.h).
 #pragma once
 
 #include <optional>
@@ -28,8 +29,8 @@ public:
     // A unit is a point in one of about 15 passes: 5 ns to 4 us, 400 ns in the mean.
     bool run(uint32_t count);
 
-    // After run() returned true, once. Points in whose neighbourhood there is no plane have no sample; a Failure says so if fewer
-    // than 4 have one.
+    // After run() returned true, once. Points in whose neighbourhood there is no plane have no sample; a Failure says
+    // so if fewer than 4 have one.
     OrientedSamples take() { return std::move(*surface_); }
     // At points of the cloud: what they lie off the surface, which is their noise.
     const SurfaceDeviation& deviation() const { return deviation_; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The zero level of a function that is sampled on a regular grid, such as a signed distance: by cubic B-splines along each
-// axis, whose coefficients are chosen so that they pass through the samples (Unser: Splines, a perfect fit for signal and
-// image processing, 1999). Two continuous derivatives; the third ones jump from cell to cell. At the ends of the grid second
-// derivatives across them are 0, so that what is linear comes out exactly.
+// The zero level of a function that is sampled on a regular grid, such as a signed distance: by cubic B-splines along
+// each axis, whose coefficients are chosen so that they pass through the samples (Unser: Splines, a perfect fit for
+// signal and image processing, 1999). Two continuous derivatives; the third ones jump from cell to cell. At the ends of
+// the grid second derivatives across them are 0, so that what is linear comes out exactly.
 #pragma once
 
 #include <array>
@@ -41,7 +41,8 @@ private:
 
 class DistanceGridKernel {
 public:
-    // The values outlive the kernel. A Failure says so if there are fewer than 2 samples along an axis, or more than 2^31 in all.
+    // The values outlive the kernel. A Failure says so if there are fewer than 2 samples along an axis, or more than
+    // 2^31 in all.
     DistanceGridKernel(const GridInput& input, Memory* memory);
     // A unit is 16 samples in one of seven passes: 10 to 100 ns. A Failure says so if all values have the same sign.
     bool run(uint32_t count);

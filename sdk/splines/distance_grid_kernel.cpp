@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coefficients of the B-splines through samples: c[i - 1] + 4 c[i] + c[i + 1] = 6 v[i] along each axis in turn, with c = v at
-// both ends, where second derivatives are 0. Eliminated forwards, and back.
+// Coefficients of the B-splines through samples: c[i - 1] + 4 c[i] + c[i + 1] = 6 v[i] along each axis in turn, with c
+// = v at both ends, where second derivatives are 0. Eliminated forwards, and back.
 #include <algorithm>
 
 #include "core/failure.h"
@@ -73,7 +73,8 @@ void DistanceGridKernel::begin_lines() {
     back_ = false;
 }
 
-// One step along lines that lie side by side: along y and z these are neighbours in x, along x they are neighbours in y.
+// One step along lines that lie side by side: along y and z these are neighbours in x, along x they are neighbours in
+// y.
 void DistanceGridKernel::step(uint32_t axis) {
     const size_t strides[] = {1, input_.counts[0], size_t{input_.counts[0]} * input_.counts[1]};
     const uint32_t side = axis == 0 ? 1 : 0, other = axis == 2 ? 1 : 2;

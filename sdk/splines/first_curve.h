@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where the optimization begins (Hofer, Pottmann 2004, sec. 3.2): piecewise geodesics, nearly, or the unrestricted spline,
-// projected.
+// Where the optimization begins (Hofer, Pottmann 2004, sec. 3.2): piecewise geodesics, nearly, or the unrestricted
+// spline, projected.
 //
-// Geodesics are found by halving chords and projecting their middles, again and again, on any manifold; a chord whose middle is
-// as near to two places (antipodal points of a sphere) is led off along the first tangent of its first point. Where a middle
-// comes out on another sheet than the ends do (the way over it is more than twice the chord, or the surface's normals turn over
-// between neighbours), shortest paths on the mesh are taken, if that is what the manifold is made of.
+// Geodesics are found by halving chords and projecting their middles, again and again, on any manifold; a chord whose
+// middle is as near to two places (antipodal points of a sphere) is led off along the first tangent of its first point.
+// Where a middle comes out on another sheet than the ends do (the way over it is more than twice the chord, or the
+// surface's normals turn over between neighbours), shortest paths on the mesh are taken, if that is what the manifold
+// is made of.
 #pragma once
 
 #include <vector>
@@ -34,13 +35,13 @@ struct GivenPoints {
 // Fails, and names the points, where no way leads from one to the next.
 Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints given, FirstCurve& out);
 
-// Puts `nodes` nodes along it, as many intervals a segment as its share of the length says, but at least `least`: the problem's
-// points, knots and given points. In parameters that are given intervals are shared by these.
+// Puts `nodes` nodes along it, as many intervals a segment as its share of the length says, but at least `least`: the
+// problem's points, knots and given points. In parameters that are given intervals are shared by these.
 Task<void> place_nodes(Pace& pace, const Manifold& manifold, const FirstCurve& first, GivenPoints given, uint32_t nodes,
                        uint32_t least, SplineProblem& problem);
 
-// The chain of a kernel that is done becomes that of so many nodes, along the classical spline through its nodes (E1: along
-// itself), intervals shared by parameters: to go on from where a coarser chain has come to.
+// The chain of a kernel that is done becomes that of so many nodes, along the classical spline through its nodes (E1:
+// along itself), intervals shared by parameters: to go on from where a coarser chain has come to.
 Task<void> refine_chain(Pace& pace, const SplineKernel& coarse, uint32_t nodes, uint32_t least, SplineProblem& problem);
 
 // The problem's points become those of the unrestricted spline through its knots.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How far to go along a tangent of a constraint surface towards the point whose nearest point on it is sought: Algorithm 1 of
-// Hofer, Pottmann: Energy-minimizing splines in manifolds (2004), a development of the cone of footpoints.
+// How far to go along a tangent of a constraint surface towards the point whose nearest point on it is sought:
+// Algorithm 1 of Hofer, Pottmann: Energy-minimizing splines in manifolds (2004), a development of the cone of
+// footpoints.
 //
 // Departures. The radius of the circle that touches the xi-axis in the origin and passes through (xi, eta) is
-// (xi^2 + eta^2) / (2 eta), misprinted in the paper. With the signs of its d and kappa (6) would not be 1 / |d kappa - 1| where p lies
-// inside of the circle; what it stands for, rho / |p - m| (Remark 3 and Fig. 4), is right on either side.
+// (xi^2 + eta^2) / (2 eta), misprinted in the paper. With the signs of its d and kappa (6) would not be 1 / |d kappa -
+// 1| where p lies inside of the circle; what it stands for, rho / |p - m| (Remark 3 and Fig. 4), is right on either
+// side.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +23,8 @@ struct FootpointCone {
     double last_to_tangent;  // |x_- - p_T|
 };
 
-// The stepsize s, or 0 where the three points are too near to each other, or too nearly on one line, to tell a curvature.
+// The stepsize s, or 0 where the three points are too near to each other, or too nearly on one line, to tell a
+// curvature.
 inline double footpoint_stepsize(const FootpointCone& cone) {
     const double to_p = std::hypot(cone.tangent, cone.height);
     if (!(cone.last_to_current > 1e-9 * to_p)) return 0;

@@ -39,7 +39,8 @@ bool Hypersurface::project(double* x, double* memory) const {
     return false;
 }
 
-// Householder's reflection that takes a unit vector along an axis to the normal takes the other axes to the tangent space.
+// Householder's reflection that takes a unit vector along an axis to the normal takes the other axes to the tangent
+// space.
 void Hypersurface::tangent_basis(const double* x, double* memory, double* basis) const {
     const uint32_t n = ambient();
     Point normal{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces of codimension one that a function of R^n is zero on (Hofer, Pottmann 2004, sec. 3.2, Implicit surfaces): level sets,
-// point clouds and meshes by moving least squares, barriers around obstacles.
+// Surfaces of codimension one that a function of R^n is zero on (Hofer, Pottmann 2004, sec. 3.2, Implicit surfaces):
+// level sets, point clouds and meshes by moving least squares, barriers around obstacles.
 #pragma once
 
 #include "splines/manifold.h"
@@ -9,13 +9,13 @@ namespace flg {
 
 class Hypersurface : public Manifold {
 public:
-    // The function at x, its gradient (n numbers) and, unless null, its second derivatives (n x n, symmetric). Continuous first
-    // derivatives, and second ones that are bounded. False where it is not defined. The gradient points outwards and is not 0
-    // near the surface. 1 us at most.
+    // The function at x, its gradient (n numbers) and, unless null, its second derivatives (n x n, symmetric).
+    // Continuous first derivatives, and second ones that are bounded. False where it is not defined. The gradient
+    // points outwards and is not 0 near the surface. 1 us at most.
     virtual bool evaluate(const double* x, double* memory, double* value, double* gradient, double* second) const = 0;
 
-    // Newton's method along the gradient (the paper searches along the one at the first point; following it as it turns ends
-    // nearer to the nearest point), to rounding. A step goes at most `max_step` far.
+    // Newton's method along the gradient (the paper searches along the one at the first point; following it as it turns
+    // ends nearer to the nearest point), to rounding. A step goes at most `max_step` far.
     bool project(double* x, double* memory) const override;
     void tangent_basis(const double* x, double* memory, double* basis) const override;
     void second_form(const double* x, double* memory, const double* basis, const double* force,

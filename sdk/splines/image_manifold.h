@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Surfaces whose normals are part of them (Hofer, Pottmann 2004, sec. 6, Fig. 17; Kimmel, Sochen, Malladi 2000): the points
-// (x, weight * normal(x)) of R^6. Where a surface bends they are far apart, so that smooth curves among them follow features
-// and do not cross them.
+// Surfaces whose normals are part of them (Hofer, Pottmann 2004, sec. 6, Fig. 17; Kimmel, Sochen, Malladi 2000): the
+// points (x, weight * normal(x)) of R^6. Where a surface bends they are far apart, so that smooth curves among them
+// follow features and do not cross them.
 #pragma once
 
 #include "splines/hypersurface.h"
@@ -16,8 +16,9 @@ public:
     // The point of the manifold over a point of the surface, with whose memory it was projected.
     void lift(const double* place, double* memory, double* x) const;
 
-    // The first three coordinates are projected to the surface, and corrected once by what the other three say: near the manifold
-    // that is the nearest point up to the square of the distance. About three times what the surface needs.
+    // The first three coordinates are projected to the surface, and corrected once by what the other three say: near
+    // the manifold that is the nearest point up to the square of the distance. About three times what the surface
+    // needs.
     bool project(double* x, double* memory) const override;
     // From the surface's shape operator.
     void tangent_basis(const double* x, double* memory, double* basis) const override;

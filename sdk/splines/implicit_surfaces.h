@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces in R^3 that a formula is zero on, with exact derivatives, around the origin: those whose distance is a formula
-// too (sphere, torus, plane), and a table of others that are found by name (implicit_formulas.cpp).
+// Surfaces in R^3 that a formula is zero on, with exact derivatives, around the origin: those whose distance is a
+// formula too (sphere, torus, plane), and a table of others that are found by name (implicit_formulas.cpp).
 #pragma once
 
 #include <span>

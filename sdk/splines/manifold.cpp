@@ -13,7 +13,8 @@ constexpr uint32_t max_memory = 256;
 
 }  // namespace
 
-// The way x + t v leads, projected, has the second derivative II(v, v) at x, beside what is tangent. II(u, v) by polarization.
+// The way x + t v leads, projected, has the second derivative II(v, v) at x, beside what is tangent. II(u, v) by
+// polarization.
 void Manifold::second_form(const double* x, double* memory, const double* basis, const double* force,
                            double* form) const {
     const uint32_t n = ambient_, k = dimension_;

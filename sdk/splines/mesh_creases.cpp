@@ -16,8 +16,8 @@ constexpr double sharpest = 3.9;
 
 }  // namespace
 
-// The middle c = place - rho u of what touches all planes n_i . (x - place) = 0 from below has n_i . u = 1, along the normals'
-// span; the surface then has the normal u / |u|.
+// The middle c = place - rho u of what touches all planes n_i . (x - place) = 0 from below has n_i . u = 1, along the
+// normals' span; the surface then has the normal u / |u|.
 bool CreaseRounding::round(double length, double radius, OrientedSample& sample) const {
     if (convex_ == concave_) return false;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;

@@ -42,8 +42,8 @@ double square_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
     return (ap - vb / sum * ab - vc / sum * ac).squaredNorm();
 }
 
-// How often the edge from a to b turns around p counter-clockwise, seen along an axis: 1, -1 or 0, by whether it passes the ray
-// from p in direction u. The same bits for the edge from b to a but for the sign.
+// How often the edge from a to b turns around p counter-clockwise, seen along an axis: 1, -1 or 0, by whether it passes
+// the ray from p in direction u. The same bits for the edge from b to a but for the sign.
 int winding_of_edge(double pu, double pv, double au, double av, double bu, double bv) {
     if ((av <= pv) == (bv <= pv)) return 0;
     const bool up = av <= pv;
@@ -203,8 +203,8 @@ void MeshDistanceKernel::splat() {
     if (!in_triangle_) ++at_;
 }
 
-// A node tries the triangles of the seven neighbours that the sweep has passed: those that are new within eight sweeps, in which
-// it comes past each neighbour, and that may be nearer, as they are as near to the neighbour.
+// A node tries the triangles of the seven neighbours that the sweep has passed: those that are new within eight sweeps,
+// in which it comes past each neighbour, and that may be nearer, as they are as near to the neighbour.
 void MeshDistanceKernel::sweep() {
     const SweepGrid& grid = out_.grid;
     const auto backwards = [&](uint32_t axis) { return (sweep_ >> axis & 1) != 0; };
@@ -321,7 +321,8 @@ void MeshDistanceKernel::count_line() {
     if (++axis_ == 3) enter(Pass::sign);
 }
 
-// A distance without sign gets values of both signs: it is less than the shift next to the mesh and more at the grid's sides.
+// A distance without sign gets values of both signs: it is less than the shift next to the mesh and more at the grid's
+// sides.
 void MeshDistanceKernel::sign() {
     for (uint32_t k = 0; k < batch && at_ < out_.grid.size(); ++k, ++at_) {
         int votes = 0;

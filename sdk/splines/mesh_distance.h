@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The distance from a triangle mesh on the nodes of a grid, with a sign for what is inside (Tsai: Rapid and accurate computation
-// of the distance function using grids, 2002, as Hofer and Pottmann 2004, sec. 5, use it): exact at the nodes next to
-// triangles, and further out by sweeping, where a node tries the triangles that are nearest to its neighbours, and then walks
-// across the mesh while that leads nearer. A value is the exact distance from a triangle, as a rule from the nearest one.
+// The distance from a triangle mesh on the nodes of a grid, with a sign for what is inside (Tsai: Rapid and accurate
+// computation of the distance function using grids, 2002, as Hofer and Pottmann 2004, sec. 5, use it): exact at the
+// nodes next to triangles, and further out by sweeping, where a node tries the triangles that are nearest to its
+// neighbours, and then walks across the mesh while that leads nearer. A value is the exact distance from a triangle, as
+// a rule from the nearest one.
 //
-// Inside: along the lines of nodes in each of the three directions, triangles that are crossed count by their sense; a node is
-// inside if two of the three counts are not 0. An edge's side is decided once for the triangles on both sides, so closed meshes
-// are counted exactly, whatever lies on an edge; holes that are small and few are outvoted. Of an open mesh take no sign.
+// Inside: along the lines of nodes in each of the three directions, triangles that are crossed count by their sense; a
+// node is inside if two of the three counts are not 0. An edge's side is decided once for the triangles on both sides,
+// so closed meshes are counted exactly, whatever lies on an edge; holes that are small and few are outvoted. Of an open
+// mesh take no sign.
 #pragma once
 
 #include "splines/sampled_distance.h"
@@ -18,14 +20,15 @@ class MeshDistanceKernel {
 public:
     static constexpr uint32_t least_cells = 8, most_cells = 192;
 
-    // reach: metres > 0, how far around the mesh's box the distance is needed. cells: along the longest side of the box, reach
-    // included; least_cells to most_cells. has_sign: negative inside. Throws a Failure for values out of their range and,
-    // while it runs, for a mesh that is to have an inside and holds no node. The mesh does not change meanwhile; `out` is complete when run() returned true.
+    // reach: metres > 0, how far around the mesh's box the distance is needed. cells: along the longest side of the
+    // box, reach included; least_cells to most_cells. has_sign: negative inside. Throws a Failure for values out of
+    // their range and, while it runs, for a mesh that is to have an inside and holds no node. The mesh does not change
+    // meanwhile; `out` is complete when run() returned true.
     MeshDistanceKernel(const Mesh& mesh, double reach, uint32_t cells, bool has_sign, SampledDistance& out,
                        Memory* memory);
 
-    // A unit is 16 nodes of a triangle's box, or 8 nodes of a sweep, or 64 of simpler passes: about 1 us. Memory: 9 bytes a
-    // node besides the result's 4, 15 with sign.
+    // A unit is 16 nodes of a triangle's box, or 8 nodes of a sweep, or 64 of simpler passes: about 1 us. Memory: 9
+    // bytes a node besides the result's 4, 15 with sign.
     bool run(uint32_t count);
 
 private:

@@ -20,8 +20,8 @@ constexpr double most_bent = 0.7;
 constexpr double crease_share = 1.0 / 24;
 // Samples that are not at vertices are at most so many, or so many times the vertices.
 constexpr double most_extras = 20000, most_extras_share = 3;
-// How far from a sharp edge its rounding begins, of the samples' radius; edges that are a smaller share of that are those of
-// thin parts, which would vanish.
+// How far from a sharp edge its rounding begins, of the samples' radius; edges that are a smaller share of that are
+// those of thin parts, which would vanish.
 constexpr double rounded_share = 0.5, least_edge = 0.4;
 constexpr uint32_t most_parts = 4096;  // of an edge
 // An edge that is longer than samples may be apart is divided if it is so many times as long.
@@ -284,7 +284,8 @@ bool MeshSamplesKernel::across_rows(OrientedSample* sample) {
     return between(weights, radius_share * fine, sample);
 }
 
-// A vertex of several sectors has one sample that rounds them all, or each sector has its own where that is not possible.
+// A vertex of several sectors has one sample that rounds them all, or each sector has its own where that is not
+// possible.
 void MeshSamplesKernel::emit_vertex() {
     const MeshSector& sector = sectors_.sector(at_);
     const uint32_t vertex = mesh_.vertex_at(sector.first);

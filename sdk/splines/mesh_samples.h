@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The smooth surface of a triangle mesh: samples at its vertices, with normals and curvatures fitted to the neighbours, and
-// more samples along edges and in triangles where they are long compared to how the surface bends, or beside sharp edges.
-// Creases are rounded, by about the distance of samples there: a 24th of the mesh's size, or what its edges are long if that is
-// less. Open borders go on a little, about half an edge.
+// The smooth surface of a triangle mesh: samples at its vertices, with normals and curvatures fitted to the neighbours,
+// and more samples along edges and in triangles where they are long compared to how the surface bends, or beside sharp
+// edges. Creases are rounded, by about the distance of samples there: a 24th of the mesh's size, or what its edges are
+// long if that is less. Open borders go on a little, about half an edge.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,8 @@ class MeshSamplesKernel {
 public:
     // Outlives the kernel; with one triangle at least.
     MeshSamplesKernel(const Mesh& mesh, Memory* memory);
-    // A unit is a corner, a triangle or a sample in one of about 20 passes: 5 to 400 ns, 80 ns in the mean. A Failure says
-    // if there are not samples enough.
+    // A unit is a corner, a triangle or a sample in one of about 20 passes: 5 to 400 ns, 80 ns in the mean. A Failure
+    // says if there are not samples enough.
     bool run(uint32_t count);
 
     // After run() returned true, once.
@@ -40,7 +40,8 @@ private:
         OrientedSample sample;
         double spacing;  // how far samples may be apart here
     };
-    // Where samples come next, beside those at vertices: along the edges 0, 1 and 2 of a triangle, then in rows across it.
+    // Where samples come next, beside those at vertices: along the edges 0, 1 and 2 of a triangle, then in rows across
+    // it.
     struct Place {
         uint32_t stage = 0, row = 0, column = 0;
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corners of a mesh, gathered around each vertex between sharp edges: a sector is a place of the surface that has one
-// normal. A vertex of a smooth part has one sector, one on a crease has two, the corner of a cube has three.
+// The corners of a mesh, gathered around each vertex between sharp edges: a sector is a place of the surface that has
+// one normal. A vertex of a smooth part has one sector, one on a crease has two, the corner of a cube has three.
 #pragma once
 
 #include "surfaces/mesh.h"

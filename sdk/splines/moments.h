@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Energies of the curve through a chain of points (Hofer, Pottmann 2004, equations 1 to 3, discretized).
 //
-// Departure from the paper, which takes differences of differences as second derivatives: ours is the least E2 of all curves in
-// R^n through the points, that of their cubic spline, whose second derivatives at the points (its moments M) solve R M = Q^T x
-// (Reinsch). Where nothing restricts a curve its spline then comes out to rounding, not to the square of the step, and the
-// fourth derivative is a second difference of M, which costs half the digits less.
+// Departure from the paper, which takes differences of differences as second derivatives: ours is the least E2 of all
+// curves in R^n through the points, that of their cubic spline, whose second derivatives at the points (its moments M)
+// solve R M = Q^T x (Reinsch). Where nothing restricts a curve its spline then comes out to rounding, not to the square
+// of the step, and the fourth derivative is a second difference of M, which costs half the digits less.
 //
-// Ends. The tangent of a curve on a surface has no part along the surface's normals. So the spline is clamped in these directions
-// (slope 0) and natural in the tangent ones: else a whole step at each end would count too little. `normals`: the projection
-// onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n or the end may move.
+// Ends. The tangent of a curve on a surface has no part along the surface's normals. So the spline is clamped in these
+// directions (slope 0) and natural in the tangent ones: else a whole step at each end would count too little.
+// `normals`: the projection onto them; the identity where a derivative is prescribed, 0 where the surface fills R^n or
+// the end may move.
 //
-// Invariants: exact for cubic splines with breaks at given points; E2 >= 0; linear in the points but for the ends' slopes.
+// Invariants: exact for cubic splines with breaks at given points; E2 >= 0; linear in the points but for the ends'
+// slopes.
 #pragma once
 
 #include <span>
@@ -30,7 +32,8 @@ public:
     // `nodes` points of R^n, at least 2, in a cycle 3.
     Moments(uint32_t nodes, uint32_t ambient, bool closed, Memory* memory);
 
-    // Steps between nodes: one an interval. To be read again after they change: measure(k) for k = 0 to measure_count() - 1.
+    // Steps between nodes: one an interval. To be read again after they change: measure(k) for k = 0 to measure_count()
+    // - 1.
     std::span<double> steps() { return {steps_.data(), steps_.size()}; }
     uint32_t measure_count() const { return 2 * (intervals_ - 1); }
     void measure(uint32_t k);
@@ -43,7 +46,8 @@ public:
     void solve(uint32_t k, const double* points);
     void moment(uint32_t node, double* out) const;
 
-    // After all that: the change of slope at a node, (Q^T x)_i; the sum over nodes of its product with the moment is E2.
+    // After all that: the change of slope at a node, (Q^T x)_i; the sum over nodes of its product with the moment is
+    // E2.
     void bend(uint32_t node, const double* points, double* out) const;
     // E2's share of a node, given its moment.
     double energy(uint32_t node, const double* points, const double* moment) const;

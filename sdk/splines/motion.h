@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Rigid motions of least energy through keyframes, or near them (Hofer, Pottmann 2004, sec. 4.2).
 //
-// In the metric (9) a motion's energy is that of the barycentre's path, times the mass, and that of the rotation: two splines that
-// do not know of each other. The first is a classical one, in closed form (natural_cubic.h). The second is found by the
-// optimizer on the manifold of rotations (rotation_manifold.h): from rotations at constant speed, first with 6 intervals a
-// segment; the cubic through these is so near that the fine chain takes one round or two.
+// In the metric (9) a motion's energy is that of the barycentre's path, times the mass, and that of the rotation: two
+// splines that do not know of each other. The first is a classical one, in closed form (natural_cubic.h). The second is
+// found by the optimizer on the manifold of rotations (rotation_manifold.h): from rotations at constant speed, first
+// with 6 intervals a segment; the cubic through these is so near that the fine chain takes one round or two.
 //
-// Among obstacles (sec. 5, Fig. 16) the barycentre's path is a spline around them instead (obstacle_spline.h). With a clearance of
-// the body's radius the whole body stays out of them, however it turns.
+// Among obstacles (sec. 5, Fig. 16) the barycentre's path is a spline around them instead (obstacle_spline.h). With a
+// clearance of the body's radius the whole body stays out of them, however it turns.
 //
-// Invariants: keys are passed through to rounding, unless smoothing; the barycentre's path does not depend on the rotations.
+// Invariants: keys are passed through to rounding, unless smoothing; the barycentre's path does not depend on the
+// rotations.
 #pragma once
 
 #include <memory>

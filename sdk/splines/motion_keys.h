@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Keyframes of a rigid body, checked and split: the path of its barycentre, and its rotation (Hofer, Pottmann 2004, sec. 4.2: the
-// two do not know of each other).
+// Keyframes of a rigid body, checked and split: the path of its barycentre, and its rotation (Hofer, Pottmann 2004,
+// sec. 4.2: the two do not know of each other).
 //
-// A pose is three rows of four numbers, (A | a): points p of the body are at A p + a. In body coordinates (body_inertia.h) it is the
-// barycentre's place A s + a and the rotation A times the principal axes.
+// A pose is three rows of four numbers, (A | a): points p of the body are at A p + a. In body coordinates
+// (body_inertia.h) it is the barycentre's place A s + a and the rotation A times the principal axes.
 //
-// Refused: numbers that are not finite; times that do not rise by 1e-9 of the whole motion; reflections; stretches by more than 1e-3; two keys in a row with
-// one pose, which no energy can tell from a body at rest; fewer than two keys. Smaller stretches are taken off: the nearest
-// rotation stands for A, and the greatest one is told.
+// Refused: numbers that are not finite; times that do not rise by 1e-9 of the whole motion; reflections; stretches by
+// more than 1e-3; two keys in a row with one pose, which no energy can tell from a body at rest; fewer than two keys.
+// Smaller stretches are taken off: the nearest rotation stands for A, and the greatest one is told.
 #pragma once
 
 #include <span>

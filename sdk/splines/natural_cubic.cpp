@@ -152,8 +152,8 @@ void NaturalCubic::close() {
     }
 }
 
-// A knot's moment without what that of knot 0 takes away, and the knot's share of the energy: moment times bend, and tension times
-// that of the straight line after it.
+// A knot's moment without what that of knot 0 takes away, and the knot's share of the energy: moment times bend, and
+// tension times that of the straight line after it.
 void NaturalCubic::finish(size_t knot) {
     const size_t n = data_.dimension;
     const double weight = std::isinf(data_.tension) ? 1 : data_.tension;

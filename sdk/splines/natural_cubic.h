@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The curves of R^n through given points at given times that have the least energy, in closed form: cubic splines (de Boor, A
-// Practical Guide to Splines, 1978), splines in tension (Schweikert, An interpolating curve using a spline in tension, 1966), and
-// polylines. What Hofer and Pottmann's energies (1) to (3) give where nothing restricts a curve: paths of barycentres, first curves.
+// The curves of R^n through given points at given times that have the least energy, in closed form: cubic splines (de
+// Boor, A Practical Guide to Splines, 1978), splines in tension (Schweikert, An interpolating curve using a spline in
+// tension, 1966), and polylines. What Hofer and Pottmann's energies (1) to (3) give where nothing restricts a curve:
+// paths of barycentres, first curves.
 //
-// Between two knots a distance h apart x = L + M_0 S(h - t) + M_1 S(t): L is the straight line, M are the second derivatives at the
-// knots, and S = (sinh(s t) / sinh(s h) - t / h) / s^2 with s^2 = w, for w = 0 the cubic (t^3 - t h^2) / (6 h). The moments make
-// the slopes at knots agree: one tridiagonal system, diagonally dominant.
+// Between two knots a distance h apart x = L + M_0 S(h - t) + M_1 S(t): L is the straight line, M are the second
+// derivatives at the knots, and S = (sinh(s t) / sinh(s h) - t / h) / s^2 with s^2 = w, for w = 0 the cubic (t^3 - t
+// h^2) / (6 h). The moments make the slopes at knots agree: one tridiagonal system, diagonally dominant.
 #pragma once
 
 #include <span>
@@ -31,12 +32,13 @@ class NaturalCubic {
 public:
     NaturalCubic(const CubicData& data, Memory* memory);
 
-    // Does `count` units of work, each some 10 ns times the dimension; true when done. Before that evaluate() may not be called.
+    // Does `count` units of work, each some 10 ns times the dimension; true when done. Before that evaluate() may not
+    // be called.
     bool run(size_t count);
 
-    // The derivative of order 0 to 3 at a time; before the first and after the last knot, that of the first and the last piece,
-    // with periodic ends that of the time in the period. At knots the third derivative is that after it. `dimension` numbers.
-    // Some 50 ns, and 5 ns more each time the number of knots doubles.
+    // The derivative of order 0 to 3 at a time; before the first and after the last knot, that of the first and the
+    // last piece, with periodic ends that of the time in the period. At knots the third derivative is that after it.
+    // `dimension` numbers. Some 50 ns, and 5 ns more each time the number of knots doubles.
     void evaluate(double time, int derivative, double* out) const;
 
     // The curve's energy: the integral of |x''|^2 + w |x'|^2; of a polyline that of |x'|^2.

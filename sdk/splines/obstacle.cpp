@@ -13,7 +13,8 @@ namespace {
 constexpr double deep = 0.5;  // of the core's depth
 constexpr uint32_t most_looks = 64;
 
-// How often the way from a to b turns around p, beside what its ends and others' cancel: its crossings of the ray from p along x.
+// How often the way from a to b turns around p, beside what its ends and others' cancel: its crossings of the ray from
+// p along x.
 int crossing(const Obstacle::Place& p, const double* a, const double* b) {
     if ((a[1] <= p[1]) == (b[1] <= p[1])) return 0;
     const double side = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);

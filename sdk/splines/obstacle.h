@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What curves keep out of (Hofer, Pottmann: Energy-minimizing splines in manifolds, 2004, sec. 5): a solid of the plane or of
-// space, known by the signed distance from its boundary, positive outside.
+// What curves keep out of (Hofer, Pottmann: Energy-minimizing splines in manifolds, 2004, sec. 5): a solid of the plane
+// or of space, known by the signed distance from its boundary, positive outside.
 //
 // Invariants
-// - The value is never more than the distance: what is `value` away from a place is free. Within `reach` of the boundary it is
+// - The value is never more than the distance: what is `value` away from a place is free. Within `reach` of the
+// boundary it is
 //   the distance, its gradient has length 1 and its second derivatives are those of the distance wherever it has any.
-// - Where several points of the boundary are nearest (inside of a solid, in front of a dent) one of them is taken, always the
+// - Where several points of the boundary are nearest (inside of a solid, in front of a dent) one of them is taken,
+// always the
 //   same; gradient and second derivatives are that one's.
 #pragma once
 
@@ -29,8 +31,8 @@ public:
 
     virtual ~Obstacle() = default;
 
-    // The signed distance of x, its gradient (d numbers) and its second derivatives (d x d), each but the value may be null.
-    // Finite x. Any thread. 1 us at most.
+    // The signed distance of x, its gradient (d numbers) and its second derivatives (d x d), each but the value may be
+    // null. Finite x. Any thread. 1 us at most.
     virtual double evaluate(const double* x, double* gradient, double* second) const = 0;
 
     uint32_t dimension() const { return dimension_; }  // d, 2 or 3
@@ -38,8 +40,8 @@ public:
     const Box& box() const { return box_; }
     // The solid is inside of the box; else it is what lies around it.
     bool bounded() const { return bounded_; }
-    // A length. Steps of a point that are shorter, followed by a way out along the gradient, leave it on its side: the solid
-    // has a connected core that is deeper everywhere.
+    // A length. Steps of a point that are shorter, followed by a way out along the gradient, leave it on its side: the
+    // solid has a connected core that is deeper everywhere.
     double core_depth() const { return core_depth_; }
     // A place deep inside: what ways of the plane turn around, on one side or the other.
     const Place& core() const { return core_; }
@@ -65,12 +67,12 @@ private:
     Place core_{};
 };
 
-// Several obstacles as one: the distance is the least one, less a clearance to keep from all of them (the radius of a body whose
-// centre the curve is). The obstacles outlive the set and do not change meanwhile.
+// Several obstacles as one: the distance is the least one, less a clearance to keep from all of them (the radius of a
+// body whose centre the curve is). The obstacles outlive the set and do not change meanwhile.
 class ObstacleSet {
 public:
-    // Throws a Failure: no obstacle or more than max_count, one null or of another dimension, a clearance that is negative or
-    // not finite or too large for the reach of an obstacle.
+    // Throws a Failure: no obstacle or more than max_count, one null or of another dimension, a clearance that is
+    // negative or not finite or too large for the reach of an obstacle.
     ObstacleSet(std::span<const Obstacle* const> obstacles, double clearance, Memory* memory);
 
     static constexpr uint32_t max_count = 256;
@@ -86,24 +88,24 @@ public:
     }
     // That distance is no less than this; quickly.
     double at_least(uint32_t i, const double* x) const;
-    // The least distance, of obstacle `which`; nothing is evaluated that can't be less than `below`, which is then returned.
-    // Each may be null but x. 5 ns an obstacle that is far, beside those that are near.
+    // The least distance, of obstacle `which`; nothing is evaluated that can't be less than `below`, which is then
+    // returned. Each may be null but x. 5 ns an obstacle that is far, beside those that are near.
     double distance(const double* x, uint32_t* which = nullptr, double* gradient = nullptr,
                     double below = std::numeric_limits<double>::infinity()) const;
 
-    // Whether the straight way from a to b stays clear: in steps of the distance, each of which ends `margin` (> 0) away at
-    // least, the ends of the way too. Exact: a way that is said to be clear has no point nearer than 0. Takes so many steps
-    // and, if these did not do, goes on from `done` (0 at first, a length) when called again.
+    // Whether the straight way from a to b stays clear: in steps of the distance, each of which ends `margin` (> 0)
+    // away at least, the ends of the way too. Exact: a way that is said to be clear has no point nearer than 0. Takes
+    // so many steps and, if these did not do, goes on from `done` (0 at first, a length) when called again.
     enum class Way { clear, blocked, unfinished };
     Way follow(const double* a, const double* b, double margin, uint32_t steps, double* done) const;
     // In one go.
     bool clear(const double* a, const double* b, double margin) const;
 
-    // Whether a curve's straight piece from a to b may become that from c to e, as far as one step tells, without a change of
-    // sides: in the plane, what the piece sweeps over has no core in it; in space, its ends do not go through a solid; and the
-    // new piece goes through none that the old one went around. Through: deeper than half of core_depth(). Of a curve of which
-    // given points stay, all pieces together keep its homotopy class in the plane. 5 ns an obstacle that is far, and some
-    // evaluations of each that is near.
+    // Whether a curve's straight piece from a to b may become that from c to e, as far as one step tells, without a
+    // change of sides: in the plane, what the piece sweeps over has no core in it; in space, its ends do not go through
+    // a solid; and the new piece goes through none that the old one went around. Through: deeper than half of
+    // core_depth(). Of a curve of which given points stay, all pieces together keep its homotopy class in the plane. 5
+    // ns an obstacle that is far, and some evaluations of each that is near.
     bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const;
 
     // Step limit of a point of the curve: shorter ones, projected, pass no obstacle (see core_depth()).

@@ -88,7 +88,8 @@ bool ObstacleGrid::run(uint32_t count) {
     return pass_ == Pass::done;
 }
 
-// From the middle of one to the boundary of the other and back, until the way is the gap. One that overlaps the other has none.
+// From the middle of one to the boundary of the other and back, until the way is the gap. One that overlaps the other
+// has none.
 void ObstacleGrid::measure_gap() {
     const uint32_t d = obstacles_.dimension(), i = at_, j = other_;
     if (++other_ == obstacles_.count()) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The grid that first curves around obstacles are found on (Hofer, Pottmann 2004, sec. 5, Fig. 14): how fine it is, which of its
-// nodes are free, which edges are closed by something thinner than a cell; and which side of an obstacle a curve must pass.
+// The grid that first curves around obstacles are found on (Hofer, Pottmann 2004, sec. 5, Fig. 14): how fine it is,
+// which of its nodes are free, which edges are closed by something thinner than a cell; and which side of an obstacle a
+// curve must pass.
 //
-// A side is had by extending the obstacle without end in the opposite direction: what the extension holds is not free, so every
-// way passes on the side that is left. A point x is in the extension of O along -u if O is met from x in direction u. Obstacles
-// that are thinner than a cell are extended as bars two cells wide, which no way along the grid crosses.
+// A side is had by extending the obstacle without end in the opposite direction: what the extension holds is not free,
+// so every way passes on the side that is left. A point x is in the extension of O along -u if O is met from x in
+// direction u. Obstacles that are thinner than a cell are extended as bars two cells wide, which no way along the grid
+// crosses.
 //
-// Spacing: a quarter of the narrowest gap between two obstacles (found by projecting to and fro, so between dents not the
-// narrowest) and of a layer's thickness, not coarser than 1/128 of the longest side of the grid's box (space: 1/48), not finer than 1/512 (1/96). Gaps
-// that are narrower than a cell are seen only where nodes happen to lie in them.
+// Spacing: a quarter of the narrowest gap between two obstacles (found by projecting to and fro, so between dents not
+// the narrowest) and of a layer's thickness, not coarser than 1/128 of the longest side of the grid's box (space:
+// 1/48), not finer than 1/512 (1/96). Gaps that are narrower than a cell are seen only where nodes happen to lie in
+// them.
 #pragma once
 
 #include "splines/sweep_distance.h"
@@ -22,13 +25,13 @@ struct ObstacleSide {
 
 class ObstacleGrid {
 public:
-    // points: d numbers each; the grid's box has them and all obstacles, with a tenth of its size around. All outlive it.
-    // Throws a Failure: sides of obstacles that there are not, or that have no outside, directions without length.
+    // points: d numbers each; the grid's box has them and all obstacles, with a tenth of its size around. All outlive
+    // it. Throws a Failure: sides of obstacles that there are not, or that have no outside, directions without length.
     ObstacleGrid(const ObstacleSet& obstacles, std::span<const double> points, std::span<const ObstacleSide> sides,
                  Memory* memory);
 
-    // A unit is a pair of obstacles, a node or an edge of it: 0.1 to 1 us, more where a side's extension is grazed. True when
-    // done.
+    // A unit is a pair of obstacles, a node or an edge of it: 0.1 to 1 us, more where a side's extension is grazed.
+    // True when done.
     bool run(uint32_t count);
 
     // After run() returned true.

@@ -159,7 +159,8 @@ void ObstaclePathKernel::straight() {
     pass_ = Pass::seeds;
 }
 
-// Node at_ of those around a place: 7^d. False after the last one. *node is no node if it is not free or not joined straight.
+// Node at_ of those around a place: 7^d. False after the last one. *node is no node if it is not free or not joined
+// straight.
 bool ObstaclePathKernel::try_node(const Place& centre, uint32_t* node, Place* at) {
     constexpr uint32_t side = 2 * near_cells + 1;
     const SweepGrid& grid = grid_.grid();
@@ -308,8 +309,8 @@ void ObstaclePathKernel::pull() {
     unseen_ = 0;
 }
 
-// Each vertex in turn goes towards the straight way between its neighbours: all of it, and is left out, or a half, a quarter
-// and so on, as far as both of them still see it.
+// Each vertex in turn goes towards the straight way between its neighbours: all of it, and is left out, or a half, a
+// quarter and so on, as far as both of them still see it.
 void ObstaclePathKernel::tighten() {
     if (at_ + 1 >= taut_.size()) {
         if (moved_ && ++round_ < tighten_rounds) {

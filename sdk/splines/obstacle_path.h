@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The first curve of a spline among obstacles (Hofer, Pottmann 2004, sec. 5, Fig. 14): for each pair of given points the
-// distance from the first one is spread over a grid, nodes inside of obstacles left out, and the second one is led back down
-// it; then the way is pulled tight. It decides how the spline passes the obstacles: the optimizer moves it continuously.
+// The first curve of a spline among obstacles (Hofer, Pottmann 2004, sec. 5, Fig. 14): for each pair of given points
+// the distance from the first one is spread over a grid, nodes inside of obstacles left out, and the second one is led
+// back down it; then the way is pulled tight. It decides how the spline passes the obstacles: the optimizer moves it
+// continuously.
 //
-// Invariants: no point of the polyline is inside of an obstacle or nearer than the clearance; given points are vertices of it.
-// Departures: back from node to node, down the steepest straight way to a neighbour, not along the gradient, which next to
-// nodes that are left out is unknown. Pulling tight: from each vertex to the farthest one that it sees, by doubling and
-// halving; then the vertices that are left go towards the straight ways between their neighbours. Around a round obstacle
-// tangents are left, some percents too long at most.
+// Invariants: no point of the polyline is inside of an obstacle or nearer than the clearance; given points are vertices
+// of it. Departures: back from node to node, down the steepest straight way to a neighbour, not along the gradient,
+// which next to nodes that are left out is unknown. Pulling tight: from each vertex to the farthest one that it sees,
+// by doubling and halving; then the vertices that are left go towards the straight ways between their neighbours.
+// Around a round obstacle tangents are left, some percents too long at most.
 #pragma once
 
 #include "splines/obstacle_grid.h"
@@ -24,15 +25,15 @@ struct ObstaclePath {
 
 class ObstaclePathKernel {
 public:
-    // points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path. All
-    // outlive the kernel; the path is complete when run() returned true.
-    // run() throws a Failure where a point is inside of an obstacle (nearer than the clearance), behind one whose side is
-    // given, or in a gap finer than the grid; and where there is no way.
+    // points: d numbers each, two points at least, finite. sides: how obstacles have to be passed by all of the path.
+    // All outlive the kernel; the path is complete when run() returned true. run() throws a Failure where a point is
+    // inside of an obstacle (nearer than the clearance), behind one whose side is given, or in a gap finer than the
+    // grid; and where there is no way.
     ObstaclePathKernel(const ObstacleSet& obstacles, std::span<const double> points, bool closed,
                        std::span<const ObstacleSide> sides, ObstaclePath& path, Memory* memory);
 
-    // A unit is one of the grid's, of sweeping, or a look along a straight way: about 1 us, 20 us where it grazes obstacles.
-    // Memory: 13 bytes a node.
+    // A unit is one of the grid's, of sweeping, or a look along a straight way: about 1 us, 20 us where it grazes
+    // obstacles. Memory: 13 bytes a node.
     bool run(uint32_t count);
 
 private:

@@ -53,8 +53,8 @@ void check_edges(const std::pmr::vector<V>& v) {
     }
 }
 
-// The depth to which the polygon stays in one piece: half of its narrowest neck, which has a corner that points inwards on one
-// side at least; and no more than area over perimeter, which a disc inside always exceeds.
+// The depth to which the polygon stays in one piece: half of its narrowest neck, which has a corner that points inwards
+// on one side at least; and no more than area over perimeter, which a disc inside always exceeds.
 template <class V>
 double depth_of_core(const std::pmr::vector<V>& v, double area) {
     const uint32_t n = static_cast<uint32_t>(v.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A simple polygon, convex or not, as an obstacle of the plane. The nearest point is looked for among all edges; the side
-// follows from the edge or corner that it lies on.
+// A simple polygon, convex or not, as an obstacle of the plane. The nearest point is looked for among all edges; the
+// side follows from the edge or corner that it lies on.
 #pragma once
 
 #include "splines/obstacle.h"
@@ -11,9 +11,9 @@ class PolygonObstacle final : public Obstacle {
 public:
     static constexpr uint32_t max_vertices = 256;
 
-    // x and y of each vertex, around it in either sense; the last one is joined to the first. Copied. Throws a Failure: fewer
-    // than 3 vertices or more than max_vertices, numbers that are not finite, edges without length, that meet or lie on
-    // each other. 0.2 ms with 256 vertices.
+    // x and y of each vertex, around it in either sense; the last one is joined to the first. Copied. Throws a Failure:
+    // fewer than 3 vertices or more than max_vertices, numbers that are not finite, edges without length, that meet or
+    // lie on each other. 0.2 ms with 256 vertices.
     PolygonObstacle(std::span<const double> vertices, Memory* memory);
     double evaluate(const double* x, double* gradient, double* second) const override;
 

@@ -44,8 +44,8 @@ double dot(const Place& a, const Place& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The distance from a point at `to`, or from an axis at right angles to it (`axis` a unit vector, else 0). At distance 0 some
-// direction across the axis is taken, without second derivatives.
+// The distance from a point at `to`, or from an axis at right angles to it (`axis` a unit vector, else 0). At distance
+// 0 some direction across the axis is taken, without second derivatives.
 double radial(uint32_t d, const Place& to, const Place& axis, double* gradient, double* second) {
     const double rho = std::sqrt(dot(to, to));
     Place g{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Obstacles with a distance in closed form, in the plane and in space: balls (discs), boxes, capsules; and a host's own.
-// Constructors throw a Failure where a number is not finite or a size not positive.
+// Obstacles with a distance in closed form, in the plane and in space: balls (discs), boxes, capsules; and a host's
+// own. Constructors throw a Failure where a number is not finite or a size not positive.
 #pragma once
 
 #include "splines/obstacle.h"
@@ -21,8 +21,8 @@ private:
 // An oriented box, with sharp edges: at distance d its offset is rounded.
 class BoxObstacle final : public Obstacle {
 public:
-    // axes: `dimension` rows of as many numbers, orthonormal to 1e-6 (else a Failure); null: those of the coordinates. half:
-    // half its sides along them.
+    // axes: `dimension` rows of as many numbers, orthonormal to 1e-6 (else a Failure); null: those of the coordinates.
+    // half: half its sides along them.
     BoxObstacle(uint32_t dimension, const double* centre, const double* half, const double* axes);
     double evaluate(const double* x, double* gradient, double* second) const override;
 
@@ -42,8 +42,8 @@ private:
     double length_ = 0, radius_;
 };
 
-// A host's function: positive outside, nowhere more than the distance, and with a gradient that is not 0 within `reach` of its
-// zero set (the blend of a barrier is as wide as the gradient says).
+// A host's function: positive outside, nowhere more than the distance, and with a gradient that is not 0 within `reach`
+// of its zero set (the blend of a barrier is as wide as the gradient says).
 class FunctionObstacle final : public Obstacle {
 public:
     struct Function {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines of R^d among obstacles (Hofer, Pottmann 2004, sec. 5): minimizers on barriers around them whose radius shrinks.
+// Splines of R^d among obstacles (Hofer, Pottmann 2004, sec. 5): minimizers on barriers around them whose radius
+// shrinks.
 #pragma once
 
 #include "splines/spline.h"

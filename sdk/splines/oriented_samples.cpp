@@ -11,8 +11,8 @@ namespace {
 
 // What is remembered reaches this far beyond the point, in radii of the sample that suits it best.
 constexpr double slack_share = 0.15;
-// Which sample suits x best: by |x - p|^2 + level_weight * f(x)^2. Beside a sample on the same sheet, one on the other side of
-// a part 0.1 times as thick as samples are apart is farther.
+// Which sample suits x best: by |x - p|^2 + level_weight * f(x)^2. Beside a sample on the same sheet, one on the other
+// side of a part 0.1 times as thick as samples are apart is farther.
 constexpr double level_weight = 50;
 // The cosine of the angle from which on samples face away.
 constexpr double facing_away = -0.4;
@@ -291,8 +291,8 @@ bool OrientedSamples::project(double* x, double* memory) const {
         const OrientedSample& nearest = samples_[nearest_sample(from)];
         at = place_of(nearest);
         if (!descend(at, memory, true) && !bracket(at, nearest, memory)) return false;
-        // Downhill in the distance from where it came, along the surface. What is `away` from a surface that bends by k has
-        // its distance bend by 1 + away * k.
+        // Downhill in the distance from where it came, along the surface. What is `away` from a surface that bends by k
+        // has its distance bend by 1 + away * k.
         double bend = 0;
         for (const double b : nearest.bend) bend = std::max(bend, std::abs(b));
         const double share = 1 / (1 + (from - at).norm() * bend);

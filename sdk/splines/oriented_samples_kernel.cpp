@@ -9,7 +9,8 @@ namespace flg {
 namespace {
 
 constexpr uint32_t fewest_samples = 4;
-// A sample is another one again if it is nearer to it than this share of both radii, and turned by less than 18 degrees.
+// A sample is another one again if it is nearer to it than this share of both radii, and turned by less than 18
+// degrees.
 constexpr double same_share = 0.15, parallel_cosine = 0.95;
 constexpr uint32_t looked_back = 8;
 

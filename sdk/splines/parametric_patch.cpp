@@ -58,7 +58,8 @@ double ParametricPatch::nearest_on_grid(const Vec3& x, std::array<double, 2>& pa
     return least;
 }
 
-// Back into the period, or to where functions are defined still. Whether the domain was left by no more than its margin.
+// Back into the period, or to where functions are defined still. Whether the domain was left by no more than its
+// margin.
 bool ParametricPatch::keep_inside(std::array<double, 2>& parameters) const {
     bool inside = true;
     for (size_t k = 0; k < 2; ++k) {

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Surfaces that a function of two parameters gives (Hofer, Pottmann 2004, sec. 3.2, Parameterized surfaces).
 //
-// The paper moves the parameters by the step's coordinates and so needs no projection. Here a point is a point of space, and its
-// parameters are remembered with it: Newton's method on the squared distance finds the nearest point from there. So the optimizer
-// sees the surface and not its parametrization, and steps are as long as on every other manifold.
+// The paper moves the parameters by the step's coordinates and so needs no projection. Here a point is a point of
+// space, and its parameters are remembered with it: Newton's method on the squared distance finds the nearest point
+// from there. So the optimizer sees the surface and not its parametrization, and steps are as long as on every other
+// manifold.
 //
 // Invariants
-// - Memory is u, v and whether they are known (1) or not (0). A point that remembers nothing starts at the nearest point of a
-//   grid of 33 x 33 over the domain; so does one whose footpoint has come to lie 1/50 of the size away, if that is nearer.
+// - Memory is u, v and whether they are known (1) or not (0). A point that remembers nothing starts at the nearest
+// point of a
+// grid of 33 x 33 over the domain; so does one whose footpoint has come to lie 1/50 of the size away, if that is
+// nearer.
 // - Periodic parameters are brought back into their period; nothing is said of the surface's other symmetries.
-// - A domain that is not periodic ends: a nearest point that lies beyond its end by more than `margin` of its extent is refused.
-//   Up to that, and twice as far during the search, the functions are evaluated beyond the end and have to be smooth there.
+// - A domain that is not periodic ends: a nearest point that lies beyond its end by more than `margin` of its extent is
+// refused.
+// Up to that, and twice as far during the search, the functions are evaluated beyond the end and have to be smooth
+// there.
 #pragma once
 
 #include <array>
@@ -35,7 +40,8 @@ struct PatchPoint {
 
 class ParametricPatch : public Manifold {
 public:
-    // Three times continuously differentiable; the derivatives u and v are independent. 100 ns at most, so that a search is some us.
+    // Three times continuously differentiable; the derivatives u and v are independent. 100 ns at most, so that a
+    // search is some us.
     virtual PatchPoint evaluate(double u, double v) const = 0;
 
     bool project(double* x, double* memory) const override;

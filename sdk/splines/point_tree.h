@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A hierarchy of boxes over points that were sorted along a space-filling curve (spatial_order.h): eight points in a row are
-// a leaf, four nodes in a row have a parent. Points may be balls; then boxes hold all of each.
+// A hierarchy of boxes over points that were sorted along a space-filling curve (spatial_order.h): eight points in a
+// row are a leaf, four nodes in a row have a parent. Points may be balls; then boxes hold all of each.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ public:
 
     uint32_t size() const { return points_; }
 
-    // `ball(i, centre, radius)` tells the centre (three numbers) and the radius of the i-th point of the order. A unit is a
-    // leaf or a node: about 50 ns; true when done.
+    // `ball(i, centre, radius)` tells the centre (three numbers) and the radius of the i-th point of the order. A unit
+    // is a leaf or a node: about 50 ns; true when done.
     template <class Ball>
     bool build(uint32_t count, Ball&& ball) {
         for (; count > 0 && at_ < starts_[levels_]; --count, ++at_) {
@@ -32,15 +32,15 @@ public:
         return at_ == starts_[levels_];
     }
 
-    // Calls visit(first, end) with ranges of the order, upwards: those leaves whose box is not farther from x than `slack`,
-    // >= 0. After build().
+    // Calls visit(first, end) with ranges of the order, upwards: those leaves whose box is not farther from x than
+    // `slack`, >= 0. After build().
     template <class Visit>
     void around(const double* x, double slack, Visit&& visit) const {
         walk_down([&](uint32_t node) { return square_to(boxes_[node], x) <= slack * slack; }, visit);
     }
 
-    // Calls visit(first, end) with leaves that may hold something whose square distance from x is less than `square`, which
-    // visit() lowers: near ones first. After build().
+    // Calls visit(first, end) with leaves that may hold something whose square distance from x is less than `square`,
+    // which visit() lowers: near ones first. After build().
     template <class Visit>
     void nearest(const double* x, const double& square, Visit&& visit) const;
 

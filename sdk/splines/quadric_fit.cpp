@@ -13,8 +13,8 @@ constexpr double normal_weight = 0.1, own_normal_weight = 0.01;
 constexpr double through_weight = 1e4;
 // Keeps what neighbours say nothing about near 0.
 constexpr double ridge = 1e-6;
-// Beyond these the surface is creased, or the neighbours are too far apart to tell: cosine of a neighbour's normal, slope of
-// the fitted plane, and the part of the squared heights that is not explained.
+// Beyond these the surface is creased, or the neighbours are too far apart to tell: cosine of a neighbour's normal,
+// slope of the fitted plane, and the part of the squared heights that is not explained.
 constexpr double least_cosine = 0.5, most_slope = 0.35, most_unexplained = 0.25;
 // Of the spacing, squared: heights below are noise anyway.
 constexpr double flat_height = 1e-4;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How a surface bends at a point, and which way its normal really goes there, from points and normals around it: least
 // squares of a height z0 + a u + b v + (c u^2 + 2 e u v + g v^2) / 2 over the plane of a first normal (Cazals, Pouget:
-// Estimating differential quantities using polynomial fitting of osculating jets, 2005), with normals as further equations,
-// so that three neighbours are enough.
+// Estimating differential quantities using polynomial fitting of osculating jets, 2005), with normals as further
+// equations, so that three neighbours are enough.
 #pragma once
 
 #include <array>
@@ -20,14 +20,15 @@ struct BentNormal {
 
 class QuadricFit {
 public:
-    // Around `place`; `spacing`, > 0: how far the neighbours are, about. `through`: the surface passes through the place itself.
+    // Around `place`; `spacing`, > 0: how far the neighbours are, about. `through`: the surface passes through the
+    // place itself.
     QuadricFit(const Vec3& place, const Vec3& normal, double spacing, bool through);
 
     // Neighbours: 30 ns each.
     void add_point(const Vec3& point);
     void add_normal(const Vec3& point, const Vec3& normal);
-    // About 0.3 us. Where a quadric is far from what was added there is no bend and, of surfaces through the place, the normal
-    // is the first one; where it is creased there is neither height.
+    // About 0.3 us. Where a quadric is far from what was added there is no bend and, of surfaces through the place, the
+    // normal is the first one; where it is creased there is neither height.
     BentNormal solve() const;
 
 private:

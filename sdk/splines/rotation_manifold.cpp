@@ -49,8 +49,9 @@ bool solve(const Mat3& h, const Vec3& g, double scale, Vec3& x) {
     return true;
 }
 
-// The trace of A^T m as a function of the turn t that follows A, with b = A^T m: tr b + t g - t H t / 2. A quadratic form of the
-// quaternion has no greatest value but the global one, so where Newton's method ends with H positive definite it is right.
+// The trace of A^T m as a function of the turn t that follows A, with b = A^T m: tr b + t g - t H t / 2. A quadratic
+// form of the quaternion has no greatest value but the global one, so where Newton's method ends with H positive
+// definite it is right.
 bool newton(const Mat3& m, Mat3& a) {
     for (int round = 0; round < max_newton_rounds; ++round) {
         const Mat3 b = a.transpose() * m;
@@ -178,7 +179,8 @@ void RotationManifold::tangent_basis(const double* x, double*, double* basis) co
     }
 }
 
-// With turns v and w that follow A, A (v^ w^ + w^ v^) / 2 is the second derivative, and its part normal to the manifold the form.
+// With turns v and w that follow A, A (v^ w^ + w^ v^) / 2 is the second derivative, and its part normal to the manifold
+// the form.
 void RotationManifold::second_form(const double* x, double*, const double* basis, const double* force,
                                    double* form) const {
     const Mat3 a = rotation_of(x);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A distance sampled on a grid in space (mesh_distance.h), as the cubic B-spline through its samples (distance_grid.h).
 //
-// Where the distance is smooth the error falls with the fourth power of the spacing h; at its creases (edges, the middle
-// between walls) it is rounded off by up to 0.1 h, and waves by half of that two cells around.
+// Where the distance is smooth the error falls with the fourth power of the spacing h; at its creases (edges, the
+// middle between walls) it is rounded off by up to 0.1 h, and waves by half of that two cells around.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers that carry their first and second derivatives after the three coordinates of space (forward differentiation): a
-// formula written with them is differentiated exactly, without a second formula that could be wrong.
+// Numbers that carry their first and second derivatives after the three coordinates of space (forward differentiation):
+// a formula written with them is differentiated exactly, without a second formula that could be wrong.
 #pragma once
 
 #include <array>

@@ -148,7 +148,8 @@ Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& 
     co_return true;
 }
 
-// How many nodes the first of the chains has that end with one of `nodes`: each has four times those of the one before it.
+// How many nodes the first of the chains has that end with one of `nodes`: each has four times those of the one before
+// it.
 uint32_t coarsest(uint32_t segments, uint32_t nodes) {
     while (nodes / 4 >= 6 * segments) nodes /= 4;
     return nodes;

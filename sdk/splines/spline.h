@@ -61,7 +61,8 @@ struct SplineRequest {
 // The whole of flgSplineCreate.
 Task<void> make_spline(Pace& pace, SplineRequest request);
 
-// Steps of that. Points of the host put onto the manifold: all their coordinates and, unless null, how far they were from it.
+// Steps of that. Points of the host put onto the manifold: all their coordinates and, unless null, how far they were
+// from it.
 Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
                                Buffer<double>& out, Buffer<double>* offsets);
 // Runs the kernel to its end, and shows its rounds if the host wants to see them.

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Energy-minimizing curves on manifolds (Hofer, Pottmann: Energy-minimizing splines in manifolds, 2004, sec. 3): Algorithm 2 on
-// chains of points, and Newton's method in its place.
+// Energy-minimizing curves on manifolds (Hofer, Pottmann: Energy-minimizing splines in manifolds, 2004, sec. 3):
+// Algorithm 2 on chains of points, and Newton's method in its place.
 //
-// Each round displaces the points in their tangent spaces such that the energy becomes least, and projects them back. The
-// displaced points and the moments of their spline are unknowns together, so the system is a chain of small blocks (moments.h,
-// block_tridiagonal.h) and a round takes time linear in the number of points.
+// Each round displaces the points in their tangent spaces such that the energy becomes least, and projects them back.
+// The displaced points and the moments of their spline are unknowns together, so the system is a chain of small blocks
+// (moments.h, block_tridiagonal.h) and a round takes time linear in the number of points.
 //
 // Departures from the paper
-// - Newton's method: the Gramian gets the curvature of the surface times the force on each point (Manifold::second_form). It
-//   replaces the search for a stepsize and needs a few rounds where the paper's needs dozens. Where that is not positive, which
-//   the signs of the pivots tell, less is taken of each node's negative part (the paper's Gramian has nothing of either, and goes
+// - Newton's method: the Gramian gets the curvature of the surface times the force on each point
+// (Manifold::second_form). It
+// replaces the search for a stepsize and needs a few rounds where the paper's needs dozens. Where that is not positive,
+// which
+// the signs of the pivots tell, less is taken of each node's negative part (the paper's Gramian has nothing of either,
+// and goes
 //   too far where surfaces bend away). The paper's stepsize is there for comparison (footpoint_cone.h).
 // - Parameters are lengths of the first curve, measured again when one is off by more than a fiftieth of its share.
 //
-// Invariants: given points stay where they are to the bit, unless smoothing; the energy falls from round to round, but for
-// rounding, reparametrization and falling tension; points are on the manifold after every round; same bits whatever the chunks.
+// Invariants: given points stay where they are to the bit, unless smoothing; the energy falls from round to round, but
+// for rounding, reparametrization and falling tension; points are on the manifold after every round; same bits whatever
+// the chunks.
 #pragma once
 
 #include <algorithm>
@@ -58,8 +62,8 @@ struct SplineReport {
     uint32_t failed_node = 0;            // that could not be projected
     double energy = 0;                   // with all weights
     double bending = 0, stretching = 0;  // E2 and E1
-    // Tangential part of the fourth derivative (less w times the second, where there is tension): its root mean square over
-    // points that are free, over the mean size of all forces a length, those that hold given points included.
+    // Tangential part of the fourth derivative (less w times the second, where there is tension): its root mean square
+    // over points that are free, over the mean size of all forces a length, those that hold given points included.
     double residual = 0;
     double length = 0;  // of the chain
 };

@@ -153,7 +153,8 @@ void SplineKernel::restrict_moment(uint32_t node, double* vector) const {
 // A node's rows of
 //     [ -R     Q^T B ] [ M ]   [ -Q^T x                           ]
 //     [ B^T Q  W + H ] [ v ] = [ -B^T (E1's and the pull's force) ]
-// M: moments of the displaced points x + B v; W: E1 and the pull in the basis; H: the surface's curvature times the force.
+// M: moments of the displaced points x + B v; W: E1 and the pull in the basis; H: the surface's curvature times the
+// force.
 void SplineKernel::assemble(BlockTridiagonal& system, uint32_t node, bool unrestricted) {
     const uint32_t moments = bends() ? n_ : 0, moving = unrestricted ? n_ : k_, b = system.size();
     double* const diagonal = system.diagonal(node);

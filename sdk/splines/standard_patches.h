@@ -16,8 +16,8 @@ private:
     double ring_, tube_;
 };
 
-// z = height cos(2 pi u / length) cos(2 pi v / length) over the square of half side `reach`, metres; > 0 each. Hills and hollows
-// by turns, as on an egg box. Outwards is upwards.
+// z = height cos(2 pi u / length) cos(2 pi v / length) over the square of half side `reach`, metres; > 0 each. Hills
+// and hollows by turns, as on an egg box. Outwards is upwards.
 class WavePatch final : public ParametricPatch {
 public:
     WavePatch(double height, double length, double reach, Memory* memory);

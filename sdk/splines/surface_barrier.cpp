@@ -123,7 +123,8 @@ void SurfaceBarrier::tangent_basis(const double* x, double* memory, double* basi
     std::copy_n(normals[3].begin(), 4, basis + 4);
 }
 
-// Where both functions are 0, F_k'' (u, v) + F_k' II(u, v) = 0; the force's normal part is a combination of F_1' and F_2'.
+// Where both functions are 0, F_k'' (u, v) + F_k' II(u, v) = 0; the force's normal part is a combination of F_1' and
+// F_2'.
 void SurfaceBarrier::second_form(const double* x, double* memory, const double* basis, const double* force,
                                  double* form) const {
     std::fill_n(form, 4, 0.0);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Distances on a grid by fast sweeping (Zhao: A fast sweeping method for Eikonal equations, 2004): Gauss-Seidel rounds over the
-// nodes in each of the 2^d orders of their axes, with the upwind difference of first order. As Hofer and Pottmann (2004,
-// sec. 5) use it among obstacles: some nodes are not used, and edges can be closed too (what is thinner than a cell still parts
-// its sides).
+// Distances on a grid by fast sweeping (Zhao: A fast sweeping method for Eikonal equations, 2004): Gauss-Seidel rounds
+// over the nodes in each of the 2^d orders of their axes, with the upwind difference of first order. As Hofer and
+// Pottmann (2004, sec. 5) use it among obstacles: some nodes are not used, and edges can be closed too (what is thinner
+// than a cell still parts its sides).
 //
-// Invariants: a value only falls, and comes from neighbours along the axes, across open edges, that are smaller. The error is
-// O(h log h) for a point as source, O(h) where the source's neighbourhood is exact; O(h^(2/3)), measured, where the way creeps
-// around a round obstacle: the second derivatives are not bounded there.
+// Invariants: a value only falls, and comes from neighbours along the axes, across open edges, that are smaller. The
+// error is O(h log h) for a point as source, O(h) where the source's neighbourhood is exact; O(h^(2/3)), measured,
+// where the way creeps around a round obstacle: the second derivatives are not bounded there.
 #pragma once
 
 #include "splines/obstacle.h"
@@ -54,8 +54,8 @@ public:
 
     // Begins anew from these nodes; seeds are read until run() has returned true.
     void begin(std::span<const Seed> seeds);
-    // A unit is 32 nodes: about 0.4 us in the plane, 0.6 in space. In free space two rounds of 2^d sweeps, with obstacles a
-    // round more for each time that a shortest way turns. True when done.
+    // A unit is 32 nodes: about 0.4 us in the plane, 0.6 in space. In free space two rounds of 2^d sweeps, with
+    // obstacles a round more for each time that a shortest way turns. True when done.
     bool run(uint32_t count);
     // After run() returned true; infinite where nothing leads.
     double operator[](uint32_t node) const { return values_[node]; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A value that one thread writes again and again and another one looks at, neither ever waiting: three copies change hands.
+// A value that one thread writes again and again and another one looks at, neither ever waiting: three copies change
+// hands.
 #pragma once
 
 #include <array>

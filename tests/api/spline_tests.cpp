@@ -251,7 +251,8 @@ TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
     EXPECT_GT(host.view_of(stylized).curve_offsets[1], 100u);
 }
 
-// Each of two shortest curves is the shortest in its own metric: in space, and with the normals, which turn most over a hill.
+// Each of two shortest curves is the shortest in its own metric: in space, and with the normals, which turn most over a
+// hill.
 TEST(SplineApi, ShortestCurvesOfTheImageManifoldTurnTheirNormalsLess) {
     const Host host;
     const auto height = [](double x, double y) { return 0.5 * std::exp(-8 * (x * x + (y - 0.15) * (y - 0.15))); };

@@ -130,7 +130,8 @@ LiteralRun minimize(LiteralSpline& spline, double tolerance, uint32_t max_rounds
         if (residual(spline, basis, gradient) <= tolerance) break;
         const VectorXd t = basis * (basis.transpose() * q * basis).ldlt().solve(basis.transpose() * (q * (p - x)));
         if (last.size() > 0) {
-            // Algorithm 1: p, x_c and p_T in the plane, x_c in the origin and p_T on the xi-axis; x_- on one side or the other of p.
+            // Algorithm 1: p, x_c and p_T in the plane, x_c in the origin and p_T on the xi-axis; x_- on one side or
+            // the other of p.
             const VectorXd p_t = x + t;
             const double base = norm(t), height = norm(p_t - p), far = std::hypot(base, height);
             const double to_p = norm(last - p), to_x = norm(last - x), to_t = norm(last - p_t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Energy-minimizing splines as the paper writes them (Hofer, Pottmann 2004, sec. 3): differences of differences, Algorithms 1 and
-// 2 with dense matrices, and the plain projected gradient it improves on.
+// Energy-minimizing splines as the paper writes them (Hofer, Pottmann 2004, sec. 3): differences of differences,
+// Algorithms 1 and 2 with dense matrices, and the plain projected gradient it improves on.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +19,9 @@ struct LiteralSpline {
     Eigen::MatrixXd points;           // n x nodes: the present curve
 };
 
-// The energies of sec. 3.2 as a quadratic function x^T Q x of the coordinates, node by node: first derivatives are differences of
-// points over steps, second ones differences of these over the mean of the two steps, integrals are sums.
+// The energies of sec. 3.2 as a quadratic function x^T Q x of the coordinates, node by node: first derivatives are
+// differences of points over steps, second ones differences of these over the mean of the two steps, integrals are
+// sums.
 Eigen::MatrixXd energy_matrix(const LiteralSpline& spline);
 double energy(const LiteralSpline& spline);
 
@@ -29,8 +30,8 @@ struct LiteralRun {
     double energy = 0;
 };
 
-// Algorithm 2, with the stepsizes of Algorithm 1 under Armijo's rule, until the tangential part of the gradient is below
-// `tolerance` of all of it. `matrix`: of another energy; empty: energy_matrix().
+// Algorithm 2, with the stepsizes of Algorithm 1 under Armijo's rule, until the tangential part of the gradient is
+// below `tolerance` of all of it. `matrix`: of another energy; empty: energy_matrix().
 LiteralRun minimize(LiteralSpline& spline, double tolerance, uint32_t max_rounds, Eigen::MatrixXd matrix = {});
 
 // Steepest descent in the ordinary metric, projected, under Armijo's rule; each step begins with twice the last one.

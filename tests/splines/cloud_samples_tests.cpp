@@ -12,7 +12,8 @@ struct Cloud {
     std::vector<Position> points, normals;
 };
 
-// Where points that repel each other would lie, about (a Fibonacci lattice), and a little random noise along the normal.
+// Where points that repel each other would lie, about (a Fibonacci lattice), and a little random noise along the
+// normal.
 Cloud cloud_of(const Hypersurface& surface, const std::vector<Vec3>& places, double noise = 0) {
     Cloud cloud;
     uint64_t index = 0;

@@ -43,7 +43,8 @@ TEST(ImageManifold, OfASphereIsASphere) {
     }
 }
 
-// Points beside the manifold, in a normal direction of R^6: back to where they came from, up to the square of the distance.
+// Points beside the manifold, in a normal direction of R^6: back to where they came from, up to the square of the
+// distance.
 TEST(ImageManifold, ProjectsToTheNearestPoint) {
     const TorusSurface torus(1, 0.4);
     const ImageManifold image(torus, 0.3);

@@ -13,8 +13,8 @@
 
 namespace flg::test {
 
-// Basis orthonormal; tangent as small moves along it, projected, say; the closed second form that of the default; projection does
-// not move points of the manifold. x is near the manifold and is projected first.
+// Basis orthonormal; tangent as small moves along it, projected, say; the closed second form that of the default;
+// projection does not move points of the manifold. x is near the manifold and is projected first.
 inline void expect_consistent(const Manifold& manifold, std::vector<double> x, double tolerance) {
     const uint32_t n = manifold.ambient(), k = manifold.dimension();
     std::vector<double> memory(manifold.memory_size());

@@ -340,7 +340,8 @@ TEST(Motion, ManyPositionsComeToTheSameMotion) {
     EXPECT_EQ(keys_only->view().ending, FLG_SPLINE_CONVERGED);
 }
 
-// Near keys that jitter the motion goes with little energy; with a small weight it hardly smooths, with a large one it goes far off.
+// Near keys that jitter the motion goes with little energy; with a small weight it hardly smooths, with a large one it
+// goes far off.
 TEST(Motion, SmoothingGoesNearTheKeys) {
     MotionInput input = random_keys(40, 0.4, false);
     input.positions = 40;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory that is never 0 by chance: numbers that are read before they are written are NaN, and so is what comes of them.
+// Memory that is never 0 by chance: numbers that are read before they are written are NaN, and so is what comes of
+// them.
 #pragma once
 
 #include <cstring>

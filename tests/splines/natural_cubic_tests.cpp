@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Least curves of R^n in closed form: against the conditions that a textbook gives them, and against energies of others.
+// Least curves of R^n in closed form: against the conditions that a textbook gives them, and against energies of
+// others.
 #include "splines/natural_cubic.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +100,8 @@ TEST(NaturalCubic, Ends) {
     }
 }
 
-// x'''' = w x'' between knots: the third derivative changes by w times the slope; and each derivative is that of the one before.
+// x'''' = w x'' between knots: the third derivative changes by w times the slope; and each derivative is that of the
+// one before.
 TEST(NaturalCubic, FourthDerivativeIsTensionTimesTheSecond) {
     for (const Case& c : all_cases()) {
         const NaturalCubic spline = spline_of(c);

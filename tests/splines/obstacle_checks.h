@@ -32,8 +32,8 @@ inline std::array<double, 3> place_of(const Numbers& x) {
     return {x[0], x[1], x[2]};
 }
 
-// The derivatives of `function(x, gradient, second)` in n variables at x; nothing if the second ones differ between the places
-// of the differences by more than a smooth function's do (a crease between them).
+// The derivatives of `function(x, gradient, second)` in n variables at x; nothing if the second ones differ between the
+// places of the differences by more than a smooth function's do (a crease between them).
 template <class Function>
 void expect_derivatives(const Function& function, uint32_t n, const Numbers& x, double tolerance) {
     constexpr double step = 1e-5;

@@ -189,7 +189,8 @@ TEST(BodyInertia, ABoxIsTheMiddlesOfItsFacesAndASolid) {
     EXPECT_LT((box.barycentre - points.barycentre).norm(), 1e-14);
     EXPECT_NEAR(box.radius, std::sqrt(4 + 9 + 16), 1e-14);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(box.f[i], points.f[2 - i], 1e-13);
-    // A solid as a grid of cells: second moments about the middle, cells' own left out, so up to the square of a cell's share.
+    // A solid as a grid of cells: second moments about the middle, cells' own left out, so up to the square of a cell's
+    // share.
     std::vector<double> cells, masses;
     constexpr int count = 40;
     for (int i = 0; i < count * count * count; ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The optimizer against closed forms, what characterizes minimizers (Hofer, Pottmann 2004, sec. 2), and the paper's own steps.
+// The optimizer against closed forms, what characterizes minimizers (Hofer, Pottmann 2004, sec. 2), and the paper's own
+// steps.
 #include "splines/spline_kernel.h"
 
 #include "reference/literal_splines.h"
@@ -112,7 +113,8 @@ std::vector<Case> cases() {
             {"torus", [] { return std::make_unique<TorusSurface>(2.0, 0.8); }, wave(10, 2.4, 0.7)}};
 }
 
-// The tangential part of plain fourth differences, over the largest one; not beside given points, where they say something else.
+// The tangential part of plain fourth differences, over the largest one; not beside given points, where they say
+// something else.
 double tangential_share(const Hypersurface& surface, const SolvedSpline& solved, uint32_t intervals) {
     const size_t nodes = solved.points.size();
     double largest = 0, tangential = 0;

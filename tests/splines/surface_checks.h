@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds for every zero set: derivatives agree with differences, bases are tangent, second forms agree with those that
-// come from projections alone.
+// What holds for every zero set: derivatives agree with differences, bases are tangent, second forms agree with those
+// that come from projections alone.
 #pragma once
 
 #include <gtest/gtest.h>

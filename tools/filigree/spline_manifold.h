@@ -18,8 +18,8 @@ struct SplineManifold {
     bool is_space = false;  // of view.ambient dimensions: 2 of the plane among obstacles
 };
 
-// sphere:R, torus:R,r, plane, space, implicit:NAME, or a file. `among_obstacles`: a plane is R^2, and surfaces are refused. Says in
-// the report how far the smooth surface is from what it was made of. Throws InputError, UsageError.
+// sphere:R, torus:R,r, plane, space, implicit:NAME, or a file. `among_obstacles`: a plane is R^2, and surfaces are
+// refused. Says in the report how far the smooth surface is from what it was made of. Throws InputError, UsageError.
 SplineManifold make_spline_manifold(Session& session, const std::string& text, bool among_obstacles, double feature,
                                     Report& report);
 

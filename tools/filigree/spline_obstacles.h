@@ -29,8 +29,8 @@ struct SplineObstacles {
 // Throws InputError, with file and place.
 SplineObstacles read_obstacles(const Session& session, const std::string& file, uint32_t dimension);
 
-// Keeps curves between the borders of an open mesh: by a layer around it, so thick to either side, or, with 0, by its borders. Throws
-// InputError, UsageError where SURFACE is no mesh.
+// Keeps curves between the borders of an open mesh: by a layer around it, so thick to either side, or, with 0, by its
+// borders. Throws InputError, UsageError where SURFACE is no mesh.
 SplineObstacles keep_inside(Session& session, const SplineManifold& manifold, double thickness, Report& report);
 
 }  // namespace flg::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smooth curves through points of a surface, for operations of scripts. All throw InputError; `subject` is what errors are about.
+// Smooth curves through points of a surface, for operations of scripts. All throw InputError; `subject` is what errors
+// are about.
 #pragma once
 
 #include <span>
