@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines that keep out of solids, after figures 12 to 15 of Hofer, Pottmann: Energy-minimizing splines in manifolds (2004), on shapes
-// made here.
+// Splines that keep out of solids, after figures 12 to 15 of Hofer, Pottmann: Energy-minimizing splines in manifolds
+// (2004), on shapes made here.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -122,7 +122,7 @@ double barrier(const std::vector<FlgObstacle>& list, double radius, const glm::d
     return radius * (1 - std::sqrt(product));
 }
 
-// The free plane in a rectangle, at the heights of a barrier. Corners that are inside of an obstacle come to its border.
+// The free plane in a rectangle, at the heights of a barrier. Corners in an obstacle come to its border.
 filigree::Surface free_plane(Workshop& workshop, const std::vector<FlgObstacle>& list, double radius,
                              const glm::dvec2& low, const glm::dvec2& high) {
     constexpr uint32_t kColumns = 620;

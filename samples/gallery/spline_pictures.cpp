@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines on surfaces, after figures 1, 2, 7, 8 and 17 of Hofer, Pottmann: Energy-minimizing splines in manifolds (2004), on shapes made
-// here.
+// Splines on surfaces, after figures 1, 2, 7, 8 and 17 of Hofer, Pottmann: Energy-minimizing splines in manifolds (2004),
+// on shapes made here.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

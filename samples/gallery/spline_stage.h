@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What pictures of splines show, kept until they are taken: surfaces, curves through points, dots. And the shortest way from points to
-// a spline. Metres; y up.
+// What pictures of splines show, kept until they are taken: surfaces, curves through points, dots. And the shortest way
+// from points to a spline. Metres; y up.
 #pragma once
 
 #include <deque>
