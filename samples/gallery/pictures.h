@@ -29,6 +29,7 @@ std::span<const Picture> skeleton_pictures();   // from a drawn line to bones
 std::span<const Picture> bone_pictures();       // joints, and parts that are connected
 std::span<const Picture> spline_pictures();     // curves that stay on surfaces
 std::span<const Picture> obstacle_pictures();   // and out of solids
+std::span<const Picture> motion_pictures();     // rigid bodies on their way
 #if defined(FLG_WITH_SCRIPTS)
 std::span<const Picture> piece_pictures();  // finished pieces, by scripts
 std::span<const Picture> model_pictures();  // models, by drawings
