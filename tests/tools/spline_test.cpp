@@ -263,6 +263,33 @@ TEST_F(SplineCommand, KeepsOutOfObstaclesOnTheSideThatIsAskedFor) {
     }
 }
 
+// Beyond the square's border on its way, if nothing holds it.
+TEST_F(SplineCommand, StaysBetweenTheBordersOfAnOpenMesh) {
+    folder.write("square.off", square(12).off());
+    points({{0.1, 0.8, 0}, {0.3, 0.99, 0}, {0.7, 0.99, 0}, {0.9, 0.8, 0}});
+    const auto farthest = [&](const Strings& options) {
+        double beyond = 0;
+        for (const Point& p : curve("square.off", options)) {
+            EXPECT_NEAR(p[2], 0, 1e-3);
+            beyond = std::max({beyond, p[0] - 1, p[1] - 1, -p[0], -p[1]});
+        }
+        return beyond;
+    };
+    const double free = farthest({});
+    EXPECT_GT(free, 0.01);
+    EXPECT_LT(farthest({"--inside"}), 1e-3);
+    // A layer reaches as far beyond borders as it is thick.
+    EXPECT_LT(farthest({"--layer", "0.025"}), 0.025 + 1e-3);
+    EXPECT_EQ(report().at("parameters").at("layer"), 0.025);
+    EXPECT_GT(free, 0.027) << "or the layer is not needed";
+    for (const Strings& option : std::vector<Strings>{{"--inside"}, {"--layer", "0.1"}}) {
+        Strings arguments = {"spline", "sphere:1", "points.xyz", "-o", "no.xyz"};
+        arguments.insert(arguments.end(), option.begin(), option.end());
+        expect_refused(arguments, 2, {"SURFACE must be a mesh, not sphere:1"});
+    }
+    EXPECT_FALSE(folder.has("no.xyz"));
+}
+
 TEST_F(SplineCommand, SameBytesWhateverRunsIt) {
     points(around_torus());
     folder.write("torus.off", torus_mesh(40).off());
