@@ -56,7 +56,7 @@ BodyInertia read_body(const FlgMotionDesc& desc) {
         check_range(mass >= 0 && mass <= largest, "desc.body_masses", mass, "from 0 to 1e30");
         sum += mass;
     }
-    check_range(sum > 0, "desc.body_masses", sum, "above 0 in all");
+    check_range(sum > 0, "the sum of desc.body_masses", sum, "above 0");
     return inertia_of_points({desc.body_points, size_t{3} * count}, {desc.body_masses, count});
 }
 

@@ -80,7 +80,7 @@ void read_parameters(const FlgSplineDesc& desc, SplineProblem& problem, Memory* 
     for (size_t i = 1; i < count; ++i) {
         if (problem.parameters[i] - problem.parameters[i - 1] > 1e-9 * span) continue;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "desc.parameters[%zu] is %s, must be above the one before it, which is %s", i,
+                      "desc.parameters[%zu] is %s, must be above the one before it, %s, by 1e-9 of all", i,
                       NumberText(problem.parameters[i]).c_str(), NumberText(problem.parameters[i - 1]).c_str());
     }
 }
@@ -153,8 +153,9 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const HeldManif
 
 void read_subdivisions(const FlgSplineDesc& desc, SplineRequest& request) {
     check_range(desc.subdivisions <= most_subdivisions, "desc.subdivisions", desc.subdivisions, "0 to 8");
-    const uint64_t first = desc.curve ? desc.curve_count : std::max(desc.node_count, 32 * desc.point_count);
-    if ((first << desc.subdivisions) > FLG_SPLINE_MAX_NODES) {
+    const uint64_t by_default = std::min(32 * desc.point_count, FLG_SPLINE_MAX_NODES);
+    const uint64_t first = desc.curve ? desc.curve_count : desc.node_count > 0 ? desc.node_count : by_default;
+    if (desc.subdivisions > 0 && (first << desc.subdivisions) > FLG_SPLINE_MAX_NODES) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.subdivisions is %u, which makes more than 2^20 nodes of %u",
                       desc.subdivisions, static_cast<uint32_t>(first));
     }

@@ -19,6 +19,9 @@ constexpr uint32_t kernel_chunk = 200;  // 10 us
 constexpr uint32_t build_chunk = 300;
 constexpr uint32_t find_chunk = 100;
 constexpr uint32_t cubic_chunk = 100;
+constexpr double longest_piece = 4;  // over the mean one
+constexpr uint32_t walk_steps = 16;  // on the straight way
+constexpr uint32_t most_steps = 96;
 constexpr double longest_way = 2;  // of a chord, over the projected middle
 
 using Point = std::array<double, Manifold::max_ambient>;
@@ -82,7 +85,71 @@ Task<bool> halve(Pace& pace, const Manifold& manifold, std::pmr::vector<double>&
             co_await pace;
         }
     }
-    co_return true;
+    // Where no way leads along the surface all middles end at its rims, and one piece is left between them.
+    double largest = 0, whole = 0;
+    for (uint32_t p = 0; p < pieces; ++p) {
+        const double piece = distance_between(&points[offset + size_t{p} * n], &points[offset + size_t{p + 1} * n], n);
+        largest = std::max(largest, piece);
+        whole += piece;
+    }
+    co_return largest <= longest_piece* whole / pieces;
+}
+
+// From a point towards another, step by step in the tangent spaces, for the segment's points but the first; for where chords do not
+// lead along the surface. False where that leads nowhere.
+Task<bool> walk(Pace& pace, const Manifold& manifold, const double* to, std::pmr::vector<double>& points) {
+    const uint32_t n = manifold.ambient();
+    Point at{}, way{};
+    std::copy(points.end() - n, points.end(), at.begin());
+    std::pmr::vector<double> memory(manifold.memory_size(), 0.0, pace.memory());
+    std::array<double, Manifold::max_ambient * Manifold::max_dimension> basis{};
+    if (!manifold.project(at.data(), memory.data())) co_return false;
+    const double step = distance_between(at.data(), to, n) / walk_steps;
+    for (uint32_t count = 0; count < most_steps; ++count) {
+        const double left = distance_between(at.data(), to, n);
+        if (left <= 1.2 * step) {
+            points.insert(points.end(), to, to + n);
+            co_return true;
+        }
+        manifold.tangent_basis(at.data(), memory.data(), basis.data());
+        double square = 0;
+        std::fill(way.begin(), way.end(), 0.0);
+        for (uint32_t a = 0; a < manifold.dimension(); ++a) {
+            double along = 0;
+            for (uint32_t c = 0; c < n; ++c) along += basis[a * n + c] * (to[c] - at[c]);
+            for (uint32_t c = 0; c < n; ++c) way[c] += along * basis[a * n + c];
+            square += along * along;
+        }
+        if (!(square > 1e-6 * left * left)) std::copy_n(basis.begin(), n, way.begin()), square = 1;
+        for (uint32_t c = 0; c < n; ++c) at[c] += step / std::sqrt(square) * way[c];
+        if (!manifold.project(at.data(), memory.data())) co_return false;
+        points.insert(points.end(), at.begin(), at.begin() + n);
+        co_await pace;
+    }
+    co_return false;
+}
+
+// Refuses given points that follow each other on parts of a mesh that do not hang together.
+Task<void> refuse_parts(Pace& pace, const HeldManifold& held, GivenPoints given, NearestPoints& nearest) {
+    const uint32_t count = given.count(3);
+    std::pmr::vector<uint32_t> parts(pace.memory());
+    for (uint32_t i = 0; i < count; ++i) {
+        const double* const x = &given.values[size_t{3} * i];
+        nearest.begin({static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+        while (!nearest.find(find_chunk)) co_await pace;
+        // Vertices that a cut has added since are in no list; a triangle that has only such ones is not asked.
+        uint32_t part = no_index;
+        for (const uint32_t vertex : held.surface->mesh().triangles[nearest.found().triangle]) {
+            if (vertex < held.components.size()) part = held.components[vertex];
+        }
+        parts.push_back(part);
+    }
+    for (uint32_t s = 0; s < given.segments(3); ++s) {
+        const uint32_t a = parts[s], b = parts[(s + 1) % count];
+        if (a == b || a == no_index || b == no_index) continue;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: no way leads over the surface from point %u to point %u",
+                      given.argument, s, (s + 1) % count);
+    }
 }
 
 // A shortest path over the mesh, for the segment's points but the first.
@@ -127,6 +194,11 @@ Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints gi
     constexpr uint32_t pieces = 1u << halvings;
     out.points.assign(given.values.begin(), given.values.begin() + n);
     std::optional<NearestPoints> nearest;
+    if (held.components.size() > 0) {
+        nearest.emplace(held.surface->mesh(), pace.memory());
+        while (!nearest->build(build_chunk)) co_await pace;
+        co_await refuse_parts(pace, held, given, *nearest);
+    }
     for (uint32_t s = 0; s < segments; ++s) {
         const double* const b = &given.values[size_t{(s + 1) % count} * n];
         const size_t offset = out.points.size() - n;
@@ -137,9 +209,13 @@ Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints gi
         if (!found) {
             out.points.resize(offset + n);
             if (!held.surface) {
+                found = co_await walk(pace, manifold, b, out.points);
+                if (found) {
+                    out.ends.push_back(static_cast<uint32_t>(out.points.size() / n));
+                    continue;
+                }
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                              "%s: halving the chord from point %u to point %u does not lead along the surface; put "
-                              "points between",
+                              "%s: no way over the surface was found from point %u to point %u; put points between",
                               given.argument, s, (s + 1) % count);
             }
             if (!nearest) {

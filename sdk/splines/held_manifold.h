@@ -18,6 +18,7 @@ public:
     std::shared_ptr<const Manifold> manifold;  // there once the job that makes it is done
     // A mesh that it is made of, for first curves along it where projected chords do not lead there; or null.
     std::shared_ptr<Surface> surface;
+    Buffer<uint32_t> components;  // of its vertices; empty if it is all of one piece
     // How far vertices or points it is made of are from it, at most and root mean square, m; 0 where it is exact.
     double largest_deviation = 0, mean_deviation = 0;
     // So many coordinates of a point are given and shown, the first ones; the others come from projection. Set at once.

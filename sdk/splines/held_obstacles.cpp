@@ -13,6 +13,7 @@ namespace {
 
 constexpr uint32_t distance_chunk = 10;
 constexpr uint32_t border_chunk = 500;
+constexpr double layer_cells = 4.2;
 constexpr double solid_reach = 0.15;  // of a solid's size: how far around it the distance is exact
 
 template <class T, class... Arguments>
@@ -39,6 +40,13 @@ Task<void> make_obstacles(Pace& pace, std::shared_ptr<HeldObstacles> out) {
         }
         const bool is_layer = mesh.kind == FLG_OBSTACLE_LAYER;
         const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * longest_side(*mesh.surface) + out->clearance;
+        const double cell = (longest_side(*mesh.surface) + 2 * reach) / mesh.cells;
+        if (is_layer && mesh.layer < layer_cells * cell) {
+            throw Failure(
+                FLG_ERROR_INVALID_ARGUMENT,
+                "desc.obstacles[%u].radius is %g, a layer must be %g thick at least with %u cells, %g with 192",
+                mesh.at, mesh.layer, layer_cells * cell, mesh.cells, layer_cells * cell * mesh.cells / 192);
+        }
         auto distance = make_shared_in<SampledDistance>(pace.memory());
         MeshDistanceKernel kernel(mesh.surface->mesh(), reach, mesh.cells, !is_layer, *distance, pace.memory());
         while (!kernel.run(distance_chunk)) co_await pace;

@@ -4,6 +4,7 @@
 #include "core/failure.h"
 #include "splines/cloud_samples.h"
 #include "splines/mesh_samples.h"
+#include "surfaces/mesh_measures_components.h"
 
 namespace flg {
 
@@ -11,6 +12,7 @@ namespace {
 
 // About 10 us each.
 constexpr uint32_t sample_chunk = 50;
+constexpr uint32_t component_chunk = 1000;
 constexpr uint32_t cloud_chunk = 4;
 constexpr uint32_t grid_chunk = 150;
 
@@ -25,6 +27,9 @@ Task<void> make_mesh_manifold(Pace& pace, std::shared_ptr<HeldManifold> out) {
     pace.stage("samples");
     if (out->surface->mesh().triangles.size() == 0)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.surface has no triangles");
+    ComponentsKernel components(out->surface->mesh(), pace.memory());
+    while (!components.run(component_chunk)) co_await pace;
+    if (components.component_count() > 1) out->components = components.take();
     MeshSamplesKernel kernel(out->surface->mesh(), pace.memory());
     while (!kernel.run(sample_chunk)) co_await pace;
     out->largest_deviation = kernel.deviation().largest;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "splines/coordinates.h"
 #include "splines/obstacle_path.h"
 #include "splines/surface_barrier.h"
 
@@ -16,7 +17,8 @@ constexpr uint32_t copy_chunk = 1000;
 constexpr uint32_t lift_chunk = 2;
 constexpr double first_radius = 0.05;  // of the scene's size
 constexpr double shrink = 0.35;        // of the radius, from one solve to the next
-constexpr double rough = 1e-2;         // the tolerance before the last one
+constexpr uint32_t most_refinement = 16;
+constexpr double rough = 1e-2;  // the tolerance before the last one
 
 // The diameter of all that there is.
 double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
@@ -98,6 +100,61 @@ Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints 
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
 
+// Whether a piece of the chain goes through a solid from one side to the other: what is nearest to its ends is between them.
+bool straddles(const ObstacleSet& set, const double* a, const double* b) {
+    const uint32_t d = set.dimension();
+    double to_a[Obstacle::max_dimension], to_b[Obstacle::max_dimension], heading_a = 0, heading_b = 0, opposed = 0;
+    const double length = distance_between(a, b, d), at_a = set.distance(a, nullptr, to_a),
+                 at_b = set.distance(b, nullptr, to_b);
+    for (uint32_t c = 0; c < d; ++c) {
+        heading_a += (b[c] - a[c]) * to_a[c];
+        heading_b += (a[c] - b[c]) * to_b[c];
+        opposed += to_a[c] * to_b[c];
+    }
+    return at_a + at_b < length && heading_a < 0 && heading_b < 0 && opposed < 0;
+}
+
+Task<bool> any_straddles(Pace& pace, const ObstacleSet& set, const Buffer<double>& flat, bool closed) {
+    const uint32_t d = set.dimension();
+    const size_t nodes = flat.size() / d;
+    for (size_t i = 0; i + (closed ? 0 : 1) < nodes; ++i) {
+        if (straddles(set, &flat[i * d], &flat[(i + 1) % nodes * d])) co_return true;
+        if (i % lift_chunk == 0) co_await pace;
+    }
+    co_return false;
+}
+
+// On barriers whose radius shrinks, from the problem's chain on; `flat` is where that has come to, without its height.
+Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProblem& problem, Buffer<double>& flat) {
+    HeldSpline& out = *request.out;
+    const HeldManifold& held = *out.manifold;
+    const ObstacleSet& set = *request.obstacles->set;
+    const uint32_t d = set.dimension();
+    const Buffer<double> points = std::move(problem.given);
+    const double size = scene_size(set, request.points), last = request.obstacle_radius * size,
+                 tolerance = problem.tolerance;
+    double radius = std::min(std::max(first_radius * size, last), 0.9 * set.reach());
+    Barrier barrier(held, set, radius, size);
+    problem.manifold = &barrier.manifold();
+    bool is_last = false;
+    while (!is_last) {
+        is_last = radius <= last;
+        co_await lift_chain(pace, barrier, flat, points, problem);
+        problem.tolerance = is_last ? tolerance : rough;
+        SplineKernel kernel(problem, pace.memory());
+        co_await run_spline_kernel(pace, kernel, out);
+        for (uint32_t i = 0; i < kernel.nodes(); ++i) {
+            std::copy_n(kernel.points() + size_t{i} * (d + 1), d, &flat[size_t{i} * d]);
+            if (i % copy_chunk == 0) co_await pace;
+        }
+        if (is_last) co_await keep_spline(pace, kernel, out);
+        radius = std::max(radius * shrink, last);
+        barrier.set_radius(radius);
+    }
+    problem.tolerance = tolerance;
+    problem.manifold = held.manifold.get();
+}
+
 }  // namespace
 
 Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
@@ -119,32 +176,21 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     const uint32_t nodes = request.node_count > 0
                                ? request.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
-    co_await place_nodes(pace, *problem.manifold, first, given, nodes, 2, problem);
-
-    Buffer<double> flat = std::move(problem.points);
-    const Buffer<double> points = std::move(problem.given);
-    const double size = scene_size(set, request.points), last = request.obstacle_radius * size,
-                 tolerance = problem.tolerance;
-    double radius = std::min(std::max(first_radius * size, last), 0.9 * set.reach());
-    Barrier barrier(held, set, radius, size);
-    problem.manifold = &barrier.manifold();
+    // Finer where pieces would go through what they are to keep out of.
     pace.stage("minimize");
-    for (;;) {
-        const bool is_last = radius <= last;
-        co_await lift_chain(pace, barrier, flat, points, problem);
-        problem.tolerance = is_last ? tolerance : rough;
-        SplineKernel kernel(problem, pace.memory());
-        co_await run_spline_kernel(pace, kernel, out);
-        if (is_last) {
-            co_await keep_spline(pace, kernel, out);
-            break;
-        }
-        for (uint32_t i = 0; i < kernel.nodes(); ++i) {
-            std::copy_n(kernel.points() + size_t{i} * (d + 1), d, &flat[size_t{i} * d]);
-            if (i % copy_chunk == 0) co_await pace;
-        }
-        radius = std::max(radius * shrink, last);
-        barrier.set_radius(radius);
+    for (uint32_t finer = 1;; finer *= 2) {
+        const bool may_refine = 2 * finer <= most_refinement && 2 * uint64_t{finer} * nodes <= FLG_SPLINE_MAX_NODES;
+        co_await place_nodes(pace, *problem.manifold, first, given, finer * nodes, 2, problem);
+        Buffer<double> flat = std::move(problem.points);
+        bool through = false;
+        if (may_refine && held.kind == ManifoldKind::space)
+            through = co_await any_straddles(pace, set, flat, problem.closed);
+        if (through) continue;
+        co_await minimize_among(pace, request, problem, flat);
+        through = co_await any_straddles(pace, set, flat, problem.closed);
+        if (through && may_refine) continue;
+        if (through) out.chain.report.ending = SplineEnding::stalled;
+        break;
     }
     out.knots = std::move(problem.knots);
     out.is_complete = true;

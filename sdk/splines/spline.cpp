@@ -14,6 +14,8 @@ namespace {
 constexpr uint32_t kernel_chunk = 200;  // 10 us
 constexpr uint32_t copy_chunk = 1000;
 constexpr uint32_t place_chunk = 2;
+constexpr double uneven = 2.5;             // steps of a chain that is dragged, until nodes are placed anew
+constexpr double coincident = 1e-7;        // of the manifold's size: points that are one
 constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
 
 FlgSplineEnding ending_of(SplineEnding ending) {
@@ -21,6 +23,7 @@ FlgSplineEnding ending_of(SplineEnding ending) {
         case SplineEnding::converged: return FLG_SPLINE_CONVERGED;
         case SplineEnding::rounding: return FLG_SPLINE_ROUNDING;
         case SplineEnding::rounds: return FLG_SPLINE_ROUNDS;
+        case SplineEnding::stalled: return FLG_SPLINE_STALLED;
         default: return FLG_SPLINE_RUNNING;
     }
 }
@@ -74,7 +77,7 @@ Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffe
         std::fill_n(x, n, 0.0);
         std::copy_n(&from[i * shown], shown, x);
         std::fill(memory.begin(), memory.end(), 0.0);
-        if (!manifold.project(x, memory.data())) {
+        if (!manifold.project(x, memory.data()) || !std::isfinite(distance_between(x, &from[i * shown], shown))) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: point %zu can't be projected onto the manifold", argument,
                           i);
         }
@@ -90,7 +93,7 @@ Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n
     for (size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
         const size_t next = (i + 1) % count;
         if (i % copy_chunk == 0) co_await pace;
-        if (distance_between(&given[i * n], &given[next * n], n) > 1e-9 * size) continue;
+        if (distance_between(&given[i * n], &given[next * n], n) > coincident * size) continue;
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.points: points %zu and %zu come to one place on the manifold",
                       i, next);
     }
@@ -148,6 +151,37 @@ Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& 
     co_return true;
 }
 
+// Whether no segment's nodes lie much farther apart than another's.
+Task<bool> has_even_steps(Pace& pace, const SplineProblem& problem) {
+    const uint32_t n = problem.manifold->ambient(), nodes = static_cast<uint32_t>(problem.points.size() / n);
+    double least = HUGE_VAL, largest = 0;
+    for (uint32_t k = 0; k + (problem.closed ? 0 : 1) < problem.knots.size(); ++k) {
+        const uint32_t end = k + 1 < problem.knots.size() ? problem.knots[k + 1] : nodes;
+        double length = 0;
+        for (uint32_t i = problem.knots[k]; i < end; ++i) {
+            length += distance_between(&problem.points[size_t{i} * n], &problem.points[size_t{(i + 1) % nodes} * n], n);
+            if (i % copy_chunk == 0) co_await pace;
+        }
+        least = std::min(least, length / (end - problem.knots[k]));
+        largest = std::max(largest, length / (end - problem.knots[k]));
+    }
+    co_return largest <= uneven* least;
+}
+
+// A chain as a first curve, to put nodes along it anew.
+Task<void> follow_chain(Pace& pace, SplineProblem& problem, FirstCurve& out) {
+    const uint32_t n = problem.manifold->ambient(), nodes = static_cast<uint32_t>(problem.points.size() / n);
+    for (size_t at = 0; at < problem.points.size(); at += copy_chunk) {
+        const size_t end = std::min(at + copy_chunk, problem.points.size());
+        out.points.insert(out.points.end(), problem.points.begin() + at, problem.points.begin() + end);
+        co_await pace;
+    }
+    if (problem.closed) out.points.insert(out.points.end(), problem.points.begin(), problem.points.begin() + n);
+    for (uint32_t k = 1; k < problem.knots.size(); ++k) out.ends.push_back(problem.knots[k] + 1);
+    if (problem.closed) out.ends.push_back(nodes + 1);
+    problem.memory = {};
+}
+
 // How many nodes the first of the chains has that end with one of `nodes`: each has four times those of the one before
 // it.
 uint32_t coarsest(uint32_t segments, uint32_t nodes) {
@@ -167,15 +201,21 @@ Task<void> begin_chain(Pace& pace, const SplineRequest& request, uint32_t nodes,
         problem.given = std::move(given);
         co_return;
     }
-    bool warm = false;
+    bool warm = false, is_even = true;
     if (request.warm_start) warm = co_await move_chain(pace, *request.warm_start, given, problem);
-    if (warm) {
+    if (warm) is_even = co_await has_even_steps(pace, problem);
+    if (warm && is_even) {
         problem.given = std::move(given);
         co_return;
     }
     const GivenPoints points{
         .values = {given.data(), given.size()}, .closed = problem.closed, .argument = "desc.points"};
     FirstCurve first(pace.memory());
+    if (warm) {
+        co_await follow_chain(pace, problem, first);
+        co_await place_nodes(pace, *held.manifold, first, points, nodes, 2, problem);
+        co_return;
+    }
     co_await find_first_curve(pace, held, points, first);
     const uint32_t first_nodes = coarsest(points.segments(held.manifold->ambient()), nodes);
     co_await place_nodes(pace, *held.manifold, first, points, first_nodes, 2, problem);
@@ -252,10 +292,12 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     co_await begin_chain(pace, request, nodes, problem, given);
     pace.stage("minimize");
     const double tolerance = problem.tolerance;
+    const uint32_t max_rounds = problem.max_rounds;
     uint32_t subdivisions = request.subdivisions, rounds = 0;
     for (;;) {
         const bool is_coarse = request.curve.empty() && problem.points.size() < size_t{nodes} * n;
         problem.tolerance = is_coarse ? std::max(tolerance, coarse_tolerance) : tolerance;
+        problem.max_rounds = max_rounds - rounds;
         SplineKernel kernel(problem, pace.memory());
         co_await run_spline_kernel(pace, kernel, out);
         rounds += kernel.report().rounds;

@@ -171,9 +171,13 @@ void SplineKernel::after_collecting() {
     curve.stretching = sums_[1];
     curve.misfit = sums_[2];
     if (measured_ == Measured::now) return begin_gradient();
-    const double noise = 10 * epsilon * problem_.manifold->size() * forces_;
-    if (weighted(trial_) <= weighted(now_) + 2 * armijo * step_ * slope_ + noise) return accept();
+    if (weighted(trial_) <= weighted(now_) + 2 * armijo * step_ * slope_ + noise()) return accept();
     refuse();
+}
+
+// What rounding of the points does to the energy.
+double SplineKernel::noise() const {
+    return 10 * epsilon * problem_.manifold->size() * forces_;
 }
 
 // A round begins: forces and bases are those of the present points.
@@ -253,14 +257,13 @@ void SplineKernel::try_step(double size) {
 }
 
 void SplineKernel::refuse() {
-    if (++shrinks_ > max_shrinks) return finish(SplineEnding::rounding);
+    if (++shrinks_ > max_shrinks) return finish(-slope_ < noise() ? SplineEnding::rounding : SplineEnding::stalled);
     try_step(0.5 * step_);
 }
 
 void SplineKernel::accept() {
     // What Newton's method promises is below what can be told from rounding, and it no longer gets nearer.
-    const double noise = 10 * epsilon * problem_.manifold->size() * forces_;
-    const bool idle = -slope_ < noise && report_.residual > 0.5 * last_residual_ && last_residual_ > 0;
+    const bool idle = -slope_ < noise() && report_.residual > 0.5 * last_residual_ && last_residual_ > 0;
     last_energy_ = weighted(now_);
     if (step_ == 1) concave_share_ = std::min(1.0, std::max(2 * concave_share_, least_share));
     std::swap(now_.points, last_);

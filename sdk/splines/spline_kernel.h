@@ -52,18 +52,19 @@ struct SplineProblem {
     SplineMethod method = SplineMethod::newton;
 };
 
-enum class SplineEnding : uint32_t { running, converged, rounding, rounds, failed };
+enum class SplineEnding : uint32_t { running, converged, rounding, rounds, stalled, failed };
 
 struct SplineReport {
-    SplineEnding ending =
-        SplineEnding::running;  // tolerance reached; as near as rounding allows; rounds used up; not on the manifold
+    // Tolerance reached; as near as rounding allows; rounds used up; no step leads down, so something is not smooth; not
+    // on the manifold.
+    SplineEnding ending = SplineEnding::running;
     uint32_t rounds = 0;
     uint32_t projections = 0;            // of whole curves
     uint32_t failed_node = 0;            // that could not be projected
     double energy = 0;                   // with all weights
     double bending = 0, stretching = 0;  // E2 and E1
     // Tangential part of the fourth derivative (less w times the second, where there is tension): its root mean square
-    // over points that are free, over the mean size of all forces a length, those that hold given points included.
+    // over points that are free, over the mean size of all elastic forces a length, those at given points included.
     double residual = 0;
     double length = 0;  // of the chain
 };
@@ -163,6 +164,7 @@ private:
     void try_step(double size);
     void accept();
     void begin_gradient();
+    double noise() const;
     void refuse();
     bool reparametrize();
     void begin_elimination(BlockTridiagonal& system, Pass pass);

@@ -113,11 +113,11 @@ void SplineKernel::find_gradient(uint32_t node) {
     };
     if (has_next(node)) add(next(node), moments_.step_after(node));
     if (has_previous(node)) add(previous(node), moments_.step_before(node));
+    forces_ += std::sqrt(inner_product(g, g, n_));
     if (knot_of_[node] != no_knot && pull_ > 0) {
         const double* const given = &problem_.given[size_t{knot_of_[node]} * n_];
         for (uint32_t c = 0; c < n_; ++c) g[c] += pull_ * (x[c] - given[c]);
     }
-    forces_ += std::sqrt(inner_product(g, g, n_));
 }
 
 void SplineKernel::find_frame(uint32_t node) {

@@ -193,7 +193,7 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
     };
     EXPECT_EQ(with_body(spot, nullptr), "desc.body_points is inf, must be finite and at most 1e30 in size");
     static constexpr double origin[] = {0, 0, 0};
-    EXPECT_EQ(with_body(origin, masses), "desc.body_masses is 0, must be above 0 in all");
+    EXPECT_EQ(with_body(origin, masses), "the sum of desc.body_masses is 0, must be above 0");
     EXPECT_EQ(with_body(origin, negative), "desc.body_masses is -1, must be from 0 to 1e30");
     EXPECT_NE(refusal([](Desc& d) { d.struct_size = 3; }).find("desc: struct_size is 3"), std::string::npos);
     EXPECT_EQ(flgMotionCreate(host.context, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);

@@ -96,6 +96,33 @@ TEST(SplineRefusals, PartsOfAMeshThatDoNotHangTogetherAreNotJoined) {
     EXPECT_EQ(make_spline(host, spline_desc(mesh, one_part)).result, FLG_OK);
 }
 
+// Gaps too narrow to be seen by how long the chain's pieces are.
+TEST(SplineRefusals, SheetsSideBySideAreNotJoined) {
+    for (const double gap : {0.05, 0.3, 2.0}) {
+        const Host host;
+        MeshArrays sheets;
+        for (const double x : {0.0, 1 + gap}) {
+            const uint32_t first = sheets.vertex_count();
+            for (uint32_t j = 0; j <= 10; ++j) {
+                for (uint32_t i = 0; i <= 10; ++i) sheets.add_vertex(x + 0.1 * i, 0.1 * j, 0);
+            }
+            for (uint32_t j = 0; j < 10; ++j) {
+                for (uint32_t i = 0; i < 10; ++i) {
+                    const uint32_t a = first + 11 * j + i;
+                    sheets.add_triangle(a, a + 1, a + 12);
+                    sheets.add_triangle(a, a + 12, a + 11);
+                }
+            }
+        }
+        const FlgManifold mesh = mesh_manifold(host, sheets);
+        const std::vector<double> points = {0.2, 0.5, 0, 1.8 + gap, 0.4, 0};
+        const MadeSpline made = make_spline(host, spline_desc(mesh, points));
+        EXPECT_EQ(made.result, FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(made.error.find("no way leads over the surface from point 0 to point 1"), std::string::npos)
+            << made.error;
+    }
+}
+
 // A square with a square hole, and points around it: curves stay off the hole where they are told to stay by the mesh.
 TEST(SplineRefusals, ByItsBordersOrInALayerCurvesStayOnAMeshWithAHole) {
     const Host host;
@@ -212,6 +239,63 @@ TEST(SplineObstacles, CurvesClearEveryObstacleAndTouchThem) {
         EXPECT_GT(least, -1e-9);
         EXPECT_LT(least, 0.01);
     }
+}
+
+// Much thinner than the nodes are apart: there are more of them until pieces keep out too.
+TEST(SplineObstacles, ThinWallsAreNotJumpedOver) {
+    const Host host;
+    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_SPACE, 1, 0.25, 2);
+    FlgObstacle wall = flgObstacleDefaults();
+    wall.kind = FLG_OBSTACLE_BOX;
+    wall.half[0] = 0.002;
+    wall.half[1] = 0.8;
+    wall.centre[1] = -0.2;
+    FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
+    obstacles_desc.dimension = 2;
+    obstacles_desc.obstacles = &wall;
+    obstacles_desc.obstacle_count = 1;
+    FlgObstacles obstacles{};
+    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+    const std::vector<double> points = {-2, 0, 2, 0};
+    FlgSplineDesc desc = spline_desc(plane, points, 2);
+    desc.obstacles = obstacles;
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    EXPECT_GT(made.view.node_count, 33u);
+    for (uint32_t i = 1; i < made.view.node_count; ++i) {
+        const Point a = made.node(i - 1), b = made.node(i);
+        if (a[0] > 0 || b[0] <= 0) continue;
+        EXPECT_GT(a[1] + (b[1] - a[1]) * a[0] / (a[0] - b[0]), 0.6);
+    }
+    // With nodes too few even so it says that it has not found one.
+    desc.node_count = 3;
+    wall.half[0] = 1e-6;
+    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &desc.obstacles, nullptr), FLG_OK) << flgLastError();
+    const MadeSpline coarse = make_spline(host, desc);
+    ASSERT_EQ(coarse.result, FLG_OK) << coarse.error;
+    EXPECT_EQ(coarse.view.ending, FLG_SPLINE_STALLED);
+}
+
+// The first curve of two points through the middle of a ball on their sphere.
+TEST(SplineObstacles, AChainThatIsTornByAnObstacleIsNotCalledConverged) {
+    const Host host;
+    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
+    FlgObstacle ball = flgObstacleDefaults();
+    ball.centre[0] = 1;
+    ball.radius = 0.4;
+    FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
+    obstacles_desc.obstacles = &ball;
+    obstacles_desc.obstacle_count = 1;
+    FlgObstacles obstacles{};
+    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+    const std::vector<double> points = {std::cos(1.0), -std::sin(1.0), 0, std::cos(1.0), std::sin(1.0), 0};
+    FlgSplineDesc desc = spline_desc(sphere, points);
+    desc.energy = FLG_SPLINE_E1;
+    desc.node_count = 17;
+    desc.obstacles = obstacles;
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    EXPECT_EQ(made.view.ending, FLG_SPLINE_STALLED);
 }
 
 TEST(SplineObstacles, TheSideIsTheHosts) {

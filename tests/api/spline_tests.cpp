@@ -188,6 +188,76 @@ TEST(SplineApi, DraggingAPointGoesOnFromTheLastCurve) {
     EXPECT_EQ(largest_distance(make_spline(host, fewer), alone), 0);
 }
 
+// Far enough that nodes would bunch: they are placed anew.
+TEST(SplineApi, NodesOfADraggedCurveStayEven) {
+    const Host host;
+    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_PLANE);
+    std::vector<double> points = {0, 0, 0, 1, 0.3, 0, 2, 0, 0};
+    MadeSpline last = make_spline(host, spline_desc(plane, points));
+    for (int step = 0; step < 40; ++step) {
+        points[3] += 0.022;
+        FlgSplineDesc desc = spline_desc(plane, points);
+        desc.warm_start = last.spline;
+        last = make_spline(host, desc);
+        ASSERT_EQ(last.result, FLG_OK) << last.error;
+        EXPECT_EQ(last.view.node_count, 65u);
+        double least = HUGE_VAL, largest = 0;
+        for (uint32_t i = 1; i < last.view.node_count; ++i) {
+            least = std::min(least, distance(last.node(i), last.node(i - 1)));
+            largest = std::max(largest, distance(last.node(i), last.node(i - 1)));
+        }
+        EXPECT_LT(largest, 6 * least) << step;
+    }
+    const MadeSpline cold = make_spline(host, spline_desc(plane, points));
+    EXPECT_NEAR(last.view.bending, cold.view.bending, 0.05 * cold.view.bending);
+}
+
+// Chords between these lead through the tube.
+TEST(SplineApi, WhereChordsLeadAstrayTheFirstCurveWalks) {
+    const Host host;
+    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 1, 0.3);
+    const std::vector<double> equator = {1.3, 0, 0, 0, 1.3, 0, -1.3, 0, 0, 0, -1.3, 0};
+    for (const FlgSplineStart start : {FLG_SPLINE_START_GEODESIC, FLG_SPLINE_START_PROJECTED}) {
+        FlgSplineDesc desc = spline_desc(torus, equator);
+        desc.closed = 1;
+        desc.start = start;
+        const MadeSpline made = make_spline(host, desc);
+        ASSERT_EQ(made.result, FLG_OK) << made.error;
+        for (uint32_t i = 0; i < made.view.node_count; ++i) {
+            EXPECT_NEAR(std::hypot(made.node(i)[0], made.node(i)[1]), 1.3, 1e-6);
+        }
+    }
+}
+
+TEST(SplineApi, RoundsAreNotExceeded) {
+    const Host host;
+    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const std::vector<double> points = torus_points(9, 2, 0.8);
+    for (const uint32_t rounds : {1u, 2u, 3u}) {
+        FlgSplineDesc desc = spline_desc(torus, points);
+        desc.node_count = 600;
+        desc.max_rounds = rounds;
+        desc.tolerance = 1e-12;
+        const MadeSpline made = make_spline(host, desc);
+        ASSERT_EQ(made.result, FLG_OK) << made.error;
+        EXPECT_EQ(made.view.rounds, rounds);
+        EXPECT_EQ(made.view.ending, FLG_SPLINE_ROUNDS);
+        EXPECT_EQ(made.view.node_count, 600u);
+    }
+}
+
+TEST(SplineApi, AsManyPointsAsThereMayBe) {
+    const Host host;
+    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_PLANE);
+    std::vector<double> points;
+    for (int i = 0; i < 40000; ++i) points.insert(points.end(), {0.01 * i, std::sin(0.01 * i), 0});
+    FlgSplineDesc desc = spline_desc(plane, points);
+    desc.max_rounds = 2;
+    const MadeSpline made = make_spline(host, desc);
+    ASSERT_EQ(made.result, FLG_OK) << made.error;
+    EXPECT_EQ(made.view.node_count, FLG_SPLINE_MAX_NODES);
+}
+
 TEST(SplineApi, ACurveIsMadeFairAndSubdivided) {
     const Host host;
     const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);

@@ -228,6 +228,18 @@ TEST(SplineKernel, GivenPointsStayToTheBitAndLargeSmoothingLetsThemGo) {
     }
 }
 
+// The plane's smoothing spline has no forces left that could be compared with: it converges all the same.
+TEST(SplineKernel, SmoothingInThePlaneConverges) {
+    const PlaneSurface plane(2);
+    for (const double smoothing : {1e-4, 1e-1, 10.0}) {
+        SplineProblem problem = chain_problem(plane, zigzag, 20);
+        problem.smoothing = smoothing;
+        const SolvedSpline solved = solve_spline(problem);
+        EXPECT_EQ(solved.report.ending, SplineEnding::converged) << smoothing;
+        EXPECT_LT(solved.report.residual, 1e-6);
+    }
+}
+
 TEST(SplineKernel, EnergiesAreOrderedAsWhatTheyMinimize) {
     const TorusSurface torus(2, 0.8);
     double last_stretching = HUGE_VAL, last_bending = 0;

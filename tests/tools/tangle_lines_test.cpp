@@ -98,6 +98,31 @@ TEST_F(TangleLines, ShapesThatCantBePlacedSayWhy) {
     refuse(R"(, "svg": "bad.svg")", "bad.svg:1: no number");
 }
 
+// In the plane the curve that bends least through four points of a circle is the periodic cubic spline, which stays within a hundredth
+// of it; a polyline would come as near to the middle as 0.21.
+TEST_F(TangleLines, SmoothPolylinesAreSplines) {
+    const std::string points = R"("from": {"points": [[0.8, 0.5, 0], [0.5, 0.8, 0], [0.2, 0.5, 0], [0.5, 0.2, 0]]})";
+    done(
+        command("square.off",
+                R"({"operations": [{"op": "polyline", "on": "root", "closed": true, "smooth": true, )" + points + "}]}",
+                {"--curves", "borders.xyz"}));
+    EXPECT_EQ(report().at("counts").at("leaves"), 2);
+    ASSERT_GT(borders().size(), 40u);
+    for (const Point& p : borders()) EXPECT_NEAR(std::hypot(p[0] - 0.5, p[1] - 0.5), 0.3, 0.005);
+}
+
+TEST_F(TangleLines, SmoothPolylinesThatAreNoneSayWhy) {
+    const std::string points = R"("from": {"points": [[0.8, 0.5, 0], [0.5, 0.8, 0]]})";
+    const auto refuse = [&](const std::string& operation, const std::string& sentence) {
+        expect_refused("square.off", R"({"operations": [{"on": "root", "smooth": true, )" + operation + "}]}",
+                       sentence);
+    };
+    refuse(R"("op": "contour", )" + points, "script.operations[0].smooth: is for polylines");
+    refuse(R"("op": "polyline", "from": {"borders": "outer"})", "script.operations[0].from: has no points");
+    refuse(R"("op": "polyline", "from": {"points": [[0.8, 0.5, 0], [0.8, 0.5, 0]]})",
+           "points 0 and 1 come to one place");
+}
+
 // The outermost of a disc's border, from its middle, as the wave leads it.
 TEST_F(TangleLines, StylizedBordersAreTheRegionsBorders) {
     const std::string disc = R"({"name": "disc", "op": "contour", "on": "root", "from": {"points": [[0.5, 0.5, 0]]},

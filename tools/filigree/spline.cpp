@@ -45,7 +45,10 @@ const std::map<std::string, FlgSplineMethod>& method_names() {
     return names;
 }
 const char* ending_name(FlgSplineEnding ending) {
-    return ending == FLG_SPLINE_CONVERGED ? "converged" : ending == FLG_SPLINE_ROUNDING ? "rounding" : "rounds";
+    return ending == FLG_SPLINE_CONVERGED  ? "converged"
+           : ending == FLG_SPLINE_ROUNDING ? "rounding"
+           : ending == FLG_SPLINE_STALLED  ? "stalling"
+                                           : "rounds";
 }
 
 // One spline for each curve of the file.
@@ -172,6 +175,10 @@ void run_spline(const Options& options, const CommonOptions& common) {
         length += view.length;
         residual = std::max(residual, view.residual);
         offset = std::max(offset, view.largest_offset);
+        if (view.largest_offset > 0.1 * manifold.view.size) {
+            report.warn(all.back().subject + ": a point is " + std::to_string(view.largest_offset) +
+                        " m off the surface, which is about " + std::to_string(manifold.view.size) + " m large");
+        }
         if (view.ending != FLG_SPLINE_CONVERGED) {
             report.warn(all.back().subject + ": ended by " + ending_name(view.ending) + ", with a residual of " +
                         std::to_string(view.residual));

@@ -242,7 +242,8 @@ FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc*
 FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
 
 /* On which side a curve passes an obstacle: while its first curve is found the obstacle goes on without end against the
- * direction. What the optimization does later keeps to it. */
+ * direction. In the plane what the optimization does later keeps to it; in space there is no other side of a ball, and
+ * the curve may slide over it to where it bends less. */
 typedef struct FlgObstacleSide {
     uint32_t obstacle;
     uint32_t reserved;
@@ -301,7 +302,9 @@ typedef struct FlgSplineDesc {
                                 * 200 */
     double tolerance;          /* of the residual, see the view; 1e-12 to 1. Default 1e-6 */
     FlgSpline warm_start;      /* begin at this one, of as many points on the same manifold, moved along: for points
-                                * that are dragged. If that failed or does not fit it is not used. Default none */
+                                * that are dragged. If that failed or does not fit it is not used. Of several curves of
+                                * little energy it stays with the one it comes from, which a cold start may not find.
+                                * Default none */
     /* A curve to be made fair or to be refined, instead of points in space: its points are the nodes, in order, and
      * points[i] is what node curve_knots[i] is held at (ascending; of open curves the first and the last node are among
      * them). node_count, start and warm_start do not count then. Default null */
@@ -311,11 +314,12 @@ typedef struct FlgSplineDesc {
     uint32_t subdivisions;     /* rounds of variational subdivision (Remark 6) afterwards: each puts one node between
                                 * two, and optimizes all but the given points again. 0 to 8. Default 0 */
     uint32_t side_count;       /* of `sides`. Default 0 */
-    /* The curve stays out of these (sec. 5): the manifold is a FLG_SHAPE_SPACE of as many dimensions, or a surface in
-     * R^3. It is what splines on barriers around them become whose radius shrinks to `obstacle_radius` of the scene's
-     * size; it may touch them along a stretch. A given point in an obstacle is refused. In space the first curve goes
-     * around them, on a surface the start is without them, and sides do not count. `curve`, slopes and subdivisions do
-     * not count. Default none */
+    /* The curve stays out of these (sec. 5): the manifold is a FLG_SHAPE_SPACE of as many dimensions, or a surface
+     * in R^3. It is what splines on barriers around them become whose radius shrinks to `obstacle_radius` of the
+     * scene's size; it may touch them along a stretch. A given point in an obstacle is refused. Nodes keep out of
+     * obstacles, and pieces between them do but for their sagitta; there are up to 16 times as many nodes where
+     * pieces would go through. In space the first curve goes around them, on a surface the start is without them,
+     * and sides do not count. `curve`, slopes and subdivisions do not count. Default none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the first curve passes; default null: the shortest way */
     double obstacle_radius;    /* 1e-5 to 0.1. Default 1e-3 */
@@ -335,9 +339,10 @@ FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc,
 typedef enum FlgSplineEnding {
     FLG_SPLINE_RUNNING = 0,   /* what is shown is a round's result */
     FLG_SPLINE_CONVERGED = 1, /* the residual is at most the tolerance */
-    FLG_SPLINE_ROUNDING = 2,  /* as near as rounding allows: with thousands of nodes between points differences
-                               * vanish */
+    FLG_SPLINE_ROUNDING = 2,  /* as near as rounding allows: with thousands of nodes between points differences vanish */
     FLG_SPLINE_ROUNDS = 3,    /* max_rounds are used up */
+    FLG_SPLINE_STALLED = 4,   /* no step leads down: the surface is not smooth where the curve wants to be (sharp creases,
+                               * rims), or obstacles leave no way there. The curve is what it got to; see the residual */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
@@ -362,7 +367,7 @@ typedef struct FlgSplineView {
     double stretching;        /* E1 of the chain */
     double length;            /* metres, of the chain */
     /* Tangential part of the fourth derivative (with tension less w times the second, of E1 the second) at nodes that
-     * are free, root mean square, over the mean of all forces along the curve, those that hold the given points
+     * are free, root mean square, over the mean of all elastic forces along the curve, those at the given points
      * included. */
     double residual;
 } FlgSplineView;
