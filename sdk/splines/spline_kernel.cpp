@@ -75,7 +75,7 @@ void SplineKernel::step() {
     if (at_ == end_) return leave();
     const uint32_t i = at_++, area = system_.size() * system_.size();
     switch (pass_) {
-        case Pass::project_first: charge(40); return project_first(i);
+        case Pass::project_first: charge(80); return project_first(i);
         case Pass::measure_lengths: charge(1); return measure_length(i);
         case Pass::set_steps: charge(1); return set_step(i);
         case Pass::factorize: charge(1); return moments_.measure(i);
@@ -83,7 +83,7 @@ void SplineKernel::step() {
         case Pass::moments: charge(1); return moments_.moment(i, &moment_[size_t{i} * n_]);
         case Pass::collect: charge(1); return collect(i);
         case Pass::gradient: charge(1); return find_gradient(i);
-        case Pass::frames: charge(20); return find_frame(i);
+        case Pass::frames: charge(40); return find_frame(i);
         case Pass::eliminate_free: charge(10 + area * system_.size() / 5); return eliminate(*free_system_, i, true);
         case Pass::substitute_free: charge(10); return substitute_free(i);
         case Pass::subtract:
@@ -99,7 +99,7 @@ void SplineKernel::step() {
             return;
         case Pass::eliminate: charge(2 + area * system_.size() / 40); return eliminate(system_, i, false);
         case Pass::substitute: charge(1 + area / 15); return substitute(i);
-        case Pass::move: charge(40); return move(i);
+        case Pass::move: charge(80); return move(i);
         case Pass::done: return;
     }
 }
