@@ -19,17 +19,35 @@ inline FlgManifold shape_manifold(const Host& host, FlgShape kind, double radius
     return manifold;
 }
 
-inline FlgManifold mesh_manifold(const Host& host, MeshArrays mesh) {
-    const FlgMeshView view = mesh.view();
-    FlgSurfaceDesc surface_desc = flgSurfaceDefaults();
-    surface_desc.mesh = view;
+inline FlgSurface mesh_surface(const Host& host, MeshArrays mesh) {
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh = mesh.view();
     FlgSurface surface{};
-    EXPECT_EQ(flgSurfaceCreate(host.context, &surface_desc, &surface, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceCreate(host.context, &desc, &surface, nullptr), FLG_OK) << flgLastError();
+    return surface;
+}
+
+inline FlgManifold mesh_manifold(const Host& host, FlgSurface surface) {
     FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
     desc.surface = surface;
     FlgManifold manifold{};
     EXPECT_EQ(flgManifoldCreateFromSurface(host.context, &desc, &manifold, nullptr), FLG_OK) << flgLastError();
     return manifold;
+}
+inline FlgManifold mesh_manifold(const Host& host, MeshArrays mesh) {
+    return mesh_manifold(host, mesh_surface(host, std::move(mesh)));
+}
+
+inline FlgObstacles make_obstacles(const Host& host, const std::vector<FlgObstacle>& solids, uint32_t dimension = 3,
+                                   double clearance = 0) {
+    FlgObstaclesDesc desc = flgObstaclesDefaults();
+    desc.dimension = dimension;
+    desc.obstacles = solids.data();
+    desc.obstacle_count = static_cast<uint32_t>(solids.size());
+    desc.clearance = clearance;
+    FlgObstacles out{};
+    EXPECT_EQ(flgObstaclesCreate(host.context, &desc, &out, nullptr), FLG_OK) << flgLastError();
+    return out;
 }
 
 // Around the z-axis, closed, its normals outwards.

@@ -140,26 +140,15 @@ TEST(SplineRefusals, ByItsBordersOrInALayerCurvesStayOnAMeshWithAHole) {
             mesh.add_triangle(a, a + cells + 2, a + cells + 1);
         }
     }
-    const FlgMeshView view = mesh.view();
-    FlgSurfaceDesc surface_desc = flgSurfaceDefaults();
-    surface_desc.mesh = view;
-    FlgSurface surface{};
-    ASSERT_EQ(flgSurfaceCreate(host.context, &surface_desc, &surface, nullptr), FLG_OK) << flgLastError();
-    FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
-    desc.surface = surface;
-    FlgManifold manifold{};
-    ASSERT_EQ(flgManifoldCreateFromSurface(host.context, &desc, &manifold, nullptr), FLG_OK) << flgLastError();
+    const FlgSurface surface = mesh_surface(host, mesh);
+    const FlgManifold manifold = mesh_manifold(host, surface);
     for (const FlgObstacleKind kind : {FLG_OBSTACLE_LAYER, FLG_OBSTACLE_BORDER}) {
         FlgObstacle layer = flgObstacleDefaults();
         layer.kind = kind;
         layer.surface = surface;
         layer.radius = 0.05;
         layer.cells = 128;
-        FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
-        obstacles_desc.obstacles = &layer;
-        obstacles_desc.obstacle_count = 1;
-        FlgObstacles obstacles{};
-        ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+        const FlgObstacles obstacles = make_obstacles(host, {layer});
         const std::vector<double> points = {0.2, 0.55, 0, 0.5, 0.8, 0, 0.8, 0.55, 0};
         FlgSplineDesc spline = spline_desc(manifold, points);
         spline.closed = 1;
@@ -179,12 +168,7 @@ TEST(SplineRefusals, ByItsBordersOrInALayerCurvesStayOnAMeshWithAHole) {
 
 TEST(SplineRefusals, BordersThatAreNotThereAreNoObstacle) {
     const Host host;
-    MeshArrays torus = torus_mesh(20, 10, 2, 0.5);
-    const FlgMeshView view = torus.view();
-    FlgSurfaceDesc surface_desc = flgSurfaceDefaults();
-    surface_desc.mesh = view;
-    FlgSurface surface{};
-    ASSERT_EQ(flgSurfaceCreate(host.context, &surface_desc, &surface, nullptr), FLG_OK) << flgLastError();
+    const FlgSurface surface = mesh_surface(host, torus_mesh(20, 10, 2, 0.5));
     FlgObstacle border = flgObstacleDefaults();
     border.kind = FLG_OBSTACLE_BORDER;
     border.surface = surface;
@@ -207,14 +191,7 @@ FlgObstacles discs(const Host& host, const std::vector<std::array<double, 3>>& a
         solids.back().centre[1] = y;
         solids.back().radius = radius;
     }
-    FlgObstaclesDesc desc = flgObstaclesDefaults();
-    desc.dimension = 2;
-    desc.obstacles = solids.data();
-    desc.obstacle_count = static_cast<uint32_t>(solids.size());
-    desc.clearance = clearance;
-    FlgObstacles out{};
-    EXPECT_EQ(flgObstaclesCreate(host.context, &desc, &out, nullptr), FLG_OK) << flgLastError();
-    return out;
+    return make_obstacles(host, solids, 2, clearance);
 }
 
 TEST(SplineObstacles, CurvesClearEveryObstacleAndTouchThem) {
@@ -250,12 +227,7 @@ TEST(SplineObstacles, ThinWallsAreNotJumpedOver) {
     wall.half[0] = 0.002;
     wall.half[1] = 0.8;
     wall.centre[1] = -0.2;
-    FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
-    obstacles_desc.dimension = 2;
-    obstacles_desc.obstacles = &wall;
-    obstacles_desc.obstacle_count = 1;
-    FlgObstacles obstacles{};
-    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+    const FlgObstacles obstacles = make_obstacles(host, {wall}, 2);
     const std::vector<double> points = {-2, 0, 2, 0};
     FlgSplineDesc desc = spline_desc(plane, points, 2);
     desc.obstacles = obstacles;
@@ -270,7 +242,7 @@ TEST(SplineObstacles, ThinWallsAreNotJumpedOver) {
     // With nodes too few even so it says that it has not found one.
     desc.node_count = 3;
     wall.half[0] = 1e-6;
-    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &desc.obstacles, nullptr), FLG_OK) << flgLastError();
+    desc.obstacles = make_obstacles(host, {wall}, 2);
     const MadeSpline coarse = make_spline(host, desc);
     ASSERT_EQ(coarse.result, FLG_OK) << coarse.error;
     EXPECT_EQ(coarse.view.ending, FLG_SPLINE_STALLED);
@@ -283,11 +255,7 @@ TEST(SplineObstacles, AChainThatIsTornByAnObstacleIsNotCalledConverged) {
     FlgObstacle ball = flgObstacleDefaults();
     ball.centre[0] = 1;
     ball.radius = 0.4;
-    FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
-    obstacles_desc.obstacles = &ball;
-    obstacles_desc.obstacle_count = 1;
-    FlgObstacles obstacles{};
-    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+    const FlgObstacles obstacles = make_obstacles(host, {ball});
     const std::vector<double> points = {std::cos(1.0), -std::sin(1.0), 0, std::cos(1.0), std::sin(1.0), 0};
     FlgSplineDesc desc = spline_desc(sphere, points);
     desc.energy = FLG_SPLINE_E1;
@@ -324,11 +292,7 @@ TEST(SplineObstacles, OnASurfaceTheyAreKeptOutOfToo) {
     FlgObstacle ball = flgObstacleDefaults();
     ball.centre[1] = 1;
     ball.radius = 0.4;
-    FlgObstaclesDesc obstacles_desc = flgObstaclesDefaults();
-    obstacles_desc.obstacles = &ball;
-    obstacles_desc.obstacle_count = 1;
-    FlgObstacles obstacles{};
-    ASSERT_EQ(flgObstaclesCreate(host.context, &obstacles_desc, &obstacles, nullptr), FLG_OK) << flgLastError();
+    const FlgObstacles obstacles = make_obstacles(host, {ball});
     const std::vector<double> points = {1, 0, 0.1, -1, 0, 0.1};
     FlgSplineDesc desc = spline_desc(sphere, {});
     desc.points = points.data();
