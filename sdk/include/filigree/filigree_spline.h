@@ -64,8 +64,10 @@ FLG_API FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t st
 
 /* Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their normals and
  * curvatures. It follows smooth parts to the square of the edges' lengths and rounds creases off; how far its vertices
- * are from it is in the manifold's view. At open borders it goes on a little: FLG_OBSTACLE_BORDER keeps curves from
- * there. Cost: about 1 us a triangle. */
+ * are from it is in the manifold's view. Thin solids keep their sides apart; two sheets that face the same way blend
+ * where they are nearer than an edge is long. Across edges sharper than some 114 degrees tangents jump, and curves may
+ * stall there. At open borders it goes on a little: FLG_OBSTACLE_BORDER keeps curves from there. Cost: about 1 us a
+ * triangle. */
 FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc,
                                                FlgManifold* out_manifold, FlgJob* out_job);
 
