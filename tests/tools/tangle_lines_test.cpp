@@ -98,8 +98,8 @@ TEST_F(TangleLines, ShapesThatCantBePlacedSayWhy) {
     refuse(R"(, "svg": "bad.svg")", "bad.svg:1: no number");
 }
 
-// In the plane the curve that bends least through four points of a circle is the periodic cubic spline, which stays within a hundredth
-// of it; a polyline would come as near to the middle as 0.21.
+// In the plane the curve that bends least through four points of a circle is the periodic cubic spline: between them a 36th
+// nearer to the middle (cubics with second derivatives towards it). A polyline would come to 0.21.
 TEST_F(TangleLines, SmoothPolylinesAreSplines) {
     const std::string points = R"("from": {"points": [[0.8, 0.5, 0], [0.5, 0.8, 0], [0.2, 0.5, 0], [0.5, 0.2, 0]]})";
     done(
@@ -108,7 +108,7 @@ TEST_F(TangleLines, SmoothPolylinesAreSplines) {
                 {"--curves", "borders.xyz"}));
     EXPECT_EQ(report().at("counts").at("leaves"), 2);
     ASSERT_GT(borders().size(), 40u);
-    for (const Point& p : borders()) EXPECT_NEAR(std::hypot(p[0] - 0.5, p[1] - 0.5), 0.3, 0.005);
+    for (const Point& p : borders()) EXPECT_NEAR(std::hypot(p[0] - 0.5, p[1] - 0.5), 0.3, 0.01);
 }
 
 TEST_F(TangleLines, SmoothPolylinesThatAreNoneSayWhy) {

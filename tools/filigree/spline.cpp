@@ -175,7 +175,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
         length += view.length;
         residual = std::max(residual, view.residual);
         offset = std::max(offset, view.largest_offset);
-        if (view.largest_offset > 0.1 * manifold.view.size) {
+        if (view.largest_offset > 0.5 * manifold.view.size) {
             report.warn(all.back().subject + ": a point is " + std::to_string(view.largest_offset) +
                         " m off the surface, which is about " + std::to_string(manifold.view.size) + " m large");
         }
