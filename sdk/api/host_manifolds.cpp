@@ -12,8 +12,6 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_memory = 256;
-
 FlgManifoldFunctions default_functions() {
     FlgManifoldFunctions functions{};
     functions.struct_size = sizeof functions;
@@ -61,7 +59,7 @@ void try_patch(const HostPatch& patch) {
 void try_functions(const HostManifold& manifold, const double* point_near) {
     const uint32_t n = manifold.ambient(), k = manifold.dimension();
     double x[Manifold::max_ambient], basis[Manifold::max_ambient * Manifold::max_dimension] = {},
-                                                                   memory[most_memory] = {};
+                                                                   memory[Manifold::max_memory] = {};
     std::copy_n(point_near, n, x);
     for (uint32_t c = 0; c < n; ++c) check_range(std::isfinite(x[c]), "point_near", x[c], "finite");
     if (!manifold.project(x, memory))
@@ -107,7 +105,7 @@ FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* 
                     "2 to 12");
         check_range(read.dimension >= 1 && read.dimension <= read.ambient, "functions.dimension", read.dimension,
                     "1 to functions.ambient");
-        check_range(read.memory_size <= most_memory, "functions.memory_size", read.memory_size, "at most 256");
+        check_range(read.memory_size <= Manifold::max_memory, "functions.memory_size", read.memory_size, "at most 256");
         check_length(read.size, "functions.size");
         if (!read.project) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.project is null");
         if (!read.tangent_basis) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.tangent_basis is null");

@@ -29,21 +29,21 @@ using Point = std::array<double, Manifold::max_ambient>;
 // The middle of two points on the manifold, projected. False where the way over it is too long or there is none.
 bool project_middle(const Manifold& manifold, const double* a, const double* b, double* out) {
     const uint32_t n = manifold.ambient();
-    std::pmr::vector<double> memory(manifold.memory_size(), 0.0);
+    double memory[Manifold::max_memory];
     const double chord = distance_between(a, b, n);
     Point basis_point{};
     for (const double aside : {0.0, 0.05, -0.05}) {
         for (uint32_t c = 0; c < n; ++c) out[c] = 0.5 * (a[c] + b[c]);
         if (aside != 0) {
-            std::fill(memory.begin(), memory.end(), 0.0);
+            std::fill_n(memory, manifold.memory_size(), 0.0);
             std::copy_n(a, n, basis_point.begin());
             std::array<double, Manifold::max_ambient * Manifold::max_dimension> basis{};
-            if (!manifold.project(basis_point.data(), memory.data())) return false;
-            manifold.tangent_basis(basis_point.data(), memory.data(), basis.data());
+            if (!manifold.project(basis_point.data(), memory)) return false;
+            manifold.tangent_basis(basis_point.data(), memory, basis.data());
             for (uint32_t c = 0; c < n; ++c) out[c] += aside * chord * basis[c];
         }
-        std::fill(memory.begin(), memory.end(), 0.0);
-        if (!manifold.project(out, memory.data())) continue;
+        std::fill_n(memory, manifold.memory_size(), 0.0);
+        if (!manifold.project(out, memory)) continue;
         if (distance_between(a, out, n) + distance_between(out, b, n) <= longest_way * chord) return true;
     }
     return false;
@@ -51,52 +51,68 @@ bool project_middle(const Manifold& manifold, const double* a, const double* b, 
 
 // The outward normal of a surface in R^3 at a point on it.
 Vec3 normal_at(const Manifold& manifold, const double* x) {
-    std::pmr::vector<double> memory(manifold.memory_size(), 0.0);
+    double memory[Manifold::max_memory], basis[6];
+    std::fill_n(memory, manifold.memory_size(), 0.0);
     Point at{};
     std::copy_n(x, 3, at.begin());
-    if (!manifold.project(at.data(), memory.data())) return Vec3::Zero();
-    double basis[6];
-    manifold.tangent_basis(at.data(), memory.data(), basis);
+    if (!manifold.project(at.data(), memory)) return Vec3::Zero();
+    manifold.tangent_basis(at.data(), memory, basis);
     return Vec3(basis[0], basis[1], basis[2]).cross(Vec3(basis[3], basis[4], basis[5]));
 }
 
-// Whether a way of points keeps to one side of the surface: normals of neighbours do not oppose each other.
-Task<bool> keeps_side(Pace& pace, const HeldManifold& held, const std::pmr::vector<double>& points, size_t offset) {
-    if (!held.has_normals()) co_return true;
-    Vec3 last = normal_at(*held.manifold, &points[offset]);
-    for (size_t p = offset + 3; p < points.size(); p += 3) {
-        const Vec3 normal = normal_at(*held.manifold, &points[p]);
-        if (normal.dot(last) < 0) co_return false;
-        last = normal;
-        co_await pace;
-    }
-    co_return true;
-}
+// Halves a segment's chord until it has so many pieces, of which the first and the last point are there, and looks
+// whether that is a way along the surface.
+class HalvedChord {
+public:
+    HalvedChord(const HeldManifold& held, double* points)
+        : held_(held), points_(points), n_(held.manifold->ambient()) {}
 
-// Fills points first to last of a segment's; both ends are there.
-Task<bool> halve(Pace& pace, const Manifold& manifold, std::pmr::vector<double>& points, size_t offset) {
-    const uint32_t n = manifold.ambient();
-    constexpr uint32_t pieces = 1u << halvings;
-    for (uint32_t step = pieces; step > 1; step /= 2) {
-        for (uint32_t first = 0; first < pieces; first += step) {
-            const double* const a = &points[offset + size_t{first} * n];
-            const double* const b = &points[offset + size_t{first + step} * n];
-            if (!project_middle(manifold, a, b, &points[offset + size_t{first + step / 2} * n])) co_return false;
-            co_await pace;
+    // One projection, some us; true when done.
+    bool run() {
+        if (found_ && step_ > 1) {
+            found_ = project_middle(*held_.manifold, at(first_), at(first_ + step_), at(first_ + step_ / 2));
+            first_ += step_;
+            if (first_ == pieces) {
+                first_ = 0;
+                step_ /= 2;
+            }
+            if (step_ == 1) found_ = found_ && is_even();
+            return !found_;
         }
+        if (!held_.has_normals()) return true;
+        // Normals of neighbours that oppose each other are those of two sides.
+        const Vec3 normal = normal_at(*held_.manifold, at(first_));
+        if (first_ > 0 && normal.dot(last_) < 0) found_ = false;
+        last_ = normal;
+        return !found_ || first_++ == pieces;
     }
-    // Where no way leads along the surface all middles end at its rims, and one piece is left between them.
-    double largest = 0, whole = 0;
-    for (uint32_t p = 0; p < pieces; ++p) {
-        const double piece = distance_between(&points[offset + size_t{p} * n], &points[offset + size_t{p + 1} * n], n);
-        largest = std::max(largest, piece);
-        whole += piece;
-    }
-    co_return largest <= longest_piece* whole / pieces;
-}
+    bool found() const { return found_; }
 
-// From a point towards another, step by step in the tangent spaces, for the segment's points but the first; for where chords do not
-// lead along the surface. False where that leads nowhere.
+    static constexpr uint32_t pieces = 1u << halvings;
+
+private:
+    double* at(uint32_t point) const { return points_ + size_t{point} * n_; }
+    // Where no way leads along the surface all middles end at its rims, and one piece is left between them.
+    bool is_even() const {
+        double largest = 0, whole = 0;
+        for (uint32_t p = 0; p < pieces; ++p) {
+            const double piece = distance_between(at(p), at(p + 1), n_);
+            largest = std::max(largest, piece);
+            whole += piece;
+        }
+        return largest <= longest_piece * whole / pieces;
+    }
+
+    const HeldManifold& held_;
+    double* points_;
+    const uint32_t n_;
+    uint32_t step_ = pieces, first_ = 0;
+    Vec3 last_ = Vec3::Zero();
+    bool found_ = true;
+};
+
+// From a point towards another, step by step in the tangent spaces, for the segment's points but the first; for where
+// chords do not lead along the surface. False where that leads nowhere.
 Task<bool> walk(Pace& pace, const Manifold& manifold, const double* to, std::pmr::vector<double>& points) {
     const uint32_t n = manifold.ambient();
     Point at{}, way{};
@@ -191,7 +207,9 @@ Task<void> follow_mesh(Pace& pace, const HeldManifold& held, GivenPoints given, 
 Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints given, FirstCurve& out) {
     const Manifold& manifold = *held.manifold;
     const uint32_t n = manifold.ambient(), count = given.count(n), segments = given.segments(n);
-    constexpr uint32_t pieces = 1u << halvings;
+    constexpr uint32_t pieces = HalvedChord::pieces;
+    out.points.reserve((size_t{segments} * pieces + 1) * n);
+    out.ends.reserve(segments);
     out.points.assign(given.values.begin(), given.values.begin() + n);
     std::optional<NearestPoints> nearest;
     if (held.components.size() > 0) {
@@ -204,8 +222,9 @@ Task<void> find_first_curve(Pace& pace, const HeldManifold& held, GivenPoints gi
         const size_t offset = out.points.size() - n;
         out.points.resize(out.points.size() + size_t{pieces} * n);
         std::copy_n(b, n, out.points.end() - n);
-        bool found = co_await halve(pace, manifold, out.points, offset);
-        if (found) found = co_await keeps_side(pace, held, out.points, offset);
+        HalvedChord chord(held, &out.points[offset]);
+        while (!chord.run()) co_await pace;
+        bool found = chord.found();
         if (!found) {
             out.points.resize(offset + n);
             if (!held.surface) {

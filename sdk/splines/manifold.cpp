@@ -9,7 +9,6 @@ namespace {
 
 // Differences of second order: their error is the step's square, their noise rounding over the square.
 constexpr double relative_step = 1e-4;
-constexpr uint32_t max_memory = 256;
 
 }  // namespace
 

@@ -19,6 +19,7 @@ class Manifold {
 public:
     static constexpr uint32_t max_ambient = 12;
     static constexpr uint32_t max_dimension = 12;
+    static constexpr uint32_t max_memory = 256;
 
     virtual ~Manifold() = default;
 

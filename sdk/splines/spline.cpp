@@ -107,10 +107,11 @@ void place_slope(const HeldManifold& held, const Buffer<double>& slope, const do
     const uint32_t n = manifold.ambient();
     double x[Manifold::max_ambient], basis[Manifold::max_ambient * Manifold::max_dimension],
         whole[Manifold::max_ambient] = {};
-    std::pmr::vector<double> memory(manifold.memory_size(), 0.0);
+    double memory[Manifold::max_memory];
+    std::fill_n(memory, manifold.memory_size(), 0.0);
     std::copy_n(point, n, x);
-    manifold.project(x, memory.data());
-    manifold.tangent_basis(x, memory.data(), basis);
+    manifold.project(x, memory);
+    manifold.tangent_basis(x, memory, basis);
     std::copy_n(slope.data(), slope.size(), whole);
     problem.has_slope[last] = true;
     std::fill_n(problem.slopes[last], n, 0.0);
