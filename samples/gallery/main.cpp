@@ -16,10 +16,9 @@ using namespace flg::gallery;
 
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
-    for (const auto pictures :
-         {showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(), steps(), live_pictures(),
-          surface_pictures(), tangle_pictures(), skeleton_pictures(), bone_pictures(),
-          spline_pictures(), obstacle_pictures(), motion_pictures()}) {
+    for (const auto pictures : {showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(),
+                                steps(), live_pictures(), surface_pictures(), tangle_pictures(), skeleton_pictures(),
+                                bone_pictures(), spline_pictures(), obstacle_pictures(), motion_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
 #if defined(FLG_WITH_SCRIPTS)

@@ -27,14 +27,17 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/inflation", {"filigree", "core", "runtime", "skeletons"}},
     {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
-    {"sdk/api", {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "splines", "skeletons", "inflation", "bones", "tangles"}},
+    {"sdk/api",
+     {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "splines", "skeletons", "inflation", "bones",
+      "tangles"}},
     {"sdk/io", {"filigree"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
     {"renderer", {"filigree"}},
 };
-const Rooms rooms = {"filigree",  "core",    "runtime", "curves", "stylization", "surfaces",
-                     "splines",   "skeletons", "inflation", "bones", "tangles", "api",     "io",     "pick",        "filigree_renderer"};
+const Rooms rooms = {"filigree", "core",    "runtime",   "curves",    "stylization",
+                     "surfaces", "splines", "skeletons", "inflation", "bones",
+                     "tangles",  "api",     "io",        "pick",      "filigree_renderer"};
 
 std::set<std::string> violations(const std::string& folder, const Rooms& may_include) {
     std::set<std::string> found;
