@@ -12,11 +12,7 @@
 #include "filigree/filigree_io.h"
 
 namespace flg::gallery {
-namespace {
-
-using Triangle = std::array<uint32_t, 3>;
-
-filigree::Surface surface_of(Workshop& workshop, const scenes::Mesh& mesh, float weld_distance = 0.0f) {
+filigree::Surface surface_of(Workshop& workshop, const scenes::Mesh& mesh, float weld_distance) {
     const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
     FlgSurfaceDesc desc = flgSurfaceDefaults();
     desc.mesh.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
@@ -27,6 +23,10 @@ filigree::Surface surface_of(Workshop& workshop, const scenes::Mesh& mesh, float
     desc.weld_distance = weld_distance;
     return workshop.finished(workshop.context().surface(desc));
 }
+
+namespace {
+
+using Triangle = std::array<uint32_t, 3>;
 
 // Squares between `width` vertices in a row, the last row of vertices being there; diagonals change from one to the next. The
 // right neighbour of the last vertex of a row is the first one if `around`.

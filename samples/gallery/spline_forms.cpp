@@ -25,17 +25,6 @@ void project(Workshop& workshop, const filigree::Manifold& manifold, std::vector
 
 }  // namespace
 
-filigree::Surface surface_of(Workshop& workshop, const scenes::Mesh& mesh) {
-    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
-    FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
-    desc.mesh.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
-    desc.mesh.columns = &column;
-    desc.mesh.column_count = 1;
-    desc.mesh.triangles = mesh.triangles[0].data();
-    return workshop.finished(workshop.context().surface(desc));
-}
-
 scenes::Mesh sheet(uint32_t columns, uint32_t rows, bool around,
                    const std::function<glm::dvec3(double u, double v)>& place) {
     scenes::Mesh mesh;

@@ -4,11 +4,10 @@
 
 #include <functional>
 
+#include "gallery/forms.h"
 #include "gallery/spline_stage.h"
 
 namespace flg::gallery {
-
-filigree::Surface surface_of(Workshop& workshop, const scenes::Mesh& mesh);
 
 // Points over [0, 1]^2, which may come back to where they began in u. Sees outwards where u x v does.
 scenes::Mesh sheet(uint32_t columns, uint32_t rows, bool around,

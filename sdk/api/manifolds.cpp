@@ -3,7 +3,6 @@
 #include "api/manifolds.h"
 
 #include <cmath>
-#include <vector>
 
 #include "api/descriptors.h"
 #include "api/error.h"
@@ -133,7 +132,7 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
         check_range(point_count <= most_projected, "point_count", point_count, "at most 64");
         if (point_count > 0) require(points, "points");
         const uint32_t shown = held.given_ambient, n = held.manifold->ambient();
-        std::pmr::vector<double> memory(held.manifold->memory_size(), 0.0, &self.memory);
+        double memory[Manifold::max_memory];
         for (uint32_t i = 0; i < point_count; ++i) {
             double* const given = points + size_t{i} * shown;
             double x[Manifold::max_ambient] = {};
@@ -143,9 +142,9 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
                 x[c] = given[c];
             }
             std::fill_n(x + shown, n - shown, 0.0);
-            std::fill(memory.begin(), memory.end(), 0.0);
+            std::fill_n(memory, held.manifold->memory_size(), 0.0);
             double square = HUGE_VAL;
-            if (held.manifold->project(x, memory.data())) {
+            if (held.manifold->project(x, memory)) {
                 square = 0;
                 for (uint32_t c = 0; c < shown; ++c) square += (x[c] - given[c]) * (x[c] - given[c]);
                 std::copy_n(x, shown, given);

@@ -168,6 +168,7 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     out.closed = problem.closed;
     Buffer<double> placed;
     co_await place_spline_points(pace, held, request.points, "desc.points", placed, &out.offsets);
+    co_await refuse_coincident(pace, placed, d, problem.closed, problem.manifold->size());
     const GivenPoints given{
         .values = {placed.data(), placed.size()}, .closed = problem.closed, .argument = "desc.points"};
     FirstCurve first(pace.memory());

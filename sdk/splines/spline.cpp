@@ -86,8 +86,6 @@ Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffe
     }
 }
 
-namespace {
-
 Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n, bool closed, double size) {
     const size_t count = given.size() / n;
     for (size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
@@ -98,6 +96,8 @@ Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n
                       i, next);
     }
 }
+
+namespace {
 
 // The part of a prescribed derivative that is tangent to the manifold at an end.
 void place_slope(const HeldManifold& held, const Buffer<double>& slope, const double* point, bool last,

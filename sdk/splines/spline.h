@@ -65,6 +65,8 @@ Task<void> make_spline(Pace& pace, SplineRequest request);
 // from it.
 Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
                                Buffer<double>& out, Buffer<double>* offsets);
+// Fails where two given points that follow each other, n numbers each, come to one place.
+Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n, bool closed, double size);
 // Runs the kernel to its end, and shows its rounds if the host wants to see them.
 Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline);
 // What stays of a kernel that is done.

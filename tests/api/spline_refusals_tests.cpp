@@ -322,6 +322,12 @@ TEST(SplineObstacles, BadOnesAreNamed) {
     EXPECT_NE(made.error.find("1"), std::string::npos) << made.error;
     EXPECT_NE(made.error.find("obstacle"), std::string::npos) << made.error;
 
+    const std::vector<double> twice = {-2, 0, 2, 0, 2, 0};
+    desc.points = twice.data();
+    const MadeSpline coincident = make_spline(host, desc);
+    EXPECT_EQ(coincident.result, FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(coincident.error.find("points 1 and 2 come to one place"), std::string::npos) << coincident.error;
+
     desc.manifold = shape_manifold(host, FLG_SHAPE_SPHERE);
     FlgSpline spline{};
     expect_failure(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_ERROR_INVALID_ARGUMENT,

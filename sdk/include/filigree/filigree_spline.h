@@ -102,13 +102,14 @@ typedef struct FlgGridManifoldDesc {
 FLG_API FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes the zero set of a sampled function, such as signed distances. Cost: about 20 ns a sample. */
-FLG_API FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc, FlgManifold* out_manifold,
-                                            FlgJob* out_job);
+FLG_API FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc,
+                                            FlgManifold* out_manifold, FlgJob* out_job);
 
 /* The image manifold of a surface's normals (sec. 6, Fig. 17): (x, weight * normal) in R^6. Curves on it avoid crossing
  * creases, the more the larger the weight (metres, above 0) is. `base`: a surface in R^3, ready. Points are given and
  * shown in R^3: the normals are added and left out. */
-FLG_API FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double weight, FlgManifold* out_manifold);
+FLG_API FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double weight,
+                                         FlgManifold* out_manifold);
 
 /* A manifold of the host's own. Functions are called from worker threads, several at a time; they must not throw, call
  * the SDK or take more than some us, and give the same numbers for the same arguments. */
@@ -133,8 +134,8 @@ FLG_API FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint
 
 /* Makes a manifold of a copy of the functions; user_data must live until it and all splines on it are released. Tries
  * them at one point and refuses what is not orthonormal or not finite there. */
-FLG_API FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* functions, const double* point_near,
-                                        FlgManifold* out_manifold);
+FLG_API FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* functions,
+                                        const double* point_near, FlgManifold* out_manifold);
 
 /* A surface in R^3 that the host knows by two parameters. */
 typedef struct FlgPatchFunctions {
@@ -156,7 +157,8 @@ FLG_API FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint32_t s
 
 /* Makes a manifold of a copy of these at once; asks for 1089 points of it. Refuses what is not finite there, and
  * derivatives that are parallel. Fixed points such as poles are to be left out of the domain. */
-FLG_API FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* functions, FlgManifold* out_manifold);
+FLG_API FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* functions,
+                                         FlgManifold* out_manifold);
 
 typedef struct FlgManifoldView {
     uint32_t struct_size;
@@ -169,6 +171,7 @@ typedef struct FlgManifoldView {
 } FlgManifoldView;
 
 FLG_API FlgResult flgManifoldViewInit(FlgManifoldView* view, uint32_t struct_size);
+/* FLG_NOT_READY before the manifold's job is published, its error if it failed. */
 FLG_API FlgResult flgManifoldGetView(FlgContext context, FlgManifold manifold, FlgManifoldView* out_view);
 
 /* Moves up to 64 points onto a manifold, at once: a cursor's, some us each. out_distances, metres, may be null; a point
@@ -237,8 +240,10 @@ typedef struct FlgObstaclesDesc {
 
 FLG_API FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size);
 
-/* Starts a job that makes obstacles; splines may be asked for before it is done. Cost: of meshes 100 to 500 ns a cell
- * of their grid. */
+/* Starts a job that makes obstacles (sec. 5); splines may be asked for before it is done. Refuses, and names the
+ * obstacle, sizes that are not positive, polygons that cross themselves, axes that are not orthonormal; the job fails
+ * for meshes that hold nothing, layers thinner than 4 cells, surfaces without borders. Cost: of meshes 100 to 500 ns a
+ * cell of their grid. */
 FLG_API FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles,
                                      FlgJob* out_job);
 FLG_API FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
@@ -321,7 +326,8 @@ typedef struct FlgSplineDesc {
      * scene's size; it may touch them along a stretch. A given point in an obstacle is refused. Nodes keep out of
      * obstacles, and pieces between them do but for their sagitta; there are up to 16 times as many nodes where
      * pieces would go through. In space the first curve goes around them, on a surface the start is without them,
-     * and sides do not count. `curve`, slopes and subdivisions do not count. Default none */
+     * and sides do not count. `start`, `warm_start`, slopes and subdivisions do not count, `curve` is refused.
+     * Default none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the first curve passes; default null: the shortest way */
     double obstacle_radius;    /* 1e-5 to 0.1. Default 1e-3 */
@@ -336,15 +342,18 @@ FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
  * sphere: a half circle, always the same one. Two points: a geodesic, with E2 as well. If rounds are used up or
  * rounding lets it get no nearer the curve is there, and the view says so. Cost: 1 us a node and round on a mesh, and 3
  * to 8 rounds. */
-FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job);
+FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline,
+                                  FlgJob* out_job);
 
 typedef enum FlgSplineEnding {
     FLG_SPLINE_RUNNING = 0,   /* what is shown is a round's result */
     FLG_SPLINE_CONVERGED = 1, /* the residual is at most the tolerance */
-    FLG_SPLINE_ROUNDING = 2,  /* as near as rounding allows: with thousands of nodes between points differences vanish */
+    FLG_SPLINE_ROUNDING = 2,  /* as near as rounding allows: with thousands of nodes between points differences vanish
+                               * */
     FLG_SPLINE_ROUNDS = 3,    /* max_rounds are used up */
-    FLG_SPLINE_STALLED = 4,   /* no step leads down: the surface is not smooth where the curve wants to be (sharp creases,
-                               * rims), or obstacles leave no way there. The curve is what it got to; see the residual */
+    FLG_SPLINE_STALLED = 4,   /* no step leads down: the surface is not smooth where the curve wants to be (sharp
+                               * creases, rims), or obstacles leave no way there. The curve is what it got to; see the
+                               * residual */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
@@ -391,7 +400,8 @@ FLG_API FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t st
 
 /* Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3,
  * NORMAL: to be stylized in the surface's frame (FLG_FRAME_SUPPLIED), drawn, projected, cut in. */
-FLG_API FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+FLG_API FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set,
+                                  FlgJob* out_job);
 
 FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
 
