@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The app's widgets: ImGui's, each with a tooltip, of one look, and found by its label, so that scripts can put the mouse on it.
+// Labels are unique within what is shown at a time; what follows "##" is not shown but is part of the label.
+// Tooltips say what it does and, where there is a number, its unit and what more of it means.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <span>
+#include <string>
+
+struct ImVec2;
+
+namespace flg::studio::ui {
+
+struct Rect {
+    glm::vec2 low{0.0f}, high{0.0f};  // pixels of the window
+};
+
+// Of the frame that was drawn last; null if there is no such widget.
+const Rect* find_widget(const std::string& label);
+// All labels, for the sentence that says there is none.
+std::string widget_labels();
+// To be called by the shell before each frame.
+void begin_widgets();
+// Widgets that are not made here (handles in the 3D picture): registers what scripts may aim at.
+void mark(const std::string& label, const Rect& rect);
+
+struct State {
+    bool enabled = true;
+    bool pressed = false;  // shown as the one chosen
+};
+
+void heading(const char* text);
+// Small grey text, wrapped.
+void hint(const char* text);
+bool button(const char* label, const char* tip, const State& state = {});
+// Buttons side by side, as many as `across` fill the panel's width: call before each but the first of a row.
+void same_row();
+// Of the panel's width, a share: `across` buttons in a row.
+bool row_button(const char* label, int across, const char* tip, const State& state = {});
+bool toggle(const char* label, bool* value, const char* tip, bool enabled = true);
+// `format` as for printf, with the unit: "%.2f m". What changed() and released() below say is of the widget made last.
+bool slider(const char* label, float* value, float low, float high, const char* format, const char* tip,
+            bool logarithmic = false, bool enabled = true);
+bool slider(const char* label, int* value, int low, int high, const char* format, const char* tip, bool enabled = true);
+bool choice(const char* label, int* index, std::span<const char* const> names, const char* tip, bool enabled = true);
+// Linear RGB, shown as sRGB.
+bool color(const char* label, glm::vec3* value, const char* tip);
+bool text(const char* label, std::string* value, const char* tip);
+// A line of a list or tree; true when clicked.
+bool selectable(const char* label, bool selected, const char* tip = nullptr);
+// The mouse let go of the widget made last, after having changed it: where undo takes a step.
+bool released();
+// It is being dragged: where previews are made.
+bool active();
+// A tooltip for the widget made last.
+void tip(const char* text);
+
+}  // namespace flg::studio::ui

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What a workspace is to the shell, and what the shell gives to a workspace. The four workspaces know the desk and the scene, never each other.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "scene/scene.h"
+#include "shell/jobs.h"
+#include "shell/notices.h"
+#include "shell/view.h"
+
+struct ImDrawList;
+
+namespace flg::studio {
+
+// What can't be done, in a sentence for the user; the shell makes a notice of it. Thrown by workspaces from any of their
+// functions; they stay as they were.
+class StudioError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// What workspaces share. Outlives them.
+struct Desk {
+    filigree::Context& context;
+    render::Renderer& renderer;
+    Scene& scene;
+    View& view;
+    Jobs& jobs;
+    Notices& notices;
+    float scale = 1.0f;    // pixels of the window to a unit of the layout: 1 or 2 and between
+    double seconds = 0.0;  // since the start; in scripts each frame takes 1/60 s
+    uint64_t changes = 0;  // of the document: count it up with each that would be a loss
+};
+
+// A place of the mouse, and when it was there.
+struct MouseSample {
+    glm::vec2 px;
+    double seconds;
+};
+
+// The mouse over the 3D picture, in this frame. Turning the camera (right or middle button, Alt with the left) is the shell's and
+// does not come here.
+struct Pointer {
+    glm::vec2 px{0.0f};         // of the window
+    bool inside = false;        // over the 3D picture and over no panel; once pressed there, until released
+    bool pressed = false;       // the left button went down in this frame
+    bool down = false;          // it is down, and went down over the picture
+    bool released = false;      // it went up in this frame, having gone down over the picture
+    bool double_clicked = false;
+    bool shift = false, control = false;
+    std::span<const MouseSample> path{};  // all places since the last frame, the last of them `px`; for drawing
+};
+
+// GLFW's key code, GLFW_KEY_A and so on.
+struct Chord {
+    int key = 0;
+    bool control = false, shift = false;
+};
+
+class Workspace {
+public:
+    explicit Workspace(Desk& desk) : desk_(desk) {}
+    virtual ~Workspace() = default;
+    Workspace(const Workspace&) = delete;
+    Workspace& operator=(const Workspace&) = delete;
+
+    // "Strokes". Also its button, its script name and its key in documents, in lower case.
+    virtual const char* title() const = 0;
+    // One sentence for who sees it for the first time: what to do with the mouse. Shown at the foot of the window; may depend on the tool.
+    virtual std::string help() const = 0;
+
+    // It comes to the front, or goes.
+    virtual void enter() {}
+    virtual void leave() {}
+
+    // Once a frame, after the tick and whichever is in front: takes results over, starts previews. Cheap when nothing changed.
+    virtual void update() = 0;
+    // The rest only for the one in front, in this order, between ImGui's begin and end of the frame:
+    virtual void panel() = 0;                    // its widgets (shell/widgets.h), in a window that is open already
+    virtual void pointer(const Pointer& mouse) = 0;  // hovering too: mouse.inside and no button
+    virtual void overlay(ImDrawList& list) = 0;  // over the 3D picture, in pixels of the window: handles, highlights, labels
+    // True if it was for the workspace. Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y and the shell's own keys (README.md) don't come here.
+    virtual bool shortcut(const Chord& chord) = 0;
+    // Rows for the window of keyboard shortcuts.
+    struct Shortcut {
+        const char* keys;
+        const char* what;
+    };
+    virtual std::span<const Shortcut> shortcuts() const = 0;
+
+    virtual bool can_undo() const = 0;
+    virtual bool can_redo() const = 0;
+    virtual void undo() = 0;
+    virtual void redo() = 0;
+
+    // Files dropped or opened: what it takes, whatever is in front. Returns false without doing anything for others.
+    virtual bool open(const std::string& path) = 0;
+    // Its part of the document; load() replaces all there is, also by {} (a new document). Throws StudioError for what can't be.
+    virtual nlohmann::json save() const = 0;
+    virtual void load(const nlohmann::json& part) = 0;
+    // Results for other programs: formats by extension ("Strokes as .glb"). Offered in the menu.
+    struct Export {
+        const char* what;       // "Strokes"
+        const char* extension;  // ".glb"
+    };
+    virtual std::span<const Export> exports() const { return {}; }
+    virtual void write(const Export&, const std::string& /*path*/) {}
+
+    // Whether something is still to come by itself (jobs are known to the shell, previews that wait for them may not be).
+    virtual bool busy() const { return false; }
+    // Everything uploaded to the renderer is gone: upload it again. Ids from before are invalid, not to be removed.
+    virtual void device_lost() = 0;
+    // For scripts: `expect WORKSPACE.NAME VALUE`. Throws StudioError for a name it does not know.
+    virtual double count(const std::string& name) const = 0;
+
+protected:
+    Desk& desk_;
+};
+
+}  // namespace flg::studio
