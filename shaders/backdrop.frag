@@ -43,6 +43,7 @@ void main() {
     color *= 1.0 - vignette * 0.5 * dot(at, at);
     vec3 shown = tone_map(color);
     // Half a step of 8-bit sRGB up or down, so that the gradient shows no bands: interleaved gradient noise (Jimenez 2014).
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+    vec2 pixel = floor((at + 1.0) / vec2(view.background_top.w, view.background_bottom.w)) + 0.5;  // of the viewport
+    float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5;
     out_color = vec4(shown + noise * (2.0 / 255.0) * sqrt(shown), 1.0);
 }

@@ -95,13 +95,15 @@ void CurveStore::set_magnitude_offset(CurvesId id, float offset) {
 
 Box CurveStore::bounds() const {
     Box box;
-    for (const auto& [id, curves] : items()) box.add(curves->data.box_at(curves->magnitude_offset));
+    for (const auto& [id, curves] : items())
+        if (curves->visible) box.add(curves->data.box_at(curves->magnitude_offset));
     return box;
 }
 
 void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const {
     ChunkSelector selector(view);
     for (const auto& [id, curves] : items()) {
+        if (!curves->visible) continue;
         if (shadow && (!curves->look.casts_shadow || curves->look.shape == Shape::line)) continue;
         const auto first_bin = static_cast<uint32_t>(list.bins.size());
         selector.select(curves->data, curves->look, curves->magnitude_offset, instances, list.bins);

@@ -37,6 +37,7 @@ struct DeviceCurves {
     CurveLook look;
     CurveData data;  // without its points
     float magnitude_offset = 0.0f;
+    bool visible = true;
     VkDevice device;
     Buffer centers, looks, chunks, displacements;
     VkDescriptorPool pool = VK_NULL_HANDLE;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr VkDeviceSize least_instance_bytes = 64 << 10;
 constexpr VkDeviceSize least_joint_bytes = 16 << 10;
+constexpr VkDeviceSize least_ui_bytes = 128 << 10;
 
 }  // namespace
 
@@ -194,6 +195,17 @@ VkDescriptorSet FrameSlot::set_joints(const std::vector<float>& joints) {
     }
     std::memcpy(joints_.mapped(), joints.data(), bytes);
     return joints_set_;
+}
+
+UiBuffers FrameSlot::set_ui(const UiFrame& ui) {
+    const VkDeviceSize vertices = ui.vertices.size_bytes(), bytes = vertices + ui.indices.size_bytes();
+    if (ui_.size() < bytes)
+        ui_ = Buffer(memory_, std::max(least_ui_bytes, 2 * bytes),
+                     VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT, DeviceMemory::Place::host);
+    auto* mapped = static_cast<char*>(ui_.mapped());
+    std::copy(ui.vertices.begin(), ui.vertices.end(), reinterpret_cast<UiVertex*>(mapped));
+    std::copy(ui.indices.begin(), ui.indices.end(), reinterpret_cast<uint16_t*>(mapped + vertices));
+    return {ui_.handle(), vertices};
 }
 
 }  // namespace flg::render

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <vector>
 
+#include "filigree_renderer/ui.h"
 #include "memory.h"
 #include "pipelines.h"
 #include "shadow_map.h"
@@ -24,6 +25,12 @@ struct FrameSubmission {
 
 enum class Moment : uint32_t { begin = 0, shadow_done = 1, end = 2 };
 constexpr uint32_t moment_count = 3;
+
+// Vertices from the beginning on, then indices.
+struct UiBuffers {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceSize indices_at = 0;
+};
 
 class FrameSlot {
 public:
@@ -49,6 +56,7 @@ public:
     VkBuffer set_instances(const std::vector<uint32_t>& instances);
     // The same as a descriptor set; null for none.
     VkDescriptorSet set_joints(const std::vector<float>& joints);
+    UiBuffers set_ui(const UiFrame& ui);
 
     uint64_t frame = 0;        // number of the last frame submitted; 0 = none
     bool drew_shadow = false;  // in that frame
@@ -73,6 +81,7 @@ private:
     Buffer uniforms_;
     Buffer instances_;
     Buffer joints_;
+    Buffer ui_;
 };
 
 }  // namespace flg::render

@@ -172,6 +172,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 DeviceImage::DeviceImage(DeviceMemory& memory, const ImageDesc& desc) {
     const VkDevice device = memory.device().handle();
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.flags = desc.flags;
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = desc.format;
     info.extent = {desc.width, desc.height, 1};

@@ -59,12 +59,16 @@ VkPipeline make_pipeline(VkDevice device, const PipelineDesc& desc) {
     depth.depthTestEnable = VK_TRUE;
     depth.depthWriteEnable = desc.writes_depth;
     depth.depthCompareOp = desc.depth_test;
-    VkPipelineColorBlendAttachmentState opaque{};
-    opaque.colorWriteMask =
+    VkPipelineColorBlendAttachmentState color{};
+    color.colorWriteMask =
         VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    color.blendEnable = desc.blended;
+    color.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    color.dstColorBlendFactor = color.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    color.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blend.attachmentCount = desc.fragment ? 1 : 0;
-    blend.pAttachments = &opaque;
+    blend.pAttachments = &color;
     const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
     dynamic.dynamicStateCount = 2;

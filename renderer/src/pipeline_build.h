@@ -31,6 +31,7 @@ struct PipelineDesc {
     VkCompareOp depth_test = VK_COMPARE_OP_GREATER;
     bool writes_depth = true;
     bool biased = false;
+    bool blended = false;  // over what is there, by straight alpha
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     VkRenderPass pass = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;

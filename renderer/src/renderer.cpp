@@ -23,6 +23,25 @@ Options checked(Options options) {
     return options;
 }
 
+void check_viewport(glm::ivec4 viewport, const Target& target) {
+    if (viewport == glm::ivec4(0)) return;
+    const auto within = [](int64_t from, int64_t size, int64_t whole) {
+        return from >= 0 && size > 0 && from + size <= whole;
+    };
+    if (!within(viewport.x, viewport.z, target.width()) || !within(viewport.y, viewport.w, target.height()))
+        fail("The viewport of %d x %d pixels at (%d, %d) does not lie on the target of %u x %u.", viewport.z,
+             viewport.w, viewport.x, viewport.y, target.width(), target.height());
+}
+
+// The pixels of a checked viewport that are on an image, at least one.
+VkRect2D picture_area(glm::ivec4 viewport, const TargetImage& image) {
+    const glm::ivec2 whole(image.width(), image.height());
+    if (viewport == glm::ivec4(0)) return {{0, 0}, {image.width(), image.height()}};
+    const glm::ivec2 from = glm::min(glm::ivec2(viewport), whole - 1);
+    const glm::uvec2 size = glm::min(glm::ivec2(viewport.z, viewport.w), whole - from);
+    return {{from.x, from.y}, {size.x, size.y}};
+}
+
 }  // namespace
 
 Renderer::State::State(const Options& wanted)
@@ -35,7 +54,10 @@ Renderer::State::State(const Options& wanted)
       main_pass{device.handle(), make_main_pass(device.handle(), samples)},
       pipelines(device, main_pass.handle, samples, shadow_map.pass()),
       surface_pipelines(device, main_pass.handle, samples, shadow_map.pass(), pipelines.view_layout()),
-      patterns(ring) {
+      texture_sampler(device),
+      ui_pass(device, texture_sampler.layout()),
+      patterns(ring),
+      textures(memory, ring, texture_sampler) {
     for (auto& slot : slots)
         slot = std::make_unique<FrameSlot>(memory, pipelines, surface_pipelines.joints_layout(), shadow_map);
 }
@@ -48,6 +70,7 @@ void Renderer::State::recycle(uint64_t finished_frame) {
     ring.recycle(finished_frame);
     curves.recycle(finished_frame);
     surfaces.recycle(finished_frame);
+    textures.recycle(finished_frame);
 }
 
 Box Renderer::State::bounds() const {
@@ -76,8 +99,9 @@ CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
 
 void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
-    s.curves.at(id.value);
+    const bool visible = s.curves.at(id.value).visible;
     auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
+    curves->visible = visible;
     s.curves.replace(id.value, std::move(curves), s.frame + 1);
     s.shadow_is_current = false;
 }
@@ -96,8 +120,9 @@ SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std
 
 void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
-    s.surfaces.at(id.value);
+    const bool visible = s.surfaces.at(id.value).visible;
     auto surface = std::make_unique<DeviceSurface>(s.ring, mesh, look, field);
+    surface->visible = visible;
     s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
     s.shadow_is_current = false;
 }
@@ -111,8 +136,9 @@ SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
 
 void Renderer::update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
-    s.surfaces.at(id.value);
+    const bool visible = s.surfaces.at(id.value).visible;
     auto surface = std::make_unique<DeviceSurface>(s.ring, skin, look);
+    surface->visible = visible;
     s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
     s.shadow_is_current = false;
 }
@@ -120,6 +146,30 @@ void Renderer::update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& 
 void Renderer::set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms) {
     state_->surfaces.set_pose(id, skinning, transforms);
     state_->shadow_is_current = false;
+}
+
+TextureId Renderer::upload(const Image& image) {
+    State& s = *state_;
+    return {s.textures.add(std::make_unique<DeviceTexture>(s.memory, s.ring, s.texture_sampler, image))};
+}
+
+void Renderer::update(TextureId id, const Image& image) {
+    State& s = *state_;
+    s.textures.at(id.value);
+    auto texture = std::make_unique<DeviceTexture>(s.memory, s.ring, s.texture_sampler, image);
+    s.textures.replace(id.value, std::move(texture), s.frame + 1);
+}
+
+void Renderer::set_visible(CurvesId id, bool visible) {
+    bool& is_visible = state_->curves.at(id.value).visible;
+    if (is_visible != visible) state_->shadow_is_current = false;
+    is_visible = visible;
+}
+
+void Renderer::set_visible(SurfaceId id, bool visible) {
+    bool& is_visible = state_->surfaces.at(id.value).visible;
+    if (is_visible != visible) state_->shadow_is_current = false;
+    is_visible = visible;
 }
 
 void Renderer::remove(CurvesId id) {
@@ -132,6 +182,11 @@ void Renderer::remove(SurfaceId id) {
     if (id.value == 0) return;
     state_->surfaces.remove(id.value, state_->frame + 1);
     state_->shadow_is_current = false;
+}
+
+void Renderer::remove(TextureId id) {
+    if (id.value == 0) return;
+    state_->textures.remove(id.value, state_->frame + 1);
 }
 
 void Renderer::clear() {
@@ -164,11 +219,13 @@ const std::vector<std::string>& Renderer::messages() const {
     return state_->device.messages();
 }
 
-void Renderer::draw(Target& target, const Camera& camera) {
+void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& options) {
     State& s = *state_;
     if (&target.renderer_ != this) fail("The target belongs to another renderer.");
     const auto start = SteadyClock::now();
     // Before a window's image is taken, which would have to be given back.
+    check_viewport(options.viewport, target);
+    check_ui(options.ui, s.textures);
     camera_view(camera, s.scene, s.bounds(), target.width(), target.height(), s.options.shadow_size);
     const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
     FrameSlot& slot = *s.slots[slot_index];
@@ -181,7 +238,7 @@ void Renderer::draw(Target& target, const Camera& camera) {
     FrameSubmission submission;
     submission.slot = slot_index;
     submission.picture = target.image_->color();
-    s.record_frame(slot, submission, *target.image_, camera);
+    s.record_frame(slot, submission, *target.image_, camera, options);
     target.end_frame(submission);
     slot.mark(Moment::end);
 
@@ -198,10 +255,11 @@ void Renderer::draw(Target& target, const Camera& camera) {
 }
 
 void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image,
-                                   const Camera& camera) {
+                                   const Camera& camera, const DrawOptions& draw_options) {
     const Box box = bounds();
     const uint32_t shadow_size = options.shadow_size;
-    const ViewUniforms view = camera_view(camera, scene, box, image.width(), image.height(), shadow_size);
+    const VkRect2D area = picture_area(draw_options.viewport, image);
+    const ViewUniforms view = camera_view(camera, scene, box, area.extent.width, area.extent.height, shadow_size);
     const ViewUniforms sun = sun_view(scene, box, shadow_size);
     const bool draw_shadow = !shadow_is_current;  // without shadows too: the map must be readable
     instances.clear();
@@ -241,10 +299,15 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     info.clearValueCount = 2;
     info.pClearValues = clear;
     vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
-    const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
-    const VkRect2D scissor{{0, 0}, extent};
+    if (area.extent.width != extent.width || area.extent.height != extent.height) {
+        const VkClearAttachment black{VK_IMAGE_ASPECT_COLOR_BIT, 0, {{{0, 0, 0, 1}}}};
+        const VkClearRect whole{{{0, 0}, extent}, 0, 1};
+        vkCmdClearAttachments(commands, 1, &black, 1, &whole);
+    }
+    const glm::vec2 corner(area.offset.x, area.offset.y), size(area.extent.width, area.extent.height);
+    const VkViewport viewport{corner.x, corner.y, size.x, size.y, 0, 1};
     vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
+    vkCmdSetScissor(commands, 0, 1, &area);
     const SurfaceDraws surface_draws =
         record_surfaces(commands, surface_pipelines, {slot.main_view(), joints_set}, surfaces);
     bind_view(slot.main_view());
@@ -254,6 +317,10 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop());
     vkCmdDraw(commands, 3, 1, 0, 0);
     vkCmdEndRenderPass(commands);
+
+    const UiFrame& ui = draw_options.ui;
+    if (!ui.commands.empty() && !ui.indices.empty())
+        stats.draw_calls += ui_pass.record(commands, image.ui_framebuffer(), extent, ui, slot.set_ui(ui), textures);
 }
 
 void Renderer::wait_idle() {

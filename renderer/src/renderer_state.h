@@ -11,6 +11,8 @@
 #include "shadow_map.h"
 #include "surface_store.h"
 #include "target_image.h"
+#include "texture_store.h"
+#include "ui_pass.h"
 #include "upload_ring.h"
 
 namespace flg::render {
@@ -31,7 +33,9 @@ struct Renderer::State {
     void recycle(uint64_t finished_frame);
     // Takes the times of a slot's frame, which must be finished, into `stats`.
     void read_times(const FrameSlot& slot);
-    void record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image, const Camera& camera);
+    void record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image, const Camera& camera,
+                      const DrawOptions& draw_options);
+    TargetPasses passes() const { return {main_pass.handle, ui_pass.handle()}; }
 
     Options options;
     Device device;
@@ -42,9 +46,12 @@ struct Renderer::State {
     OwnedPass main_pass;
     Pipelines pipelines;
     SurfacePipelines surface_pipelines;
+    TextureSampler texture_sampler;
+    UiPass ui_pass;
     IndexPatterns patterns;
     CurveStore curves;
     SurfaceStore surfaces;
+    TextureStore textures;
     std::unique_ptr<FrameSlot> slots[frames_in_flight];
 
     Scene scene;

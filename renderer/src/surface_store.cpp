@@ -83,7 +83,8 @@ void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const Surfac
 
 Box SurfaceStore::bounds() const {
     Box box;
-    for (const auto& [id, surface] : items()) box.add(surface->box);
+    for (const auto& [id, surface] : items())
+        if (surface->visible) box.add(surface->box);
     return box;
 }
 
@@ -101,7 +102,7 @@ void SurfaceStore::gather_joints(std::vector<float>& joints) {
     constexpr size_t vector_floats = 4;
     joints.clear();
     for (const auto& [id, surface] : items()) {
-        if (!surface->skin) continue;
+        if (!surface->visible || !surface->skin) continue;
         surface->skin->first = static_cast<uint32_t>(joints.size() / vector_floats);
         joints.insert(joints.end(), surface->skin->transforms.begin(), surface->skin->transforms.end());
     }
@@ -113,7 +114,7 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
     if (store.items().empty()) return draws;
     bind_surface(commands, pipelines, sets);
     for (const auto& [id, surface] : store.items()) {
-        if (surface->skin) continue;
+        if (!surface->visible || surface->skin) continue;
         vkCmdPushConstants(commands, pipelines.layout(), both_stages, 0, sizeof surface->push, &surface->push);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.surface());
         bind_vertices(commands, 0, surface->positions);
@@ -128,7 +129,7 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
     }
     if (!bind_skins(commands, pipelines, sets)) return draws;
     for (const auto& [id, surface] : store.items()) {
-        if (!surface->skin) continue;
+        if (!surface->visible || !surface->skin) continue;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned(surface->skin->skinning));
         push_skin(commands, pipelines, *surface);
         bind_vertices(commands, 0, surface->positions);
@@ -146,13 +147,13 @@ SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipel
     bind_surface(commands, pipelines, sets);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.shadow());
     for (const auto& [id, surface] : store.items()) {
-        if (!surface->casts_shadow || surface->skin) continue;
+        if (!surface->visible || !surface->casts_shadow || surface->skin) continue;
         bind_vertices(commands, 0, surface->positions);
         draw_triangles(commands, *surface, draws);
     }
     if (!bind_skins(commands, pipelines, sets)) return draws;
     for (const auto& [id, surface] : store.items()) {
-        if (!surface->casts_shadow || !surface->skin) continue;
+        if (!surface->visible || !surface->casts_shadow || !surface->skin) continue;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned_shadow(surface->skin->skinning));
         push_skin(commands, pipelines, *surface);
         bind_vertices(commands, 0, surface->positions);

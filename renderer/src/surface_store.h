@@ -27,6 +27,7 @@ struct DeviceSurface {
     DeviceSurface(UploadRing& ring, const FlgSkinView& skin, const SurfaceLook& look);
 
     bool casts_shadow;
+    bool visible = true;
     SurfacePush push;
     Box box;
     uint32_t index_count;

@@ -8,7 +8,7 @@ namespace flg::render {
 
 Target::Target(Renderer& renderer, uint32_t width, uint32_t height) : renderer_(renderer) {
     auto& s = *renderer.state_;
-    image_ = std::make_unique<TargetImage>(s.memory, s.main_pass.handle, s.samples, width, height);
+    image_ = std::make_unique<TargetImage>(s.memory, s.passes(), s.samples, width, height);
 }
 
 Target::~Target() {
@@ -19,7 +19,7 @@ Target::~Target() {
 void Target::resize(uint32_t width, uint32_t height) {
     auto& s = *renderer_.state_;
     renderer_.wait_idle();
-    image_ = std::make_unique<TargetImage>(s.memory, s.main_pass.handle, s.samples, width, height);
+    image_ = std::make_unique<TargetImage>(s.memory, s.passes(), s.samples, width, height);
 }
 
 uint32_t Target::width() const {

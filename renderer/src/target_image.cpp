@@ -80,32 +80,58 @@ VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples) {
     return pass;
 }
 
-TargetImage::TargetImage(DeviceMemory& memory, VkRenderPass pass, VkSampleCountFlagBits samples, uint32_t width,
-                         uint32_t height)
+TargetImage::TargetImage(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples,
+                         uint32_t width, uint32_t height)
     : device_(memory.device().handle()), width_(width), height_(height) {
     check_size(memory.device(), width, height);
-    const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
-    color_ = DeviceImage(
-        memory, {width, height, color_format, VK_SAMPLE_COUNT_1_BIT,
-                 VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, VK_IMAGE_ASPECT_COLOR_BIT});
-    depth_ = DeviceImage(memory, {width, height, depth_format, samples, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                  VK_IMAGE_ASPECT_DEPTH_BIT});
-    if (multisampled)
-        multisampled_ = DeviceImage(memory, {width, height, color_format, samples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-                                             VK_IMAGE_ASPECT_COLOR_BIT});
-    const VkImageView views[] = {multisampled ? multisampled_.view() : color_.view(), depth_.view(), color_.view()};
-    VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
-    info.renderPass = pass;
-    info.attachmentCount = multisampled ? 3 : 2;
-    info.pAttachments = views;
-    info.width = width;
-    info.height = height;
-    info.layers = 1;
-    check(vkCreateFramebuffer(device_, &info, nullptr, &framebuffer_), "make a framebuffer");
+    try {
+        create(memory, passes, samples);
+    } catch (...) {
+        destroy();
+        throw;
+    }
 }
 
 TargetImage::~TargetImage() {
+    destroy();
+}
+
+void TargetImage::create(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples) {
+    const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
+    color_ = DeviceImage(memory, {width_, height_, color_format, VK_SAMPLE_COUNT_1_BIT,
+                                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                                  VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT});
+    depth_ = DeviceImage(memory, {width_, height_, depth_format, samples, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                  VK_IMAGE_ASPECT_DEPTH_BIT});
+    if (multisampled)
+        multisampled_ = DeviceImage(memory, {width_, height_, color_format, samples,
+                                             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_ASPECT_COLOR_BIT});
+    VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view_info.image = color_.handle();
+    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view_info.format = encoded_color_format;
+    view_info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    check(vkCreateImageView(device_, &view_info, nullptr, &encoded_view_), "make an image view");
+
+    const VkImageView views[] = {multisampled ? multisampled_.view() : color_.view(), depth_.view(), color_.view()};
+    VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
+    info.renderPass = passes.main;
+    info.attachmentCount = multisampled ? 3 : 2;
+    info.pAttachments = views;
+    info.width = width_;
+    info.height = height_;
+    info.layers = 1;
+    check(vkCreateFramebuffer(device_, &info, nullptr, &framebuffer_), "make a framebuffer");
+    info.renderPass = passes.ui;
+    info.attachmentCount = 1;
+    info.pAttachments = &encoded_view_;
+    check(vkCreateFramebuffer(device_, &info, nullptr, &ui_framebuffer_), "make a framebuffer");
+}
+
+void TargetImage::destroy() {
+    vkDestroyFramebuffer(device_, ui_framebuffer_, nullptr);
     vkDestroyFramebuffer(device_, framebuffer_, nullptr);
+    vkDestroyImageView(device_, encoded_view_, nullptr);
 }
 
 }  // namespace flg::render

@@ -8,14 +8,21 @@
 namespace flg::render {
 
 constexpr VkFormat color_format = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr VkFormat encoded_color_format = VK_FORMAT_R8G8B8A8_UNORM;  // the same bytes, taken as they are
 constexpr VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
 
 // The render pass of the main view; the caller destroys it.
 VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples);
 
+// What a target is drawn by.
+struct TargetPasses {
+    VkRenderPass main;
+    VkRenderPass ui;
+};
+
 class TargetImage {
 public:
-    TargetImage(DeviceMemory& memory, VkRenderPass pass, VkSampleCountFlagBits samples, uint32_t width,
+    TargetImage(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples, uint32_t width,
                 uint32_t height);
     ~TargetImage();
     TargetImage(const TargetImage&) = delete;
@@ -24,14 +31,20 @@ public:
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
     VkFramebuffer framebuffer() const { return framebuffer_; }
+    VkFramebuffer ui_framebuffer() const { return ui_framebuffer_; }
     VkImage color() const { return color_.handle(); }
     bool drawn = false;
 
 private:
+    void create(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples);
+    void destroy();
+
     VkDevice device_;
     uint32_t width_, height_;
     DeviceImage color_, multisampled_, depth_;
+    VkImageView encoded_view_ = VK_NULL_HANDLE;
     VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
+    VkFramebuffer ui_framebuffer_ = VK_NULL_HANDLE;
 };
 
 }  // namespace flg::render

@@ -8,24 +8,32 @@ namespace flg::render {
 namespace {
 
 constexpr VkDeviceSize staging_bytes = VkDeviceSize{4} << 20;  // a block
+constexpr VkDeviceSize texel_bytes = 4;                        // copies to images begin at multiples of it
 constexpr size_t kept_blocks = 4;                              // more are given back once idle
 
 }  // namespace
+
+UploadRing::Block& UploadRing::block_with(VkDeviceSize bytes) {
+    if (!filling_.empty()) {
+        Block& block = filling_.back();
+        block.used = (block.used + texel_bytes - 1) / texel_bytes * texel_bytes;
+        if (staging_bytes - block.used >= bytes) return block;
+    }
+    if (free_.empty()) {
+        filling_.push_back(
+            {Buffer(memory_, staging_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, DeviceMemory::Place::host)});
+    } else {
+        filling_.push_back(std::move(free_.back()));
+        free_.pop_back();
+    }
+    return filling_.back();
+}
 
 void UploadRing::upload(const Buffer& target, const void* data, VkDeviceSize size) {
     const char* from = static_cast<const char*>(data);
     VkDeviceSize done = 0;
     while (done < size) {
-        if (filling_.empty() || filling_.back().used == staging_bytes) {
-            if (free_.empty()) {
-                filling_.push_back(
-                    {Buffer(memory_, staging_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, DeviceMemory::Place::host)});
-            } else {
-                filling_.push_back(std::move(free_.back()));
-                free_.pop_back();
-            }
-        }
-        Block& block = filling_.back();
+        Block& block = block_with(1);
         const VkDeviceSize count = std::min(size - done, staging_bytes - block.used);
         std::memcpy(static_cast<char*>(block.buffer.mapped()) + block.used, from + done, count);
         copies_.push_back({block.buffer.handle(), target.handle(), {block.used, done, count}});
@@ -34,9 +42,31 @@ void UploadRing::upload(const Buffer& target, const void* data, VkDeviceSize siz
     }
 }
 
+void UploadRing::upload(const DeviceImage& target, const Image& image) {
+    const VkDeviceSize row_bytes = texel_bytes * image.width;
+    images_.push_back(target.handle());
+    for (uint32_t y = 0; y < image.height;) {
+        Block& block = block_with(row_bytes);
+        const uint32_t rows =
+            std::min(image.height - y, static_cast<uint32_t>((staging_bytes - block.used) / row_bytes));
+        std::memcpy(static_cast<char*>(block.buffer.mapped()) + block.used, image.at(0, y), rows * row_bytes);
+        VkBufferImageCopy region{};
+        region.bufferOffset = block.used;
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageOffset.y = static_cast<int32_t>(y);
+        region.imageExtent = {image.width, rows, 1};
+        image_copies_.push_back({block.buffer.handle(), target.handle(), region});
+        block.used += rows * row_bytes;
+        y += rows;
+    }
+}
+
 VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
-    if (copies_.empty()) return 0;
+    if (copies_.empty() && images_.empty()) return 0;
     VkDeviceSize bytes = 0;
+    for (const ImageCopy& copy : image_copies_)
+        bytes += texel_bytes * copy.region.imageExtent.width * copy.region.imageExtent.height;
+    record_images(commands);
     for (const Copy& copy : copies_) {
         vkCmdCopyBuffer(commands, copy.source, copy.target, 1, &copy.region);
         bytes += copy.region.size;
@@ -54,6 +84,35 @@ VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
         filling_.pop_front();
     }
     return bytes;
+}
+
+void UploadRing::record_images(VkCommandBuffer commands) {
+    if (images_.empty()) return;
+    std::vector<VkImageMemoryBarrier> barriers(images_.size(), {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER});
+    for (size_t i = 0; i < images_.size(); ++i) {
+        VkImageMemoryBarrier& barrier = barriers[i];
+        barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+        barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+        barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        barrier.image = images_[i];
+        barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    }
+    const auto count = static_cast<uint32_t>(barriers.size());
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,
+                         nullptr, count, barriers.data());
+    for (const ImageCopy& copy : image_copies_)
+        vkCmdCopyBufferToImage(commands, copy.source, copy.target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                               &copy.region);
+    for (VkImageMemoryBarrier& barrier : barriers) {
+        barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+        barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+        barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    }
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, 0, 0, nullptr,
+                         0, nullptr, count, barriers.data());
+    images_.clear();
+    image_copies_.clear();
 }
 
 void UploadRing::recycle(uint64_t finished_frame) {

@@ -7,6 +7,7 @@
 #include <deque>
 #include <vector>
 
+#include "filigree_renderer/image.h"
 #include "memory.h"
 
 namespace flg::render {
@@ -17,6 +18,8 @@ public:
 
     // `target` must live until the next recorded frame is done.
     void upload(const Buffer& target, const void* data, VkDeviceSize size);
+    // The same for an image of RGBA bytes, which must be new; it can be sampled from the next recorded frame on.
+    void upload(const DeviceImage& target, const Image& image);
     // A buffer on the device that holds these from the next recorded frame on.
     template <class T>
     Buffer make_filled(const std::vector<T>& values, VkBufferUsageFlags usage) {
@@ -43,11 +46,22 @@ private:
         VkBuffer target;
         VkBufferCopy region;
     };
+    struct ImageCopy {
+        VkBuffer source;
+        VkImage target;
+        VkBufferImageCopy region;
+    };
+    // One that has room for so many bytes, at most those of a block.
+    Block& block_with(VkDeviceSize bytes);
+    void record_images(VkCommandBuffer commands);
+
     DeviceMemory& memory_;
     std::deque<Block> filling_;  // what the next frame copies from
     std::deque<Block> in_flight_;
     std::vector<Block> free_;
     std::vector<Copy> copies_;
+    std::vector<ImageCopy> image_copies_;
+    std::vector<VkImage> images_;  // of those copies
 };
 
 }  // namespace flg::render

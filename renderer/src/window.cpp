@@ -4,6 +4,7 @@
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer_state.h"
@@ -40,7 +41,11 @@ struct Window::State {
     GLFWwindow* window = nullptr;
     std::unique_ptr<Swapchain> swapchain;
     bool outdated = true;
+    int pixels_wide = 0, pixels_high = 0;  // that the images were made for
+    bool orbits = false;
     double mouse_x = 0, mouse_y = 0;
+
+    void begin_orbit(Window* owner);
 
     State() = default;
     State(const State&) = delete;
@@ -67,15 +72,17 @@ Window::Window(Renderer& renderer, uint32_t width, uint32_t height, const std::s
     const VkResult result = glfwCreateWindowSurface(device.instance(), w.window, nullptr, &surface);
     if (result != VK_SUCCESS) fail("Vulkan can't draw to the window: %s.", result_name(result));
     w.swapchain = std::make_unique<Swapchain>(device, surface);
-    glfwSetWindowUserPointer(w.window, this);
-    glfwSetFramebufferSizeCallback(w.window, [](GLFWwindow* window, int, int) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))->window_->outdated = true;
-    });
-    glfwSetScrollCallback(w.window, [](GLFWwindow* window, double, double notches) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))
+}
+
+void Window::State::begin_orbit(Window* owner) {
+    if (orbits) return;
+    orbits = true;
+    glfwSetWindowUserPointer(window, owner);
+    glfwSetScrollCallback(window, [](GLFWwindow* scrolled, double, double notches) {
+        static_cast<Window*>(glfwGetWindowUserPointer(scrolled))
             ->orbit.zoom(std::pow(zoom_per_notch, static_cast<float>(notches)));
     });
-    glfwGetCursorPos(w.window, &w.mouse_x, &w.mouse_y);
+    glfwGetCursorPos(window, &mouse_x, &mouse_y);
 }
 
 Window::~Window() {
@@ -84,6 +91,7 @@ Window::~Window() {
 
 bool Window::poll() {
     State& w = *window_;
+    w.begin_orbit(this);
     glfwPollEvents();
     if (glfwGetKey(w.window, GLFW_KEY_ESCAPE) == GLFW_PRESS) glfwSetWindowShouldClose(w.window, GLFW_TRUE);
     double x, y;
@@ -104,26 +112,50 @@ bool Window::poll() {
     return !glfwWindowShouldClose(w.window);
 }
 
+bool Window::poll_events() {
+    glfwPollEvents();
+    fit();
+    return !glfwWindowShouldClose(window_->window);
+}
+
+GLFWwindow* Window::handle() const {
+    return window_->window;
+}
+
+float Window::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_->window, &x, &y);
+    return std::max(x, y);
+}
+
 void Window::set_size(uint32_t width, uint32_t height) {
     glfwSetWindowSize(window_->window, static_cast<int>(width), static_cast<int>(height));
+}
+
+bool Window::fit() {
+    State& w = *window_;
+    int pixels_wide, pixels_high;
+    glfwGetFramebufferSize(w.window, &pixels_wide, &pixels_high);
+    if (pixels_wide <= 0 || pixels_high <= 0) return false;
+    if (!w.outdated && pixels_wide == w.pixels_wide && pixels_high == w.pixels_high) return true;
+    w.outdated = true;
+    renderer_.wait_idle();
+    check(vkQueueWaitIdle(renderer_.state_->device.queue()), "finish its work");
+    w.swapchain->rebuild(static_cast<uint32_t>(pixels_wide), static_cast<uint32_t>(pixels_high));
+    const VkExtent2D extent = w.swapchain->extent();
+    if (extent.width == 0 || extent.height == 0) return false;
+    if (extent.width != width() || extent.height != height()) resize(extent.width, extent.height);
+    w.pixels_wide = pixels_wide;
+    w.pixels_high = pixels_high;
+    w.outdated = false;
+    return true;
 }
 
 bool Window::begin_frame(uint32_t slot) {
     State& w = *window_;
     // Twice: the images may go out of date between being made and being asked for.
     for (int attempt = 0; attempt < 2; ++attempt) {
-        if (w.outdated) {
-            int pixels_wide, pixels_high;
-            glfwGetFramebufferSize(w.window, &pixels_wide, &pixels_high);
-            if (pixels_wide <= 0 || pixels_high <= 0) return false;
-            renderer_.wait_idle();
-            check(vkQueueWaitIdle(renderer_.state_->device.queue()), "finish its work");
-            w.swapchain->rebuild(static_cast<uint32_t>(pixels_wide), static_cast<uint32_t>(pixels_high));
-            const VkExtent2D extent = w.swapchain->extent();
-            if (extent.width == 0 || extent.height == 0) return false;
-            if (extent.width != this->width() || extent.height != this->height()) resize(extent.width, extent.height);
-            w.outdated = false;
-        }
+        if (!fit()) return false;
         if (w.swapchain->acquire(slot)) return true;
         w.outdated = true;
     }

@@ -2,6 +2,9 @@
 // A real window where there is a display (tools/test starts Xvfb), and a clear no where there is none.
 #include "filigree_renderer/window.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -49,6 +52,30 @@ TEST_F(RendererTest, WindowOpensDrawsResizesAndIsCaptured) {
     EXPECT_EQ(window.width(), 400u);
     EXPECT_EQ(window.height(), 300u);
     EXPECT_EQ(renderer.capture(window).pixels.size(), 4u * 400 * 300);
+}
+
+TEST_F(RendererTest, WindowLeavesItsInputToTheProgram) {
+    if (!has_display()) GTEST_SKIP() << "no display";
+    static int scrolls, sizes;
+    scrolls = sizes = 0;
+    Window window(renderer, 320, 200, "Filigree");
+    const auto on_scroll = [](GLFWwindow*, double, double) { ++scrolls; };
+    const auto on_size = [](GLFWwindow*, int, int) { ++sizes; };
+    EXPECT_EQ(glfwSetScrollCallback(window.handle(), on_scroll), nullptr);
+    EXPECT_EQ(glfwSetFramebufferSizeCallback(window.handle(), on_size), nullptr);
+    EXPECT_EQ(glfwGetWindowUserPointer(window.handle()), nullptr);
+    EXPECT_GT(window.content_scale(), 0.0f);
+    window.set_size(400, 300);
+    for (int i = 0; i < 500 && window.width() != 400; ++i) {
+        ASSERT_TRUE(window.poll_events());
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_EQ(window.width(), 400u) << "the size is known before the next frame";
+    EXPECT_GT(sizes, 0);
+    renderer.draw(window, front_camera(), {.viewport = {100, 0, 300, 300}});
+    EXPECT_EQ(glfwSetScrollCallback(window.handle(), nullptr), on_scroll);
+    glfwSetWindowShouldClose(window.handle(), GLFW_TRUE);
+    EXPECT_FALSE(window.poll_events());
 }
 
 TEST(Orbit, TurnsAroundItsTargetAtTheSameDistance) {

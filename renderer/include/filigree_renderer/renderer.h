@@ -25,6 +25,7 @@
 #include "filigree_renderer/error.h"
 #include "filigree_renderer/image.h"
 #include "filigree_renderer/surface_look.h"
+#include "filigree_renderer/ui.h"
 
 namespace flg::render {
 
@@ -102,6 +103,14 @@ struct FrameStats {
     uint64_t device_bytes = 0;    // of memory held on the device
 };
 
+// What a frame shows besides the scene.
+struct DrawOptions {
+    UiFrame ui{};
+    // The part of the target that the scene's picture fills: x, y, width, height in pixels, within the target. The rest is
+    // black, for the UI to cover. All 0: the whole target.
+    glm::ivec4 viewport{0};
+};
+
 class Renderer;
 class TargetImage;
 struct FrameSubmission;
@@ -176,20 +185,31 @@ public:
     // Throws for a surface without joints, another number of floats, floats that are not finite, quaternions not of length 1.
     // Cost: about 0.2 us a joint for the bounds; the mesh is not uploaded again, its joints are copied with each frame.
     void set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms);
+    // Copies a picture to the device for the UI to draw with: sampled linearly between texels, clamped at its edges.
+    TextureId upload(const Image& image);
+    // Replaces what `id` shows, by a picture of any size. On error nothing changes.
+    void update(TextureId id, const Image& image);
+    // What is not visible is not drawn, casts no shadow and is not in bounds(). Stays as it is over update().
+    void set_visible(CurvesId id, bool visible);
+    void set_visible(SurfaceId id, bool visible);
     // Zero does nothing. Throws for an id that was removed or never given.
     void remove(CurvesId id);
     void remove(SurfaceId id);
-    // Removes all curves and surfaces.
+    void remove(TextureId id);
+    // Removes all curves and surfaces; textures stay.
     void clear();
 
     void set_scene(const Scene& scene);
     const Scene& scene() const;
-    // Of everything uploaded, radii included; lines count as thin.
+    // Of everything visible, radii included; lines count as thin.
     Box bounds() const;
 
     // Records and submits one frame; returns before it is drawn. Waits only when two frames are in flight already. A
-    // window that has no area just now (minimized) is left alone.
-    void draw(Target& target, const Camera& camera);
+    // window that has no area just now (minimized) is left alone. The camera's aspect is the viewport's. The UI is drawn over
+    // the finished picture, with no samples but one a pixel; its vertices and indices are copied, and take no allocation once
+    // buffers have grown to the largest frame. Throws for a viewport that is not on the target, for indices out of range
+    // and for textures that are not there; a window that has shrunk since it was asked for its size cuts the viewport.
+    void draw(Target& target, const Camera& camera, const DrawOptions& options = {});
     // Waits for the target's last frame and copies it out; black before the first.
     Image capture(Target& target);
     // Waits until all frames are drawn.
