@@ -65,15 +65,10 @@ struct CurveData {
     Box box_at(float magnitude_offset) const { return has_displacements ? displaced_box.at(magnitude_offset) : box; }
 };
 
+// Of the chunk whose first point this is; the box grows by it.
+ChunkBounds bounds_of(const glm::vec4* centers, uint32_t segments, Shape shape, Box& in_out_box);
+
 // Throws Error for a view or a look that can't be used.
 CurveData prepare_curves(const FlgCurveSetView& view, const CurveLook& look);
-
-// Rotation-minimizing frames by double reflection (Wang, Juettler, Zheng, Liu 2008). No two points in a row may be equal.
-// Of a closed curve, whose last point is its first, the twist is spread evenly.
-void carry_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* out_normals);
-
-// Given normals, of any length, made unit and perpendicular to the curve, on the side that keeps a ribbon from crossing
-// over itself; carried along where they point along the curve.
-void follow_normals(const glm::vec3* positions, uint32_t count, bool closed, glm::vec3* in_out_normals);
 
 }  // namespace flg::render

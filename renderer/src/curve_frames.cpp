@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, ACM TOG 2008, section 4.
 // Given normals need not be perpendicular to the curve: results of flgStylize bring their target's.
-#include <cmath>
+#include "curve_frames.h"
 
-#include "curve_data.h"
+#include <cmath>
 
 namespace flg::render {
 namespace {
@@ -28,23 +28,31 @@ glm::vec3 any_normal(glm::vec3 tangent) {
 // curve at once.
 constexpr float least_said = 0.1f;
 
+// Of points that are positions, or begin with them.
+template <class Point>
 class Frames {
 public:
-    Frames(const glm::vec3* positions, uint32_t count, bool closed)
-        : positions_(positions), count_(count), closed_(closed) {}
+    Frames(const Point* points, uint32_t count, bool closed) : points_(points), count_(count), closed_(closed) {}
 
     glm::vec3 tangent(uint32_t i) const {
         const uint32_t before = i > 0 ? i - 1 : closed_ ? count_ - 2 : 0;
         const uint32_t after = i + 1 < count_ ? i + 1 : closed_ ? 1 : i;
-        const glm::vec3 in = i > 0 || closed_ ? unit(positions_[i] - positions_[before]) : glm::vec3(0);
-        const glm::vec3 out = i + 1 < count_ || closed_ ? unit(positions_[after] - positions_[i]) : glm::vec3(0);
+        const glm::vec3 in = i > 0 || closed_ ? unit(position(i) - position(before)) : glm::vec3(0);
+        const glm::vec3 out = i + 1 < count_ || closed_ ? unit(position(after) - position(i)) : glm::vec3(0);
         const glm::vec3 sum = in + out;
         return glm::dot(sum, sum) > 1e-6f ? unit(sum) : in;  // a full turn back keeps the way in
     }
 
+    // A given normal made perpendicular to the curve; zero if it says too little.
+    static glm::vec3 leveled(glm::vec3 given, glm::vec3 tangent) {
+        const glm::vec3 direction = unit(given);
+        const glm::vec3 level = direction - tangent * glm::dot(direction, tangent);
+        return glm::dot(level, level) > least_said * least_said ? unit(level) : glm::vec3(0);
+    }
+
     // The normal at point `from` brought to its neighbour `to`, whose tangents these are.
     glm::vec3 carry(glm::vec3 normal, uint32_t from, uint32_t to, glm::vec3 tangent_from, glm::vec3 tangent_to) const {
-        const glm::vec3 chord = unit(positions_[to] - positions_[from]);
+        const glm::vec3 chord = unit(position(to) - position(from));
         const glm::vec3 normal_left = reflect_across(normal, chord);
         const glm::vec3 tangent_left = reflect_across(tangent_from, chord);
         const glm::vec3 next = reflect_across(normal_left, tangent_to - tangent_left);
@@ -53,7 +61,9 @@ public:
     }
 
 private:
-    const glm::vec3* positions_;
+    glm::vec3 position(uint32_t i) const { return glm::vec3(points_[i]); }
+
+    const Point* points_;
     uint32_t count_;
     bool closed_;
 };
@@ -83,9 +93,7 @@ void follow_normals(const glm::vec3* positions, uint32_t count, bool closed, glm
     const Frames frames(positions, count, closed);
     uint32_t first = count;  // that has a direction
     for (uint32_t i = 0; i < count; ++i) {
-        const glm::vec3 tangent = frames.tangent(i), given = unit(in_out_normals[i]);
-        const glm::vec3 level = given - tangent * glm::dot(given, tangent);
-        in_out_normals[i] = glm::dot(level, level) > least_said * least_said ? unit(level) : glm::vec3(0);
+        in_out_normals[i] = frames.leveled(in_out_normals[i], frames.tangent(i));
         if (first == count && in_out_normals[i] != glm::vec3(0)) first = i;
     }
     if (first == count) return carry_normals(positions, count, closed, in_out_normals);
@@ -102,6 +110,47 @@ void follow_normals(const glm::vec3* positions, uint32_t count, bool closed, glm
             normal = -normal;
         tangent = next;
     }
+}
+
+GrowingNormals::GrowingNormals(uint32_t capacity) {
+    given_.reserve(capacity);
+    normals_.reserve(capacity);
+}
+
+void GrowingNormals::truncate(uint32_t count) {
+    given_.resize(count);
+    normals_.resize(count);
+}
+
+uint32_t GrowingNormals::find(const glm::vec4* centers, uint32_t from) {
+    const auto count = static_cast<uint32_t>(given_.size());
+    const Frames frames(centers, count, false);
+    normals_.resize(count);
+    // What those before were carried back from may be gone, or turned.
+    if (first_said_ != none && first_said_ >= from) {
+        first_said_ = none;
+        from = 0;
+    }
+    uint32_t changed = from;
+    for (uint32_t i = from; i < count; ++i) {
+        const glm::vec3 tangent = frames.tangent(i);
+        const glm::vec3 level = frames.leveled(given_[i], tangent);
+        if (first_said_ == none && level != glm::vec3(0)) {
+            first_said_ = i;
+            normals_[i] = level;
+            for (uint32_t k = i; k-- > 0;)
+                normals_[k] = frames.carry(normals_[k + 1], k + 1, k, frames.tangent(k + 1), frames.tangent(k));
+            changed = 0;
+            continue;
+        }
+        const glm::vec3 carried =
+            i == 0 ? any_normal(tangent) : frames.carry(normals_[i - 1], i - 1, i, frames.tangent(i - 1), tangent);
+        if (level == glm::vec3(0))
+            normals_[i] = carried;
+        else
+            normals_[i] = glm::dot(level, carried) < 0.0f ? -level : level;
+    }
+    return changed;
 }
 
 }  // namespace flg::render

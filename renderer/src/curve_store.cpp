@@ -13,6 +13,11 @@ constexpr float largest_magnitude_offset = 1e6f;
 // way to the camera's target.
 constexpr float depth_in_front = 0.04f;
 
+void check_size(const Device& device, size_t points) {
+    const size_t most = device.properties().limits.maxStorageBufferRange / sizeof(glm::vec4);
+    if (points > most) fail("The curves have %zu points; this device takes %zu in an upload.", points, most);
+}
+
 }  // namespace
 
 IndexPatterns::IndexPatterns(UploadRing& ring) {
@@ -36,11 +41,37 @@ IndexPatterns::IndexPatterns(UploadRing& ring) {
 DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines,
                            const FlgCurveSetView& view, const CurveLook& wanted_look)
     : look(wanted_look), data(prepare_curves(view, wanted_look)), device(memory.device().handle()) {
+    check_size(memory.device(), data.centers.size());
     const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const uint32_t most_bytes = memory.device().properties().limits.maxStorageBufferRange;
-    if (data.centers.size() * sizeof data.centers[0] > most_bytes)
-        fail("The curves have %zu points; this device takes %zu in an upload.", data.centers.size(),
-             most_bytes / sizeof data.centers[0]);
+    centers = ring.make_filled(data.centers, usage);
+    looks = ring.make_filled(data.looks, usage);
+    chunks = ring.make_filled(data.chunks, usage);
+    if (data.has_displacements) displacements = ring.make_filled(data.displacements, usage);
+    bind(pipelines);
+    data.centers = {};
+    data.looks = {};
+    data.displacements = {};
+}
+
+DeviceCurves::DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, const CurveLook& wanted_look,
+                           uint32_t capacity)
+    : look(wanted_look), device(memory.device().handle()) {
+    check_look(look);
+    if (capacity < 2 || capacity > most_growing_points)
+        fail("The capacity is %u; it must be 2 to %u.", capacity, most_growing_points);
+    check_size(memory.device(), capacity);
+    growing = std::make_unique<GrowingCurve>(data, look, capacity);
+    const auto room = [&](size_t count, size_t size) {
+        return Buffer(memory, count * size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                      DeviceMemory::Place::device);
+    };
+    centers = room(data.centers.capacity(), sizeof data.centers[0]);
+    looks = room(data.looks.capacity(), sizeof data.looks[0]);
+    chunks = room(data.chunks.capacity(), sizeof data.chunks[0]);
+    bind(pipelines);
+}
+
+void DeviceCurves::bind(const Pipelines& pipelines) {
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, curve_buffers};
     VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool_info.maxSets = 1;
@@ -54,17 +85,10 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelin
         set_info.descriptorSetCount = 1;
         set_info.pSetLayouts = &layout;
         check(vkAllocateDescriptorSets(device, &set_info, &set), "make a descriptor set");
-        centers = ring.make_filled(data.centers, usage);
-        looks = ring.make_filled(data.looks, usage);
-        chunks = ring.make_filled(data.chunks, usage);
-        if (data.has_displacements) displacements = ring.make_filled(data.displacements, usage);
     } catch (...) {
         vkDestroyDescriptorPool(device, pool, nullptr);
         throw;
     }
-    data.centers = {};
-    data.looks = {};
-    data.displacements = {};
     // Without displacements the shader reads none; something must be bound nevertheless.
     const Buffer& last = data.has_displacements ? displacements : centers;
     const VkDescriptorBufferInfo buffers[curve_buffers] = {{centers.handle(), 0, VK_WHOLE_SIZE},
@@ -91,6 +115,26 @@ void CurveStore::set_magnitude_offset(CurvesId id, float offset) {
         fail("The magnitude offset is %g; it must be in -%g to %g.", offset, largest_magnitude_offset,
              largest_magnitude_offset);
     curves.magnitude_offset = offset;
+}
+
+GrowingCurve& CurveStore::growing(CurvesId id) {
+    DeviceCurves& curves = at(id.value);
+    if (!curves.growing) fail("The curves %llu do not grow.", static_cast<unsigned long long>(id.value));
+    return *curves.growing;
+}
+
+void CurveStore::upload_growth(UploadRing& ring) {
+    const auto rewrite = [&](const Buffer& buffer, const auto& values, uint32_t first, uint32_t count) {
+        constexpr size_t size = sizeof values[0];
+        ring.rewrite(buffer, first * size, values.data() + first, count * size);
+    };
+    for (const auto& [id, curves] : items()) {
+        if (!curves->growing) continue;
+        const auto [first_point, points, first_chunk, chunk_count] = curves->growing->take_changes();
+        rewrite(curves->centers, curves->data.centers, first_point, points);
+        rewrite(curves->looks, curves->data.looks, first_point, points);
+        rewrite(curves->chunks, curves->data.chunks, first_chunk, chunk_count);
+    }
 }
 
 Box CurveStore::bounds() const {

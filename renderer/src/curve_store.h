@@ -7,6 +7,7 @@
 #include "chunk_select.h"
 #include "device_store.h"
 #include "frame.h"
+#include "growing_curve.h"
 #include "upload_ring.h"
 
 namespace flg::render {
@@ -30,18 +31,24 @@ private:
 struct DeviceCurves {
     DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines, const FlgCurveSetView& view,
                  const CurveLook& look);
+    // For a curve that grows.
+    DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, const CurveLook& look, uint32_t capacity);
     ~DeviceCurves();
     DeviceCurves(const DeviceCurves&) = delete;
     DeviceCurves& operator=(const DeviceCurves&) = delete;
 
     CurveLook look;
-    CurveData data;  // without its points
+    CurveData data;  // without its points, but for a growing curve
+    std::unique_ptr<GrowingCurve> growing;
     float magnitude_offset = 0.0f;
     bool visible = true;
     VkDevice device;
     Buffer centers, looks, chunks, displacements;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
+
+private:
+    void bind(const Pipelines& pipelines);
 };
 
 // Of all curves, what one view draws.
@@ -64,6 +71,10 @@ public:
     CurveStore() : DeviceStore("curves") {}
 
     void set_magnitude_offset(CurvesId id, float offset);
+    // Throws Error for curves that don't grow.
+    GrowingCurve& growing(CurvesId id);
+    // What has been appended since the last frame, to go with the next.
+    void upload_growth(UploadRing& ring);
     Box bounds() const;
     void select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const;
 };

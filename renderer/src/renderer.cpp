@@ -106,6 +106,21 @@ void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook&
     s.shadow_is_current = false;
 }
 
+CurvesId Renderer::begin_growing(const CurveLook& look, uint32_t capacity) {
+    State& s = *state_;
+    return {s.curves.add(std::make_unique<DeviceCurves>(s.memory, s.pipelines, look, capacity))};
+}
+
+void Renderer::append(CurvesId id, const FlgCurveSetView& view) {
+    state_->curves.growing(id).append(view);
+    state_->shadow_is_current = false;
+}
+
+void Renderer::truncate(CurvesId id, uint32_t points) {
+    state_->curves.growing(id).truncate(points);
+    state_->shadow_is_current = false;
+}
+
 void Renderer::set_magnitude_offset(CurvesId id, float offset) {
     state_->curves.set_magnitude_offset(id, offset);
     state_->shadow_is_current = false;
@@ -276,6 +291,7 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     const VkCommandBuffer commands = submission.commands = slot.begin();
     slot.mark(Moment::begin);
     stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
+    curves.upload_growth(ring);
     stats.uploaded_bytes = ring.record(commands, frame + 1);
     const auto bind_view = [&](VkDescriptorSet set) {
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);

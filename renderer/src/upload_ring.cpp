@@ -30,13 +30,22 @@ UploadRing::Block& UploadRing::block_with(VkDeviceSize bytes) {
 }
 
 void UploadRing::upload(const Buffer& target, const void* data, VkDeviceSize size) {
+    stage(target, 0, data, size);
+}
+
+void UploadRing::rewrite(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size) {
+    stage(target, offset, data, size);
+    rewrites_ |= size > 0;
+}
+
+void UploadRing::stage(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size) {
     const char* from = static_cast<const char*>(data);
     VkDeviceSize done = 0;
     while (done < size) {
         Block& block = block_with(1);
         const VkDeviceSize count = std::min(size - done, staging_bytes - block.used);
         std::memcpy(static_cast<char*>(block.buffer.mapped()) + block.used, from + done, count);
-        copies_.push_back({block.buffer.handle(), target.handle(), {block.used, done, count}});
+        copies_.push_back({block.buffer.handle(), target.handle(), {block.used, offset + done, count}});
         block.used += count;
         done += count;
     }
@@ -63,6 +72,14 @@ void UploadRing::upload(const DeviceImage& target, const Image& image) {
 
 VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
     if (copies_.empty() && images_.empty()) return 0;
+    VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+    if (rewrites_) {
+        barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT,
+                             VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+        rewrites_ = false;
+    }
     VkDeviceSize bytes = 0;
     for (const ImageCopy& copy : image_copies_)
         bytes += texel_bytes * copy.region.imageExtent.width * copy.region.imageExtent.height;
@@ -72,17 +89,16 @@ VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
         bytes += copy.region.size;
     }
     copies_.clear();
-    VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_INDEX_READ_BIT | VK_ACCESS_VERTEX_ATTRIBUTE_READ_BIT;
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
                          VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_VERTEX_INPUT_BIT, 0, 1, &barrier, 0,
                          nullptr, 0, nullptr);
-    while (!filling_.empty()) {
-        in_flight_.push_back(std::move(filling_.front()));
-        in_flight_.back().frame = frame;
-        filling_.pop_front();
+    for (Block& block : filling_) {
+        block.frame = frame;
+        in_flight_.push_back(std::move(block));
     }
+    filling_.clear();
     return bytes;
 }
 
@@ -116,12 +132,12 @@ void UploadRing::record_images(VkCommandBuffer commands) {
 }
 
 void UploadRing::recycle(uint64_t finished_frame) {
-    while (!in_flight_.empty() && in_flight_.front().frame <= finished_frame) {
-        Block block = std::move(in_flight_.front());
-        in_flight_.pop_front();
+    std::erase_if(in_flight_, [&](Block& block) {
+        if (block.frame > finished_frame) return false;
         block.used = 0;
         if (free_.size() < kept_blocks) free_.push_back(std::move(block));
-    }
+        return true;
+    });
 }
 
 }  // namespace flg::render

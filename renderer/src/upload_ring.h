@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <vector>
 
 #include "filigree_renderer/image.h"
@@ -20,6 +19,8 @@ public:
     void upload(const Buffer& target, const void* data, VkDeviceSize size);
     // The same for an image of RGBA bytes, which must be new; it can be sampled from the next recorded frame on.
     void upload(const DeviceImage& target, const Image& image);
+    // The same into a buffer from `offset` on, of which frames in flight may still read: the copy waits for them.
+    void rewrite(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size);
     // A buffer on the device that holds these from the next recorded frame on.
     template <class T>
     Buffer make_filled(const std::vector<T>& values, VkBufferUsageFlags usage) {
@@ -41,6 +42,8 @@ private:
         VkDeviceSize used = 0;
         uint64_t frame = 0;
     };
+    void stage(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size);
+
     struct Copy {
         VkBuffer source;
         VkBuffer target;
@@ -56,12 +59,13 @@ private:
     void record_images(VkCommandBuffer commands);
 
     DeviceMemory& memory_;
-    std::deque<Block> filling_;  // what the next frame copies from
-    std::deque<Block> in_flight_;
+    std::vector<Block> filling_;  // what the next frame copies from
+    std::vector<Block> in_flight_;
     std::vector<Block> free_;
     std::vector<Copy> copies_;
     std::vector<ImageCopy> image_copies_;
     std::vector<VkImage> images_;  // of those copies
+    bool rewrites_ = false;
 };
 
 }  // namespace flg::render

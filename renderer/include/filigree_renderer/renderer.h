@@ -155,6 +155,18 @@ public:
     CurvesId upload(const FlgCurveSetView& view, const CurveLook& look = {});
     // Replaces what `id` shows. On error nothing changes.
     void update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look = {});
+    // A curve that grows at its end, as a live stroke does: nothing yet, and room for `capacity` points, 2 to 2^22. The picture
+    // is that of upload() with all of its points, bit for bit, but that without a COLOR column it is of the look's `color`
+    // throughout. It can't be closed, DISPLACEMENT is not taken. update() replaces it by curves that don't grow.
+    // Cost: 24 bytes a point of capacity on the device, at once; 60 on the host, as they are used.
+    CurvesId begin_growing(const CurveLook& look, uint32_t capacity);
+    // Appends the points of a view's only curve; columns as of upload(). On error nothing changes.
+    // Cost: about 60 ns a point. 24 bytes for each, for the last one before, whose direction is now known, and 16 for
+    // each 64 points go to the device with the next frame, whatever is there already; all of it once more only when the first
+    // NORMAL comes that does not point along the curve. No memory is taken.
+    void append(CurvesId id, const FlgCurveSetView& view);
+    // Takes points off its end, as a live stroke's undo does: leaves `points` of those appended. As if no more had come.
+    void truncate(CurvesId id, uint32_t points);
     // Magnitude changed after the fact, on the device (sec. 4.5.3 of the paper): draws POSITION + offset * DISPLACEMENT, so
     // that curves stylized at magnitude m are shown at m + offset, in -1e6 to 1e6. Tubes and ribbons follow the curve as it
     // then is, ribbons by their NORMAL column; without one they keep the frame that was carried along the upload. 0 after
