@@ -77,6 +77,23 @@ Curve make_head();
 // The ball that the flow parts around, as such a tube.
 Curve make_ball();
 
+// Turned about the y axis, open above and below, of so many vertices around. The border below is loop 0, that above loop 1.
+Mesh make_vase(uint32_t columns = 640);
+
+// A shallow dish of five lobes, hollow side down, with a hole in its middle. Its rim is loop 0, the hole loop 1.
+Mesh make_dish();
+
+// Cubes blown up, of six faces each whose seams are vertices no further apart than this: to be welded.
+constexpr float kFaceSeam = 1e-6f;
+Mesh make_ball_mesh();  // radius 0.5 m
+Mesh make_egg();   // a metre high, standing on its blunt end; 1.5 million triangles
+
+// A square metre of cloth in waves, as long on all four sides. Its outline begins in the front left corner.
+Mesh make_cloth();
+
+// Lying, 0.8 m wide, of a tube half as thick as the hole; closed.
+Mesh make_torus();
+
 // The attractors' differential equations and how their targets are scaled: for tests.
 struct Attractor {
     std::array<double, 3> (*velocity)(const std::array<double, 3>& position);

@@ -3,6 +3,7 @@
 // bones, splines) is its own.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,13 +19,13 @@
 namespace flg::studio {
 
 struct SceneMesh {
-    uint32_t id = 0;     // never given again; its number in the picking scene
-    std::string name;    // for the user
-    std::string source;  // a path, or builtin:NAME
+    uint32_t id = 0;            // never given again; its number in the picking scene
+    std::string name;           // for the user
+    std::string source;         // a path, or builtin:NAME
     filigree::Surface surface;  // in the making while !ready
-    bool ready = false;  // made, and not being changed just now; surface.view() may be read
+    bool ready = false;         // made, and not being changed just now; surface.view() may be read
     bool visible = true;
-    render::Box box;     // when it was made
+    render::Box box;  // when it was made
     render::SurfaceId drawn{};
 
     // Set by whoever decorates it, then Scene::redraw().
@@ -32,6 +33,8 @@ struct SceneMesh {
 
     uint32_t shown_revision = 0;
     bool stale = true;  // look or revision is newer than what is drawn
+    bool pickable = false;
+    uint32_t picked_revision = 0;
 };
 
 struct MeshHit {
@@ -62,11 +65,15 @@ public:
     void set_visible(SceneMesh& mesh, bool visible);
     // Of a mesh whose look was changed. Surfaces that were changed by jobs are seen by themselves.
     void redraw(SceneMesh& mesh) { mesh.stale = true; }
-    // The visible mesh that the ray meets first, as it is drawn; none while nothing is met.
+    // The visible mesh that the ray meets first; none too while the picking scene is being built, which large meshes take seconds for
+    // when they come and a thread of their own.
     std::optional<MeshHit> hit(const Ray& ray) const;
     // The mesh's place nearest to a point of space.
     std::optional<MeshHit> nearest(const SceneMesh& mesh, const glm::vec3& position) const;
     render::Box box() const;
+
+    // Whether all meshes are shown and can be picked.
+    bool settled() const;
 
     // Once a frame, after the tick: shows and makes pickable what is ready.
     void update();
@@ -77,17 +84,18 @@ public:
 
 private:
     void show(SceneMesh& mesh, const FlgSurfaceView& view);
+    void make_pickable(const SceneMesh& mesh, const FlgSurfaceView& view, uint32_t since_revision);
+    bool can_pick() const { return !building_.valid(); }
 
     filigree::Context& context_;
     render::Renderer& renderer_;
     Jobs& jobs_;
     FlgPickScene pick_ = nullptr;
+    std::future<FlgResult> building_;  // of the picking scene, which nobody may use meanwhile
     bool pick_changed_ = false;
+    std::vector<uint32_t> unpicked_;  // removed while it was being built
     std::vector<std::unique_ptr<SceneMesh>> meshes_;
     uint32_t last_id_ = 0, active_ = 0;
 };
-
-// What builtin: names there are: ball, torus, cloth, vase, cat.
-std::vector<std::string> builtin_meshes();
 
 }  // namespace flg::studio

@@ -15,6 +15,8 @@ namespace flg::studio::ui {
 
 struct Rect {
     glm::vec2 low{0.0f}, high{0.0f};  // pixels of the window
+    // The part of the window it is scrolled in: it may lie outside of it.
+    glm::vec2 pane_low{0.0f}, pane_high{1e9f};
 };
 
 // Of the frame that was drawn last; null if there is no such widget.

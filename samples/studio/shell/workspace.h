@@ -4,24 +4,17 @@
 
 #include <nlohmann/json.hpp>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "scene/scene.h"
 #include "shell/jobs.h"
 #include "shell/notices.h"
+#include "shell/studio_error.h"
 #include "shell/view.h"
 
 struct ImDrawList;
 
 namespace flg::studio {
-
-// What can't be done, in a sentence for the user; the shell makes a notice of it. Thrown by workspaces from any of their
-// functions; they stay as they were.
-class StudioError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
 
 // What workspaces share. Outlives them.
 struct Desk {
@@ -45,11 +38,11 @@ struct MouseSample {
 // The mouse over the 3D picture, in this frame. Turning the camera (right or middle button, Alt with the left) is the shell's and
 // does not come here.
 struct Pointer {
-    glm::vec2 px{0.0f};         // of the window
-    bool inside = false;        // over the 3D picture and over no panel; once pressed there, until released
-    bool pressed = false;       // the left button went down in this frame
-    bool down = false;          // it is down, and went down over the picture
-    bool released = false;      // it went up in this frame, having gone down over the picture
+    glm::vec2 px{0.0f};     // of the window
+    bool inside = false;    // over the 3D picture and over no panel; once pressed there, until released
+    bool pressed = false;   // the left button went down in this frame
+    bool down = false;      // it is down, and went down over the picture
+    bool released = false;  // it went up in this frame, having gone down over the picture
     bool double_clicked = false;
     bool shift = false, control = false;
     std::span<const MouseSample> path{};  // all places since the last frame, the last of them `px`; for drawing
@@ -80,9 +73,10 @@ public:
     // Once a frame, after the tick and whichever is in front: takes results over, starts previews. Cheap when nothing changed.
     virtual void update() = 0;
     // The rest only for the one in front, in this order, between ImGui's begin and end of the frame:
-    virtual void panel() = 0;                    // its widgets (shell/widgets.h), in a window that is open already
+    virtual void panel() = 0;                        // its widgets (shell/widgets.h), in a window that is open already
     virtual void pointer(const Pointer& mouse) = 0;  // hovering too: mouse.inside and no button
-    virtual void overlay(ImDrawList& list) = 0;  // over the 3D picture, in pixels of the window: handles, highlights, labels
+    virtual void overlay(
+        ImDrawList& list) = 0;  // over the 3D picture, in pixels of the window: handles, highlights, labels
     // True if it was for the workspace. Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y and the shell's own keys (README.md) don't come here.
     virtual bool shortcut(const Chord& chord) = 0;
     // Rows for the window of keyboard shortcuts.

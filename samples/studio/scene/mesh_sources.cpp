@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "scene/mesh_sources.h"
+
+#include <filesystem>
+#include <memory>
+
+#include "filigree/filigree_io.h"
+#include "scenes/scenes.h"
+#include "shell/studio_error.h"
+
+namespace flg::studio {
+namespace {
+
+constexpr const char* kPrefix = "builtin:";
+constexpr const char* kBuiltin[] = {"ball", "torus", "cloth", "vase", "cat"};
+constexpr uint32_t kFigureLevels = 4;  // 88 thousand triangles
+
+scenes::Mesh make_builtin(const std::string& name) {
+    if (name == "ball") return scenes::make_ball_mesh();
+    if (name == "torus") return scenes::make_torus();
+    if (name == "cloth") return scenes::make_cloth();
+    if (name == "vase") return scenes::make_vase(360);
+    if (name == "cat") return scenes::make_figure();
+    std::string names;
+    for (const char* known : kBuiltin) names += (names.empty() ? "" : ", ") + std::string(known);
+    throw StudioError("There is no built-in mesh \"" + name + "\"; there are " + names + ".");
+}
+
+OpenedMesh open_builtin(filigree::Context& context, const std::string& name) {
+    const scenes::Mesh mesh = make_builtin(name);
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
+    desc.mesh.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
+    desc.mesh.columns = &column;
+    desc.mesh.column_count = 1;
+    desc.mesh.triangles = mesh.triangles[0].data();
+    desc.weld_distance = name == "ball" ? scenes::kFaceSeam : 0.0f;
+    OpenedMesh opened{{}, {}, name};
+    opened.surface = context.surface(desc, &opened.job);
+    if (name != "cat") return opened;
+    // It is made of blocks: rounded off. The blocks' surface is kept by that job.
+    FlgRefineDesc refine = flgRefineDefaults();
+    refine.surface = opened.surface.get();
+    refine.scheme = FLG_SUBDIVISION_LOOP;
+    refine.levels = kFigureLevels;
+    filigree::Surface round = context.refine(refine, &opened.job);
+    opened.surface = std::move(round);
+    return opened;
+}
+
+}  // namespace
+
+std::span<const char* const> builtin_meshes() {
+    return kBuiltin;
+}
+
+OpenedMesh open_mesh(filigree::Context& context, const std::string& source) {
+    if (source.starts_with(kPrefix)) return open_builtin(context, source.substr(std::string(kPrefix).size()));
+    FlgMeshFile read = nullptr;
+    if (flgMeshFileRead(source.c_str(), &read) != FLG_OK) throw StudioError(flgIoLastError());
+    const std::unique_ptr<FlgMeshFileT, decltype(&flgMeshFileRelease)> file(read, flgMeshFileRelease);
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    if (flgMeshFileGetView(read, &desc.mesh) != FLG_OK) throw StudioError(flgIoLastError());
+    OpenedMesh opened{{}, {}, std::filesystem::path(source).stem().string()};
+    opened.surface = context.surface(desc, &opened.job);
+    return opened;
+}
+
+}  // namespace flg::studio
