@@ -7,6 +7,8 @@
 namespace flg::render {
 namespace {
 
+constexpr uint32_t moment_queries = 2;  // in a multiview pass one is written for each view
+
 constexpr VkDeviceSize least_instance_bytes = 64 << 10;
 constexpr VkDeviceSize least_joint_bytes = 16 << 10;
 constexpr VkDeviceSize least_ui_bytes = 128 << 10;
@@ -45,7 +47,7 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
     if (memory_.device().timestamp_bits() > 0) {
         VkQueryPoolCreateInfo query_info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
         query_info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-        query_info.queryCount = moment_count;
+        query_info.queryCount = moment_count * moment_queries;
         check(vkCreateQueryPool(device_, &query_info, nullptr, &queries_), "make a query pool");
         times_ = Buffer(memory_, moment_count * sizeof(uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                         DeviceMemory::Place::readback);
@@ -116,7 +118,7 @@ VkCommandBuffer FrameSlot::begin() {
     VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     check(vkBeginCommandBuffer(commands_, &info), "begin a command buffer");
-    if (queries_) vkCmdResetQueryPool(commands_, queries_, 0, moment_count);
+    if (queries_) vkCmdResetQueryPool(commands_, queries_, 0, moment_count * moment_queries);
     return commands_;
 }
 
@@ -139,11 +141,12 @@ void FrameSlot::mark(Moment moment) {
     if (!queries_) return;
     const auto stage =
         moment == Moment::begin ? VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT : VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT;
-    vkCmdWriteTimestamp(commands_, stage, queries_, static_cast<uint32_t>(moment));
+    vkCmdWriteTimestamp(commands_, stage, queries_, moment_queries * static_cast<uint32_t>(moment));
     if (moment != Moment::end) return;
     // Copied by the device: vkGetQueryPoolResults waits for all frames in flight on some drivers (lavapipe).
-    vkCmdCopyQueryPoolResults(commands_, queries_, 0, moment_count, times_.handle(), 0, sizeof(uint64_t),
-                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    for (uint32_t i = 0; i < moment_count; ++i)
+        vkCmdCopyQueryPoolResults(commands_, queries_, moment_queries * i, 1, times_.handle(), i * sizeof(uint64_t),
+                                  sizeof(uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;

@@ -23,8 +23,18 @@ struct FrameSubmission {
     VkSemaphore signal = VK_NULL_HANDLE;  // when all is done
 };
 
-enum class Moment : uint32_t { begin = 0, shadow_done = 1, end = 2 };
-constexpr uint32_t moment_count = 3;
+// In the order in which a frame passes them.
+enum class Moment : uint32_t {
+    begin,
+    uploads_done,
+    shadow_done,
+    surfaces_done,
+    curves_done,
+    picture_done,
+    ui_done,
+    end
+};
+constexpr uint32_t moment_count = 8;
 
 // Vertices from the beginning on, then indices.
 struct UiBuffers {

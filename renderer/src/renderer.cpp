@@ -83,7 +83,12 @@ void Renderer::State::read_times(const FrameSlot& slot) {
     if (slot.frame == 0) return;
     stats.gpu_ms = slot.elapsed_ms(Moment::begin, Moment::end);
     const double nothing_drawn = stats.gpu_ms < 0 ? -1.0 : 0.0;
-    stats.gpu_shadow_ms = slot.drew_shadow ? slot.elapsed_ms(Moment::begin, Moment::shadow_done) : nothing_drawn;
+    stats.gpu_uploads_ms = slot.elapsed_ms(Moment::begin, Moment::uploads_done);
+    stats.gpu_shadow_ms = slot.drew_shadow ? slot.elapsed_ms(Moment::uploads_done, Moment::shadow_done) : nothing_drawn;
+    stats.gpu_surfaces_ms = slot.elapsed_ms(Moment::shadow_done, Moment::surfaces_done);
+    stats.gpu_curves_ms = slot.elapsed_ms(Moment::surfaces_done, Moment::curves_done);
+    stats.gpu_backdrop_ms = slot.elapsed_ms(Moment::curves_done, Moment::picture_done);
+    stats.gpu_ui_ms = slot.elapsed_ms(Moment::picture_done, Moment::ui_done);
 }
 
 Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options)) {}
@@ -293,6 +298,7 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
     curves.upload_growth(ring);
     stats.uploaded_bytes = ring.record(commands, frame + 1);
+    slot.mark(Moment::uploads_done);
     const auto bind_view = [&](VkDescriptorSet set) {
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
     };
@@ -326,17 +332,21 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     vkCmdSetScissor(commands, 0, 1, &area);
     const SurfaceDraws surface_draws =
         record_surfaces(commands, surface_pipelines, {slot.main_view(), joints_set}, surfaces);
+    slot.mark(Moment::surfaces_done);
     bind_view(slot.main_view());
     stats.triangles = record_curves(commands, pipelines, patterns, main_list, instance_buffer, &viewport);
     stats.triangles += surface_draws.triangles;
     stats.draw_calls += surface_draws.calls;
+    slot.mark(Moment::curves_done);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop());
     vkCmdDraw(commands, 3, 1, 0, 0);
     vkCmdEndRenderPass(commands);
+    slot.mark(Moment::picture_done);
 
     const UiFrame& ui = draw_options.ui;
     if (!ui.commands.empty() && !ui.indices.empty())
         stats.draw_calls += ui_pass.record(commands, image.ui_framebuffer(), extent, ui, slot.set_ui(ui), textures);
+    slot.mark(Moment::ui_done);
 }
 
 void Renderer::wait_idle() {

@@ -92,11 +92,17 @@ struct SurfaceId {
 
 // The last frame that draw() recorded, but for gpu_*: those are of the newest frame the device has finished.
 struct FrameStats {
-    double cpu_ms = 0;          // of draw(), without the three below
-    double submit_ms = 0;       // in the driver: submission and presentation
-    double wait_ms = 0;         // for the device, which may be two frames behind
-    double gpu_ms = -1;         // of the whole frame on the device; -1: not known
-    double gpu_shadow_ms = -1;  // of it, the shadow map; 0 when it could be kept
+    double cpu_ms = 0;     // of draw(), without the three below
+    double submit_ms = 0;  // in the driver: submission and presentation
+    double wait_ms = 0;    // for the device, which may be two frames behind
+    double gpu_ms = -1;    // of the whole frame on the device; -1: not known, as for those below
+    // Of it, one after the other. Devices may overlap them, and then a part ends when the last before it has.
+    double gpu_uploads_ms = -1;
+    double gpu_shadow_ms = -1;  // the shadow map; 0 when it could be kept
+    double gpu_surfaces_ms = -1;
+    double gpu_curves_ms = -1;
+    double gpu_backdrop_ms = -1;  // and the mean of each pixel's samples
+    double gpu_ui_ms = -1;
     uint32_t draw_calls = 0;
     uint64_t triangles = 0;       // of the main pass, caps and border lines included
     uint64_t uploaded_bytes = 0;  // on their way to the device with this frame
