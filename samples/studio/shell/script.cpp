@@ -103,7 +103,10 @@ bool ScriptPlayer::frame() {
         throw StudioError(name_ + ":" + std::to_string(steps_[next_].line) + ": " + error.what());
     }
     if (beats_.empty()) return true;
-    for (InputEvent& event : beats_.front()) host_.input().push(std::move(event));
+    for (InputEvent& event : beats_.front()) {
+        event.seconds = host_.seconds();
+        host_.input().push(std::move(event));
+    }
     beats_.pop_front();
     return true;
 }

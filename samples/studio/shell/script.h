@@ -26,6 +26,7 @@ public:
     virtual ~ScriptHost() = default;
     virtual View& view() = 0;
     virtual Input& input() = 0;
+    virtual double seconds() const = 0;
     virtual bool idle() const = 0;
     virtual void open_path(const std::string& path) = 0;
     virtual void save_path(const std::string& path) = 0;

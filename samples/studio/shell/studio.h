@@ -89,6 +89,7 @@ private:
 
     View& view() override { return view_; }
     Input& input() override { return input_; }
+    double seconds() const override { return desk_.seconds; }
     bool idle() const override;
     void open_path(const std::string& path) override { open_any(path); }
     void save_path(const std::string& path) override;

@@ -123,7 +123,11 @@ bool row_button(const char* label, int across, const char* said, const State& st
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float whole = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
     const float count = static_cast<float>(std::max(across, 1));
-    return sized_button(label, std::floor((whole - gap * (count - 1.0f)) / count), said, state);
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, padding.y});
+    const bool clicked = sized_button(label, std::floor((whole - gap * (count - 1.0f)) / count), said, state);
+    ImGui::PopStyleVar();
+    return clicked;
 }
 
 bool toggle(const char* label, bool* value, const char* said, bool is_enabled) {

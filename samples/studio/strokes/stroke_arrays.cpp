@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "strokes/stroke_arrays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flg::studio {
+namespace {
+
+constexpr float kHandSmoothing_s = 0.02f;  // of a mouse's steps
+constexpr float kLightest = 0.35f;         // the radius without pressure, of that with
+constexpr float kAnyJump_m = 1e6f;
+constexpr uint32_t kMostPoints = 1u << 17;
+
+// Turns the y axis to `normal`.
+glm::vec4 orientation_of(const glm::vec3& normal) {
+    const float length = glm::length(normal);
+    if (!(length > 0.0f)) return {0.0f, 0.0f, 0.0f, 1.0f};
+    const glm::vec3 n = normal / length;
+    if (n.y < -0.9999f) return {1.0f, 0.0f, 0.0f, 0.0f};
+    const glm::vec4 q(n.z, 0.0f, -n.x, 1.0f + n.y);
+    return q / glm::length(q);
+}
+
+}  // namespace
+
+StrokeArrays::StrokeArrays(std::span<const StrokePtr> strokes) : view_(flgCurveSetViewDefaults()) {
+    for (const StrokePtr& stroke : strokes) {
+        for (const StrokeSample& s : stroke->samples) {
+            const glm::vec4 q = orientation_of(s.normal);
+            positions_.insert(positions_.end(), {s.position.x, s.position.y, s.position.z});
+            orientations_.insert(orientations_.end(), {q.x, q.y, q.z, q.w});
+            pressures_.push_back(s.pressure);
+            times_.push_back(s.time);
+        }
+        offsets_.push_back(static_cast<uint32_t>(pressures_.size()));
+    }
+    columns_ = {{FLG_ATTRIBUTE_POSITION, 3, positions_.data(), 0, 0},
+                {FLG_ATTRIBUTE_ORIENTATION, 4, orientations_.data(), 0, 0},
+                {FLG_ATTRIBUTE_PRESSURE, 1, pressures_.data(), 0, 0},
+                {FLG_ATTRIBUTE_TIME, 1, times_.data(), 0, 0}};
+    view_.curve_count = static_cast<uint32_t>(strokes.size());
+    view_.curve_offsets = offsets_.data();
+    view_.columns = columns_.data();
+    view_.column_count = static_cast<uint32_t>(columns_.size());
+}
+
+FlgLiveSample live_sample(const StrokeSample& sample) {
+    FlgLiveSample live{};
+    const glm::vec4 q = orientation_of(sample.normal);
+    for (int i = 0; i < 3; ++i) live.position[i] = sample.position[i];
+    for (int i = 0; i < 4; ++i) live.orientation[i] = q[i];
+    live.pressure = sample.pressure;
+    live.time = static_cast<double>(sample.time);
+    return live;
+}
+
+FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms) {
+    FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
+    const bool raw = settings.shape == StrokeShape::raw;
+    desc.magnitude = raw ? 0.0f : settings.magnitude;
+    desc.temperature = settings.temperature;
+    desc.scale = rms > 0.0f ? 0.01f * settings.scale_cm / rms : 1.0f;
+    desc.radius_max = 0.001f * settings.radius_mm;
+    desc.radius_min = kLightest * desc.radius_max;
+    desc.smoothing = kHandSmoothing_s;
+    desc.max_jump = kAnyJump_m;
+    desc.max_points = kMostPoints;
+    desc.frame = FLG_FRAME_SUPPLIED;
+    if (!settings.standing) {
+        // The style's first normal becomes the second one, which lies in the surface.
+        constexpr float kLying[] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};
+        std::copy(std::begin(kLying), std::end(kLying), desc.basis);
+    }
+    desc.seed = static_cast<uint64_t>(std::max(settings.seed, 0));
+    return desc;
+}
+
+}  // namespace flg::studio

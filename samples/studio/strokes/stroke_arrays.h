@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Strokes as the SDK takes them: recorded samples in flat arrays.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "filigree/filigree_live.h"
+#include "strokes/stroke_document.h"
+
+namespace flg::studio {
+
+// POSITION, ORIENTATION, PRESSURE, TIME, and COLOR for the renderer where there is one.
+class StrokeArrays {
+public:
+    explicit StrokeArrays(std::span<const StrokePtr> strokes);
+    // Lives as long as this.
+    const FlgCurveSetView& view() const { return view_; }
+
+private:
+    std::vector<float> positions_, orientations_, pressures_, times_;
+    std::vector<uint32_t> offsets_{0};
+    std::vector<FlgColumn> columns_;
+    FlgCurveSetView view_;
+};
+
+// What a controller would say whose y axis is the sample's normal.
+FlgLiveSample live_sample(const StrokeSample& sample);
+
+// A live stroke with these settings; `rms` of the style at scale 1, metres.
+FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms);
+
+}  // namespace flg::studio
