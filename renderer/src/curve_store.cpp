@@ -35,7 +35,7 @@ IndexPatterns::IndexPatterns(UploadRing& ring) {
             }
         }
     }
-    buffer_ = ring.make_filled(indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    buffer_ = ring.make_filled(indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, MemoryUse::other);
 }
 
 DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines,
@@ -43,10 +43,10 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelin
     : look(wanted_look), data(prepare_curves(view, wanted_look)), device(memory.device().handle()) {
     check_size(memory.device(), data.centers.size());
     const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    centers = ring.make_filled(data.centers, usage);
-    looks = ring.make_filled(data.looks, usage);
-    chunks = ring.make_filled(data.chunks, usage);
-    if (data.has_displacements) displacements = ring.make_filled(data.displacements, usage);
+    centers = ring.make_filled(data.centers, usage, MemoryUse::curves);
+    looks = ring.make_filled(data.looks, usage, MemoryUse::curves);
+    chunks = ring.make_filled(data.chunks, usage, MemoryUse::curves);
+    if (data.has_displacements) displacements = ring.make_filled(data.displacements, usage, MemoryUse::curves);
     bind(pipelines);
     data.centers = {};
     data.looks = {};
@@ -63,7 +63,7 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, con
     growing = std::make_unique<GrowingCurve>(data, look, capacity);
     const auto room = [&](size_t count, size_t size) {
         return Buffer(memory, count * size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                      DeviceMemory::Place::device);
+                      DeviceMemory::Place::device, MemoryUse::curves);
     };
     centers = room(data.centers.capacity(), sizeof data.centers[0]);
     looks = room(data.looks.capacity(), sizeof data.looks[0]);
@@ -105,6 +105,11 @@ void DeviceCurves::bind(const Pipelines& pipelines) {
 
 DeviceCurves::~DeviceCurves() {
     vkDestroyDescriptorPool(device, pool, nullptr);
+}
+
+void DeviceCurves::add_targets(UploadTargets& targets) const {
+    for (const Buffer* buffer : {&centers, &looks, &chunks, &displacements})
+        targets.buffers.push_back(buffer->handle());
 }
 
 void CurveStore::set_magnitude_offset(CurvesId id, float offset) {

@@ -47,6 +47,8 @@ struct DeviceCurves {
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
 
+    void add_targets(UploadTargets& targets) const;
+
 private:
     void bind(const Pipelines& pipelines);
 };
@@ -68,7 +70,7 @@ struct DrawList {
 
 class CurveStore : public DeviceStore<DeviceCurves> {
 public:
-    CurveStore() : DeviceStore("curves") {}
+    explicit CurveStore(UploadRing& ring) : DeviceStore("curves", ring) {}
 
     void set_magnitude_offset(CurvesId id, float offset);
     // Throws Error for curves that don't grow.

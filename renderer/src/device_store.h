@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Things uploaded, by their numbers. What is replaced or removed stays until the device is done with it.
+// Things uploaded, by their numbers. What is replaced or removed stays until the device is done with it; what of it has not
+// been uploaded yet never is.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "vk.h"
+#include "upload_ring.h"
 
 namespace flg::render {
 
@@ -15,7 +16,7 @@ template <class Item>
 class DeviceStore {
 public:
     // `noun` for sentences: "curves".
-    explicit DeviceStore(const char* noun) : noun_(noun) {}
+    DeviceStore(const char* noun, UploadRing& ring) : noun_(noun), ring_(ring) {}
 
     uint64_t add(std::unique_ptr<Item> item) {
         items_[++last_id_] = std::move(item);
@@ -28,20 +29,25 @@ public:
             fail("There are no %s with the id %llu.", noun_, static_cast<unsigned long long>(id));
         return *found->second;
     }
-    // `frame`: the next to be submitted.
+    // `frame`: the last submitted.
     void replace(uint64_t id, std::unique_ptr<Item> item, uint64_t frame) {
         at(id);
         std::swap(items_[id], item);
-        retired_.push_back({frame, std::move(item)});
+        retire(std::move(item), frame);
     }
     void remove(uint64_t id, uint64_t frame) {
         at(id);
-        retired_.push_back({frame, std::move(items_[id])});
+        retire(std::move(items_[id]), frame);
         items_.erase(id);
     }
     void remove_all(uint64_t frame) {
-        for (auto& [id, item] : items_) retired_.push_back({frame, std::move(item)});
+        UploadTargets targets;
+        for (auto& [id, item] : items_) {
+            item->add_targets(targets);
+            retired_.push_back({frame, std::move(item)});
+        }
         items_.clear();
+        ring_.cancel(std::move(targets));
     }
     void recycle(uint64_t finished_frame) {
         std::erase_if(retired_, [=](const Retired& retired) { return retired.frame <= finished_frame; });
@@ -54,7 +60,15 @@ private:
         uint64_t frame;
         std::unique_ptr<Item> item;
     };
+    void retire(std::unique_ptr<Item> item, uint64_t frame) {
+        UploadTargets targets;
+        item->add_targets(targets);
+        ring_.cancel(std::move(targets));
+        retired_.push_back({frame, std::move(item)});
+    }
+
     const char* noun_;
+    UploadRing& ring_;
     std::map<uint64_t, std::unique_ptr<Item>> items_;
     std::vector<Retired> retired_;
     uint64_t last_id_ = 0;

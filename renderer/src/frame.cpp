@@ -42,7 +42,6 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
     commands_info.commandBufferCount = 1;
     check(vkAllocateCommandBuffers(device_, &commands_info, &commands_), "make a command buffer");
     VkFenceCreateInfo fence_info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    fence_info.flags = VK_FENCE_CREATE_SIGNALED_BIT;
     check(vkCreateFence(device_, &fence_info, nullptr, &done_), "make a fence");
     if (memory_.device().timestamp_bits() > 0) {
         VkQueryPoolCreateInfo query_info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
@@ -50,12 +49,13 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
         query_info.queryCount = moment_count * moment_queries;
         check(vkCreateQueryPool(device_, &query_info, nullptr, &queries_), "make a query pool");
         times_ = Buffer(memory_, moment_count * sizeof(uint64_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                        DeviceMemory::Place::readback);
+                        DeviceMemory::Place::readback, MemoryUse::other);
     }
 
     const VkDeviceSize alignment = memory_.device().properties().limits.minUniformBufferOffsetAlignment;
     view_stride_ = (sizeof(ViewUniforms) + alignment - 1) / alignment * alignment;
-    uniforms_ = Buffer(memory_, 2 * view_stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, DeviceMemory::Place::host);
+    uniforms_ = Buffer(memory_, 2 * view_stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, DeviceMemory::Place::host,
+                       MemoryUse::other);
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}};
     VkDescriptorPoolCreateInfo descriptor_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
@@ -110,7 +110,12 @@ void FrameSlot::destroy() {
 }
 
 void FrameSlot::wait() const {
+    if (!submitted_) return;
     check(vkWaitForFences(device_, 1, &done_, VK_TRUE, UINT64_MAX), "finish a frame");
+}
+
+bool FrameSlot::busy() const {
+    return submitted_ && vkGetFenceStatus(device_, done_) != VK_SUCCESS;
 }
 
 VkCommandBuffer FrameSlot::begin() {
@@ -124,6 +129,7 @@ VkCommandBuffer FrameSlot::begin() {
 
 void FrameSlot::submit(const FrameSubmission& submission) {
     check(vkEndCommandBuffer(commands_), "end a command buffer");
+    submitted_ = false;
     check(vkResetFences(device_, 1, &done_), "reset a fence");
     const VkPipelineStageFlags wait_stage = VK_PIPELINE_STAGE_TRANSFER_BIT;
     VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
@@ -135,6 +141,7 @@ void FrameSlot::submit(const FrameSubmission& submission) {
     info.signalSemaphoreCount = submission.signal ? 1 : 0;
     info.pSignalSemaphores = &submission.signal;
     check(vkQueueSubmit(memory_.device().queue(), 1, &info, done_), "take a frame");
+    submitted_ = true;
 }
 
 void FrameSlot::mark(Moment moment) {
@@ -174,7 +181,7 @@ VkBuffer FrameSlot::set_instances(const std::vector<uint32_t>& instances) {
     const VkDeviceSize bytes = instances.size() * sizeof(uint32_t);
     if (instances_.size() < std::max<VkDeviceSize>(bytes, 1))
         instances_ = Buffer(memory_, std::max(least_instance_bytes, 2 * bytes), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
-                            DeviceMemory::Place::host);
+                            DeviceMemory::Place::host, MemoryUse::other);
     if (bytes) std::memcpy(instances_.mapped(), instances.data(), bytes);
     return instances_.handle();
 }
@@ -187,7 +194,7 @@ VkDescriptorSet FrameSlot::set_joints(const std::vector<float>& joints) {
         fail("The joints of all skins take %zu bytes; this device takes %u.", static_cast<size_t>(bytes), most_bytes);
     if (joints_.size() < bytes) {
         joints_ = Buffer(memory_, std::max(least_joint_bytes, 2 * bytes), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                         DeviceMemory::Place::host);
+                         DeviceMemory::Place::host, MemoryUse::other);
         const VkDescriptorBufferInfo buffer{joints_.handle(), 0, std::min<VkDeviceSize>(joints_.size(), most_bytes)};
         VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
         write.dstSet = joints_set_;
@@ -204,7 +211,8 @@ UiBuffers FrameSlot::set_ui(const UiFrame& ui) {
     const VkDeviceSize vertices = ui.vertices.size_bytes(), bytes = vertices + ui.indices.size_bytes();
     if (ui_.size() < bytes)
         ui_ = Buffer(memory_, std::max(least_ui_bytes, 2 * bytes),
-                     VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT, DeviceMemory::Place::host);
+                     VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT, DeviceMemory::Place::host,
+                     MemoryUse::other);
     auto* mapped = static_cast<char*>(ui_.mapped());
     std::copy(ui.vertices.begin(), ui.vertices.end(), reinterpret_cast<UiVertex*>(mapped));
     std::copy(ui.indices.begin(), ui.indices.end(), reinterpret_cast<uint16_t*>(mapped + vertices));

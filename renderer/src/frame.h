@@ -52,6 +52,8 @@ public:
 
     // Waits until the device has finished the slot's last frame.
     void wait() const;
+    // Whether it has not.
+    bool busy() const;
     VkCommandBuffer begin();
     void submit(const FrameSubmission& submission);
 
@@ -81,6 +83,7 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkFence done_ = VK_NULL_HANDLE;
+    bool submitted_ = false;  // else the fence may never be signalled
     VkQueryPool queries_ = VK_NULL_HANDLE;
     VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
     VkDescriptorSet views_[2] = {};

@@ -8,6 +8,8 @@ namespace flg::render {
 namespace {
 
 constexpr VkDeviceSize block_bytes = VkDeviceSize{16} << 20;  // larger things get a block of their own
+constexpr const char* use_names[memory_uses] = {"curves",         "surfaces", "textures", "targets",
+                                                "the shadow map", "staging",  "frames"};
 
 VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
     return (value + alignment - 1) / alignment * alignment;
@@ -18,23 +20,28 @@ VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
 // One vkAllocateMemory; its free ranges, sorted, never touching each other.
 class MemoryBlock {
 public:
-    MemoryBlock(VkDevice device, uint32_t type, DeviceMemory::Kind kind, VkDeviceSize size, bool map)
-        : device_(device), type_(type), kind_(kind), size_(size), free_{{0, size}} {
+    // Null where the device has no memory left.
+    static std::unique_ptr<MemoryBlock> make(VkDevice device, uint32_t type, DeviceMemory::Kind kind, VkDeviceSize size,
+                                             bool map) {
+        std::unique_ptr<MemoryBlock> block(new MemoryBlock(device, type, kind, size));
         VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
         info.allocationSize = size;
         info.memoryTypeIndex = type;
-        check(vkAllocateMemory(device, &info, nullptr, &memory_), "give memory");
-        if (!map) return;
-        const VkResult result = vkMapMemory(device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped_);
-        if (result == VK_SUCCESS) return;
-        vkFreeMemory(device, memory_, nullptr);
-        check(result, "map memory");
+        VkResult result = vkAllocateMemory(device, &info, nullptr, &block->memory_);
+        if (result == VK_SUCCESS && map)
+            result = vkMapMemory(device, block->memory_, 0, VK_WHOLE_SIZE, 0, &block->mapped_);
+        if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY ||
+            result == VK_ERROR_TOO_MANY_OBJECTS || result == VK_ERROR_MEMORY_MAP_FAILED)
+            return nullptr;
+        check(result, "give memory");
+        return block;
     }
     ~MemoryBlock() { vkFreeMemory(device_, memory_, nullptr); }
     MemoryBlock(const MemoryBlock&) = delete;
     MemoryBlock& operator=(const MemoryBlock&) = delete;
 
     bool fits(uint32_t type, DeviceMemory::Kind kind) const { return type == type_ && kind == kind_; }
+    bool fits(const MemoryBlock& other) const { return fits(other.type_, other.kind_); }
     bool empty() const { return free_.size() == 1 && free_[0].size == size_; }
     VkDeviceSize size() const { return size_; }
     VkDeviceMemory memory() const { return memory_; }
@@ -49,7 +56,9 @@ public:
             free_.erase(free_.begin() + static_cast<ptrdiff_t>(i));
             if (end < range.begin + range.size) give(end, range.begin + range.size - end);
             if (begin > range.begin) give(range.begin, begin - range.begin);
-            *out = {this, begin, size};
+            out->block = this;
+            out->offset = begin;
+            out->size = size;
             return true;
         }
         return false;
@@ -70,6 +79,9 @@ public:
     }
 
 private:
+    MemoryBlock(VkDevice device, uint32_t type, DeviceMemory::Kind kind, VkDeviceSize size)
+        : device_(device), type_(type), kind_(kind), size_(size), free_{{0, size}} {}
+
     struct Range {
         VkDeviceSize begin;
         VkDeviceSize size;
@@ -83,8 +95,15 @@ private:
     void* mapped_ = nullptr;
 };
 
-DeviceMemory::DeviceMemory(const Device& device) : device_(device) {
+DeviceMemory::DeviceMemory(const Device& device, VkDeviceSize limit_bytes)
+    : device_(device), limit_bytes_(limit_bytes) {
     vkGetPhysicalDeviceMemoryProperties(device.physical(), &properties_);
+    if (limit_bytes_) return;
+    VkDeviceSize own_bytes = 0;
+    for (uint32_t i = 0; i < properties_.memoryHeapCount; ++i)
+        if (properties_.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+            own_bytes += properties_.memoryHeaps[i].size;
+    limit_bytes_ = own_bytes / 5 * 4;
 }
 
 DeviceMemory::~DeviceMemory() = default;
@@ -102,32 +121,89 @@ uint32_t DeviceMemory::memory_type(uint32_t allowed_types, Place place) const {
     fail("The device has no memory of the kind that a buffer or image needs.");
 }
 
-Allocation DeviceMemory::allocate(const VkMemoryRequirements& requirements, Place place, Kind kind) {
+Allocation DeviceMemory::allocate(const VkMemoryRequirements& requirements, Place place, Kind kind, MemoryUse use) {
     const uint32_t type = memory_type(requirements.memoryTypeBits, place);
     Allocation allocation;
+    bool taken = take(type, kind, requirements, &allocation);
+    if (!taken && reclaim) {
+        reclaim();
+        release_idle_blocks();
+        taken = take(type, kind, requirements, &allocation);
+    }
+    if (!taken) {
+        const auto asked = static_cast<unsigned long long>(requirements.size);
+        const auto held = static_cast<unsigned long long>(held_bytes_);
+        const char* name = use_names[static_cast<size_t>(use)];
+        if (requirements.size > limit_bytes_ - std::min(held_bytes_, limit_bytes_))
+            fail("%llu bytes were asked for, for %s; %llu are held, and the limit is %llu.", asked, name, held,
+                 static_cast<unsigned long long>(limit_bytes_));
+        fail("%llu bytes were asked for, for %s; %llu are held, and the device has no more.", asked, name, held);
+    }
+    allocation.use = use;
+    used_bytes_[static_cast<size_t>(use)] += allocation.size;
+    return allocation;
+}
+
+bool DeviceMemory::take(uint32_t type, Kind kind, const VkMemoryRequirements& requirements, Allocation* out) {
     for (auto& block : blocks_)
-        if (block->fits(type, kind) && block->take(requirements.size, requirements.alignment, &allocation))
-            return allocation;
-    const VkDeviceSize size = std::max(block_bytes, requirements.size);
+        if (block->fits(type, kind) && block->take(requirements.size, requirements.alignment, out)) return true;
+    return add_block(type, kind, requirements.size) &&
+           blocks_.back()->take(requirements.size, requirements.alignment, out);
+}
+
+bool DeviceMemory::add_block(uint32_t type, Kind kind, VkDeviceSize least) {
     // By type, not by place: where all memory can be mapped, as on CPU devices, both share blocks.
     const bool mappable = properties_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT;
     const bool map = kind == Kind::buffer && mappable;
-    blocks_.push_back(std::make_unique<MemoryBlock>(device_.handle(), type, kind, size, map));
-    held_bytes_ += size;
-    blocks_.back()->take(requirements.size, requirements.alignment, &allocation);
-    return allocation;
+    // Where there is little left, no more than is needed.
+    for (const VkDeviceSize size : {std::max(block_bytes, least), least}) {
+        if (size > limit_bytes_ - std::min(held_bytes_, limit_bytes_)) continue;
+        auto block = MemoryBlock::make(device_.handle(), type, kind, size, map);
+        if (!block) continue;
+        blocks_.push_back(std::move(block));
+        held_bytes_ += size;
+        return true;
+    }
+    return false;
+}
+
+void DeviceMemory::release_idle_blocks() {
+    std::erase_if(blocks_, [this](const auto& block) {
+        if (block->empty()) held_bytes_ -= block->size();
+        return block->empty();
+    });
 }
 
 void DeviceMemory::release(const Allocation& allocation) {
     MemoryBlock* block = allocation.block;
     block->give(allocation.offset, allocation.size);
-    // Blocks of the usual size are kept for the next one; big ones are not.
-    if (!block->empty() || block->size() <= block_bytes) return;
+    used_bytes_[static_cast<size_t>(allocation.use)] -= allocation.size;
+    if (!block->empty()) return;
+    // One idle block of the usual size is kept of each kind, for what comes next.
+    const bool is_spare =
+        block->size() == block_bytes && std::none_of(blocks_.begin(), blocks_.end(), [&](auto& other) {
+            return other.get() != block && other->fits(*block) && other->empty();
+        });
+    if (is_spare) return;
     held_bytes_ -= block->size();
     std::erase_if(blocks_, [block](const auto& candidate) { return candidate.get() == block; });
 }
 
-Buffer::Buffer(DeviceMemory& memory, VkDeviceSize size, VkBufferUsageFlags usage, DeviceMemory::Place place)
+MemoryReport DeviceMemory::report() const {
+    const auto used = [this](MemoryUse use) { return used_bytes_[static_cast<size_t>(use)]; };
+    return {limit_bytes_,
+            held_bytes_,
+            used(MemoryUse::curves),
+            used(MemoryUse::surfaces),
+            used(MemoryUse::textures),
+            used(MemoryUse::targets),
+            used(MemoryUse::shadow_map),
+            used(MemoryUse::staging),
+            used(MemoryUse::other)};
+}
+
+Buffer::Buffer(DeviceMemory& memory, VkDeviceSize size, VkBufferUsageFlags usage, DeviceMemory::Place place,
+               MemoryUse use)
     : size_(size) {
     const VkDevice device = memory.device().handle();
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
@@ -138,7 +214,7 @@ Buffer::Buffer(DeviceMemory& memory, VkDeviceSize size, VkBufferUsageFlags usage
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(device, buffer_, &requirements);
     try {
-        allocation_ = memory.allocate(requirements, place, DeviceMemory::Kind::buffer);
+        allocation_ = memory.allocate(requirements, place, DeviceMemory::Kind::buffer, use);
         memory_ = &memory;
         check(vkBindBufferMemory(device, buffer_, allocation_.block->memory(), allocation_.offset), "bind memory");
     } catch (...) {
@@ -186,7 +262,7 @@ DeviceImage::DeviceImage(DeviceMemory& memory, const ImageDesc& desc) {
     VkMemoryRequirements requirements;
     vkGetImageMemoryRequirements(device, image_, &requirements);
     try {
-        allocation_ = memory.allocate(requirements, DeviceMemory::Place::device, DeviceMemory::Kind::image);
+        allocation_ = memory.allocate(requirements, DeviceMemory::Place::device, DeviceMemory::Kind::image, desc.use);
         memory_ = &memory;
         check(vkBindImageMemory(device, image_, allocation_.block->memory(), allocation_.offset), "bind memory");
         VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};

@@ -4,7 +4,9 @@
 // the device has done with (frame.h keeps the rest until then).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,40 +16,53 @@ namespace flg::render {
 
 class MemoryBlock;
 
+enum class MemoryUse { curves, surfaces, textures, targets, shadow_map, staging, other };
+constexpr size_t memory_uses = 7;
+
 struct Allocation {
     MemoryBlock* block = nullptr;
     VkDeviceSize offset = 0;
     VkDeviceSize size = 0;
+    MemoryUse use = MemoryUse::other;
 };
 
 class DeviceMemory {
 public:
-    explicit DeviceMemory(const Device& device);
+    // limit_bytes 0: four fifths of what the device has of its own.
+    DeviceMemory(const Device& device, VkDeviceSize limit_bytes);
     ~DeviceMemory();
     DeviceMemory(const DeviceMemory&) = delete;
     DeviceMemory& operator=(const DeviceMemory&) = delete;
 
     enum class Place { device, host, readback };  // the last two mapped and coherent, readback cached if it can be
     enum class Kind { buffer, image };
-    Allocation allocate(const VkMemoryRequirements& requirements, Place place, Kind kind);
+    // Throws Error beyond the limit, and where the device has no more; nothing has changed then.
+    Allocation allocate(const VkMemoryRequirements& requirements, Place place, Kind kind, MemoryUse use);
     void release(const Allocation& allocation);
+    // Called when memory runs out: releases what the device has done with. May wait for it.
+    std::function<void()> reclaim;
 
     const Device& device() const { return device_; }
-    VkDeviceSize held_bytes() const { return held_bytes_; }
+    MemoryReport report() const;
 
 private:
     uint32_t memory_type(uint32_t allowed_types, Place place) const;
+    bool take(uint32_t type, Kind kind, const VkMemoryRequirements& requirements, Allocation* out);
+    bool add_block(uint32_t type, Kind kind, VkDeviceSize least);
+    void release_idle_blocks();
 
     const Device& device_;
     VkPhysicalDeviceMemoryProperties properties_{};
     std::vector<std::unique_ptr<MemoryBlock>> blocks_;
+    VkDeviceSize limit_bytes_;
     VkDeviceSize held_bytes_ = 0;
+    std::array<VkDeviceSize, memory_uses> used_bytes_{};
 };
 
 class Buffer {
 public:
     Buffer() = default;
-    Buffer(DeviceMemory& memory, VkDeviceSize size, VkBufferUsageFlags usage, DeviceMemory::Place place);
+    Buffer(DeviceMemory& memory, VkDeviceSize size, VkBufferUsageFlags usage, DeviceMemory::Place place, MemoryUse use);
     ~Buffer();
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
@@ -72,6 +87,7 @@ struct ImageDesc {
     VkImageUsageFlags usage = 0;
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
     VkImageCreateFlags flags = 0;
+    MemoryUse use = MemoryUse::targets;
 };
 
 // A 2D image with one view of all of it.

@@ -47,7 +47,7 @@ VkRect2D picture_area(glm::ivec4 viewport, const TargetImage& image) {
 Renderer::State::State(const Options& wanted)
     : options(checked(wanted)),
       device(options),
-      memory(device),
+      memory(device, options.memory_limit_bytes),
       ring(memory),
       shadow_map(memory, options.shadow_size),
       samples(device.supported_samples(options.samples)),
@@ -57,20 +57,32 @@ Renderer::State::State(const Options& wanted)
       texture_sampler(device),
       ui_pass(device, texture_sampler.layout()),
       patterns(ring),
+      curves(ring),
+      surfaces(ring),
       textures(memory, ring, texture_sampler) {
     for (auto& slot : slots)
         slot = std::make_unique<FrameSlot>(memory, pipelines, surface_pipelines.joints_layout(), shadow_map);
+    memory.reclaim = [this] { reclaim(); };
 }
 
 Renderer::State::~State() {
     vkDeviceWaitIdle(device.handle());
 }
 
-void Renderer::State::recycle(uint64_t finished_frame) {
-    ring.recycle(finished_frame);
-    curves.recycle(finished_frame);
-    surfaces.recycle(finished_frame);
-    textures.recycle(finished_frame);
+void Renderer::State::recycle() {
+    uint64_t finished = frame;
+    for (const auto& slot : slots)
+        if (slot->busy()) finished = std::min(finished, std::max<uint64_t>(slot->frame, 1) - 1);
+    ring.recycle(finished);
+    curves.recycle(finished);
+    surfaces.recycle(finished);
+    textures.recycle(finished);
+}
+
+void Renderer::State::reclaim() {
+    for (const auto& slot : slots) slot->wait();
+    recycle();
+    ring.trim();
 }
 
 Box Renderer::State::bounds() const {
@@ -97,7 +109,8 @@ Renderer::~Renderer() = default;
 
 CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
-    auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
+    auto curves = s.ring.all_or_nothing(
+        [&] { return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look); });
     s.shadow_is_current = false;
     return {s.curves.add(std::move(curves))};
 }
@@ -105,9 +118,11 @@ CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
 void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
     const bool visible = s.curves.at(id.value).visible;
-    auto curves = std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look);
+    auto curves = s.ring.all_or_nothing(
+        [&] { return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look); });
     curves->visible = visible;
-    s.curves.replace(id.value, std::move(curves), s.frame + 1);
+    s.curves.replace(id.value, std::move(curves), s.frame);
+    s.recycle();
     s.shadow_is_current = false;
 }
 
@@ -133,7 +148,7 @@ void Renderer::set_magnitude_offset(CurvesId id, float offset) {
 
 SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
-    auto surface = std::make_unique<DeviceSurface>(s.ring, mesh, look, field);
+    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, mesh, look, field); });
     s.shadow_is_current = false;
     return {s.surfaces.add(std::move(surface))};
 }
@@ -141,15 +156,16 @@ SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std
 void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
     const bool visible = s.surfaces.at(id.value).visible;
-    auto surface = std::make_unique<DeviceSurface>(s.ring, mesh, look, field);
+    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, mesh, look, field); });
     surface->visible = visible;
-    s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
+    s.surfaces.replace(id.value, std::move(surface), s.frame);
+    s.recycle();
     s.shadow_is_current = false;
 }
 
 SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
-    auto surface = std::make_unique<DeviceSurface>(s.ring, skin, look);
+    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, skin, look); });
     s.shadow_is_current = false;
     return {s.surfaces.add(std::move(surface))};
 }
@@ -157,9 +173,10 @@ SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
 void Renderer::update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
     const bool visible = s.surfaces.at(id.value).visible;
-    auto surface = std::make_unique<DeviceSurface>(s.ring, skin, look);
+    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, skin, look); });
     surface->visible = visible;
-    s.surfaces.replace(id.value, std::move(surface), s.frame + 1);
+    s.surfaces.replace(id.value, std::move(surface), s.frame);
+    s.recycle();
     s.shadow_is_current = false;
 }
 
@@ -170,14 +187,18 @@ void Renderer::set_pose(SurfaceId id, FlgSkinning skinning, std::span<const floa
 
 TextureId Renderer::upload(const Image& image) {
     State& s = *state_;
-    return {s.textures.add(std::make_unique<DeviceTexture>(s.memory, s.ring, s.texture_sampler, image))};
+    auto texture = s.ring.all_or_nothing(
+        [&] { return std::make_unique<DeviceTexture>(s.memory, s.ring, s.texture_sampler, image); });
+    return {s.textures.add(std::move(texture))};
 }
 
 void Renderer::update(TextureId id, const Image& image) {
     State& s = *state_;
     s.textures.at(id.value);
-    auto texture = std::make_unique<DeviceTexture>(s.memory, s.ring, s.texture_sampler, image);
-    s.textures.replace(id.value, std::move(texture), s.frame + 1);
+    auto texture = s.ring.all_or_nothing(
+        [&] { return std::make_unique<DeviceTexture>(s.memory, s.ring, s.texture_sampler, image); });
+    s.textures.replace(id.value, std::move(texture), s.frame);
+    s.recycle();
 }
 
 void Renderer::set_visible(CurvesId id, bool visible) {
@@ -194,24 +215,28 @@ void Renderer::set_visible(SurfaceId id, bool visible) {
 
 void Renderer::remove(CurvesId id) {
     if (id.value == 0) return;
-    state_->curves.remove(id.value, state_->frame + 1);
+    state_->curves.remove(id.value, state_->frame);
+    state_->recycle();
     state_->shadow_is_current = false;
 }
 
 void Renderer::remove(SurfaceId id) {
     if (id.value == 0) return;
-    state_->surfaces.remove(id.value, state_->frame + 1);
+    state_->surfaces.remove(id.value, state_->frame);
+    state_->recycle();
     state_->shadow_is_current = false;
 }
 
 void Renderer::remove(TextureId id) {
     if (id.value == 0) return;
-    state_->textures.remove(id.value, state_->frame + 1);
+    state_->textures.remove(id.value, state_->frame);
+    state_->recycle();
 }
 
 void Renderer::clear() {
-    state_->curves.remove_all(state_->frame + 1);
-    state_->surfaces.remove_all(state_->frame + 1);
+    state_->curves.remove_all(state_->frame);
+    state_->surfaces.remove_all(state_->frame);
+    state_->recycle();
     state_->shadow_is_current = false;
 }
 
@@ -228,6 +253,9 @@ Box Renderer::bounds() const {
 }
 const FrameStats& Renderer::stats() const {
     return state_->stats;
+}
+MemoryReport Renderer::memory() const {
+    return state_->memory.report();
 }
 const std::string& Renderer::device_name() const {
     return state_->device.name();
@@ -250,9 +278,9 @@ void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& opt
     const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
     FrameSlot& slot = *s.slots[slot_index];
     slot.wait();
+    s.recycle();
     if (!target.begin_frame(slot_index)) return;
     const double wait_ms = milliseconds_since(start);
-    s.recycle(slot.frame);
     s.read_times(slot);
 
     FrameSubmission submission;
@@ -265,12 +293,13 @@ void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& opt
     const auto submit_start = SteadyClock::now();
     slot.submit(submission);
     slot.frame = ++s.frame;
+    s.ring.submitted(s.frame);
     s.shadow_is_current = true;
     target.image_->drawn = true;
     target.present(submission);
     s.stats.submit_ms = milliseconds_since(submit_start);
     s.stats.wait_ms = wait_ms;
-    s.stats.device_bytes = s.memory.held_bytes();
+    s.stats.device_bytes = s.memory.report().held;
     s.stats.cpu_ms = milliseconds_since(start) - wait_ms - s.stats.submit_ms;
 }
 
@@ -291,13 +320,16 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     const VkBuffer instance_buffer = slot.set_instances(instances);
     surfaces.gather_joints(joints);
     const VkDescriptorSet joints_set = slot.set_joints(joints);
+    const UiFrame& ui = draw_options.ui;
+    const bool has_ui = !ui.commands.empty() && !ui.indices.empty();
+    const UiBuffers ui_buffers = has_ui ? slot.set_ui(ui) : UiBuffers{};
     slot.drew_shadow = draw_shadow && shadow_size;
 
     const VkCommandBuffer commands = submission.commands = slot.begin();
     slot.mark(Moment::begin);
     stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
     curves.upload_growth(ring);
-    stats.uploaded_bytes = ring.record(commands, frame + 1);
+    stats.uploaded_bytes = ring.record(commands);
     slot.mark(Moment::uploads_done);
     const auto bind_view = [&](VkDescriptorSet set) {
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
@@ -343,9 +375,7 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     vkCmdEndRenderPass(commands);
     slot.mark(Moment::picture_done);
 
-    const UiFrame& ui = draw_options.ui;
-    if (!ui.commands.empty() && !ui.indices.empty())
-        stats.draw_calls += ui_pass.record(commands, image.ui_framebuffer(), extent, ui, slot.set_ui(ui), textures);
+    if (has_ui) stats.draw_calls += ui_pass.record(commands, image.ui_framebuffer(), extent, ui, ui_buffers, textures);
     slot.mark(Moment::ui_done);
 }
 
@@ -353,7 +383,7 @@ void Renderer::wait_idle() {
     State& s = *state_;
     for (auto& slot : s.slots) slot->wait();
     s.read_times(*s.slots[s.frame % frames_in_flight]);
-    state_->recycle(state_->frame);
+    s.recycle();
 }
 
 }  // namespace flg::render

@@ -30,7 +30,10 @@ struct Renderer::State {
     explicit State(const Options& wanted);
     ~State();
     Box bounds() const;
-    void recycle(uint64_t finished_frame);
+    // Gives back what the device has done with, without waiting for it.
+    void recycle();
+    // Waits for all frames and gives back what can be.
+    void reclaim();
     // Takes the times of a slot's frame, which must be finished, into `stats`.
     void read_times(const FrameSlot& slot);
     void record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image, const Camera& camera,

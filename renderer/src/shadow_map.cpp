@@ -51,9 +51,9 @@ VkRenderPass make_pass(VkDevice device) {
 
 ShadowMap::ShadowMap(DeviceMemory& memory, uint32_t size)
     : device_(memory.device().handle()), size_(std::max(size, 1u)) {
-    image_ = DeviceImage(
-        memory, {size_, size_, depth_format, VK_SAMPLE_COUNT_1_BIT,
-                 VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, VK_IMAGE_ASPECT_DEPTH_BIT});
+    image_ = DeviceImage(memory, {size_, size_, depth_format, VK_SAMPLE_COUNT_1_BIT,
+                                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                                  VK_IMAGE_ASPECT_DEPTH_BIT, 0, MemoryUse::shadow_map});
     pass_ = make_pass(device_);
     const VkImageView view = image_.view();
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};

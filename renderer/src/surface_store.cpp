@@ -65,7 +65,7 @@ DeviceSurface::DeviceSurface(UploadRing& ring, const FlgSkinView& view, const Su
     fill(ring, data.surface, look);
     std::vector<float> rest;
     for (uint32_t j = 0; j < view.joint_count; ++j) rest.insert(rest.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
-    Buffer skin_vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    Buffer skin_vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
     skin = std::make_unique<DeviceSkin>(DeviceSkin{std::move(skin_vertices), std::move(data.bounds), view.joint_count,
                                                    FLG_SKINNING_LINEAR, std::move(rest)});
 }
@@ -75,10 +75,16 @@ void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const Surfac
     box = data.box;
     index_count = static_cast<uint32_t>(data.indices.size());
     border_count = static_cast<uint32_t>(data.borders.size());
-    positions = ring.make_filled(data.positions, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    indices = ring.make_filled(data.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    borders = ring.make_filled(data.borders, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    positions = ring.make_filled(data.positions, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+    vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+    indices = ring.make_filled(data.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, MemoryUse::surfaces);
+    borders = ring.make_filled(data.borders, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+}
+
+void DeviceSurface::add_targets(UploadTargets& targets) const {
+    for (const Buffer* buffer : {&positions, &vertices, &indices, &borders})
+        targets.buffers.push_back(buffer->handle());
+    if (skin) targets.buffers.push_back(skin->vertices.handle());
 }
 
 Box SurfaceStore::bounds() const {

@@ -35,13 +35,15 @@ struct DeviceSurface {
     Buffer positions, vertices, indices, borders;
     std::unique_ptr<DeviceSkin> skin;  // null: it stays as it is
 
+    void add_targets(UploadTargets& targets) const;
+
 private:
     void fill(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look);
 };
 
 class SurfaceStore : public DeviceStore<DeviceSurface> {
 public:
-    SurfaceStore() : DeviceStore("surfaces") {}
+    explicit SurfaceStore(UploadRing& ring) : DeviceStore("surfaces", ring) {}
     Box bounds() const;
     void set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms);
     // All joints of all skins, as they lie in the shaders' buffer.

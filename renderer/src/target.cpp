@@ -44,13 +44,13 @@ Image Renderer::capture(Target& target) {
         return image;
     }
     const Buffer readback(s.memory, image.pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                          DeviceMemory::Place::readback);
+                          DeviceMemory::Place::readback, MemoryUse::staging);
     // The slot of the next frame does the copy; its own last frame is the older of the two in flight.
     const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
     FrameSlot& slot = *s.slots[slot_index];
     slot.wait();
     s.read_times(slot);
-    s.recycle(slot.frame);
+    s.recycle();
     FrameSubmission submission;
     submission.slot = slot_index;
     submission.commands = slot.begin();

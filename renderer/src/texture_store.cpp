@@ -43,7 +43,8 @@ DeviceTexture::DeviceTexture(DeviceMemory& memory, UploadRing& ring, const Textu
     : device(memory.device().handle()) {
     check_image(pixels, memory.device().properties().limits.maxImageDimension2D);
     image = DeviceImage(memory, {pixels.width, pixels.height, texture_format, VK_SAMPLE_COUNT_1_BIT,
-                                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+                                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                 VK_IMAGE_ASPECT_COLOR_BIT, 0, MemoryUse::textures});
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};
     VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool_info.maxSets = 1;
@@ -76,6 +77,6 @@ DeviceTexture::~DeviceTexture() {
 }
 
 TextureStore::TextureStore(DeviceMemory& memory, UploadRing& ring, const TextureSampler& sampler)
-    : DeviceStore("textures"), white_(memory, ring, sampler, {1, 1, {255, 255, 255, 255}}) {}
+    : DeviceStore("textures", ring), white_(memory, ring, sampler, {1, 1, {255, 255, 255, 255}}) {}
 
 }  // namespace flg::render

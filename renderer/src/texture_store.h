@@ -33,6 +33,8 @@ struct DeviceTexture {
     DeviceTexture(const DeviceTexture&) = delete;
     DeviceTexture& operator=(const DeviceTexture&) = delete;
 
+    void add_targets(UploadTargets& targets) const { targets.images.push_back(image.handle()); }
+
     VkDevice device;
     DeviceImage image;
     VkDescriptorPool pool = VK_NULL_HANDLE;

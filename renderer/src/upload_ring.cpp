@@ -9,7 +9,7 @@ namespace {
 
 constexpr VkDeviceSize staging_bytes = VkDeviceSize{4} << 20;  // a block
 constexpr VkDeviceSize texel_bytes = 4;                        // copies to images begin at multiples of it
-constexpr size_t kept_blocks = 4;                              // more are given back once idle
+constexpr size_t kept_blocks = 2;                              // more are given back once idle
 
 }  // namespace
 
@@ -20,8 +20,8 @@ UploadRing::Block& UploadRing::block_with(VkDeviceSize bytes) {
         if (staging_bytes - block.used >= bytes) return block;
     }
     if (free_.empty()) {
-        filling_.push_back(
-            {Buffer(memory_, staging_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, DeviceMemory::Place::host)});
+        filling_.push_back({Buffer(memory_, staging_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, DeviceMemory::Place::host,
+                                   MemoryUse::staging)});
     } else {
         filling_.push_back(std::move(free_.back()));
         free_.pop_back();
@@ -70,7 +70,7 @@ void UploadRing::upload(const DeviceImage& target, const Image& image) {
     }
 }
 
-VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
+VkDeviceSize UploadRing::record(VkCommandBuffer commands) {
     if (copies_.empty() && images_.empty()) return 0;
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     if (rewrites_) {
@@ -78,7 +78,6 @@ VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
         barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
         vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT,
                              VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
-        rewrites_ = false;
     }
     VkDeviceSize bytes = 0;
     for (const ImageCopy& copy : image_copies_)
@@ -88,21 +87,42 @@ VkDeviceSize UploadRing::record(VkCommandBuffer commands, uint64_t frame) {
         vkCmdCopyBuffer(commands, copy.source, copy.target, 1, &copy.region);
         bytes += copy.region.size;
     }
-    copies_.clear();
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_INDEX_READ_BIT | VK_ACCESS_VERTEX_ATTRIBUTE_READ_BIT;
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
                          VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_VERTEX_INPUT_BIT, 0, 1, &barrier, 0,
                          nullptr, 0, nullptr);
+    return bytes;
+}
+
+void UploadRing::submitted(uint64_t frame) {
     for (Block& block : filling_) {
         block.frame = frame;
         in_flight_.push_back(std::move(block));
     }
     filling_.clear();
-    return bytes;
+    copies_.clear();
+    image_copies_.clear();
+    images_.clear();
+    rewrites_ = false;
 }
 
-void UploadRing::record_images(VkCommandBuffer commands) {
+void UploadRing::cancel(UploadTargets targets) {
+    if (copies_.empty() && images_.empty()) return;
+    const auto is_one_of = [](const auto& sorted) {
+        return [&](const auto& target) { return std::binary_search(sorted.begin(), sorted.end(), target); };
+    };
+    std::sort(targets.buffers.begin(), targets.buffers.end());
+    std::sort(targets.images.begin(), targets.images.end());
+    const auto is_buffer = is_one_of(targets.buffers);
+    const auto is_image = is_one_of(targets.images);
+    std::erase_if(copies_, [&](const Copy& copy) { return is_buffer(copy.target); });
+    std::erase_if(image_copies_, [&](const ImageCopy& copy) { return is_image(copy.target); });
+    std::erase_if(images_, is_image);
+    reuse_blocks();
+}
+
+void UploadRing::record_images(VkCommandBuffer commands) const {
     if (images_.empty()) return;
     std::vector<VkImageMemoryBarrier> barriers(images_.size(), {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER});
     for (size_t i = 0; i < images_.size(); ++i) {
@@ -127,15 +147,29 @@ void UploadRing::record_images(VkCommandBuffer commands) {
     }
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, 0, 0, nullptr,
                          0, nullptr, count, barriers.data());
-    images_.clear();
-    image_copies_.clear();
+}
+
+void UploadRing::reuse(Block block) {
+    block.used = 0;
+    if (free_.size() < kept_blocks) free_.push_back(std::move(block));
+}
+
+void UploadRing::reuse_blocks() {
+    std::vector<VkBuffer> sources;
+    for (const Copy& copy : copies_) sources.push_back(copy.source);
+    for (const ImageCopy& copy : image_copies_) sources.push_back(copy.source);
+    std::sort(sources.begin(), sources.end());
+    std::erase_if(filling_, [&](Block& block) {
+        if (std::binary_search(sources.begin(), sources.end(), block.buffer.handle())) return false;
+        reuse(std::move(block));
+        return true;
+    });
 }
 
 void UploadRing::recycle(uint64_t finished_frame) {
     std::erase_if(in_flight_, [&](Block& block) {
         if (block.frame > finished_frame) return false;
-        block.used = 0;
-        if (free_.size() < kept_blocks) free_.push_back(std::move(block));
+        reuse(std::move(block));
         return true;
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Moves data to device buffers without a stall: it is copied into mapped staging blocks at once, and from there by the
-// next frame's command buffer. Blocks come back when the device has finished that frame.
+// next frame's command buffer. Blocks come back when the device has finished that frame. What is no longer wanted is
+// cancelled before its target goes.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +11,12 @@
 #include "memory.h"
 
 namespace flg::render {
+
+// What pending copies go to.
+struct UploadTargets {
+    std::vector<VkBuffer> buffers;
+    std::vector<VkImage> images;
+};
 
 class UploadRing {
 public:
@@ -23,16 +30,36 @@ public:
     void rewrite(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size);
     // A buffer on the device that holds these from the next recorded frame on.
     template <class T>
-    Buffer make_filled(const std::vector<T>& values, VkBufferUsageFlags usage) {
+    Buffer make_filled(const std::vector<T>& values, VkBufferUsageFlags usage, MemoryUse use) {
         const VkDeviceSize bytes = values.size() * sizeof(T);
         Buffer buffer(memory_, std::max(bytes, least_bytes), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                      DeviceMemory::Place::device);
+                      DeviceMemory::Place::device, use);
         upload(buffer, values.data(), bytes);
         return buffer;
     }
-    // Records all pending copies, and that shaders wait for them; returns how many bytes.
-    VkDeviceSize record(VkCommandBuffer commands, uint64_t frame);
+    // Runs `make`, which uploads; if it throws, nothing is uploaded.
+    template <class Make>
+    auto all_or_nothing(Make&& make) {
+        const size_t copies = copies_.size(), image_copies = image_copies_.size(), images = images_.size();
+        try {
+            return make();
+        } catch (...) {
+            copies_.resize(copies);
+            image_copies_.resize(image_copies);
+            images_.resize(images);
+            reuse_blocks();
+            throw;
+        }
+    }
+    // Forgets what has not been recorded yet.
+    void cancel(UploadTargets targets);
+    // Records all pending copies, and that shaders wait for them; returns how many bytes. They stay pending until the frame
+    // is known to be submitted.
+    VkDeviceSize record(VkCommandBuffer commands);
+    void submitted(uint64_t frame);
     void recycle(uint64_t finished_frame);
+    // Gives back the blocks that are kept for what comes next.
+    void trim() { free_.clear(); }
 
 private:
     static constexpr VkDeviceSize least_bytes = 16;  // of a buffer in which there is nothing
@@ -45,18 +72,21 @@ private:
     void stage(const Buffer& target, VkDeviceSize offset, const void* data, VkDeviceSize size);
 
     struct Copy {
-        VkBuffer source;
-        VkBuffer target;
-        VkBufferCopy region;
+        VkBuffer source = VK_NULL_HANDLE;
+        VkBuffer target = VK_NULL_HANDLE;
+        VkBufferCopy region{};
     };
     struct ImageCopy {
-        VkBuffer source;
-        VkImage target;
-        VkBufferImageCopy region;
+        VkBuffer source = VK_NULL_HANDLE;
+        VkImage target = VK_NULL_HANDLE;
+        VkBufferImageCopy region{};
     };
     // One that has room for so many bytes, at most those of a block.
     Block& block_with(VkDeviceSize bytes);
-    void record_images(VkCommandBuffer commands);
+    void record_images(VkCommandBuffer commands) const;
+    void reuse(Block block);
+    // Takes the blocks back that no pending copy is from.
+    void reuse_blocks();
 
     DeviceMemory& memory_;
     std::vector<Block> filling_;  // what the next frame copies from

@@ -39,6 +39,9 @@ struct Options {
     uint32_t samples = 4;
     // Edge of the sun's shadow map, pixels, 256 to 8192; 0 = no shadows.
     uint32_t shadow_size = 2048;
+    // The most memory the renderer may hold on the device, bytes; 0 = four fifths of the device's own. What would take it
+    // beyond throws, and nothing changes. A window's own images, which are the system's, don't count.
+    uint64_t memory_limit_bytes = 0;
 };
 
 enum class Shape {
@@ -115,6 +118,19 @@ struct DrawOptions {
     // The part of the target that the scene's picture fills: x, y, width, height in pixels, within the target. The rest is
     // black, for the UI to cover. All 0: the whole target.
     glm::ivec4 viewport{0};
+};
+
+// What the renderer holds of the device's memory, bytes.
+struct MemoryReport {
+    uint64_t limit = 0;
+    uint64_t held = 0;  // all below, and room for more in blocks that are partly used
+    uint64_t curves = 0;
+    uint64_t surfaces = 0;
+    uint64_t textures = 0;
+    uint64_t targets = 0;
+    uint64_t shadow_map = 0;
+    uint64_t staging = 0;  // on the way to the device or back
+    uint64_t other = 0;    // tables, and what frames in flight need
 };
 
 class Renderer;
@@ -234,6 +250,9 @@ public:
     void wait_idle();
 
     const FrameStats& stats() const;
+    // What is removed or replaced is given back once the device is done with it, and whole blocks to the system when none of
+    // them is used. The next draw(), wait_idle(), update() or remove() looks after it.
+    MemoryReport memory() const;
     const std::string& device_name() const;
     uint32_t samples() const;
     // What the validation layer said since the start: empty in a sound program.
