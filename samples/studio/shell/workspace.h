@@ -106,6 +106,8 @@ public:
 
     // Whether something is still to come by itself (jobs are known to the shell, previews that wait for them may not be).
     virtual bool busy() const { return false; }
+    // Whether the picture changes from frame to frame though nothing is to come, as while something is played.
+    virtual bool moving() const { return false; }
     // Everything uploaded to the renderer is gone: upload it again. Ids from before are invalid, not to be removed.
     virtual void device_lost() = 0;
     // For scripts: `expect WORKSPACE.NAME VALUE`. Throws StudioError for a name it does not know.

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "splines/grounds.h"
+
+#include <algorithm>
+
+namespace flg::studio::splines {
+namespace {
+
+constexpr glm::vec3 kShapeColor{0.115f, 0.165f, 0.215f};
+
+}  // namespace
+
+std::optional<Place> Grounds::met_mesh(uint32_t id, const Ray& ray) const {
+    const auto hit = desk_.scene.hit(ray);
+    if (!hit || hit->mesh->id != id) return std::nullopt;
+    return Place{hit->position(), hit->normal()};
+}
+
+std::optional<Place> Grounds::meet(const Ground& ground, const Ray& ray, const glm::dvec3& anchor) const {
+    if (ground.kind == "mesh") return met_mesh(ground.mesh, ray);
+    if (const Shape* const shape = find_shape(ground.kind)) return splines::meet(*shape, ray);
+    const render::Camera& camera = desk_.view.orbit.camera;
+    const glm::vec3 towards = glm::normalize(camera.eye - camera.target);
+    const auto at = meet_plane(ray, glm::vec3(anchor), towards);
+    if (!at) return std::nullopt;
+    return Place{*at, towards};
+}
+
+std::optional<Place> Grounds::follow(const Ground& ground, const Ray& ray, const glm::dvec3& anchor) const {
+    if (auto met = meet(ground, ray, anchor)) return met;
+    const auto beside = meet({"space", 0}, ray, anchor);
+    if (!beside) return std::nullopt;
+    if (const Shape* const shape = find_shape(ground.kind)) return nearest(*shape, beside->position);
+    const SceneMesh* const mesh = desk_.scene.find(ground.mesh);
+    if (mesh == nullptr || !mesh->ready) return std::nullopt;
+    const auto hit = desk_.scene.nearest(*mesh, glm::vec3(beside->position));
+    if (!hit) return std::nullopt;
+    return Place{hit->position(), hit->normal()};
+}
+
+glm::dvec3 Grounds::normal(const Ground& ground, const glm::dvec3& position) const {
+    if (const Shape* const shape = find_shape(ground.kind)) {
+        if (const auto place = nearest(*shape, position)) return place->normal;
+    } else if (const SceneMesh* const mesh = desk_.scene.find(ground.mesh); mesh != nullptr && mesh->ready) {
+        if (const auto hit = desk_.scene.nearest(*mesh, glm::vec3(position))) return hit->normal();
+    }
+    return {0.0, 1.0, 0.0};
+}
+
+bool Grounds::hidden(const glm::dvec3& position, double slack) const {
+    const glm::vec3 eye = desk_.view.orbit.camera.eye;
+    const glm::dvec3 way = position - glm::dvec3(eye);
+    const double distance = glm::length(way);
+    if (!(distance > slack)) return false;
+    const Ray ray{eye, glm::vec3(way / distance)};
+    if (const auto hit = desk_.scene.hit(ray);
+        hit && glm::distance(glm::dvec3(hit->position()), glm::dvec3(eye)) < distance - slack)
+        return true;
+    return std::any_of(shown_.begin(), shown_.end(), [&](const auto& shown) {
+        const auto met = splines::meet(*find_shape(shown.first), ray);
+        return met && glm::distance(met->position, glm::dvec3(eye)) < distance - slack;
+    });
+}
+
+std::optional<Grounds::Surface> Grounds::surface(const Ground& ground) {
+    Surface out;
+    if (ground.kind != "mesh") {
+        const Shape* const shape = find_shape(ground.kind);
+        filigree::Manifold& manifold = shapes_[ground.kind];
+        if (!manifold) manifold = desk_.context.manifold(shape != nullptr ? shape->desc() : flgShapeDefaults());
+        out.manifold = manifold.get();
+        out.is_shape = shape != nullptr;
+        out.is_space = shape == nullptr;
+        return out;
+    }
+    SceneMesh* const mesh = desk_.scene.find(ground.mesh);
+    if (mesh == nullptr) {
+        meshes_.erase(ground.mesh);
+        return std::nullopt;
+    }
+    if (!mesh->ready) return std::nullopt;
+    const uint32_t revision = mesh->surface.view().revision;
+    Smooth& smooth = meshes_[mesh->id];
+    if (!smooth.manifold || smooth.revision != revision) {
+        FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+        desc.surface = mesh->surface.get();
+        filigree::Job job;
+        smooth.manifold = desk_.context.manifold(desc, &job);
+        smooth.revision = revision;
+        desk_.jobs.add("Smooth surface of " + mesh->name, std::move(job));
+    }
+    out.manifold = smooth.manifold.get();
+    if (mesh->surface.report().border_count > 0) out.mesh = mesh->surface.get();
+    return out;
+}
+
+std::string Grounds::title(const Ground& ground) const {
+    if (ground.kind == "space") return "Space";
+    if (const Shape* const shape = find_shape(ground.kind)) return shape->title;
+    const SceneMesh* const mesh = desk_.scene.find(ground.mesh);
+    return mesh != nullptr ? mesh->name : "a mesh that is gone";
+}
+
+bool Grounds::exists(const Ground& ground) const {
+    return ground.kind != "mesh" || desk_.scene.find(ground.mesh) != nullptr;
+}
+
+double Grounds::size() const {
+    render::Box box = desk_.scene.box();
+    for (const auto& [name, shown] : shown_) {
+        const auto half = static_cast<float>(0.7 * find_shape(name)->half);
+        box.add({glm::vec3(-half), glm::vec3(half)});
+    }
+    constexpr double kDiagonal = 1.7;  // of a box as long as it is high and wide
+    return box.empty() || !(box.diagonal() > 0.0f) ? 1.0 : static_cast<double>(box.diagonal()) / kDiagonal;
+}
+
+void Grounds::upload(Shown& shown) {
+    const ShapeMesh& mesh = shown.mesh;
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, &mesh.positions[0].x, 0, 0},
+                                 {FLG_ATTRIBUTE_NORMAL, 3, &mesh.normals[0].x, 0, 0}};
+    FlgMeshView view = flgMeshViewDefaults();
+    view.vertex_count = static_cast<uint32_t>(mesh.positions.size());
+    view.triangle_count = static_cast<uint32_t>(mesh.triangles.size() / 3);
+    view.column_count = 2;
+    view.columns = columns;
+    view.triangles = mesh.triangles.data();
+    render::SurfaceLook look;
+    look.material = {kShapeColor, 0.0f, 0.6f};
+    shown.id = desk_.renderer.upload(view, look);
+}
+
+void Grounds::show(const std::vector<std::string>& kinds) {
+    std::erase_if(shown_, [&](const auto& shown) {
+        if (std::find(kinds.begin(), kinds.end(), shown.first) != kinds.end()) return false;
+        desk_.renderer.remove(shown.second.id);
+        return true;
+    });
+    for (const std::string& kind : kinds) {
+        const Shape* const shape = find_shape(kind);
+        if (shape == nullptr || shown_.contains(kind)) continue;
+        Shown& shown = shown_[kind];
+        shown.mesh = mesh_of(*shape);
+        upload(shown);
+    }
+}
+
+void Grounds::device_lost() {
+    for (auto& [name, shown] : shown_) upload(shown);
+}
+
+}  // namespace flg::studio::splines
