@@ -60,7 +60,8 @@ int preference(VkPhysicalDeviceType type) {
 
 }  // namespace
 
-Device::Device(const Options& options) : validation_(options.validation) {
+Device::Device(const Options& options, std::shared_ptr<MessageLog> log)
+    : validation_(options.validation), log_(std::move(log)) {
     try {
         create_instance();
         create_messenger();
@@ -147,8 +148,8 @@ void Device::create_messenger() {
 VkBool32 Device::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                             const VkDebugUtilsMessengerCallbackDataEXT* data, void* self) {
     auto* device = static_cast<Device*>(self);
-    const std::lock_guard lock(device->messages_mutex_);
-    device->messages_.emplace_back(data->pMessage);
+    const std::lock_guard lock(device->log_->mutex);
+    device->log_->messages.emplace_back(data->pMessage);
     return VK_FALSE;
 }
 
@@ -203,6 +204,16 @@ void Device::create_device() {
     info.pEnabledFeatures = &no_features;
     check(vkCreateDevice(physical_, &info, nullptr, &device_), "be opened");
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+}
+
+bool Device::seems_lost() const {
+    if (!calls_until_loss_) return false;
+    if (*calls_until_loss_ > 0) {
+        --*calls_until_loss_;
+        return false;
+    }
+    vkDeviceWaitIdle(device_);  // a lost device does nothing any more
+    return true;
 }
 
 VkSampleCountFlagBits Device::supported_samples(uint32_t wanted) const {

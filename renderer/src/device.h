@@ -2,7 +2,9 @@
 // Instance, physical and logical device, the one queue, and the validation layer's messages.
 #pragma once
 
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +13,15 @@
 
 namespace flg::render {
 
+// What the validation layer has said; the layer may call from the driver's threads.
+struct MessageLog {
+    std::mutex mutex;
+    std::vector<std::string> messages;
+};
+
 class Device {
 public:
-    explicit Device(const Options& options);
+    Device(const Options& options, std::shared_ptr<MessageLog> log);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -31,9 +39,16 @@ public:
     uint32_t timestamp_bits() const { return timestamp_bits_; }
     // The most samples, up to `wanted`, that colour and depth images can have.
     VkSampleCountFlagBits supported_samples(uint32_t wanted) const;
-    const std::vector<std::string>& messages() const { return messages_; }
+    // From the call after so many others on, calls that can find the device lost find it lost.
+    void simulate_loss(uint32_t calls) { calls_until_loss_ = calls; }
+    // The result of one of those, `call`; or that the device is lost, and then it isn't called.
+    template <class Call>
+    VkResult unless_lost(Call&& call) const {
+        return seems_lost() ? VK_ERROR_DEVICE_LOST : call();
+    }
 
 private:
+    bool seems_lost() const;
     void create_instance();
     void create_messenger();
     void choose_physical(const std::string& wanted_name);
@@ -55,8 +70,8 @@ private:
     uint32_t queue_family_ = 0;
     uint32_t timestamp_bits_ = 0;
     bool has_swapchain_ = false;
-    std::mutex messages_mutex_;  // the layer may call from the driver's threads
-    std::vector<std::string> messages_;
+    std::shared_ptr<MessageLog> log_;
+    mutable std::optional<uint32_t> calls_until_loss_;  // simulated
 };
 
 }  // namespace flg::render

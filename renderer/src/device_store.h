@@ -22,6 +22,8 @@ public:
         items_[++last_id_] = std::move(item);
         return last_id_;
     }
+    // Numbers begin after those that another has given out.
+    void follow(const DeviceStore& other) { last_id_ = other.last_id_; }
     // Throws Error if there is none with this number.
     Item& at(uint64_t id) const {
         const auto found = items_.find(id);

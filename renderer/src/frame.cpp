@@ -110,8 +110,8 @@ void FrameSlot::destroy() {
 }
 
 void FrameSlot::wait() const {
-    if (!submitted_) return;
-    check(vkWaitForFences(device_, 1, &done_, VK_TRUE, UINT64_MAX), "finish a frame");
+    const auto wait_for_it = [this] { return vkWaitForFences(device_, 1, &done_, VK_TRUE, UINT64_MAX); };
+    if (submitted_) check(memory_.device().unless_lost(wait_for_it), "finish a frame");
 }
 
 bool FrameSlot::busy() const {
@@ -140,7 +140,8 @@ void FrameSlot::submit(const FrameSubmission& submission) {
     info.pCommandBuffers = &commands_;
     info.signalSemaphoreCount = submission.signal ? 1 : 0;
     info.pSignalSemaphores = &submission.signal;
-    check(vkQueueSubmit(memory_.device().queue(), 1, &info, done_), "take a frame");
+    const Device& device = memory_.device();
+    check(device.unless_lost([&] { return vkQueueSubmit(device.queue(), 1, &info, done_); }), "take a frame");
     submitted_ = true;
 }
 

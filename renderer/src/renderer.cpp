@@ -44,9 +44,10 @@ VkRect2D picture_area(glm::ivec4 viewport, const TargetImage& image) {
 
 }  // namespace
 
-Renderer::State::State(const Options& wanted)
+Renderer::State::State(const Options& wanted, std::shared_ptr<MessageLog> message_log)
     : options(checked(wanted)),
-      device(options),
+      log(std::move(message_log)),
+      device(options, log),
       memory(device, options.memory_limit_bytes),
       ring(memory),
       shadow_map(memory, options.shadow_size),
@@ -103,7 +104,7 @@ void Renderer::State::read_times(const FrameSlot& slot) {
     stats.gpu_ui_ms = slot.elapsed_ms(Moment::picture_done, Moment::ui_done);
 }
 
-Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options)) {}
+Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options, std::make_shared<MessageLog>())) {}
 
 Renderer::~Renderer() = default;
 
@@ -264,7 +265,7 @@ uint32_t Renderer::samples() const {
     return static_cast<uint32_t>(state_->samples);
 }
 const std::vector<std::string>& Renderer::messages() const {
-    return state_->device.messages();
+    return state_->log->messages;
 }
 
 void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& options) {
@@ -286,12 +287,17 @@ void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& opt
     FrameSubmission submission;
     submission.slot = slot_index;
     submission.picture = target.image_->color();
-    s.record_frame(slot, submission, *target.image_, camera, options);
-    target.end_frame(submission);
-    slot.mark(Moment::end);
-
-    const auto submit_start = SteadyClock::now();
-    slot.submit(submission);
+    SteadyClock::time_point submit_start;
+    try {
+        s.record_frame(slot, submission, *target.image_, camera, options);
+        target.end_frame(submission);
+        slot.mark(Moment::end);
+        submit_start = SteadyClock::now();
+        slot.submit(submission);
+    } catch (...) {
+        target.abandon_frame();
+        throw;
+    }
     slot.frame = ++s.frame;
     s.ring.submitted(s.frame);
     s.shadow_is_current = true;

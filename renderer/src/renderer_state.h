@@ -27,7 +27,7 @@ struct OwnedPass {
 };
 
 struct Renderer::State {
-    explicit State(const Options& wanted);
+    State(const Options& wanted, std::shared_ptr<MessageLog> message_log);
     ~State();
     Box bounds() const;
     // Gives back what the device has done with, without waiting for it.
@@ -40,7 +40,14 @@ struct Renderer::State {
                       const DrawOptions& draw_options);
     TargetPasses passes() const { return {main_pass.handle, ui_pass.handle()}; }
 
+    // What draws into an image of its own, on this device.
+    struct Entry {
+        std::unique_ptr<TargetImage>* image;
+        Target* target;
+    };
+
     Options options;
+    std::shared_ptr<MessageLog> log;
     Device device;
     DeviceMemory memory;
     UploadRing ring;
@@ -57,6 +64,7 @@ struct Renderer::State {
     TextureStore textures;
     std::unique_ptr<FrameSlot> slots[frames_in_flight];
 
+    std::vector<Entry> targets;
     Scene scene;
     FrameStats stats;
     uint64_t frame = 0;  // the last submitted

@@ -26,6 +26,13 @@ void change_layout(VkCommandBuffer commands, VkImage image, VkImageLayout from, 
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, after_stage, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
+Swapchain::Fitness fitness_of(VkResult result) {
+    if (result == VK_ERROR_SURFACE_LOST_KHR || result == VK_ERROR_NATIVE_WINDOW_IN_USE_KHR)
+        return Swapchain::Fitness::lost;
+    if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) return Swapchain::Fitness::outdated;
+    return Swapchain::Fitness::good;
+}
+
 }  // namespace
 
 Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface) : device_(device), surface_(surface) {
@@ -74,9 +81,11 @@ void Swapchain::choose_format() {
     fail("The window offers no sRGB format with 8 bits a channel.");
 }
 
-void Swapchain::rebuild(uint32_t width, uint32_t height) {
+Swapchain::Fitness Swapchain::rebuild(uint32_t width, uint32_t height) {
     VkSurfaceCapabilitiesKHR capabilities;
-    check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &capabilities), "describe a window");
+    VkResult result = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &capabilities);
+    if (fitness_of(result) == Fitness::lost) return Fitness::lost;
+    check(result, "describe a window");
     if (!(capabilities.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
         fail("The window's images can't be copied to.");
     const bool surface_decides = capabilities.currentExtent.width != UINT32_MAX;
@@ -84,6 +93,7 @@ void Swapchain::rebuild(uint32_t width, uint32_t height) {
     extent_ = surface_decides
                   ? capabilities.currentExtent
                   : VkExtent2D{std::clamp(width, low.width, high.width), std::clamp(height, low.height, high.height)};
+    if (extent_.width == 0 || extent_.height == 0) return Fitness::good;
     destroy_images();
     const VkSwapchainKHR old = swapchain_;
     VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
@@ -104,23 +114,28 @@ void Swapchain::rebuild(uint32_t width, uint32_t height) {
     info.clipped = VK_TRUE;
     info.oldSwapchain = old;
     swapchain_ = VK_NULL_HANDLE;
-    const VkResult result = vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &swapchain_);
+    result = device_.unless_lost([&] { return vkCreateSwapchainKHR(device_.handle(), &info, nullptr, &swapchain_); });
     vkDestroySwapchainKHR(device_.handle(), old, nullptr);
+    if (fitness_of(result) == Fitness::lost) return Fitness::lost;
     check(result, "make images for a window");
     uint32_t count = 0;
     check(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, nullptr), "list a window's images");
     images_.resize(count);
     check(vkGetSwapchainImagesKHR(device_.handle(), swapchain_, &count, images_.data()), "list a window's images");
     for (uint32_t i = 0; i < count; ++i) drawn_.push_back(make_semaphore(device_.handle()));
+    return Fitness::good;
 }
 
-bool Swapchain::acquire(uint32_t slot) {
+Swapchain::Fitness Swapchain::acquire(uint32_t slot) {
     slot_ = slot;
-    const VkResult result =
-        vkAcquireNextImageKHR(device_.handle(), swapchain_, UINT64_MAX, acquired_[slot], VK_NULL_HANDLE, &current_);
-    if (result == VK_ERROR_OUT_OF_DATE_KHR) return false;
-    check(result, "give an image of the window");
-    return true;
+    const VkResult result = device_.unless_lost([&] {
+        return vkAcquireNextImageKHR(device_.handle(), swapchain_, UINT64_MAX, acquired_[slot], VK_NULL_HANDLE,
+                                     &current_);
+    });
+    // One that is only not the best is taken; present() will say so again.
+    if (result == VK_SUBOPTIMAL_KHR) return Fitness::good;
+    if (fitness_of(result) == Fitness::good) check(result, "give an image of the window");
+    return fitness_of(result);
 }
 
 void Swapchain::record_copy(FrameSubmission& submission) {
@@ -140,17 +155,16 @@ void Swapchain::record_copy(FrameSubmission& submission) {
     submission.signal = drawn_[current_];
 }
 
-bool Swapchain::present() {
+Swapchain::Fitness Swapchain::present() {
     VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
     info.waitSemaphoreCount = 1;
     info.pWaitSemaphores = &drawn_[current_];
     info.swapchainCount = 1;
     info.pSwapchains = &swapchain_;
     info.pImageIndices = &current_;
-    const VkResult result = vkQueuePresentKHR(device_.queue(), &info);
-    if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) return false;
-    check(result, "show a frame");
-    return true;
+    const VkResult result = device_.unless_lost([&] { return vkQueuePresentKHR(device_.queue(), &info); });
+    if (fitness_of(result) == Fitness::good) check(result, "show a frame");
+    return fitness_of(result);
 }
 
 }  // namespace flg::render

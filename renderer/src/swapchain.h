@@ -11,22 +11,24 @@ namespace flg::render {
 
 class Swapchain {
 public:
+    // Outdated: the images no longer fit the window; they are to be rebuilt. Lost: the surface is no longer the window's;
+    // all is to be made anew.
+    enum class Fitness { good, outdated, lost };
+
     // Takes the surface over, also when it throws.
     Swapchain(const Device& device, VkSurfaceKHR surface);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    // For a window of this size in pixels; the device must be idle.
-    void rebuild(uint32_t width, uint32_t height);
+    // For a window of this size in pixels; the device must be idle. Good with an extent of 0: the window has no area.
+    Fitness rebuild(uint32_t width, uint32_t height);
     VkExtent2D extent() const { return extent_; }
 
-    // False: the images no longer fit the window.
-    bool acquire(uint32_t slot);
+    Fitness acquire(uint32_t slot);
     // Copies the picture, of the swapchain's extent, to the acquired image.
     void record_copy(FrameSubmission& submission);
-    // False: the images no longer fit the window.
-    bool present();
+    Fitness present();
 
 private:
     void choose_format();

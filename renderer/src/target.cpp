@@ -9,11 +9,14 @@ namespace flg::render {
 Target::Target(Renderer& renderer, uint32_t width, uint32_t height) : renderer_(renderer) {
     auto& s = *renderer.state_;
     image_ = std::make_unique<TargetImage>(s.memory, s.passes(), s.samples, width, height);
+    s.targets.push_back({&image_, this});
 }
 
 Target::~Target() {
+    auto& s = *renderer_.state_;
     // Frames in flight may still draw into the image.
-    vkDeviceWaitIdle(renderer_.state_->device.handle());
+    vkDeviceWaitIdle(s.device.handle());
+    std::erase_if(s.targets, [this](const auto& entry) { return entry.image == &image_; });
 }
 
 void Target::resize(uint32_t width, uint32_t height) {
@@ -33,6 +36,8 @@ bool Target::begin_frame(uint32_t) {
 }
 void Target::end_frame(FrameSubmission&) {}
 void Target::present(FrameSubmission&) {}
+void Target::abandon_frame() noexcept {}
+void Target::leave_device() noexcept {}
 
 Image Renderer::capture(Target& target) {
     State& s = *state_;

@@ -3,6 +3,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <string>
 
 namespace flg::render {
 
@@ -37,6 +38,8 @@ const char* result_name(VkResult result) {
 }
 
 void check(VkResult result, const char* what) {
+    if (result == VK_ERROR_DEVICE_LOST)
+        throw DeviceLost(std::string("The device was lost; it could not ") + what + ".");
     if (result < 0) fail("The device could not %s: %s (%d).", what, result_name(result), static_cast<int>(result));
 }
 

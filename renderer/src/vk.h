@@ -13,7 +13,7 @@ namespace flg::render {
 
 const char* result_name(VkResult result);
 
-// Throws if `result` is an error; `what` completes "The device could not ...".
+// Throws if `result` is an error, DeviceLost for that one; `what` completes "The device could not ...".
 void check(VkResult result, const char* what);
 
 }  // namespace flg::render

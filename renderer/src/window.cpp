@@ -39,12 +39,13 @@ private:
 struct Window::State {
     Glfw glfw;
     GLFWwindow* window = nullptr;
-    std::unique_ptr<Swapchain> swapchain;
-    bool outdated = true;
+    std::unique_ptr<Swapchain> swapchain;  // null: to be made by the next frame
+    Swapchain::Fitness fitness = Swapchain::Fitness::outdated;
     int pixels_wide = 0, pixels_high = 0;  // that the images were made for
     bool orbits = false;
     double mouse_x = 0, mouse_y = 0;
 
+    void connect(const Device& device);
     void begin_orbit(Window* owner);
 
     State() = default;
@@ -67,11 +68,14 @@ Window::Window(Renderer& renderer, uint32_t width, uint32_t height, const std::s
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     w.window = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
     if (!w.window) fail("A window of %u x %u could not be opened.", width, height);
-    const Device& device = renderer.state_->device;
+    w.connect(renderer.state_->device);
+}
+
+void Window::State::connect(const Device& device) {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
-    const VkResult result = glfwCreateWindowSurface(device.instance(), w.window, nullptr, &surface);
+    const VkResult result = glfwCreateWindowSurface(device.instance(), window, nullptr, &surface);
     if (result != VK_SUCCESS) fail("Vulkan can't draw to the window: %s.", result_name(result));
-    w.swapchain = std::make_unique<Swapchain>(device, surface);
+    swapchain = std::make_unique<Swapchain>(device, surface);
 }
 
 void Window::State::begin_orbit(Window* owner) {
@@ -137,17 +141,26 @@ bool Window::fit() {
     int pixels_wide, pixels_high;
     glfwGetFramebufferSize(w.window, &pixels_wide, &pixels_high);
     if (pixels_wide <= 0 || pixels_high <= 0) return false;
-    if (!w.outdated && pixels_wide == w.pixels_wide && pixels_high == w.pixels_high) return true;
-    w.outdated = true;
+    if (w.fitness == Swapchain::Fitness::good && pixels_wide == w.pixels_wide && pixels_high == w.pixels_high)
+        return true;
+    if (w.fitness == Swapchain::Fitness::good) w.fitness = Swapchain::Fitness::outdated;
+    const Device& device = renderer_.state_->device;
     renderer_.wait_idle();
-    check(vkQueueWaitIdle(renderer_.state_->device.queue()), "finish its work");
-    w.swapchain->rebuild(static_cast<uint32_t>(pixels_wide), static_cast<uint32_t>(pixels_high));
+    check(vkQueueWaitIdle(device.queue()), "finish its work");
+    if (w.fitness == Swapchain::Fitness::lost) w.swapchain.reset();
+    if (!w.swapchain) w.connect(device);
+    w.fitness = Swapchain::Fitness::outdated;
+    if (w.swapchain->rebuild(static_cast<uint32_t>(pixels_wide), static_cast<uint32_t>(pixels_high)) ==
+        Swapchain::Fitness::lost) {
+        w.fitness = Swapchain::Fitness::lost;
+        return false;
+    }
     const VkExtent2D extent = w.swapchain->extent();
     if (extent.width == 0 || extent.height == 0) return false;
     if (extent.width != width() || extent.height != height()) resize(extent.width, extent.height);
     w.pixels_wide = pixels_wide;
     w.pixels_high = pixels_high;
-    w.outdated = false;
+    w.fitness = Swapchain::Fitness::good;
     return true;
 }
 
@@ -156,8 +169,8 @@ bool Window::begin_frame(uint32_t slot) {
     // Twice: the images may go out of date between being made and being asked for.
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (!fit()) return false;
-        if (w.swapchain->acquire(slot)) return true;
-        w.outdated = true;
+        w.fitness = w.swapchain->acquire(slot);
+        if (w.fitness == Swapchain::Fitness::good) return true;
     }
     return false;
 }
@@ -167,7 +180,17 @@ void Window::end_frame(FrameSubmission& submission) {
 }
 
 void Window::present(FrameSubmission&) {
-    if (!window_->swapchain->present()) window_->outdated = true;
+    window_->fitness = window_->swapchain->present();
+}
+
+void Window::abandon_frame() noexcept {
+    // With an image that was taken and a semaphore that nobody waits for.
+    window_->fitness = Swapchain::Fitness::lost;
+}
+
+void Window::leave_device() noexcept {
+    window_->swapchain.reset();
+    window_->fitness = Swapchain::Fitness::lost;
 }
 
 }  // namespace flg::render

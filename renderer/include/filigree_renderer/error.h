@@ -11,4 +11,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+// The device is gone: unplugged, reset, hung up, or taken back by the system. Until Renderer::recover() succeeds, whatever
+// needs the device throws this; everything can be destroyed as ever.
+class DeviceLost : public Error {
+public:
+    using Error::Error;
+};
+
 }  // namespace flg::render

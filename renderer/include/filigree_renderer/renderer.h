@@ -158,6 +158,10 @@ protected:
     virtual bool begin_frame(uint32_t slot);
     virtual void end_frame(FrameSubmission& submission);
     virtual void present(FrameSubmission& submission);
+    // After begin_frame(): the frame will not be submitted.
+    virtual void abandon_frame() noexcept;
+    // The renderer goes on with another device; the image is looked after.
+    virtual void leave_device() noexcept;
 
     Renderer& renderer_;
     std::unique_ptr<TargetImage> image_;
@@ -248,6 +252,15 @@ public:
     Image capture(Target& target);
     // Waits until all frames are drawn.
     void wait_idle();
+
+    // Goes on with a new device, after DeviceLost or whenever a host wants to. All curves, surfaces and textures are gone;
+    // their ids are no longer valid and are not given out again. Options, scene, targets and windows stay, their pictures
+    // don't. On error nothing changes, and it can be tried again.
+    void recover();
+    // For tests, of hosts too: the device is fine, but draw(), capture(), wait_idle(), resize() and windows will find it lost,
+    // until recover(); the first `calls` calls of those to the driver pass before it happens. Uploads don't notice, as
+    // with real losses.
+    void simulate_device_loss(uint32_t calls = 0);
 
     const FrameStats& stats() const;
     // What is removed or replaced is given back once the device is done with it, and whole blocks to the system when none of

@@ -38,6 +38,8 @@ private:
     bool begin_frame(uint32_t slot) override;
     void end_frame(FrameSubmission& submission) override;
     void present(FrameSubmission& submission) override;
+    void abandon_frame() noexcept override;
+    void leave_device() noexcept override;
     // Makes images for the window's present size if they are not; false: it has no area.
     bool fit();
 
