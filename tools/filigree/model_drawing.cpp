@@ -142,8 +142,12 @@ DrawnPart read_part(const JsonPlace& item, const std::filesystem::path& folder, 
 }  // namespace
 
 ModelDrawing read_model_drawing(const std::string& path) {
-    const nlohmann::json json = JsonPlace::read(path);
-    const JsonPlace whole(json, path + ": model");
+    return model_drawing_of(JsonPlace::read(path), path, std::filesystem::path(path).parent_path());
+}
+
+ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
+                              const std::filesystem::path& folder) {
+    const JsonPlace whole(json, subject + ": model");
     whole.allow({"parts", "mirror", "simplify", "merge", "prune", "collapse"});
     ModelDrawing drawing;
     if (const auto place = whole.find("mirror")) {
@@ -151,7 +155,6 @@ ModelDrawing read_model_drawing(const std::string& path) {
         for (size_t i = 0; i < 4; ++i) drawing.mirror[i] = static_cast<float>(plane[i]);
     }
     read_thresholds(whole, drawing.thresholds);
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     for (const JsonPlace& item : whole.at("parts").items()) drawing.parts.push_back(read_part(item, folder, drawing));
     if (drawing.parts.empty()) whole.at("parts").fail("is empty");
     return drawing;

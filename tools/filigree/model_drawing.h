@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,9 @@ struct ModelDrawing {
 
 // Throws InputError, with file and place.
 ModelDrawing read_model_drawing(const std::string& path);
+// Of a file that has been read, or of a part of one; contours that it names are in `folder`.
+ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
+                              const std::filesystem::path& folder);
 DrawnPart read_contour_part(const std::string& path);
 
 // Its model, made; `subject` is what errors are about. Parts stay alive with the session.

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "skeletons/drawing_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "failure.h"
+#include "model_drawing.h"
+#include "shell/studio_error.h"
+
+namespace flg::studio {
+namespace {
+
+bool are_same(const FlgBoneThresholds& a, const FlgBoneThresholds& b) {
+    return a.simplify == b.simplify && a.merge == b.merge && a.prune == b.prune && a.collapse == b.collapse;
+}
+
+ContourPtr contour_of(const cli::ContourArrays& arrays) {
+    auto contour = std::make_shared<Contour>();
+    for (size_t r = 0; r + 1 < arrays.offsets.size(); ++r) {
+        Ring& ring = contour->rings.emplace_back();
+        for (size_t i = arrays.offsets[r]; i < arrays.offsets[r + 1]; ++i)
+            ring.emplace_back(arrays.points[2 * i], arrays.points[2 * i + 1]);
+    }
+    return contour;
+}
+
+DrawnPart part_of(const cli::DrawnPart& from, const FlgBoneThresholds& of_all) {
+    DrawnPart part;
+    part.name = from.name;
+    part.contour = contour_of(from.contour);
+    set_placement(part, from.placement);
+    part.thickness = from.thickness;
+    part.mirrored = from.is_mirrored;
+    part.color = {from.material.color[0], from.material.color[1], from.material.color[2]};
+    part.metallic = from.material.metallic;
+    part.roughness = from.material.roughness;
+    if (from.thresholds && !are_same(*from.thresholds, of_all)) part.thresholds = from.thresholds;
+    return part;
+}
+
+Drawing drawing_of(const cli::ModelDrawing& from) {
+    Drawing drawing;
+    drawing.mirror = {from.mirror[0], from.mirror[1], from.mirror[2], from.mirror[3]};
+    drawing.thresholds = from.thresholds;
+    for (const cli::DrawnPart& part : from.parts) {
+        drawing.parts.push_back(part_of(part, from.thresholds));
+        drawing.parts.back().name = drawing.free_name(part.name, drawing.parts.back().id);
+        drawing.parts.back().id = static_cast<uint32_t>(drawing.parts.size());
+    }
+    return drawing;
+}
+
+// Contours of files come in pixels as well as in metres. All of a set must get the same scale, whatever their own size.
+void take_pixels(DrawnPart& part) {
+    constexpr double kLargest = 20.0, kPixel = 0.01;  // metres
+    glm::dvec2 low = part.contour->rings[0][0], high = low;
+    for (const glm::dvec2& p : part.contour->rings[0]) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    if (glm::distance(low, high) <= kLargest) return;
+    part.scale *= kPixel;
+    part.at *= kPixel;
+}
+
+nlohmann::json numbers(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+void put_thresholds(nlohmann::json& json, const FlgBoneThresholds& thresholds) {
+    json["simplify"] = thresholds.simplify;
+    json["merge"] = thresholds.merge;
+    json["prune"] = thresholds.prune;
+    json["collapse"] = thresholds.collapse;
+}
+
+nlohmann::json part_json(const DrawnPart& part) {
+    nlohmann::json json = {{"name", part.name},
+                           {"at", numbers(part.at)},
+                           {"turn", numbers(part.turn)},
+                           {"scale", part.scale},
+                           {"thickness", part.thickness},
+                           {"mirrored", part.mirrored},
+                           {"color", numbers(part.color)},
+                           {"metallic", part.metallic},
+                           {"roughness", part.roughness}};
+    nlohmann::json rings = nlohmann::json::array();
+    for (const Ring& ring : part.contour->rings) {
+        nlohmann::json& points = rings.emplace_back(nlohmann::json::array());
+        for (const glm::dvec2& p : ring) points.push_back({p.x, p.y});
+    }
+    json["contour"] = std::move(rings);
+    if (part.thresholds) put_thresholds(json, *part.thresholds);
+    return json;
+}
+
+// What reading a document or a drawing may throw.
+template <class Read>
+Drawing with_sentence(const std::string& subject, Read read) {
+    try {
+        return read();
+    } catch (const cli::InputError& error) {
+        throw StudioError(error.what());
+    } catch (const nlohmann::json::exception& error) {
+        throw StudioError(subject + " is not what the studio writes: " + error.what());
+    }
+}
+
+}  // namespace
+
+Drawing read_drawing(const std::string& path) {
+    return with_sentence(path, [&] {
+        if (path.ends_with(".json")) return drawing_of(cli::read_model_drawing(path));
+        cli::ModelDrawing contour;
+        contour.thresholds = kUsualBones;
+        contour.parts.push_back(cli::read_contour_part(path));
+        Drawing drawing = drawing_of(contour);
+        const DrawnPart usual;
+        drawing.parts[0].color = usual.color;
+        drawing.parts[0].thickness = usual.thickness;
+        take_pixels(drawing.parts[0]);
+        return drawing;
+    });
+}
+
+nlohmann::json drawing_json(const Drawing& drawing) {
+    nlohmann::json json;
+    const glm::vec4& mirror = drawing.mirror;
+    json["mirror"] = {mirror.x, mirror.y, mirror.z, mirror.w};
+    put_thresholds(json, drawing.thresholds);
+    json["parts"] = nlohmann::json::array();
+    for (const DrawnPart& part : drawing.parts) json["parts"].push_back(part_json(part));
+    return json;
+}
+
+void write_drawing(const Drawing& drawing, const std::string& path) {
+    if (drawing.parts.empty()) throw StudioError("There is no part to be written: draw one first.");
+    const std::string text = drawing_json(drawing).dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+    // Whole or not at all.
+    const std::string beside = path + ".part";
+    std::ofstream file(beside, std::ios::binary);
+    file << text << '\n';
+    file.close();
+    std::error_code error;
+    if (file) std::filesystem::rename(beside, path, error);
+    if (!file || error) {
+        std::filesystem::remove(beside, error);
+        throw StudioError("The drawing can't be written to " + path + ".");
+    }
+}
+
+nlohmann::json document_json(const Drawing& drawing) {
+    nlohmann::json json = nlohmann::json::object();
+    if (!drawing.parts.empty()) json["drawing"] = drawing_json(drawing);
+    nlohmann::json hidden = nlohmann::json::array(), branches = nlohmann::json::object(),
+                   turns = nlohmann::json::object();
+    for (const DrawnPart& part : drawing.parts) {
+        if (!part.visible) hidden.push_back(part.name);
+        if (!part.branch_simplify.empty()) branches[part.name] = part.branch_simplify;
+    }
+    for (const auto& [joint, turn] : drawing.pose.turns) turns[joint] = {turn.x, turn.y, turn.z, turn.w};
+    json["hidden"] = std::move(hidden);
+    json["branches"] = std::move(branches);
+    json["thresholds"] = nlohmann::json::object();
+    put_thresholds(json["thresholds"], drawing.thresholds);
+    json["pose"] = {{"turns", std::move(turns)}, {"shift", numbers(drawing.pose.shift)}};
+    const TracedPicture& picture = drawing.picture;
+    if (!picture.path.empty())
+        json["picture"] = {{"path", picture.path},
+                           {"centre", {picture.centre.x, picture.centre.y}},
+                           {"height", picture.height},
+                           {"opacity", picture.opacity}};
+    return json;
+}
+
+Drawing drawing_of_document(const nlohmann::json& document) {
+    return with_sentence("The skeletons' part of the document", [&] {
+        Drawing drawing;
+        if (document.contains("drawing"))
+            drawing = drawing_of(cli::model_drawing_of(document.at("drawing"), "skeletons", {}));
+        else if (document.contains("thresholds"))
+            drawing.thresholds = {document["thresholds"].at("simplify"), document["thresholds"].at("merge"),
+                                  document["thresholds"].at("prune"), document["thresholds"].at("collapse")};
+        const nlohmann::json none = nlohmann::json::object();
+        const nlohmann::json &branches = document.contains("branches") ? document["branches"] : none,
+                             &hidden = document.contains("hidden") ? document["hidden"] : none;
+        for (DrawnPart& part : drawing.parts) {
+            part.visible = std::find(hidden.begin(), hidden.end(), part.name) == hidden.end();
+            if (branches.contains(part.name)) part.branch_simplify = branches[part.name].get<std::vector<float>>();
+        }
+        if (document.contains("pose")) {
+            for (const auto& [joint, turn] : document["pose"].at("turns").items()) {
+                const glm::quat q(turn.at(3).get<float>(), turn.at(0).get<float>(), turn.at(1).get<float>(),
+                                  turn.at(2).get<float>());
+                if (glm::length(q) > 0.5f) drawing.pose.turns[joint] = glm::normalize(q);
+            }
+            const nlohmann::json& shift = document["pose"].at("shift");
+            drawing.pose.shift = {shift.at(0).get<float>(), shift.at(1).get<float>(), shift.at(2).get<float>()};
+        }
+        if (document.contains("picture")) {
+            const nlohmann::json& from = document["picture"];
+            drawing.picture.path = from.at("path").get<std::string>();
+            drawing.picture.centre = {from.at("centre").at(0).get<double>(), from.at("centre").at(1).get<double>()};
+            drawing.picture.height = std::clamp(from.at("height").get<double>(), 1e-3, 1e3);
+            drawing.picture.opacity = std::clamp(from.at("opacity").get<float>(), 0.0f, 1.0f);
+        }
+        return drawing;
+    });
+}
+
+}  // namespace flg::studio

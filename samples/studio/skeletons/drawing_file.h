@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Drawings as the command line reads them (sdk/bones/README.md), and as part of a document, with what only the studio knows.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "skeletons/drawing.h"
+
+namespace flg::studio {
+
+// All throw StudioError.
+
+// A .json drawing, or a contour file: one part.
+Drawing read_drawing(const std::string& path);
+// For the command line: parts without the picture and the pose; at least one part.
+nlohmann::json drawing_json(const Drawing& drawing);
+void write_drawing(const Drawing& drawing, const std::string& path);
+
+nlohmann::json document_json(const Drawing& drawing);
+Drawing drawing_of_document(const nlohmann::json& document);
+
+}  // namespace flg::studio

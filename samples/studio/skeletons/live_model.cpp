@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "skeletons/live_model.h"
+
+#include <algorithm>
+
+namespace flg::studio {
+namespace {
+
+constexpr uint32_t kQuickVertices = 2500, kFineVertices = 16000;
+constexpr size_t kMostCrossings = 16;
+
+std::array<float, 4> array_of(const FlgBoneThresholds& from) {
+    return {from.simplify, from.merge, from.prune, from.collapse};
+}
+
+FlgBoneThresholds thresholds_of(const std::array<float, 4>& from) {
+    return {from[0], from[1], from[2], from[3]};
+}
+
+}  // namespace
+
+bool ModelRecipe::Part::is_shaped_as(const Part& other) const {
+    return id == other.id && contour == other.contour && placement == other.placement && thickness == other.thickness &&
+           mirrored == other.mirrored;
+}
+
+bool ModelRecipe::is_shaped_as(const ModelRecipe& other) const {
+    return mirror == other.mirror && std::equal(parts.begin(), parts.end(), other.parts.begin(), other.parts.end(),
+                                                [](const Part& a, const Part& b) { return a.is_shaped_as(b); });
+}
+
+void LiveModel::update(const Drawing& drawing, Body body) {
+    make_parts(drawing);
+    look_at_parts();
+    take_model();
+    take_skin();
+    start_model(drawing);
+    const bool is_fine = body == Body::fine && skin_ && skin_recipe_.is_shaped_as(recipe_);
+    wanted_vertices_ = body == Body::none ? 0 : is_fine ? kFineVertices : kQuickVertices;
+    if (model_ && !coming_model_ && !coming_skin_ && wants_skin()) start_skin(wanted_vertices_);
+}
+
+void LiveModel::clear() {
+    parts_.clear();
+    model_.reset(), coming_model_.reset(), skin_.reset(), coming_skin_.reset();
+    rig_ = {};
+    loose_.clear();
+    wanted_ = recipe_ = skin_recipe_ = {};
+    model_failed_ = skin_failed_ = false;
+    ++rig_revision_, ++skin_revision_;
+}
+
+void LiveModel::make_parts(const Drawing& drawing) {
+    // First, so that none is taken for another at the same place in memory.
+    std::erase_if(parts_, [](const auto& entry) { return entry.second.contour.expired(); });
+    for (const DrawnPart& part : drawing.parts) {
+        if (parts_.contains(part.contour.get())) continue;
+        PartMade& made = parts_[part.contour.get()];
+        made.contour = part.contour;
+        std::vector<double> points;
+        std::vector<uint32_t> offsets = {0};
+        for (const Ring& ring : part.contour->rings) {
+            for (const glm::dvec2& p : ring) points.insert(points.end(), {p.x, p.y});
+            offsets.push_back(static_cast<uint32_t>(points.size() / 2));
+        }
+        FlgPartDesc desc = flgPartDefaults();
+        desc.contour.points = points.data();
+        desc.contour.point_count = offsets.back();
+        desc.contour.ring_offsets = offsets.data();
+        desc.contour.ring_count = static_cast<uint32_t>(offsets.size()) - 1;
+        desc.job.priority = FLG_PRIORITY_HIGH;
+        FlgPart handle{};
+        if (flgPartCreate(context_.get(), &desc, &handle, nullptr) == FLG_OK)
+            made.part = PartOwner(context_.get(), handle);
+        else
+            made.state.fault = flgLastError();
+    }
+}
+
+void LiveModel::look_at_parts() {
+    for (auto& [contour, made] : parts_) {
+        if (made.state.ready || !made.state.fault.empty()) continue;
+        const FlgResult result = flgPartGetView(context_.get(), made.part.get(), &made.view);
+        made.state.ready = result == FLG_OK;
+        if (result >= 0) continue;
+        made.state.fault = flgLastError();
+        made.state.crossings = crossings_of(*contour, kMostCrossings);
+    }
+}
+
+void LiveModel::start_model(const Drawing& drawing) {
+    ModelRecipe recipe{
+        {}, {drawing.mirror.x, drawing.mirror.y, drawing.mirror.z, drawing.mirror.w}, array_of(drawing.thresholds)};
+    for (const DrawnPart& part : drawing.parts) {
+        const PartMade& made = parts_.at(part.contour.get());
+        if (!part.visible || !made.state.fault.empty()) continue;
+        ModelRecipe::Part& entry = recipe.parts.emplace_back(ModelRecipe::Part{
+            part.id, part.name, part.contour, part.placement(), part.thickness, part.mirrored, {}, {}});
+        if (part.thresholds) entry.thresholds = array_of(*part.thresholds);
+        if (made.state.ready && part.branch_simplify.size() == made.view.branch_count)
+            entry.branch_simplify = part.branch_simplify;
+    }
+    if (recipe != wanted_) {
+        model_failed_ = skin_failed_ = false;
+        wanted_ = recipe;
+    }
+    if (recipe.parts.empty()) {
+        if (!model_ && !skin_) return;
+        model_.reset(), coming_model_.reset(), skin_.reset(), coming_skin_.reset();
+        rig_ = {};
+        loose_.clear();
+        recipe_ = skin_recipe_ = {};
+        ++rig_revision_, ++skin_revision_;
+        return;
+    }
+    if (coming_model_ || model_failed_ || (model_ && recipe == recipe_)) return;
+    std::vector<FlgModelPart> parts;
+    std::vector<FlgBoneThresholds> thresholds(recipe.parts.size());
+    for (const ModelRecipe::Part& entry : recipe.parts) {
+        FlgModelPart part = flgModelPartDefaults();
+        part.part = parts_.at(entry.contour.get()).part.get();
+        part.name = entry.name.c_str();
+        std::copy(entry.placement.begin(), entry.placement.end(), part.placement);
+        part.thickness = entry.thickness;
+        part.mirrored = entry.mirrored;
+        FlgBoneThresholds& own = thresholds[parts.size()];
+        if (entry.thresholds) {
+            own = thresholds_of(*entry.thresholds);
+            part.thresholds = &own;
+        }
+        if (!entry.branch_simplify.empty()) {
+            part.branch_simplify = entry.branch_simplify.data();
+            part.branch_count = static_cast<uint32_t>(entry.branch_simplify.size());
+        }
+        parts.push_back(part);
+    }
+    FlgModelDesc desc = flgModelDefaults();
+    desc.parts = parts.data();
+    desc.part_count = static_cast<uint32_t>(parts.size());
+    desc.thresholds = thresholds_of(recipe.thresholds);
+    desc.job.priority = FLG_PRIORITY_HIGH;
+    std::copy(recipe.mirror.begin(), recipe.mirror.end(), desc.mirror);
+    FlgModel handle{};
+    if (flgModelCreate(context_.get(), &desc, &handle, nullptr) != FLG_OK) {
+        model_failed_ = true;
+        notices_.add(Weight::error, std::string("No bones can be made of this: ") + flgLastError());
+        return;
+    }
+    coming_model_ = ModelOwner(context_.get(), handle);
+    coming_recipe_ = std::move(recipe);
+}
+
+void LiveModel::take_model() {
+    if (!coming_model_) return;
+    FlgModelView view = flgModelViewDefaults();
+    const FlgResult result = flgModelGetView(context_.get(), coming_model_.get(), &view);
+    if (result == FLG_NOT_READY) return;
+    if (result != FLG_OK) {
+        coming_model_.reset();
+        // A part that failed says so itself, and is left out the next time.
+        if (result == FLG_ERROR_DEPENDENCY || coming_recipe_ != wanted_) return;
+        model_failed_ = true;
+        notices_.add(Weight::error, std::string("No bones can be made of this: ") + flgLastError());
+        return;
+    }
+    model_ = std::move(coming_model_);
+    coming_model_.reset();
+    recipe_ = std::move(coming_recipe_);
+    std::vector<uint32_t> sources;
+    for (const ModelRecipe::Part& part : recipe_.parts) sources.push_back(part.id);
+    rig_ = rig_of(view, sources);
+    loose_.clear();
+    for (uint32_t p = 1; p < view.part_count; ++p)
+        if (view.parts[p].parent == FLG_NO_INDEX && view.parts[p].source > 0)
+            loose_.push_back(sources[view.parts[p].source]);
+    ++rig_revision_;
+}
+
+void LiveModel::start_skin(uint32_t vertices) {
+    FlgSkinDesc desc = flgSkinDefaults();
+    desc.model = model_.get();
+    desc.vertex_count = vertices;
+    FlgSkin handle{};
+    FlgJob job{};
+    if (flgSkinCreate(context_.get(), &desc, &handle, &job) != FLG_OK) {
+        skin_failed_ = true;
+        notices_.add(Weight::error, std::string("No body can be made of this: ") + flgLastError());
+        return;
+    }
+    coming_skin_ = SkinOwner(context_.get(), handle);
+    coming_skin_recipe_ = recipe_;
+    coming_skinned_ = {};
+    coming_skinned_.rig = rig_;
+    const FlgModelView view = model();
+    for (uint32_t p = 0; p < view.part_count; ++p) {
+        coming_skinned_.parts.push_back(recipe_.parts[view.parts[p].source].id);
+        coming_skinned_.is_image.push_back(view.parts[p].is_mirrored != 0);
+    }
+    cli::ModelDrawing placed;
+    for (const ModelRecipe::Part& part : recipe_.parts) placed.parts.emplace_back().placement = part.placement;
+    coming_skinned_.motion = cli::make_test_motion(view, placed);
+    coming_vertices_ = vertices;
+    jobs_.add("Making the body", filigree::Job(context_.get(), job), {},
+              vertices == kFineVertices ? Jobs::Shown::listed : Jobs::Shown::quiet);
+}
+
+void LiveModel::take_skin() {
+    if (!coming_skin_) return;
+    FlgSkinView view{};
+    view.struct_size = sizeof view;
+    const FlgResult result = flgSkinGetView(context_.get(), coming_skin_.get(), &view);
+    if (result == FLG_NOT_READY) return;
+    if (result != FLG_OK) {
+        coming_skin_.reset();
+        // Not again until something is changed; the jobs' list has said why.
+        if (coming_skin_recipe_ == recipe_) skin_failed_ = true;
+        return;
+    }
+    skin_ = std::move(coming_skin_);
+    coming_skin_.reset();
+    skin_recipe_ = std::move(coming_skin_recipe_);
+    skin_vertices_ = coming_vertices_;
+    skinned_ = std::move(coming_skinned_);
+    skinned_.view = view;
+    ++skin_revision_;
+}
+
+bool LiveModel::is_loose(uint32_t part) const {
+    return std::find(loose_.begin(), loose_.end(), part) != loose_.end();
+}
+
+FlgModelView LiveModel::model() const {
+    FlgModelView view = flgModelViewDefaults();
+    if (model_) filigree::check(flgModelGetView(context_.get(), model_.get(), &view));
+    return view;
+}
+
+bool LiveModel::wants_skin() const {
+    const bool is_current = skin_ && skin_recipe_ == recipe_ && skin_vertices_ >= wanted_vertices_;
+    return wanted_vertices_ > 0 && !recipe_.parts.empty() && !skin_failed_ && !is_current;
+}
+
+const LiveModel::PartState& LiveModel::state_of(const ContourPtr& contour) const {
+    static const PartState none;
+    const auto found = parts_.find(contour.get());
+    return found == parts_.end() ? none : found->second.state;
+}
+
+const FlgPartView* LiveModel::axis_of(const ContourPtr& contour) const {
+    const auto found = parts_.find(contour.get());
+    return found == parts_.end() || !found->second.state.ready ? nullptr : &found->second.view;
+}
+
+size_t LiveModel::fault_count(const Drawing& drawing) const {
+    return static_cast<size_t>(std::count_if(drawing.parts.begin(), drawing.parts.end(), [this](const DrawnPart& part) {
+        return !state_of(part.contour).fault.empty();
+    }));
+}
+
+bool LiveModel::busy() const {
+    const bool has_pending_part = std::any_of(parts_.begin(), parts_.end(), [](const auto& entry) {
+        return !entry.second.state.ready && entry.second.state.fault.empty();
+    });
+    const bool wants_model = !wanted_.parts.empty() && !model_failed_ && wanted_ != recipe_;
+    return has_pending_part || coming_model_ || coming_skin_ || wants_model || wants_skin();
+}
+
+}  // namespace flg::studio

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The bones and the body of a drawing, made by jobs while it is drawn and changed: always at most one job for the newest state behind the one that
+// runs, so that what is seen follows the mouse.
+#pragma once
+
+#include "filigree/filigree.hpp"
+#include "filigree/filigree_model.h"
+#include "shell/jobs.h"
+#include "skeletons/rig.h"
+#include "test_motion.h"
+
+namespace flg::studio {
+
+using PartOwner = filigree::detail::Owner<FlgPart, flgPartRelease>;
+using ModelOwner = filigree::detail::Owner<FlgModel, flgModelRelease>;
+using SkinOwner = filigree::detail::Owner<FlgSkin, flgSkinRelease>;
+
+// What a model is made from, of all that is in a drawing.
+struct ModelRecipe {
+    struct Part {
+        uint32_t id;
+        std::string name;
+        ContourPtr contour;
+        std::array<double, 12> placement;
+        float thickness;
+        bool mirrored;
+        std::optional<std::array<float, 4>> thresholds;
+        std::vector<float> branch_simplify;
+        bool operator==(const Part&) const = default;
+        // All that the body's shape hangs on.
+        bool is_shaped_as(const Part& other) const;
+    };
+    std::vector<Part> parts;
+    std::array<float, 4> mirror, thresholds;
+    bool operator==(const ModelRecipe&) const = default;
+    bool is_shaped_as(const ModelRecipe& other) const;
+};
+
+// How much the body is worth just now. A fine one of another shape comes after a quick one.
+enum class Body { none, quick, fine };
+
+class LiveModel {
+public:
+    LiveModel(filigree::Context& context, Jobs& jobs, Notices& notices)
+        : context_(context), jobs_(jobs), notices_(notices) {}
+
+    // Once a frame. Body::none: an older one stays.
+    void update(const Drawing& drawing, Body body);
+    void clear();
+
+    // Null while there are none. They change with their revisions alone.
+    const Rig* rig() const { return rig_.count() == 0 ? nullptr : &rig_; }
+    uint64_t rig_revision() const { return rig_revision_; }
+    FlgModelView model() const;  // of the rig
+    const ModelRecipe& recipe() const { return recipe_; }
+
+    // Parts that hang on nothing, although they are not the first.
+    bool is_loose(uint32_t part) const;
+    bool has_loose_parts() const { return !loose_.empty(); }
+
+    struct Skinned {
+        FlgSkinView view;
+        Rig rig;                      // its own: that of the model may be newer
+        std::vector<uint32_t> parts;  // for vertex_parts: ids of drawn parts
+        std::vector<bool> is_image;   // the same: whether it is the mirror image
+        cli::TestMotion motion;
+    };
+    const Skinned* skin() const { return skin_ ? &skinned_ : nullptr; }
+    uint64_t skin_revision() const { return skin_revision_; }
+
+    struct PartState {
+        bool ready = false;
+        std::string fault;  // a sentence: why there is no axis
+        std::vector<glm::dvec2> crossings;
+    };
+    const PartState& state_of(const ContourPtr& contour) const;
+    // Null until ready.
+    const FlgPartView* axis_of(const ContourPtr& contour) const;
+    size_t fault_count(const Drawing& drawing) const;
+    bool busy() const;
+
+private:
+    struct PartMade {
+        std::weak_ptr<const Contour> contour;
+        PartOwner part;
+        PartState state;
+        FlgPartView view = flgPartViewDefaults();
+    };
+    void make_parts(const Drawing& drawing);
+    void look_at_parts();
+    void start_model(const Drawing& drawing);
+    void take_model();
+    void start_skin(uint32_t vertices);
+    void take_skin();
+    bool wants_skin() const;
+
+    filigree::Context& context_;
+    Jobs& jobs_;
+    Notices& notices_;
+    std::map<const Contour*, PartMade> parts_;
+    ModelRecipe wanted_{}, recipe_{}, coming_recipe_{}, skin_recipe_{}, coming_skin_recipe_{};
+    ModelOwner model_, coming_model_;
+    SkinOwner skin_, coming_skin_;
+    Rig rig_;
+    std::vector<uint32_t> loose_;
+    Skinned skinned_{}, coming_skinned_{};             // the second without its view
+    bool model_failed_ = false, skin_failed_ = false;  // what is wanted: not tried again
+    uint32_t wanted_vertices_ = 0;                     // 0: no new body
+    uint32_t skin_vertices_ = 0, coming_vertices_ = 0;
+    uint64_t rig_revision_ = 0, skin_revision_ = 0;
+};
+
+}  // namespace flg::studio

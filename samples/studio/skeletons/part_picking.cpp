@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "skeletons/part_picking.h"
+
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <limits>
+
+namespace flg::studio {
+namespace {
+
+// How far along the ray (Moller and Trumbore 1997); infinite where it misses.
+float distance_to(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    constexpr float kNever = std::numeric_limits<float>::infinity();
+    const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
+    const float turn = glm::dot(ab, p);
+    if (turn == 0.0f) return kNever;
+    const glm::vec3 from = ray.origin - a, q = glm::cross(from, ab);
+    const float u = glm::dot(from, p) / turn, v = glm::dot(ray.direction, q) / turn;
+    const float distance = glm::dot(ac, q) / turn;
+    return u >= 0.0f && v >= 0.0f && u + v <= 1.0f && distance > 0.0f ? distance : kNever;
+}
+
+std::optional<PartHit> pick_body(const LiveModel::Skinned& skin, const Ray& ray) {
+    float nearest = std::numeric_limits<float>::infinity();
+    uint32_t part = 0;
+    const FlgSkinView& view = skin.view;
+    const auto at = [&](uint32_t vertex) { return glm::make_vec3(view.positions + 3 * size_t{vertex}); };
+    for (uint32_t t = 0; t < view.triangle_count; ++t) {
+        const uint32_t* corners = view.triangles + 3 * size_t{t};
+        const float distance = distance_to(ray, at(corners[0]), at(corners[1]), at(corners[2]));
+        if (distance >= nearest) continue;
+        nearest = distance;
+        part = view.vertex_parts[corners[0]];
+    }
+    if (!std::isfinite(nearest)) return std::nullopt;
+    return PartHit{skin.parts[part], ray.origin + nearest * ray.direction, skin.is_image[part]};
+}
+
+}  // namespace
+
+std::optional<PartHit> pick_part(const Editor& editor, glm::vec2 px) {
+    const View& view = editor.desk.view;
+    const Ray ray = view.ray(px);
+    if (const LiveModel::Skinned* skin = editor.live.skin()) {
+        const auto hit = pick_body(*skin, ray);
+        // The body may be older than the drawing.
+        if (hit && editor.drawing().find(hit->id) != nullptr) return hit;
+    }
+    std::optional<PartHit> found;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const DrawnPart& part : editor.drawing().parts) {
+        const Ring& outline = part.contour->rings[0];
+        const double area = area_of(outline) * part.scale * part.scale;
+        if (!part.visible || area >= smallest) continue;
+        for (const bool is_image : {false, true}) {
+            if (is_image && !part.mirrored) continue;
+            const glm::vec4* mirror = is_image ? &editor.drawing().mirror : nullptr;
+            if (!is_in_polygon(ring_in_window(view, part, outline, mirror), px)) continue;
+            glm::dvec3 centre = part.centre();
+            if (is_image) centre = mirrored(*mirror, centre);
+            const glm::vec3 sight = view.orbit.camera.target - view.orbit.camera.eye;
+            const auto place = meet_plane(ray, glm::vec3(centre), sight);
+            if (!place) continue;
+            found = PartHit{part.id, *place, is_image};
+            smallest = area;
+        }
+    }
+    return found;
+}
+
+std::vector<glm::vec2> ring_in_window(const View& view, const DrawnPart& part, const Ring& ring,
+                                      const glm::vec4* mirror) {
+    const glm::dmat4 matrix = part.matrix();
+    std::vector<glm::vec2> polygon;
+    for (const glm::dvec2& p : ring) {
+        glm::dvec3 at(matrix * glm::dvec4(p, 0.0, 1.0));
+        if (mirror != nullptr) at = mirrored(*mirror, at);
+        const auto px = view.project(glm::vec3(at));
+        if (!px) return {};
+        polygon.push_back(*px);
+    }
+    return polygon;
+}
+
+bool is_in_polygon(std::span<const glm::vec2> polygon, glm::vec2 px) {
+    return is_inside(Ring(polygon.begin(), polygon.end()), glm::dvec2(px));
+}
+
+std::optional<glm::dvec2> meet_part(const View& view, const DrawnPart& part, glm::vec2 px) {
+    const glm::dmat4 matrix = part.matrix();
+    const auto place = meet_plane(view.ray(px), glm::vec3(matrix[3]), glm::normalize(glm::vec3(matrix[2])));
+    if (!place) return std::nullopt;
+    return glm::dvec2(glm::inverse(matrix) * glm::dvec4(glm::dvec3(*place), 1.0));
+}
+
+}  // namespace flg::studio

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Which part of the drawing lies under the mouse, and where parts' outlines are in the window.
+#pragma once
+
+#include <optional>
+
+#include "skeletons/editor.h"
+
+namespace flg::studio {
+
+struct PartHit {
+    uint32_t id;
+    glm::vec3 position;  // metres
+    bool is_image;       // of the mirror
+};
+
+// On the body at rest, as it is shown; where there is none the smallest outline around the place.
+std::optional<PartHit> pick_part(const Editor& editor, glm::vec2 px);
+
+// Of a ring of the part, or of its mirror image; empty where it reaches behind the eye.
+std::vector<glm::vec2> ring_in_window(const View& view, const DrawnPart& part, const Ring& ring,
+                                      const glm::vec4* mirror = nullptr);
+bool is_in_polygon(std::span<const glm::vec2> polygon, glm::vec2 px);
+
+// Where the ray through a pixel meets the part's plane, in units of its contour.
+std::optional<glm::dvec2> meet_part(const View& view, const DrawnPart& part, glm::vec2 px);
+
+}  // namespace flg::studio

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The Skeletons workspace: contours drawn over a picture become parts with bones, moved, refined and posed.
+#pragma once
+
+#include "shell/workspace.h"
+#include "skeletons/branch_tool.h"
+#include "skeletons/draw_tool.h"
+#include "skeletons/model_picture.h"
+#include "skeletons/move_tool.h"
+#include "skeletons/picture_layer.h"
+#include "skeletons/pose_tool.h"
+
+namespace flg::studio {
+
+enum class Mode { draw, move, refine, pose };
+
+// What of it all is shown.
+struct Shown {
+    bool body = true, bones = true, outlines = true, meshes = false;
+};
+
+class Skeletons final : public Workspace {
+public:
+    explicit Skeletons(Desk& desk);
+
+    const char* title() const override { return "Skeletons"; }
+    std::string help() const override;
+    void enter() override;
+    void leave() override;
+    void update() override;
+    void panel() override;
+    void pointer(const Pointer& mouse) override;
+    void overlay(ImDrawList& list) override;
+    bool shortcut(const Chord& chord) override;
+    std::span<const Shortcut> shortcuts() const override;
+    bool can_undo() const override { return editor_.can_undo(); }
+    bool can_redo() const override { return editor_.can_redo(); }
+    void undo() override;
+    void redo() override;
+    bool open(const std::string& path) override;
+    nlohmann::json save() const override;
+    void load(const nlohmann::json& part) override;
+    std::span<const Export> exports() const override;
+    void write(const Export& what, const std::string& path) override;
+    bool busy() const override;
+    void device_lost() override;
+    double count(const std::string& name) const override;
+
+private:
+    void set_mode(Mode mode);
+    void drop_tools();
+    void frame_drawing(const glm::vec3& sight);
+    void hide_meshes();
+
+    // What is shown of the pose: at rest but in Pose, where the bones are those of the body.
+    const Rig* shown_rig() const;
+    uint64_t shown_revision() const;
+    std::vector<glm::quat> shown_turns(const Rig& rig) const;
+    void show_model();
+    void play(bool on);
+
+    void draw_panel();
+    void move_panel();
+    void refine_panel();
+    void pose_panel();
+    void name_field();
+    void take_name();
+    void part_panel();
+    void place_panel();
+    void parts_panel();
+    void fault_panel();
+    void picture_panel();
+    void shown_panel();
+    // Of the whole, or of the part that is refined.
+    FlgBoneThresholds thresholds() const;
+    void set_thresholds(const FlgBoneThresholds& thresholds);
+    void threshold_slider(const char* label, float FlgBoneThresholds::*which, float most_percent, const char* tip);
+    void branch_slider(uint32_t branch);
+    // After each slider: a step of undo where it was let go of.
+    void end_slider();
+    void draw_outlines(ImDrawList& list) const;
+
+    Editor editor_;
+    ModelPicture picture_;
+    PictureLayer layer_;
+    DrawTool draw_{editor_};
+    MoveTool move_{editor_};
+    BranchTool branch_{editor_};
+    PoseTool pose_{editor_};
+    Mode mode_ = Mode::draw;
+    Shown shown_;
+    bool is_in_front_ = false;
+    bool wants_frame_ = true;  // the camera is to see the drawing, or the empty paper
+    bool refines_part_ = false;
+    bool is_sliding_ = false;  // a slider of the panel is held
+    std::string name_text_;    // being typed
+    uint32_t name_of_ = 0;
+
+    FlgSkinning skinning_ = FLG_SKINNING_DUAL_QUATERNION;
+    bool is_playing_ = false, was_played_ = false;
+    double play_from_ = 0.0;
+    PosedJoints joints_;  // of shown_rig()
+    // What the body's pose was made of, so that it is made anew only when that changes.
+    std::vector<float> transforms_;
+    FlgSkinning transforms_as_ = FLG_SKINNING_LINEAR;
+};
+
+}  // namespace flg::studio
