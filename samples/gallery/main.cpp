@@ -26,6 +26,9 @@ std::vector<Picture> all_pictures() {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
 #endif
+#if defined(FLG_WITH_STUDIO)
+    for (const Picture& picture : app_pictures()) list.push_back(picture);
+#endif
     return list;
 }
 

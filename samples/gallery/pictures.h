@@ -34,5 +34,8 @@ std::span<const Picture> motion_pictures();     // rigid bodies on their way
 std::span<const Picture> piece_pictures();  // finished pieces, by scripts
 std::span<const Picture> model_pictures();  // models, by drawings
 #endif
+#if defined(FLG_WITH_STUDIO)
+std::span<const Picture> app_pictures();  // the studio's window
+#endif
 
 }  // namespace flg::gallery

@@ -163,8 +163,12 @@ void Studio::take(const std::string& name, std::span<const Panel> panels, uint32
         paste(draw(panels[i], panel_width, panel_height), picture, (i % columns) * (panel_width + kGap),
               (i / columns) * (panel_height + kGap));
     }
+    keep(name, picture);
+}
+
+void Studio::keep(const std::string& name, const render::Image& image) {
     const std::string path = folder_ + "/" + name + ".png";
-    write_small_png(picture, path);
+    write_small_png(image, path);
     std::printf("wrote %s\n", path.c_str());
     std::fflush(stdout);
 }

@@ -62,6 +62,9 @@ public:
     void take(const std::string& name, std::span<const Panel> panels, uint32_t columns, uint32_t width,
               uint32_t height);
 
+    // A picture that was taken elsewhere, as it is.
+    void keep(const std::string& name, const render::Image& image);
+
 private:
     render::Image draw(const Panel& panel, uint32_t width, uint32_t height);
 

@@ -19,6 +19,10 @@ void row(const char* what, const char* format, double value) {
     ImGui::TextUnformatted(text);
 }
 
+double mebibytes(uint64_t bytes) {
+    return static_cast<double>(bytes) / (1 << 20);
+}
+
 }  // namespace
 
 void FrameBudget::add(const FlgFrameReport& report, double frame_ms) {
@@ -60,9 +64,19 @@ void FrameBudget::draw(const glm::ivec4& viewport, uint32_t budget_us, const ren
     row("frame", "%.1f ms", static_cast<double>(frame_ms_[(next_ + kFrames - 1) % kFrames]));
     row("renderer", "%.2f ms", stats.cpu_ms);
     row("device", "%.1f ms", stats.gpu_ms);
-    row("shadows", "%.1f ms", stats.gpu_shadow_ms);
+    const std::pair<const char*, double> passes[] = {
+        {"  uploads", stats.gpu_uploads_ms},   {"  shadows", stats.gpu_shadow_ms},
+        {"  surfaces", stats.gpu_surfaces_ms}, {"  curves", stats.gpu_curves_ms},
+        {"  backdrop", stats.gpu_backdrop_ms}, {"  widgets", stats.gpu_ui_ms}};
+    for (const auto& [what, ms] : passes) row(what, "%.1f ms", ms);
     row("triangles", "%.0f", static_cast<double>(stats.triangles));
-    row("memory", "%.0f MiB", static_cast<double>(stats.device_bytes) / (1 << 20));
+    ImGui::Separator();
+    const render::MemoryReport memory = renderer.memory();
+    row("memory", "%.0f MiB", mebibytes(memory.held));
+    row("  of at most", "%.0f MiB", mebibytes(memory.limit));
+    row("  curves", "%.1f MiB", mebibytes(memory.curves));
+    row("  surfaces", "%.1f MiB", mebibytes(memory.surfaces));
+    row("  pictures", "%.1f MiB", mebibytes(memory.targets + memory.textures + memory.shadow_map));
     ImGui::TextDisabled("%s", renderer.device_name().c_str());
     ImGui::End();
 }

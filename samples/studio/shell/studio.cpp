@@ -246,11 +246,15 @@ void Studio::draw() {
     if (player_ && !shot_ && frames_ % kFramesBetweenDraws != 0) return;
     guarded("draw", [&] { renderer_.draw(*target_, view_.orbit.camera, {ui, view_.viewport}); });
     if (!shot_) return;
-    const std::string file = options_.out + "/" + shot_->name + ".png";
-    shot_.reset();
+    const std::string name = std::exchange(shot_, std::nullopt)->name;
+    const render::Image image = renderer_.capture(*target_);
+    if (options_.keep_shot) {
+        options_.keep_shot(name, image);
+        return;
+    }
     std::error_code error;
     std::filesystem::create_directories(options_.out, error);
-    write_png(renderer_.capture(*target_), file);
+    write_png(image, options_.out + "/" + name + ".png");
 }
 
 void Studio::wait_for_events() {

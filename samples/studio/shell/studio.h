@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ struct StudioOptions {
     bool offscreen = false;  // no window, even with a display
     std::string autosave;    // a folder; empty: none
     render::Options renderer{};
+    // Takes the script's pictures; none: they are written to `out`.
+    std::function<void(const std::string& name, const render::Image& image)> keep_shot{};
 };
 
 class Studio final : ScriptHost {

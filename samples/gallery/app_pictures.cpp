@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The studio at work: its scripts of samples/studio/scripts, played here, and some of the pictures they take.
+#include <cstdio>
+
+#include "gallery/pictures.h"
+#include "gallery/small_png.h"
+#include "shell/studio.h"
+
+namespace flg::gallery {
+namespace {
+
+void take(Studio& gallery, const char* script, const char* shot, const char* name) {
+    studio::StudioOptions options;
+    options.script = std::string(FLG_STUDIO_SCRIPTS "/") + script + ".txt";
+    options.offscreen = true;
+    options.width = 1120;
+    options.height = 700;
+    options.scale = 1.0f;
+    bool taken = false;
+    options.keep_shot = [&](const std::string& of, const render::Image& image) {
+        if (of != shot) return;
+        gallery.keep(name, image);
+        taken = true;
+    };
+    studio::Studio(options).run();
+    if (!taken) throw std::runtime_error(options.script + " takes no picture " + shot);
+}
+
+}  // namespace
+
+std::span<const Picture> app_pictures() {
+    static constexpr Picture kPictures[] = {
+        {"studio_strokes", "Strokes drawn on a vase in the studio, in styles built in and drawn by hand", true,
+         [](Workshop&, Studio& gallery) { take(gallery, "strokes", "strokes_two", "studio_strokes"); }},
+    };
+    return kPictures;
+}
+
+}  // namespace flg::gallery
