@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "splines/spline.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/failure.h"
@@ -250,10 +252,18 @@ Task<void> keep_spline(Pace& pace, SplineKernel& kernel, HeldSpline& out) {
     out.points = Buffer<double>(size_t{nodes} * n, pace.memory());
     const bool has_normals = out.manifold->has_normals();
     if (has_normals) out.normals = Buffer<float>(size_t{3} * nodes, pace.memory());
+    Buffer<double> memory(out.manifold->manifold->memory_size(), pace.memory());
     for (uint32_t i = 0; i < nodes; ++i) {
         std::copy_n(kernel.points() + size_t{i} * n, n, &out.points[size_t{i} * n]);
         if (has_normals) {
-            const double* const basis = kernel.basis(i);
+            const double* basis = kernel.basis(i);
+            // Among obstacles the nodes are on a barrier over the surface, a surface of R^4 with its memory.
+            std::array<double, 6> own;
+            if (n > 3) {
+                std::copy_n(kernel.memory(i), memory.size(), memory.begin());
+                out.manifold->manifold->tangent_basis(kernel.points() + size_t{i} * n, memory.data(), own.data());
+                basis = own.data();
+            }
             store_vec3(Vec3(basis[0], basis[1], basis[2]).cross(Vec3(basis[3], basis[4], basis[5])),
                        &out.normals[size_t{3} * i]);
         }

@@ -323,6 +323,30 @@ TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
 
 // Each of two shortest curves is the shortest in its own metric: in space, and with the normals, which turn most over a
 // hill.
+TEST(SplineApi, NormalsAmongObstaclesAreTheSurfaces) {
+    const Host host;
+    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE);
+    FlgObstacle ball = flgObstacleDefaults();
+    ball.centre[0] = 1;
+    ball.radius = 0.3;
+    const FlgObstacles obstacles = make_obstacles(host, {ball});
+    const std::vector<double> points = {0.6, 0.8, 0.05, 0.6, -0.8, 0.05, -0.8, -0.6, 0.3};
+    FlgSplineDesc desc = flgSplineDefaults();
+    desc.manifold = sphere;
+    desc.points = points.data();
+    desc.point_count = 3;
+    desc.obstacles = obstacles;
+    FlgSpline spline{};
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgLastError();
+    host.finish();
+    FlgSplineView view = flgSplineViewDefaults();
+    ASSERT_EQ(flgSplineGetView(host.context, spline, &view), FLG_OK) << flgLastError();
+    for (uint32_t i = 0; i < view.node_count; ++i) {
+        for (size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(view.normals[3 * i + c], view.nodes[3 * i + c], 1e-6) << "node " << i << ", coordinate " << c;
+    }
+}
+
 TEST(SplineApi, ShortestCurvesOfTheImageManifoldTurnTheirNormalsLess) {
     const Host host;
     const auto height = [](double x, double y) { return 0.5 * std::exp(-8 * (x * x + (y - 0.15) * (y - 0.15))); };
