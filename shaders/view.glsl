@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What every shader of a pass knows: where it is seen from and what lights it. Mirrors ViewUniforms in
-// renderer/src/view_uniforms.h.
+// renderer/src/view_uniforms.h. With STEREO defined there are two, one an eye.
+#ifdef STEREO
+#extension GL_EXT_multiview : require
+#endif
 
-layout(set = 0, binding = 0, std140) uniform View {
+struct View {
     mat4 clip_from_world;    // depth 1 near, 0 infinitely far
     mat4 shadow_from_world;  // the sun's view: x, y in -1..1, depth 0 near
     vec4 eye;                // xyz: metres; w: metres a pixel covers at distance 1 (perspective), or anywhere (sun's view)
@@ -16,4 +19,12 @@ layout(set = 0, binding = 0, std140) uniform View {
     vec4 background_top;     // w: 2 / width of the picture, pixels
     vec4 background_bottom;  // w: 2 / height of the picture, pixels
     vec4 scene_center;
-} view;
+};
+
+#ifdef STEREO
+layout(set = 0, binding = 0, std140) uniform Views { View eyes[2]; } views;
+#define view views.eyes[gl_ViewIndex]
+#else
+layout(set = 0, binding = 0, std140) uniform Views { View eye; } views;
+#define view views.eye
+#endif

@@ -24,23 +24,36 @@ uint32_t sides_for(float radius_px, uint32_t most) {
 
 }  // namespace
 
-ChunkSelector::ChunkSelector(const ViewUniforms& view)
-    : eye_(view.eye), pixel_m_(view.eye.w), perspective_(view.bounce_color.w != 0.0f) {
-    const glm::mat4 rows = glm::transpose(view.clip_from_world);
-    const glm::vec4 planes[4] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
-    for (int i = 0; i < 4; ++i) planes_[i] = planes[i] / glm::length(glm::vec3(planes[i]));
+ChunkSelector::ChunkSelector(std::span<const ViewUniforms> views) : view_count_(views.size()) {
+    for (size_t v = 0; v < view_count_; ++v) {
+        const ViewUniforms& from = views[v];
+        View& view = views_[v];
+        view.eye = glm::vec3(from.eye);
+        view.pixel_m = from.eye.w;
+        view.perspective = from.bounce_color.w != 0.0f;
+        const glm::mat4 rows = glm::transpose(from.clip_from_world);
+        const glm::vec4 planes[4] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]};
+        for (int i = 0; i < 4; ++i) view.planes[i] = planes[i] / glm::length(glm::vec3(planes[i]));
+    }
 }
 
-bool ChunkSelector::in_sight(const ChunkBounds& bounds) const {
-    for (const glm::vec4& plane : planes_)
+bool ChunkSelector::View::sees(const ChunkBounds& bounds) const {
+    for (const glm::vec4& plane : planes)
         if (glm::dot(glm::vec3(plane), bounds.center) + plane.w < -bounds.extent) return false;
     return true;
 }
 
+float ChunkSelector::View::pixels_per_metre(const ChunkBounds& bounds) const {
+    if (!perspective) return 1.0f / pixel_m;
+    const float distance = glm::distance(bounds.center, eye) - bounds.extent;
+    return 1.0f / (pixel_m * std::max(distance, 1e-3f * bounds.extent));
+}
+
 float ChunkSelector::pixels_per_metre(const ChunkBounds& bounds) const {
-    if (!perspective_) return 1.0f / pixel_m_;
-    const float distance = glm::distance(bounds.center, eye_) - bounds.extent;
-    return 1.0f / (pixel_m_ * std::max(distance, 1e-3f * bounds.extent));
+    float largest = 0.0f;
+    for (size_t v = 0; v < view_count_; ++v)
+        if (views_[v].sees(bounds)) largest = std::max(largest, views_[v].pixels_per_metre(bounds));
+    return largest;
 }
 
 void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float magnitude_offset,
@@ -53,8 +66,8 @@ void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float
             bounds.extent += std::abs(magnitude_offset) * curves.growths[i].extent;
             bounds.segment += std::abs(magnitude_offset) * curves.growths[i].segment;
         }
-        if (!in_sight(bounds)) continue;
         const float scale = pixels_per_metre(bounds);
+        if (scale == 0.0f) continue;
         const float step_px = bounds.segment * scale;
         uint32_t stride_log2 = 0;
         while (stride_log2 < 6 && step_px * static_cast<float>(2u << stride_log2) <= least_step_px) ++stride_log2;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Chooses what of a set of curves is drawn in a view: chunks in sight, each with the coarsest stride and the fewest sides
-// that don't show. Equal choices are gathered into bins, one draw call each.
+// Chooses what of a set of curves is drawn in a view, or in several at once: chunks in sight of any, each with the coarsest
+// stride and the fewest sides that show in none. Equal choices are gathered into bins, one draw call each.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "curve_data.h"
@@ -25,19 +26,26 @@ struct DrawBin {
 
 class ChunkSelector {
 public:
-    explicit ChunkSelector(const ViewUniforms& view);
+    explicit ChunkSelector(std::span<const ViewUniforms> views);  // one or two
     // Appends to both.
     void select(const CurveData& curves, const CurveLook& look, float magnitude_offset,
                 std::vector<uint32_t>& instances, std::vector<DrawBin>& bins);
 
 private:
-    bool in_sight(const ChunkBounds& bounds) const;
+    struct View {
+        glm::vec4 planes[4];  // xyz unit, inwards
+        glm::vec3 eye;
+        float pixel_m;
+        bool perspective;
+
+        bool sees(const ChunkBounds& bounds) const;
+        float pixels_per_metre(const ChunkBounds& bounds) const;
+    };
+    // Where it is largest; 0: out of sight.
     float pixels_per_metre(const ChunkBounds& bounds) const;
 
-    glm::vec4 planes_[4];  // xyz unit, inwards
-    glm::vec3 eye_;
-    float pixel_m_;
-    bool perspective_;
+    View views_[2];
+    size_t view_count_;
     std::vector<uint64_t> keyed_;  // bin and instance, sorted: scratch
 };
 

@@ -128,17 +128,20 @@ GrowingCurve& CurveStore::growing(CurvesId id) {
     return *curves.growing;
 }
 
-void CurveStore::upload_growth(UploadRing& ring) {
+void CurveStore::upload_growth() {
     const auto rewrite = [&](const Buffer& buffer, const auto& values, uint32_t first, uint32_t count) {
         constexpr size_t size = sizeof values[0];
-        ring.rewrite(buffer, first * size, values.data() + first, count * size);
+        ring_.rewrite(buffer, first * size, values.data() + first, count * size);
     };
     for (const auto& [id, curves] : items()) {
         if (!curves->growing) continue;
-        const auto [first_point, points, first_chunk, chunk_count] = curves->growing->take_changes();
-        rewrite(curves->centers, curves->data.centers, first_point, points);
-        rewrite(curves->looks, curves->data.looks, first_point, points);
-        rewrite(curves->chunks, curves->data.chunks, first_chunk, chunk_count);
+        const GrowingCurve::Changes changes = curves->growing->changes();
+        ring_.all_or_nothing([&] {
+            rewrite(curves->centers, curves->data.centers, changes.first_point, changes.point_count);
+            rewrite(curves->looks, curves->data.looks, changes.first_point, changes.point_count);
+            rewrite(curves->chunks, curves->data.chunks, changes.first_chunk, changes.chunk_count);
+        });
+        curves->growing->changes_uploaded();
     }
 }
 
@@ -149,8 +152,9 @@ Box CurveStore::bounds() const {
     return box;
 }
 
-void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const {
-    ChunkSelector selector(view);
+void CurveStore::select(std::span<const ViewUniforms> views, bool shadow, DrawList& list,
+                        std::vector<uint32_t>& instances) const {
+    ChunkSelector selector(views);
     for (const auto& [id, curves] : items()) {
         if (!curves->visible) continue;
         if (shadow && (!curves->look.casts_shadow || curves->look.shape == Shape::line)) continue;
@@ -162,15 +166,15 @@ void CurveStore::select(const ViewUniforms& view, bool shadow, DrawList& list, s
 }
 
 uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, const IndexPatterns& patterns,
-                       const DrawList& list, VkBuffer instances, const VkViewport* viewport) {
+                       const DrawList& list, VkBuffer instances, const CurvePass& pass) {
     if (list.items.empty()) return 0;
-    const bool shadow = viewport == nullptr;
+    const bool shadow = pass.viewport == nullptr;
     bool in_front = false;
     const auto set_depths = [&](bool to_front) {
         if (shadow || to_front == in_front) return;
         in_front = to_front;
-        VkViewport changed = *viewport;
-        changed.minDepth = to_front ? depth_in_front : viewport->minDepth;
+        VkViewport changed = *pass.viewport;
+        changed.minDepth = to_front ? depth_in_front : pass.viewport->minDepth;
         vkCmdSetViewport(commands, 0, 1, &changed);
     };
     uint64_t triangles = 0;
@@ -181,8 +185,9 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
         const CurveLook& look = item.curves->look;
         const bool displaced = item.curves->magnitude_offset != 0.0f;
         set_depths(look.in_front);
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          shadow ? pipelines.curve_shadow(look.shape, displaced) : pipelines.curve(look, displaced));
+        vkCmdBindPipeline(
+            commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+            shadow ? pipelines.curve_shadow(look.shape, displaced) : pipelines.curve(look, displaced, pass.eyes));
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 1, 1, &item.curves->set,
                                 0, nullptr);
         for (uint32_t i = item.first_bin; i < item.first_bin + item.bin_count; ++i) {

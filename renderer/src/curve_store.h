@@ -75,15 +75,21 @@ public:
     void set_magnitude_offset(CurvesId id, float offset);
     // Throws Error for curves that don't grow.
     GrowingCurve& growing(CurvesId id);
-    // What has been appended since the last frame, to go with the next.
-    void upload_growth(UploadRing& ring);
+    // What has been appended since the last frame, to go with the next. On error it stays to be uploaded.
+    void upload_growth();
     Box bounds() const;
-    void select(const ViewUniforms& view, bool shadow, DrawList& list, std::vector<uint32_t>& instances) const;
+    void select(std::span<const ViewUniforms> views, bool shadow, DrawList& list,
+                std::vector<uint32_t>& instances) const;
 };
 
-// Records a list into a render pass; returns the triangles drawn. `viewport` is the main pass's, which stays as it is; null: the
-// shadow map's.
+// What a list is drawn into.
+struct CurvePass {
+    const VkViewport* viewport = nullptr;  // the main pass's, which stays as it is; null: the shadow map's
+    Eyes eyes = Eyes::one;
+};
+
+// Records a list into a render pass; returns the triangles drawn.
 uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, const IndexPatterns& patterns,
-                       const DrawList& list, VkBuffer instances, const VkViewport* viewport);
+                       const DrawList& list, VkBuffer instances, const CurvePass& pass);
 
 }  // namespace flg::render

@@ -196,7 +196,11 @@ void Device::create_device() {
     queue_info.queueCount = 1;
     queue_info.pQueuePriorities = &priority;
     const VkPhysicalDeviceFeatures no_features{};
+    // Part of Vulkan 1.1, together with any number of samples.
+    VkPhysicalDeviceMultiviewFeatures stereo{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES};
+    stereo.multiview = VK_TRUE;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.pNext = &stereo;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue_info;
     info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());

@@ -16,7 +16,7 @@ template <class Item>
 class DeviceStore {
 public:
     // `noun` for sentences: "curves".
-    DeviceStore(const char* noun, UploadRing& ring) : noun_(noun), ring_(ring) {}
+    DeviceStore(const char* noun, UploadRing& ring) : ring_(ring), noun_(noun) {}
 
     uint64_t add(std::unique_ptr<Item> item) {
         items_[++last_id_] = std::move(item);
@@ -57,6 +57,9 @@ public:
 
     const std::map<uint64_t, std::unique_ptr<Item>>& items() const { return items_; }
 
+protected:
+    UploadRing& ring_;
+
 private:
     struct Retired {
         uint64_t frame;
@@ -70,7 +73,6 @@ private:
     }
 
     const char* noun_;
-    UploadRing& ring_;
     std::map<uint64_t, std::unique_ptr<Item>> items_;
     std::vector<Retired> retired_;
     uint64_t last_id_ = 0;

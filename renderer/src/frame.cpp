@@ -53,25 +53,27 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
     }
 
     const VkDeviceSize alignment = memory_.device().properties().limits.minUniformBufferOffsetAlignment;
-    view_stride_ = (sizeof(ViewUniforms) + alignment - 1) / alignment * alignment;
-    uniforms_ = Buffer(memory_, 2 * view_stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, DeviceMemory::Place::host,
+    constexpr VkDeviceSize view_bytes = 2 * sizeof(ViewUniforms);  // one an eye
+    view_stride_ = (view_bytes + alignment - 1) / alignment * alignment;
+    uniforms_ = Buffer(memory_, view_sets * view_stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, DeviceMemory::Place::host,
                        MemoryUse::other);
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2}};
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, view_sets},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, view_sets}};
     VkDescriptorPoolCreateInfo descriptor_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    descriptor_info.maxSets = 2;
+    descriptor_info.maxSets = view_sets;
     descriptor_info.poolSizeCount = 2;
     descriptor_info.pPoolSizes = sizes;
     check(vkCreateDescriptorPool(device_, &descriptor_info, nullptr, &descriptors_), "make a descriptor pool");
-    const VkDescriptorSetLayout layouts[] = {pipelines.view_layout(), pipelines.view_layout()};
+    VkDescriptorSetLayout layouts[view_sets];
+    std::fill(std::begin(layouts), std::end(layouts), pipelines.view_layout());
     VkDescriptorSetAllocateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     set_info.descriptorPool = descriptors_;
-    set_info.descriptorSetCount = 2;
+    set_info.descriptorSetCount = view_sets;
     set_info.pSetLayouts = layouts;
     check(vkAllocateDescriptorSets(device_, &set_info, views_), "make descriptor sets");
     const VkDescriptorImageInfo shadow = shadow_map.descriptor();
-    for (uint32_t i = 0; i < 2; ++i) {
-        const VkDescriptorBufferInfo uniforms{uniforms_.handle(), i * view_stride_, sizeof(ViewUniforms)};
+    for (uint32_t i = 0; i < view_sets; ++i) {
+        const VkDescriptorBufferInfo uniforms{uniforms_.handle(), i * view_stride_, view_bytes};
         VkWriteDescriptorSet writes[2]{};
         for (auto& write : writes) {
             write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -172,10 +174,11 @@ double FrameSlot::elapsed_ms(Moment from, Moment to) const {
     return 1e-6 * static_cast<double>(passed) * memory_.device().properties().limits.timestampPeriod;
 }
 
-void FrameSlot::set_views(const ViewUniforms& main, const ViewUniforms& sun) {
+void FrameSlot::set_views(std::span<const ViewUniforms> main, const ViewUniforms& sun) {
     auto* bytes = static_cast<char*>(uniforms_.mapped());
-    std::memcpy(bytes, &main, sizeof main);
-    std::memcpy(bytes + view_stride_, &sun, sizeof sun);
+    std::memcpy(bytes, main.data(), main.size_bytes());
+    std::memcpy(bytes + view_stride_, &main.back(), sizeof main.back());
+    std::memcpy(bytes + 2 * view_stride_, &sun, sizeof sun);
 }
 
 VkBuffer FrameSlot::set_instances(const std::vector<uint32_t>& instances) {

@@ -18,7 +18,14 @@ constexpr uint32_t frames_in_flight = 2;
 struct FrameSubmission {
     uint32_t slot = 0;
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    VkImage picture = VK_NULL_HANDLE;     // ready to be copied from
+    // Ready to be copied from: one, or an eye each, side by side.
+    struct Picture {
+        VkImage image = VK_NULL_HANDLE;
+        uint32_t layer = 0;
+    };
+    Picture pictures[2];
+    uint32_t picture_count = 0;
+    VkExtent2D size{};                    // of each
     VkSemaphore wait = VK_NULL_HANDLE;    // before transfers
     VkSemaphore signal = VK_NULL_HANDLE;  // when all is done
 };
@@ -43,6 +50,8 @@ struct UiBuffers {
 };
 
 class FrameSlot {
+    static constexpr uint32_t view_sets = 3;
+
 public:
     FrameSlot(DeviceMemory& memory, const Pipelines& pipelines, VkDescriptorSetLayout joints_layout,
               const ShadowMap& shadow_map);
@@ -61,9 +70,10 @@ public:
     // Milliseconds between two moments of the slot's last frame; -1 if not known.
     double elapsed_ms(Moment from, Moment to) const;
 
-    void set_views(const ViewUniforms& main, const ViewUniforms& sun);
-    VkDescriptorSet main_view() const { return views_[0]; }
-    VkDescriptorSet sun_view() const { return views_[1]; }
+    void set_views(std::span<const ViewUniforms> main, const ViewUniforms& sun);  // main: one or two
+    VkDescriptorSet main_view() const { return views_[0]; }                       // both, for multiview
+    VkDescriptorSet second_view() const { return views_[1]; }
+    VkDescriptorSet sun_view() const { return views_[2]; }
     // A buffer that holds these until the slot's next frame.
     VkBuffer set_instances(const std::vector<uint32_t>& instances);
     // The same as a descriptor set; null for none.
@@ -86,10 +96,10 @@ private:
     bool submitted_ = false;  // else the fence may never be signalled
     VkQueryPool queries_ = VK_NULL_HANDLE;
     VkDescriptorPool descriptors_ = VK_NULL_HANDLE;
-    VkDescriptorSet views_[2] = {};
+    VkDescriptorSet views_[view_sets] = {};
     VkDescriptorPool joints_pool_ = VK_NULL_HANDLE;
     VkDescriptorSet joints_set_ = VK_NULL_HANDLE;
-    VkDeviceSize view_stride_ = 0;
+    VkDeviceSize view_stride_ = 0;  // of two views
     Buffer times_;
     Buffer uniforms_;
     Buffer instances_;

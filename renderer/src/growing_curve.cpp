@@ -104,14 +104,17 @@ void GrowingCurve::make_chunks(uint32_t from) {
     data_.box = chunks ? boxes_.back() : Box();
 }
 
-GrowingCurve::Changes GrowingCurve::take_changes() {
+GrowingCurve::Changes GrowingCurve::changes() const {
     const auto points = static_cast<uint32_t>(data_.centers.size());
     const auto chunks = static_cast<uint32_t>(data_.chunks.size());
     const uint32_t first_point = std::min(first_changed_point_, points);
     const uint32_t first_chunk = std::min(first_changed_chunk_, chunks);
-    first_changed_point_ = points;
-    first_changed_chunk_ = chunks;
     return {first_point, points - first_point, first_chunk, chunks - first_chunk};
+}
+
+void GrowingCurve::changes_uploaded() {
+    first_changed_point_ = static_cast<uint32_t>(data_.centers.size());
+    first_changed_chunk_ = static_cast<uint32_t>(data_.chunks.size());
 }
 
 }  // namespace flg::render

@@ -23,12 +23,13 @@ public:
     // Throws Error if there are fewer.
     void truncate(uint32_t points);
 
-    // Of the device's copies of centers and looks, and of chunks, what has changed since this was last asked.
+    // Of the device's copies of centers and looks, and of chunks, what has changed since they were last uploaded.
     struct Changes {
         uint32_t first_point, point_count;
         uint32_t first_chunk, chunk_count;
     };
-    Changes take_changes();
+    Changes changes() const;
+    void changes_uploaded();
 
 private:
     void check_points(const CurveColumns& columns, uint32_t count) const;

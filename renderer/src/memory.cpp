@@ -253,7 +253,7 @@ DeviceImage::DeviceImage(DeviceMemory& memory, const ImageDesc& desc) {
     info.format = desc.format;
     info.extent = {desc.width, desc.height, 1};
     info.mipLevels = 1;
-    info.arrayLayers = 1;
+    info.arrayLayers = desc.layers;
     info.samples = desc.samples;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = desc.usage;
@@ -267,9 +267,9 @@ DeviceImage::DeviceImage(DeviceMemory& memory, const ImageDesc& desc) {
         check(vkBindImageMemory(device, image_, allocation_.block->memory(), allocation_.offset), "bind memory");
         VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
         view_info.image = image_;
-        view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+        view_info.viewType = desc.layers == 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
         view_info.format = desc.format;
-        view_info.subresourceRange = {desc.aspect, 0, 1, 0, 1};
+        view_info.subresourceRange = {desc.aspect, 0, 1, 0, desc.layers};
         check(vkCreateImageView(device, &view_info, nullptr, &view_), "make an image view");
     } catch (...) {
         vkDestroyImage(device, image_, nullptr);

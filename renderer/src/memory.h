@@ -88,9 +88,10 @@ struct ImageDesc {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
     VkImageCreateFlags flags = 0;
     MemoryUse use = MemoryUse::targets;
+    uint32_t layers = 1;
 };
 
-// A 2D image with one view of all of it.
+// A 2D image, or an array of some, with one view of all of it.
 class DeviceImage {
 public:
     DeviceImage() = default;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "device.h"
+#include "eyes.h"
 
 namespace flg::render {
 
@@ -22,7 +23,8 @@ constexpr uint32_t curve_buffers = 4;  // of set 1: centers, looks, chunks, disp
 
 class Pipelines {
 public:
-    Pipelines(const Device& device, VkRenderPass main_pass, VkSampleCountFlagBits samples, VkRenderPass shadow_pass);
+    // Those for one eye; those for both when they are first needed.
+    Pipelines(const Device& device, const RenderPasses& passes);
     ~Pipelines();
     Pipelines(const Pipelines&) = delete;
     Pipelines& operator=(const Pipelines&) = delete;
@@ -31,22 +33,32 @@ public:
     VkDescriptorSetLayout curves_layout() const { return curves_layout_; }  // set 1
     VkPipelineLayout layout() const { return layout_; }
 
+    // Before anything is drawn for both eyes.
+    void need_stereo();
+
     // `displaced`: of points moved by a magnitude offset.
-    VkPipeline curve(const CurveLook& look, bool displaced) const;
+    VkPipeline curve(const CurveLook& look, bool displaced, Eyes eyes) const;
     VkPipeline curve_shadow(Shape shape, bool displaced) const { return shadow_[displaced][static_cast<int>(shape)]; }
-    VkPipeline backdrop() const { return backdrop_; }
+    VkPipeline backdrop(Eyes eyes) const { return main_[static_cast<int>(eyes)].backdrop; }
 
 private:
+    // Of a main pass.
+    struct Main {
+        VkPipeline curve[2][3] = {};     // displaced or not, by shape; both sides
+        VkPipeline closed_tube[2] = {};  // whose inside is never seen
+        VkPipeline backdrop = VK_NULL_HANDLE;
+    };
+    void make_main(Eyes eyes);
+    void make_shadow();
     void destroy();
 
     VkDevice device_;
+    RenderPasses passes_;
     VkDescriptorSetLayout view_layout_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout curves_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkPipeline curve_[2][3] = {};     // displaced or not, by shape; both sides
-    VkPipeline closed_tube_[2] = {};  // whose inside is never seen
-    VkPipeline shadow_[2][2] = {};    // lines cast none
-    VkPipeline backdrop_ = VK_NULL_HANDLE;
+    Main main_[2];                  // by Eyes
+    VkPipeline shadow_[2][2] = {};  // lines cast none
 };
 
 }  // namespace flg::render

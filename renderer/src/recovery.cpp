@@ -16,8 +16,9 @@ void Renderer::recover() {
     std::vector<std::unique_ptr<TargetImage>> images;
     for (const State::Entry& entry : old.targets) {
         const TargetImage& image = **entry.image;
+        if (image.eyes() == Eyes::both) fresh->need_stereo();
         images.push_back(std::make_unique<TargetImage>(fresh->memory, fresh->passes(), fresh->samples, image.width(),
-                                                       image.height()));
+                                                       image.height(), image.eyes()));
     }
     // Nothing fails from here on.
     vkDeviceWaitIdle(old.device.handle());

@@ -42,6 +42,10 @@ VkRect2D picture_area(glm::ivec4 viewport, const TargetImage& image) {
     return {{from.x, from.y}, {size.x, size.y}};
 }
 
+void bind_view(VkCommandBuffer commands, const Pipelines& pipelines, VkDescriptorSet set) {
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
+}
+
 }  // namespace
 
 Renderer::State::State(const Options& wanted, std::shared_ptr<MessageLog> message_log)
@@ -52,15 +56,18 @@ Renderer::State::State(const Options& wanted, std::shared_ptr<MessageLog> messag
       ring(memory),
       shadow_map(memory, options.shadow_size),
       samples(device.supported_samples(options.samples)),
-      main_pass{device.handle(), make_main_pass(device.handle(), samples)},
-      pipelines(device, main_pass.handle, samples, shadow_map.pass()),
-      surface_pipelines(device, main_pass.handle, samples, shadow_map.pass(), pipelines.view_layout()),
+      main_pass{device.handle(), make_main_pass(device.handle(), samples, Eyes::one)},
+      stereo_pass{device.handle(), make_main_pass(device.handle(), samples, Eyes::both)},
+      pipelines(device, render_passes()),
+      surface_pipelines(device, render_passes(), pipelines.view_layout()),
       texture_sampler(device),
       ui_pass(device, texture_sampler.layout()),
       patterns(ring),
       curves(ring),
       surfaces(ring),
       textures(memory, ring, texture_sampler) {
+    if (options.stereo == StereoPasses::automatic)
+        options.stereo = device.loses_views() ? StereoPasses::two : StereoPasses::one;
     for (auto& slot : slots)
         slot = std::make_unique<FrameSlot>(memory, pipelines, surface_pipelines.joints_layout(), shadow_map);
     memory.reclaim = [this] { reclaim(); };
@@ -269,60 +276,78 @@ const std::vector<std::string>& Renderer::messages() const {
 }
 
 void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& options) {
-    State& s = *state_;
     if (&target.renderer_ != this) fail("The target belongs to another renderer.");
+    check_viewport(options.viewport, target);
+    check_ui(options.ui, state_->textures);
+    state_->draw({&target.image_, 1}, &target, {&camera, 1}, options);
+}
+
+void Renderer::draw(StereoTarget& target, const Camera (&eyes)[2], Target* mirror) {
+    if (&target.renderer_ != this) fail("The target belongs to another renderer.");
+    if (mirror && &mirror->renderer_ != this) fail("The mirror belongs to another renderer.");
+    state_->draw(target.images_, mirror, eyes, {});
+}
+
+void Renderer::State::draw(std::span<const std::unique_ptr<TargetImage>> images, Target* around,
+                           std::span<const Camera> cameras, const DrawOptions& draw_options) {
     const auto start = SteadyClock::now();
     // Before a window's image is taken, which would have to be given back.
-    check_viewport(options.viewport, target);
-    check_ui(options.ui, s.textures);
-    camera_view(camera, s.scene, s.bounds(), target.width(), target.height(), s.options.shadow_size);
-    const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
-    FrameSlot& slot = *s.slots[slot_index];
+    for (const Camera& camera : cameras)
+        camera_view(camera, scene, bounds(), images[0]->width(), images[0]->height(), options.shadow_size);
+    const auto slot_index = static_cast<uint32_t>((frame + 1) % frames_in_flight);
+    FrameSlot& slot = *slots[slot_index];
     slot.wait();
-    s.recycle();
-    if (!target.begin_frame(slot_index)) return;
+    recycle();
+    if (around && !around->begin_frame(slot_index)) return;  // a window may be of another size now
     const double wait_ms = milliseconds_since(start);
-    s.read_times(slot);
+    read_times(slot);
 
     FrameSubmission submission;
     submission.slot = slot_index;
-    submission.picture = target.image_->color();
+    submission.size = {images[0]->width(), images[0]->height()};
+    for (const auto& image : images)
+        for (uint32_t layer = 0; layer < layers_of(image->eyes()); ++layer)
+            submission.pictures[submission.picture_count++] = {image->color(), layer};
     SteadyClock::time_point submit_start;
     try {
-        s.record_frame(slot, submission, *target.image_, camera, options);
-        target.end_frame(submission);
+        record_frame(slot, submission, images, cameras, draw_options);
+        if (around) around->end_frame(submission);
         slot.mark(Moment::end);
         submit_start = SteadyClock::now();
         slot.submit(submission);
     } catch (...) {
-        target.abandon_frame();
+        if (around) around->abandon_frame();
         throw;
     }
-    slot.frame = ++s.frame;
-    s.ring.submitted(s.frame);
-    s.shadow_is_current = true;
-    target.image_->drawn = true;
-    target.present(submission);
-    s.stats.submit_ms = milliseconds_since(submit_start);
-    s.stats.wait_ms = wait_ms;
-    s.stats.device_bytes = s.memory.report().held;
-    s.stats.cpu_ms = milliseconds_since(start) - wait_ms - s.stats.submit_ms;
+    slot.frame = ++frame;
+    ring.submitted(frame);
+    shadow_is_current = true;
+    for (const auto& image : images) image->drawn = true;
+    if (around) around->present(submission);
+    stats.submit_ms = milliseconds_since(submit_start);
+    stats.wait_ms = wait_ms;
+    stats.device_bytes = memory.report().held;
+    stats.cpu_ms = milliseconds_since(start) - wait_ms - stats.submit_ms;
 }
 
-void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image,
-                                   const Camera& camera, const DrawOptions& draw_options) {
+void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
+                                   std::span<const std::unique_ptr<TargetImage>> images,
+                                   std::span<const Camera> cameras, const DrawOptions& draw_options) {
     const Box box = bounds();
     const uint32_t shadow_size = options.shadow_size;
-    const VkRect2D area = picture_area(draw_options.viewport, image);
-    const ViewUniforms view = camera_view(camera, scene, box, area.extent.width, area.extent.height, shadow_size);
+    const VkRect2D area = picture_area(draw_options.viewport, *images[0]);
+    views.clear();
+    for (const Camera& camera : cameras)
+        views.push_back(camera_view(camera, scene, box, area.extent.width, area.extent.height, shadow_size));
     const ViewUniforms sun = sun_view(scene, box, shadow_size);
     const bool draw_shadow = !shadow_is_current;  // without shadows too: the map must be readable
     instances.clear();
     shadow_list.clear();
     main_list.clear();
-    if (draw_shadow && shadow_size) curves.select(sun, true, shadow_list, instances);
-    curves.select(view, false, main_list, instances);
-    slot.set_views(view, sun);
+    if (draw_shadow && shadow_size) curves.select({&sun, 1}, true, shadow_list, instances);
+    curves.select(views, false, main_list, instances);
+    slot.set_views(views, sun);
+    curves.upload_growth();
     const VkBuffer instance_buffer = slot.set_instances(instances);
     surfaces.gather_joints(joints);
     const VkDescriptorSet joints_set = slot.set_joints(joints);
@@ -333,27 +358,39 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
 
     const VkCommandBuffer commands = submission.commands = slot.begin();
     slot.mark(Moment::begin);
-    stats.draw_calls = static_cast<uint32_t>(main_list.bins.size() + shadow_list.bins.size()) + 1;
-    curves.upload_growth(ring);
+    stats.draw_calls = static_cast<uint32_t>(shadow_list.bins.size());
+    stats.triangles = 0;
     stats.uploaded_bytes = ring.record(commands);
     slot.mark(Moment::uploads_done);
-    const auto bind_view = [&](VkDescriptorSet set) {
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
-    };
     if (draw_shadow) {
         shadow_map.begin(commands);
         stats.draw_calls +=
             record_surface_shadows(commands, surface_pipelines, {slot.sun_view(), joints_set}, surfaces).calls;
-        bind_view(slot.sun_view());
-        record_curves(commands, pipelines, patterns, shadow_list, instance_buffer, nullptr);
+        bind_view(commands, pipelines, slot.sun_view());
+        record_curves(commands, pipelines, patterns, shadow_list, instance_buffer, {});
         shadow_map.end(commands);
     }
     slot.mark(Moment::shadow_done);
 
+    for (const auto& image : images) {
+        const bool is_first = image == images.front(), is_last = image == images.back();
+        record_picture(commands, *image, {is_first ? slot.main_view() : slot.second_view(), joints_set, image->eyes()},
+                       instance_buffer, area, is_last ? &slot : nullptr);
+    }
+    slot.mark(Moment::picture_done);
+
+    if (has_ui)
+        stats.draw_calls +=
+            ui_pass.record(commands, images[0]->ui_framebuffer(), submission.size, ui, ui_buffers, textures);
+    slot.mark(Moment::ui_done);
+}
+
+void Renderer::State::record_picture(VkCommandBuffer commands, const TargetImage& image, const SurfaceSets& sets,
+                                     VkBuffer instance_buffer, const VkRect2D& area, FrameSlot* marked) {
     const VkExtent2D extent{image.width(), image.height()};
     VkClearValue clear[2]{};  // colour is not cleared; depth 0 is infinitely far
     VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
-    info.renderPass = main_pass.handle;
+    info.renderPass = passes().main[static_cast<uint32_t>(image.eyes())];
     info.framebuffer = image.framebuffer();
     info.renderArea.extent = extent;
     info.clearValueCount = 2;
@@ -368,21 +405,16 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     const VkViewport viewport{corner.x, corner.y, size.x, size.y, 0, 1};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &area);
-    const SurfaceDraws surface_draws =
-        record_surfaces(commands, surface_pipelines, {slot.main_view(), joints_set}, surfaces);
-    slot.mark(Moment::surfaces_done);
-    bind_view(slot.main_view());
-    stats.triangles = record_curves(commands, pipelines, patterns, main_list, instance_buffer, &viewport);
+    const SurfaceDraws surface_draws = record_surfaces(commands, surface_pipelines, sets, surfaces);
+    if (marked) marked->mark(Moment::surfaces_done);
+    bind_view(commands, pipelines, sets.view);
     stats.triangles += surface_draws.triangles;
-    stats.draw_calls += surface_draws.calls;
-    slot.mark(Moment::curves_done);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop());
+    stats.triangles += record_curves(commands, pipelines, patterns, main_list, instance_buffer, {&viewport, sets.eyes});
+    stats.draw_calls += surface_draws.calls + static_cast<uint32_t>(main_list.bins.size()) + 1;
+    if (marked) marked->mark(Moment::curves_done);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop(sets.eyes));
     vkCmdDraw(commands, 3, 1, 0, 0);
     vkCmdEndRenderPass(commands);
-    slot.mark(Moment::picture_done);
-
-    if (has_ui) stats.draw_calls += ui_pass.record(commands, image.ui_framebuffer(), extent, ui, ui_buffers, textures);
-    slot.mark(Moment::ui_done);
 }
 
 void Renderer::wait_idle() {

@@ -36,9 +36,22 @@ struct Renderer::State {
     void reclaim();
     // Takes the times of a slot's frame, which must be finished, into `stats`.
     void read_times(const FrameSlot& slot);
-    void record_frame(FrameSlot& slot, FrameSubmission& submission, const TargetImage& image, const Camera& camera,
+    // Draws a frame and submits it: as many cameras as the images have layers together. `around`: what a target adds to it.
+    void draw(std::span<const std::unique_ptr<TargetImage>> images, Target* around, std::span<const Camera> cameras,
+              const DrawOptions& draw_options);
+    void record_frame(FrameSlot& slot, FrameSubmission& submission,
+                      std::span<const std::unique_ptr<TargetImage>> images, std::span<const Camera> cameras,
                       const DrawOptions& draw_options);
-    TargetPasses passes() const { return {main_pass.handle, ui_pass.handle()}; }
+    // The picture in an image, of what record_frame has chosen. Moments in between are marked if `marked` is not null.
+    void record_picture(VkCommandBuffer commands, const TargetImage& image, const SurfaceSets& sets,
+                        VkBuffer instance_buffer, const VkRect2D& area, FrameSlot* marked);
+    Image capture(const TargetImage& image, uint32_t layer);
+    void need_stereo() {
+        pipelines.need_stereo();
+        surface_pipelines.need_stereo();
+    }
+    RenderPasses render_passes() const { return {{main_pass.handle, stereo_pass.handle}, samples, shadow_map.pass()}; }
+    TargetPasses passes() const { return {{main_pass.handle, stereo_pass.handle}, ui_pass.handle()}; }
 
     // What draws into an image of its own, on this device.
     struct Entry {
@@ -53,7 +66,7 @@ struct Renderer::State {
     UploadRing ring;
     ShadowMap shadow_map;
     VkSampleCountFlagBits samples;
-    OwnedPass main_pass;
+    OwnedPass main_pass, stereo_pass;
     Pipelines pipelines;
     SurfacePipelines surface_pipelines;
     TextureSampler texture_sampler;
@@ -70,6 +83,7 @@ struct Renderer::State {
     uint64_t frame = 0;  // the last submitted
     bool shadow_is_current = false;
     DrawList main_list, shadow_list;  // scratch of record_frame
+    std::vector<ViewUniforms> views;
     std::vector<uint32_t> instances;
     std::vector<float> joints;
 };

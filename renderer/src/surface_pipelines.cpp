@@ -5,12 +5,17 @@
 #include <vector>
 
 #include "shaders/border_frag.h"
+#include "shaders/border_frag_stereo.h"
 #include "shaders/border_vert.h"
+#include "shaders/border_vert_stereo.h"
 #include "shaders/skinned_surface_shadow_vert.h"
 #include "shaders/skinned_surface_vert.h"
+#include "shaders/skinned_surface_vert_stereo.h"
 #include "shaders/surface_frag.h"
+#include "shaders/surface_frag_stereo.h"
 #include "shaders/surface_shadow_vert.h"
 #include "shaders/surface_vert.h"
+#include "shaders/surface_vert_stereo.h"
 #include "skin_data.h"
 #include "surface_data.h"
 
@@ -40,72 +45,91 @@ constexpr VkVertexInputAttributeDescription skin_attributes[] = {
 
 }  // namespace
 
-SurfacePipelines::SurfacePipelines(const Device& device, VkRenderPass main_pass, VkSampleCountFlagBits samples,
-                                   VkRenderPass shadow_pass, VkDescriptorSetLayout view_layout)
-    : device_(device.handle()) {
+SurfacePipelines::SurfacePipelines(const Device& device, const RenderPasses& passes, VkDescriptorSetLayout view_layout)
+    : device_(device.handle()), passes_(passes) {
     try {
-        layout_ = make_pipeline_layout(device_, {&view_layout, 1}, sizeof(SurfacePush));
-        const ShaderModule surface_vertex(device_, surface_vert_spv), surface_fragment(device_, surface_frag_spv);
-        const ShaderModule border_vertex(device_, border_vert_spv), border_fragment(device_, border_frag_spv);
-        const ShaderModule shadow_vertex(device_, surface_shadow_vert_spv);
-        PipelineDesc surface;
-        surface.layout = layout_;
-        surface.pass = main_pass;
-        surface.samples = samples;
-        surface.vertex = surface_vertex.handle();
-        surface.fragment = surface_fragment.handle();
-        surface.bindings = vertex_bindings;
-        surface.attributes = vertex_attributes;
-        surface_ = make_pipeline(device_, surface);
-
-        PipelineDesc border = surface;
-        border.vertex = border_vertex.handle();
-        border.fragment = border_fragment.handle();
-        border.bindings = edge_binding;
-        border.attributes = edge_attributes;
-        border_ = make_pipeline(device_, border);
-
-        PipelineDesc shadow;
-        shadow.layout = layout_;
-        shadow.pass = shadow_pass;
-        shadow.vertex = shadow_vertex.handle();
-        shadow.bindings = {vertex_bindings, 1};
-        shadow.attributes = {vertex_attributes, 1};
-        shadow.depth_test = VK_COMPARE_OP_LESS;
-        shadow.biased = true;
-        shadow_ = make_pipeline(device_, shadow);
-        make_skinned(surface, shadow, view_layout);
+        make_layouts(view_layout);
+        make_main(Eyes::one);
+        make_shadows();
     } catch (...) {
         destroy();
         throw;
     }
 }
 
-void SurfacePipelines::make_skinned(const PipelineDesc& surface, const PipelineDesc& shadow,
-                                    VkDescriptorSetLayout view_layout) {
+void SurfacePipelines::make_layouts(VkDescriptorSetLayout view_layout) {
+    layout_ = make_pipeline_layout(device_, {&view_layout, 1}, sizeof(SurfacePush));
     const VkDescriptorSetLayoutBinding joints{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT,
                                               nullptr};
     joints_layout_ = make_set_layout(device_, {&joints, 1});
     const VkDescriptorSetLayout sets[] = {view_layout, joints_layout_};
     skinned_layout_ = make_pipeline_layout(device_, sets, sizeof(SkinnedPush));
-    const ShaderModule vertex(device_, skinned_surface_vert_spv);
-    const ShaderModule shadow_vertex(device_, skinned_surface_shadow_vert_spv);
-    const auto with_skin = [&](PipelineDesc desc, const ShaderModule& shader, VkPipeline(&pipelines)[2]) {
-        std::vector<VkVertexInputBindingDescription> bindings(desc.bindings.begin(), desc.bindings.end());
-        std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
-        bindings.push_back(skin_binding);
-        attributes.insert(attributes.end(), std::begin(skin_attributes), std::end(skin_attributes));
-        desc.layout = skinned_layout_;
-        desc.vertex = shader.handle();
-        desc.bindings = bindings;
-        desc.attributes = attributes;
-        for (uint32_t skinning = 0; skinning < 2; ++skinning) {
-            desc.constants = {&skinning, 1};
-            pipelines[skinning] = make_pipeline(device_, desc);
-        }
+}
+
+void SurfacePipelines::need_stereo() {
+    if (!of(Eyes::both).surface) make_main(Eyes::both);
+}
+
+void SurfacePipelines::make_main(Eyes eyes) {
+    const auto shader = [&](std::span<const uint32_t> one, std::span<const uint32_t> both) {
+        return ShaderModule(device_, eyes == Eyes::both ? both : one);
     };
-    with_skin(surface, vertex, skinned_);
-    with_skin(shadow, shadow_vertex, skinned_shadow_);
+    const ShaderModule surface_vertex = shader(surface_vert_spv, surface_vert_stereo_spv);
+    const ShaderModule surface_fragment = shader(surface_frag_spv, surface_frag_stereo_spv);
+    const ShaderModule border_vertex = shader(border_vert_spv, border_vert_stereo_spv);
+    const ShaderModule border_fragment = shader(border_frag_spv, border_frag_stereo_spv);
+    const ShaderModule skinned_vertex = shader(skinned_surface_vert_spv, skinned_surface_vert_stereo_spv);
+    Main& made = main_[static_cast<int>(eyes)];
+    PipelineDesc surface;
+    surface.layout = layout_;
+    surface.pass = passes_.main[static_cast<int>(eyes)];
+    surface.samples = passes_.samples;
+    surface.vertex = surface_vertex.handle();
+    surface.fragment = surface_fragment.handle();
+    surface.bindings = vertex_bindings;
+    surface.attributes = vertex_attributes;
+
+    PipelineDesc border = surface;
+    border.vertex = border_vertex.handle();
+    border.fragment = border_fragment.handle();
+    border.bindings = edge_binding;
+    border.attributes = edge_attributes;
+    made.border = make_pipeline(device_, border);
+
+    PipelineDesc skinned = surface;
+    skinned.vertex = skinned_vertex.handle();
+    make_skinned(skinned, made.skinned);
+    made.surface = make_pipeline(device_, surface);
+}
+
+void SurfacePipelines::make_shadows() {
+    const ShaderModule vertex(device_, surface_shadow_vert_spv),
+        skinned_vertex(device_, skinned_surface_shadow_vert_spv);
+    PipelineDesc shadow;
+    shadow.layout = layout_;
+    shadow.pass = passes_.shadow;
+    shadow.vertex = vertex.handle();
+    shadow.bindings = {vertex_bindings, 1};
+    shadow.attributes = {vertex_attributes, 1};
+    shadow.depth_test = VK_COMPARE_OP_LESS;
+    shadow.biased = true;
+    shadow_ = make_pipeline(device_, shadow);
+    shadow.vertex = skinned_vertex.handle();
+    make_skinned(shadow, skinned_shadow_);
+}
+
+void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipeline (&out_pipelines)[2]) const {
+    std::vector<VkVertexInputBindingDescription> bindings(desc.bindings.begin(), desc.bindings.end());
+    std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
+    bindings.push_back(skin_binding);
+    attributes.insert(attributes.end(), std::begin(skin_attributes), std::end(skin_attributes));
+    desc.layout = skinned_layout_;
+    desc.bindings = bindings;
+    desc.attributes = attributes;
+    for (uint32_t skinning = 0; skinning < 2; ++skinning) {
+        desc.constants = {&skinning, 1};
+        out_pipelines[skinning] = make_pipeline(device_, desc);
+    }
 }
 
 SurfacePipelines::~SurfacePipelines() {
@@ -113,11 +137,11 @@ SurfacePipelines::~SurfacePipelines() {
 }
 
 void SurfacePipelines::destroy() {
-    for (VkPipeline pipeline : {surface_, shadow_, border_}) vkDestroyPipeline(device_, pipeline, nullptr);
-    for (int i = 0; i < 2; ++i) {
-        vkDestroyPipeline(device_, skinned_[i], nullptr);
-        vkDestroyPipeline(device_, skinned_shadow_[i], nullptr);
-    }
+    for (const Main& main : main_)
+        for (VkPipeline pipeline : {main.surface, main.border, main.skinned[0], main.skinned[1]})
+            vkDestroyPipeline(device_, pipeline, nullptr);
+    for (VkPipeline pipeline : {shadow_, skinned_shadow_[0], skinned_shadow_[1]})
+        vkDestroyPipeline(device_, pipeline, nullptr);
     vkDestroyPipelineLayout(device_, skinned_layout_, nullptr);
     vkDestroyDescriptorSetLayout(device_, joints_layout_, nullptr);
     vkDestroyPipelineLayout(device_, layout_, nullptr);

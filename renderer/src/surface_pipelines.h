@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "device.h"
+#include "eyes.h"
 #include "filigree/filigree_model.h"
 #include "pipeline_build.h"
 
@@ -33,35 +34,48 @@ constexpr uint32_t border_vertices = 12;  // of a line: four triangles, mirrors 
 
 class SurfacePipelines {
 public:
-    SurfacePipelines(const Device& device, VkRenderPass main_pass, VkSampleCountFlagBits samples,
-                     VkRenderPass shadow_pass, VkDescriptorSetLayout view_layout);
+    // Those for one eye; those for both when they are first needed.
+    SurfacePipelines(const Device& device, const RenderPasses& passes, VkDescriptorSetLayout view_layout);
     ~SurfacePipelines();
     SurfacePipelines(const SurfacePipelines&) = delete;
     SurfacePipelines& operator=(const SurfacePipelines&) = delete;
 
-    VkPipelineLayout layout() const { return layout_; }  // set 0: the view
-    VkPipeline surface() const { return surface_; }      // vertex buffers: positions, SurfaceVertex
-    VkPipeline shadow() const { return shadow_; }        // positions
-    VkPipeline border() const { return border_; }        // an instance each: BorderEdge
+    // Before anything is drawn for both eyes.
+    void need_stereo();
+
+    VkPipelineLayout layout() const { return layout_; }               // set 0: the view
+    VkPipeline surface(Eyes eyes) const { return of(eyes).surface; }  // vertex buffers: positions, SurfaceVertex
+    VkPipeline shadow() const { return shadow_; }                     // positions
+    VkPipeline border(Eyes eyes) const { return of(eyes).border; }    // an instance each: BorderEdge
 
     // Of surfaces that follow joints: set 1 is their buffer; a third vertex buffer: SkinVertex.
     VkDescriptorSetLayout joints_layout() const { return joints_layout_; }
     VkPipelineLayout skinned_layout() const { return skinned_layout_; }
-    VkPipeline skinned(FlgSkinning skinning) const { return skinned_[skinning]; }
+    VkPipeline skinned(FlgSkinning skinning, Eyes eyes) const { return of(eyes).skinned[skinning]; }
     VkPipeline skinned_shadow(FlgSkinning skinning) const { return skinned_shadow_[skinning]; }
 
 private:
-    void make_skinned(const PipelineDesc& surface, const PipelineDesc& shadow, VkDescriptorSetLayout view_layout);
+    // Of a main pass.
+    struct Main {
+        VkPipeline surface = VK_NULL_HANDLE;
+        VkPipeline border = VK_NULL_HANDLE;
+        VkPipeline skinned[2] = {};  // by FlgSkinning
+    };
+    const Main& of(Eyes eyes) const { return main_[static_cast<int>(eyes)]; }
+    void make_layouts(VkDescriptorSetLayout view_layout);
+    void make_main(Eyes eyes);
+    void make_shadows();
+    void make_skinned(PipelineDesc desc, VkPipeline (&out_pipelines)[2]) const;
     void destroy();
 
     VkDevice device_;
+    RenderPasses passes_;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkPipeline surface_ = VK_NULL_HANDLE;
+    Main main_[2];  // by Eyes
     VkPipeline shadow_ = VK_NULL_HANDLE;
-    VkPipeline border_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout joints_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout skinned_layout_ = VK_NULL_HANDLE;
-    VkPipeline skinned_[2] = {}, skinned_shadow_[2] = {};  // by FlgSkinning
+    VkPipeline skinned_shadow_[2] = {};  // by FlgSkinning
 };
 
 }  // namespace flg::render

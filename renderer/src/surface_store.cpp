@@ -122,12 +122,12 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
     for (const auto& [id, surface] : store.items()) {
         if (!surface->visible || surface->skin) continue;
         vkCmdPushConstants(commands, pipelines.layout(), both_stages, 0, sizeof surface->push, &surface->push);
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.surface());
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.surface(sets.eyes));
         bind_vertices(commands, 0, surface->positions);
         bind_vertices(commands, 1, surface->vertices);
         draw_triangles(commands, *surface, draws);
         if (surface->border_count == 0) continue;
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.border());
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.border(sets.eyes));
         bind_vertices(commands, 0, surface->borders);
         vkCmdDraw(commands, border_vertices, surface->border_count, 0, 0);
         draws.triangles += uint64_t{border_vertices / 3} * surface->border_count;
@@ -136,7 +136,8 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
     if (!bind_skins(commands, pipelines, sets)) return draws;
     for (const auto& [id, surface] : store.items()) {
         if (!surface->visible || !surface->skin) continue;
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned(surface->skin->skinning));
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                          pipelines.skinned(surface->skin->skinning, sets.eyes));
         push_skin(commands, pipelines, *surface);
         bind_vertices(commands, 0, surface->positions);
         bind_vertices(commands, 1, surface->vertices);

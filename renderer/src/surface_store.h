@@ -59,6 +59,7 @@ struct SurfaceDraws {
 struct SurfaceSets {
     VkDescriptorSet view;
     VkDescriptorSet joints;  // null without skins
+    Eyes eyes = Eyes::one;
 };
 
 // Record all of them into a render pass.

@@ -33,6 +33,10 @@ Swapchain::Fitness fitness_of(VkResult result) {
     return Swapchain::Fitness::good;
 }
 
+VkOffset3D corner(uint32_t x, uint32_t y, uint32_t z) {
+    return {static_cast<int32_t>(x), static_cast<int32_t>(y), static_cast<int32_t>(z)};
+}
+
 }  // namespace
 
 Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface) : device_(device), surface_(surface) {
@@ -143,12 +147,18 @@ void Swapchain::record_copy(FrameSubmission& submission) {
     const VkImage image = images_[current_];
     change_layout(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 0,
                   VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT);
-    VkImageBlit region{};
-    region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.srcOffsets[1] =
-        region.dstOffsets[1] = {static_cast<int32_t>(extent_.width), static_cast<int32_t>(extent_.height), 1};
-    vkCmdBlitImage(commands, submission.picture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, VK_FILTER_NEAREST);
+    const uint32_t count = submission.picture_count;
+    for (uint32_t i = 0; i < count; ++i) {
+        VkImageBlit region{};
+        region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, submission.pictures[i].layer, 1};
+        region.srcOffsets[1] = corner(submission.size.width, submission.size.height, 1);
+        region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.dstOffsets[0] = corner(extent_.width * i / count, 0, 0);
+        region.dstOffsets[1] = corner(extent_.width * (i + 1) / count, extent_.height, 1);
+        vkCmdBlitImage(commands, submission.pictures[i].image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image,
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region,
+                       count > 1 ? VK_FILTER_LINEAR : VK_FILTER_NEAREST);
+    }
     change_layout(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR,
                   VK_ACCESS_TRANSFER_WRITE_BIT, 0, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
     submission.wait = acquired_[slot_];

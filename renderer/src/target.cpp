@@ -39,31 +39,65 @@ void Target::present(FrameSubmission&) {}
 void Target::abandon_frame() noexcept {}
 void Target::leave_device() noexcept {}
 
+StereoTarget::StereoTarget(Renderer& renderer, uint32_t width, uint32_t height) : renderer_(renderer) {
+    auto& s = *renderer.state_;
+    const bool one_pass = s.options.stereo == StereoPasses::one;
+    if (one_pass) s.need_stereo();
+    for (int i = 0; i < (one_pass ? 1 : 2); ++i)
+        images_.push_back(std::make_unique<TargetImage>(s.memory, s.passes(), s.samples, width, height,
+                                                        one_pass ? Eyes::both : Eyes::one));
+    for (auto& image : images_) s.targets.push_back({&image, nullptr});
+}
+
+StereoTarget::~StereoTarget() {
+    auto& s = *renderer_.state_;
+    vkDeviceWaitIdle(s.device.handle());
+    for (const auto& image : images_)
+        std::erase_if(s.targets, [&](const auto& entry) { return entry.image == &image; });
+}
+
+uint32_t StereoTarget::width() const {
+    return images_[0]->width();
+}
+uint32_t StereoTarget::height() const {
+    return images_[0]->height();
+}
+
 Image Renderer::capture(Target& target) {
-    State& s = *state_;
     if (&target.renderer_ != this) fail("The target belongs to another renderer.");
+    return state_->capture(*target.image_, 0);
+}
+
+Image Renderer::capture(StereoTarget& target, uint32_t eye) {
+    if (&target.renderer_ != this) fail("The target belongs to another renderer.");
+    if (eye > 1) fail("The eye is %u; it must be 0 or 1.", eye);
+    const bool layered = target.images_.size() == 1;
+    return state_->capture(*target.images_[layered ? 0 : eye], layered ? eye : 0);
+}
+
+Image Renderer::State::capture(const TargetImage& target, uint32_t layer) {
     Image image{target.width(), target.height(), {}};
     image.pixels.resize(size_t{4} * image.width * image.height);
-    if (!target.image_->drawn) {
+    if (!target.drawn) {
         for (size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
         return image;
     }
-    const Buffer readback(s.memory, image.pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                          DeviceMemory::Place::readback, MemoryUse::staging);
+    const Buffer readback(memory, image.pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, DeviceMemory::Place::readback,
+                          MemoryUse::staging);
     // The slot of the next frame does the copy; its own last frame is the older of the two in flight.
-    const auto slot_index = static_cast<uint32_t>((s.frame + 1) % frames_in_flight);
-    FrameSlot& slot = *s.slots[slot_index];
+    const auto slot_index = static_cast<uint32_t>((frame + 1) % frames_in_flight);
+    FrameSlot& slot = *slots[slot_index];
     slot.wait();
-    s.read_times(slot);
-    s.recycle();
+    read_times(slot);
+    recycle();
     FrameSubmission submission;
     submission.slot = slot_index;
     submission.commands = slot.begin();
     VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
     region.imageExtent = {image.width, image.height, 1};
-    vkCmdCopyImageToBuffer(submission.commands, target.image_->color(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                           readback.handle(), 1, &region);
+    vkCmdCopyImageToBuffer(submission.commands, target.color(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback.handle(),
+                           1, &region);
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;

@@ -18,7 +18,7 @@ void check_size(const Device& device, uint32_t width, uint32_t height) {
 
 }  // namespace
 
-VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples) {
+VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples, Eyes eyes) {
     const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
     VkAttachmentDescription color{};
     color.format = color_format;
@@ -68,7 +68,12 @@ VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples) {
     dependencies[1].dstStageMask = VK_PIPELINE_STAGE_TRANSFER_BIT;
     dependencies[1].dstAccessMask = VK_ACCESS_TRANSFER_READ_BIT;
 
+    const uint32_t both_layers = 0b11;
+    VkRenderPassMultiviewCreateInfo views{VK_STRUCTURE_TYPE_RENDER_PASS_MULTIVIEW_CREATE_INFO};
+    views.subpassCount = views.correlationMaskCount = 1;
+    views.pViewMasks = views.pCorrelationMasks = &both_layers;
     VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO};
+    info.pNext = eyes == Eyes::both ? &views : nullptr;
     info.attachmentCount = multisampled ? 3 : 2;
     info.pAttachments = attachments;
     info.subpassCount = 1;
@@ -81,8 +86,8 @@ VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples) {
 }
 
 TargetImage::TargetImage(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples,
-                         uint32_t width, uint32_t height)
-    : device_(memory.device().handle()), width_(width), height_(height) {
+                         uint32_t width, uint32_t height, Eyes eyes)
+    : device_(memory.device().handle()), width_(width), height_(height), eyes_(eyes) {
     check_size(memory.device(), width, height);
     try {
         create(memory, passes, samples);
@@ -98,30 +103,33 @@ TargetImage::~TargetImage() {
 
 void TargetImage::create(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples) {
     const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
-    color_ = DeviceImage(memory, {width_, height_, color_format, VK_SAMPLE_COUNT_1_BIT,
-                                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                                  VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT});
+    const uint32_t layers = layers_of(eyes_);
+    color_ = DeviceImage(
+        memory, {width_, height_, color_format, VK_SAMPLE_COUNT_1_BIT,
+                 VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, VK_IMAGE_ASPECT_COLOR_BIT,
+                 VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT, MemoryUse::targets, layers});
     depth_ = DeviceImage(memory, {width_, height_, depth_format, samples, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                  VK_IMAGE_ASPECT_DEPTH_BIT});
+                                  VK_IMAGE_ASPECT_DEPTH_BIT, 0, MemoryUse::targets, layers});
     if (multisampled)
-        multisampled_ = DeviceImage(memory, {width_, height_, color_format, samples,
-                                             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_ASPECT_COLOR_BIT});
-    VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-    view_info.image = color_.handle();
-    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    view_info.format = encoded_color_format;
-    view_info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    check(vkCreateImageView(device_, &view_info, nullptr, &encoded_view_), "make an image view");
-
+        multisampled_ =
+            DeviceImage(memory, {width_, height_, color_format, samples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                 VK_IMAGE_ASPECT_COLOR_BIT, 0, MemoryUse::targets, layers});
     const VkImageView views[] = {multisampled ? multisampled_.view() : color_.view(), depth_.view(), color_.view()};
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
-    info.renderPass = passes.main;
+    info.renderPass = passes.main[static_cast<uint32_t>(eyes_)];
     info.attachmentCount = multisampled ? 3 : 2;
     info.pAttachments = views;
     info.width = width_;
     info.height = height_;
     info.layers = 1;
     check(vkCreateFramebuffer(device_, &info, nullptr, &framebuffer_), "make a framebuffer");
+    if (eyes_ == Eyes::both) return;
+    VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view_info.image = color_.handle();
+    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view_info.format = encoded_color_format;
+    view_info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    check(vkCreateImageView(device_, &view_info, nullptr, &encoded_view_), "make an image view");
     info.renderPass = passes.ui;
     info.attachmentCount = 1;
     info.pAttachments = &encoded_view_;

@@ -3,6 +3,7 @@
 // copied from.
 #pragma once
 
+#include "eyes.h"
 #include "memory.h"
 
 namespace flg::render {
@@ -11,19 +12,20 @@ constexpr VkFormat color_format = VK_FORMAT_R8G8B8A8_SRGB;
 constexpr VkFormat encoded_color_format = VK_FORMAT_R8G8B8A8_UNORM;  // the same bytes, taken as they are
 constexpr VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
 
-// The render pass of the main view; the caller destroys it.
-VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples);
+// The render pass of the main view; the caller destroys it. For both eyes images have two layers, and what is drawn goes to
+// both (multiview).
+VkRenderPass make_main_pass(VkDevice device, VkSampleCountFlagBits samples, Eyes eyes);
 
 // What a target is drawn by.
 struct TargetPasses {
-    VkRenderPass main;
+    VkRenderPass main[2];  // by Eyes
     VkRenderPass ui;
 };
 
 class TargetImage {
 public:
     TargetImage(DeviceMemory& memory, const TargetPasses& passes, VkSampleCountFlagBits samples, uint32_t width,
-                uint32_t height);
+                uint32_t height, Eyes eyes = Eyes::one);
     ~TargetImage();
     TargetImage(const TargetImage&) = delete;
     TargetImage& operator=(const TargetImage&) = delete;
@@ -31,8 +33,9 @@ public:
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
     VkFramebuffer framebuffer() const { return framebuffer_; }
-    VkFramebuffer ui_framebuffer() const { return ui_framebuffer_; }
+    VkFramebuffer ui_framebuffer() const { return ui_framebuffer_; }  // null for both eyes
     VkImage color() const { return color_.handle(); }
+    Eyes eyes() const { return eyes_; }
     bool drawn = false;
 
 private:
@@ -41,6 +44,7 @@ private:
 
     VkDevice device_;
     uint32_t width_, height_;
+    Eyes eyes_;
     DeviceImage color_, multisampled_, depth_;
     VkImageView encoded_view_ = VK_NULL_HANDLE;
     VkFramebuffer framebuffer_ = VK_NULL_HANDLE;

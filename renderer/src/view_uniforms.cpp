@@ -10,8 +10,10 @@
 namespace flg::render {
 namespace {
 
-constexpr float near_share = 0.002f;     // of the distance to the target; nearer things are cut away
-constexpr float shadow_margin = 1.02f;   // so that no caster touches the edge of the map
+constexpr float near_share = 0.002f;    // of the distance to the target; nearer things are cut away
+constexpr float shadow_margin = 1.02f;  // so that no caster touches the edge of the map
+constexpr float largest_angle_rad = 1.55f;
+constexpr float least_field_rad = 1e-3f;
 constexpr float least_radius_m = 1e-6f;  // of an empty scene
 
 bool finite(glm::vec3 v) {
@@ -49,6 +51,32 @@ SunMap sun_map(glm::vec3 to_sun, const Box& box, uint32_t size) {
     return map;
 }
 
+// What the picture shows at distance 1 from the eye: half its size, and its middle off the line of sight.
+struct Frustum {
+    float half_width, half_height;
+    float center_x, center_y;
+};
+
+Frustum frustum_of(const Camera& camera, uint32_t width, uint32_t height) {
+    if (!camera.field) {
+        if (!(camera.fov_y_rad > 0.0f && camera.fov_y_rad < 3.1f))
+            fail("The camera's fov_y_rad is %g; it must be in 0 to 3.1.", camera.fov_y_rad);
+        const float tan_y = std::tan(0.5f * camera.fov_y_rad);
+        return {tan_y * static_cast<float>(width) / static_cast<float>(height), tan_y, 0.0f, 0.0f};
+    }
+    const FieldOfView& field = *camera.field;
+    for (const float angle : {field.left, field.right, field.up, field.down})
+        if (!(std::abs(angle) <= largest_angle_rad))
+            fail("The camera's field has an angle of %g; each must be in -%g to %g.", angle, largest_angle_rad,
+                 largest_angle_rad);
+    if (!(field.right - field.left > least_field_rad && field.up - field.down > least_field_rad))
+        fail("The camera's field is %g to %g wide and %g to %g high; it must not be empty.", field.left, field.right,
+             field.down, field.up);
+    const float left = std::tan(field.left), right = std::tan(field.right);
+    const float down = std::tan(field.down), up = std::tan(field.up);
+    return {0.5f * (right - left), 0.5f * (up - down), 0.5f * (left + right), 0.5f * (down + up)};
+}
+
 }  // namespace
 
 ViewUniforms sun_view(const Scene& scene, const Box& box, uint32_t shadow_size) {
@@ -69,8 +97,6 @@ ViewUniforms camera_view(const Camera& camera, const Scene& scene, const Box& bo
     const float distance = glm::length(arm);
     if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up) || !(distance > 0.0f))
         fail("The camera's eye and target must be finite and apart.");
-    if (!(camera.fov_y_rad > 0.0f && camera.fov_y_rad < 3.1f))
-        fail("The camera's fov_y_rad is %g; it must be in 0 to 3.1.", camera.fov_y_rad);
     if (!(scene.exposure > 0.0f)) fail("The scene's exposure is %g; it must be greater than 0.", scene.exposure);
     const glm::vec3 forward = arm / distance;
     glm::vec3 right = glm::cross(forward, camera.up);
@@ -79,12 +105,15 @@ ViewUniforms camera_view(const Camera& camera, const Scene& scene, const Box& bo
     right = glm::normalize(right);
     const glm::vec3 up = glm::cross(right, forward);
 
-    const float tan_y = std::tan(0.5f * camera.fov_y_rad);
-    const float tan_x = tan_y * static_cast<float>(width) / static_cast<float>(height);
+    const Frustum frustum = frustum_of(camera, width, height);
+    const float tan_x = frustum.half_width, tan_y = frustum.half_height;
+    const glm::vec3 middle = forward + frustum.center_x * right + frustum.center_y * up;
+    const glm::vec3 across = right - frustum.center_x * forward, upwards = up - frustum.center_y * forward;
     // Reversed depth with the far plane at infinity: near -> 1, far -> 0. Vulkan's y points down.
-    const glm::vec4 rows[4] = {
-        glm::vec4(right, -glm::dot(right, camera.eye)) / tan_x, glm::vec4(-up, glm::dot(up, camera.eye)) / tan_y,
-        glm::vec4(0, 0, 0, near_share * distance), glm::vec4(forward, -glm::dot(forward, camera.eye))};
+    const glm::vec4 rows[4] = {glm::vec4(across, -glm::dot(across, camera.eye)) / tan_x,
+                               glm::vec4(-upwards, glm::dot(upwards, camera.eye)) / tan_y,
+                               glm::vec4(0, 0, 0, near_share * distance),
+                               glm::vec4(forward, -glm::dot(forward, camera.eye))};
     const glm::vec3 to_sun = unit_sun(scene);
     const SunMap map = sun_map(to_sun, box, shadow_size);
     ViewUniforms view;
@@ -93,7 +122,7 @@ ViewUniforms camera_view(const Camera& camera, const Scene& scene, const Box& bo
     view.eye = glm::vec4(camera.eye, 2.0f * tan_y / static_cast<float>(height));
     view.ray_right = glm::vec4(right * tan_x, box.empty() ? 0.0f : box.min.y);
     view.ray_up = glm::vec4(up * tan_y, scene.ground && !box.empty() ? 1.0f : 0.0f);
-    view.ray_forward = glm::vec4(forward, std::max(0.5f * box.diagonal(), least_radius_m));
+    view.ray_forward = glm::vec4(middle, std::max(0.5f * box.diagonal(), least_radius_m));
     view.sun_direction = glm::vec4(to_sun, map.texel_m);
     view.sun_color = glm::vec4(scene.sun_color, shadow_size ? 1.0f / static_cast<float>(shadow_size) : 0.0f);
     view.sky_color = glm::vec4(scene.sky_color, scene.exposure);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 namespace flg::render {
@@ -17,11 +18,19 @@ struct Box {
     void add(const Box& other);
 };
 
+// What an eye sees, as headsets say it: angles from the line of sight, radians, to the left and down negative, less than a
+// right angle each.
+struct FieldOfView {
+    float left, right, up, down;
+};
+
 struct Camera {
     glm::vec3 eye{0.0f, 0.0f, 1.0f};
     glm::vec3 target{0.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};  // not along the line of sight; corrected if it is
     float fov_y_rad = 0.6f;          // height of the view, in (0, pi)
+    // In place of it, and of the picture's aspect.
+    std::optional<FieldOfView> field{};
 };
 
 constexpr float default_fov_y_rad = 0.6f;  // about a 38 mm lens on film

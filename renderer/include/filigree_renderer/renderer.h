@@ -29,6 +29,13 @@
 
 namespace flg::render {
 
+// How both eyes of a StereoTarget are drawn.
+enum class StereoPasses {
+    automatic,  // by one pass, but on llvmpipe, which goes wrong there (renderer/README.md)
+    one,        // multiview
+    two         // an eye each
+};
+
 struct Options {
     // Part of the name of the Vulkan device to use. Empty: what the environment variable FLG_RENDERER_DEVICE names, else the
     // first discrete, integrated, virtual or CPU device, in this order.
@@ -42,6 +49,7 @@ struct Options {
     // The most memory the renderer may hold on the device, bytes; 0 = four fifths of the device's own. What would take it
     // beyond throws, and nothing changes. A window's own images, which are the system's, don't count.
     uint64_t memory_limit_bytes = 0;
+    StereoPasses stereo = StereoPasses::automatic;
 };
 
 enum class Shape {
@@ -167,6 +175,25 @@ protected:
     std::unique_ptr<TargetImage> image_;
 };
 
+// Two images of one size, an eye each.
+class StereoTarget {
+public:
+    // Sizes as of a Target. The first also makes the pipelines for two eyes.
+    StereoTarget(Renderer& renderer, uint32_t width, uint32_t height);
+    ~StereoTarget();
+    StereoTarget(const StereoTarget&) = delete;
+    StereoTarget& operator=(const StereoTarget&) = delete;
+
+    uint32_t width() const;
+    uint32_t height() const;
+    float aspect() const { return static_cast<float>(width()) / static_cast<float>(height()); }
+
+private:
+    friend class Renderer;
+    Renderer& renderer_;
+    std::vector<std::unique_ptr<TargetImage>> images_;  // one of two layers, or one an eye
+};
+
 class Renderer {
 public:
     explicit Renderer(const Options& options = {});
@@ -248,8 +275,14 @@ public:
     // buffers have grown to the largest frame. Throws for a viewport that is not on the target, for indices out of range
     // and for textures that are not there; a window that has shrunk since it was asked for its size cuts the viewport.
     void draw(Target& target, const Camera& camera, const DrawOptions& options = {});
+    // The same for two eyes, left and right, in one pass (multiview): what is drawn is chosen, uploaded and recorded once for
+    // both, there is one shadow map. Each picture is that of draw() with its eye's camera, but that curves have the detail
+    // that the nearer eye sees. `mirror`, a window say, shows both side by side, each stretched over a half; its own picture
+    // stays as it was. Options::stereo: two passes in one command buffer count their triangles and calls each.
+    void draw(StereoTarget& target, const Camera (&eyes)[2], Target* mirror = nullptr);
     // Waits for the target's last frame and copies it out; black before the first.
     Image capture(Target& target);
+    Image capture(StereoTarget& target, uint32_t eye);  // 0 or 1
     // Waits until all frames are drawn.
     void wait_idle();
 
@@ -272,6 +305,7 @@ public:
     const std::vector<std::string>& messages() const;
 
 private:
+    friend class StereoTarget;
     friend class Target;
     friend class Window;
     struct State;
