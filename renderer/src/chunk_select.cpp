@@ -2,8 +2,11 @@
 #include "chunk_select.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace flg::render {
 namespace {
@@ -12,14 +15,46 @@ constexpr float least_step_px = 2.0f;   // points nearer to each other than this
 constexpr float roundness_px = 0.15f;   // how far a tube's polygon may fall short of its circle
 constexpr float least_cap_px = 0.8f;    // caps of thinner tubes are left away
 constexpr uint32_t least_segments = 4;  // of a bin
-constexpr uint32_t part_shift = 40, columns_shift = 34, segments_shift = 42;
+constexpr uint32_t least_sides = 3, most_sides = 32;
+constexpr uint32_t most_stride_log2 = 6;
+
+// Buckets: by segments, part, columns, which make a bin, and stride.
+constexpr uint32_t stride_count = most_stride_log2 + 1, columns_count = most_sides + 1, part_count = 3;
+constexpr uint32_t segments_count = std::countr_zero(chunk_segments) + 1;
+constexpr uint32_t bucket_count = segments_count * part_count * columns_count * stride_count;
+
+uint32_t bin_of(uint32_t segments, Part part, uint32_t columns) {
+    const auto segments_log2 = static_cast<uint32_t>(std::countr_zero(segments));
+    return (segments_log2 * part_count + static_cast<uint32_t>(part)) * columns_count + columns;
+}
+
+DrawBin draw_bin(uint32_t bin, uint32_t first_instance) {
+    return {bin % columns_count, 1u << bin / (columns_count * part_count),
+            static_cast<Part>(bin / columns_count % part_count), first_instance, 0};
+}
+
+// Even numbers, for fewer bins: by half of them, the largest radius in pixels that they are enough for.
+std::array<float, most_sides / 2 + 1> largest_radii() {
+    std::array<float, most_sides / 2 + 1> radii{};
+    for (uint32_t half = 2; half < radii.size(); ++half)
+        radii[half] = roundness_px / (1.0f - std::cos(std::numbers::pi_v<float> / static_cast<float>(2 * half)));
+    return radii;
+}
 
 uint32_t sides_for(float radius_px, uint32_t most) {
-    if (radius_px <= 2.0f * roundness_px) return 3;
-    const float sides = 3.14159265f / std::acos(1.0f - roundness_px / radius_px);
-    // Even numbers: fewer bins.
-    const uint32_t even = 2 * static_cast<uint32_t>(std::ceil(0.5f * std::min(sides, 32.0f)));
-    return std::clamp(even, 3u, most);
+    static const auto radii = largest_radii();
+    if (radius_px <= 2.0f * roundness_px) return least_sides;
+    uint32_t half = 2;
+    while (2 * half < most && radii[half] < radius_px) ++half;
+    return std::min(2 * half, most);
+}
+
+// How many times the steps between points may be doubled.
+uint32_t stride_for(float step_m, float pixel_m) {
+    constexpr int exponent_bias = 127, mantissa_bits = 23;
+    const float steps = least_step_px * pixel_m / std::max(step_m, std::numeric_limits<float>::min());
+    const int doublings = static_cast<int>(std::bit_cast<uint32_t>(steps) >> mantissa_bits) - exponent_bias;
+    return static_cast<uint32_t>(std::clamp(doublings, 0, static_cast<int>(most_stride_log2)));
 }
 
 }  // namespace
@@ -43,22 +78,29 @@ bool ChunkSelector::View::sees(const ChunkBounds& bounds) const {
     return true;
 }
 
-float ChunkSelector::View::pixels_per_metre(const ChunkBounds& bounds) const {
-    if (!perspective) return 1.0f / pixel_m;
+float ChunkSelector::View::metres_per_pixel(const ChunkBounds& bounds) const {
+    if (!perspective) return pixel_m;
     const float distance = glm::distance(bounds.center, eye) - bounds.extent;
-    return 1.0f / (pixel_m * std::max(distance, 1e-3f * bounds.extent));
+    return pixel_m * std::max(distance, 1e-3f * bounds.extent);
 }
 
-float ChunkSelector::pixels_per_metre(const ChunkBounds& bounds) const {
-    float largest = 0.0f;
+float ChunkSelector::metres_per_pixel(const ChunkBounds& bounds) const {
+    float smallest = std::numeric_limits<float>::infinity();
     for (size_t v = 0; v < view_count_; ++v)
-        if (views_[v].sees(bounds)) largest = std::max(largest, views_[v].pixels_per_metre(bounds));
-    return largest;
+        if (views_[v].sees(bounds)) smallest = std::min(smallest, views_[v].metres_per_pixel(bounds));
+    return smallest;
+}
+
+void ChunkSelector::choose(uint32_t bucket, uint32_t instance) {
+    if (counts_[bucket]++ == 0) used_.push_back(bucket);
+    choices_.push_back({bucket, instance});
 }
 
 void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float magnitude_offset,
                            std::vector<uint32_t>& instances, std::vector<DrawBin>& bins) {
-    keyed_.clear();
+    counts_.resize(bucket_count);
+    choices_.clear();
+    used_.clear();
     const bool tube = look.shape == Shape::tube;
     for (uint32_t i = 0; i < curves.chunks.size(); ++i) {
         ChunkBounds bounds = curves.bounds[i];
@@ -66,35 +108,36 @@ void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float
             bounds.extent += std::abs(magnitude_offset) * curves.growths[i].extent;
             bounds.segment += std::abs(magnitude_offset) * curves.growths[i].segment;
         }
-        const float scale = pixels_per_metre(bounds);
-        if (scale == 0.0f) continue;
-        const float step_px = bounds.segment * scale;
-        uint32_t stride_log2 = 0;
-        while (stride_log2 < 6 && step_px * static_cast<float>(2u << stride_log2) <= least_step_px) ++stride_log2;
+        const float pixel_m = metres_per_pixel(bounds);
+        if (pixel_m == std::numeric_limits<float>::infinity()) continue;
+        const uint32_t stride_log2 = stride_for(bounds.segment, pixel_m);
         const uint32_t segments = (curves.chunks[i].segments() + (1u << stride_log2) - 1) >> stride_log2;
         const uint32_t drawn = std::max(std::bit_ceil(segments), least_segments);
-        const float radius_px = bounds.thickness * scale;
+        const float radius_px = tube ? bounds.thickness / pixel_m : 0.0f;
         const uint32_t columns = tube ? sides_for(radius_px, look.sides) : 2;
-        // Segments of a bin are a power of two; 7 bits hold 64. Order of the keys: bins, then chunks as they come.
-        const uint64_t instance = i | static_cast<uint64_t>(stride_log2) << instance_chunk_bits;
-        const uint64_t side_key = static_cast<uint64_t>(columns) << columns_shift;
-        keyed_.push_back(instance | side_key | static_cast<uint64_t>(drawn) << segments_shift);
+        const uint32_t instance = i | stride_log2 << instance_chunk_bits;
+        choose(bin_of(drawn, Part::body, columns) * stride_count + stride_log2, instance);
         if (!tube || look.caps == Caps::none || radius_px < least_cap_px) continue;
-        const uint64_t cap_key = instance | side_key | static_cast<uint64_t>(cap_rings) << segments_shift;
-        if (curves.chunks[i].segments_and_flags & Chunk::begins) keyed_.push_back(cap_key | 1ull << part_shift);
-        if (curves.chunks[i].segments_and_flags & Chunk::ends) keyed_.push_back(cap_key | 2ull << part_shift);
+        const uint32_t flags = curves.chunks[i].segments_and_flags;
+        for (const Part part : {Part::begin_cap, Part::end_cap})
+            if (flags & (part == Part::begin_cap ? Chunk::begins : Chunk::ends))
+                choose(bin_of(cap_rings, part, columns) * stride_count + stride_log2, instance);
     }
-    std::sort(keyed_.begin(), keyed_.end());
-    constexpr uint64_t bin_mask = ~((1ull << columns_shift) - 1);
-    for (size_t i = 0; i < keyed_.size(); ++i) {
-        const uint64_t bin = keyed_[i] & bin_mask;
-        if (i == 0 || bin != (keyed_[i - 1] & bin_mask))
-            bins.push_back({static_cast<uint32_t>(bin >> columns_shift & 63),
-                            static_cast<uint32_t>(bin >> segments_shift), static_cast<Part>(bin >> part_shift & 3),
-                            static_cast<uint32_t>(instances.size()), 0});
-        instances.push_back(static_cast<uint32_t>(keyed_[i]));
-        ++bins.back().instance_count;
+    std::sort(used_.begin(), used_.end());
+    auto next = static_cast<uint32_t>(instances.size());
+    uint32_t last_bin = ~0u;
+    for (const uint32_t bucket : used_) {
+        const uint32_t bin = bucket / stride_count;
+        if (bin != last_bin) bins.push_back(draw_bin(bin, next));
+        last_bin = bin;
+        const uint32_t count = counts_[bucket];
+        bins.back().instance_count += count;
+        counts_[bucket] = next;  // from now on where the bucket's next one goes
+        next += count;
     }
+    instances.resize(next);
+    for (const Choice& choice : choices_) instances[counts_[choice.bucket]++] = choice.instance;
+    for (const uint32_t bucket : used_) counts_[bucket] = 0;
 }
 
 }  // namespace flg::render

@@ -39,14 +39,24 @@ private:
         bool perspective;
 
         bool sees(const ChunkBounds& bounds) const;
-        float pixels_per_metre(const ChunkBounds& bounds) const;
+        float metres_per_pixel(const ChunkBounds& bounds) const;
     };
-    // Where it is largest; 0: out of sight.
-    float pixels_per_metre(const ChunkBounds& bounds) const;
+    // Where it is smallest; infinite: out of sight.
+    float metres_per_pixel(const ChunkBounds& bounds) const;
 
     View views_[2];
     size_t view_count_;
-    std::vector<uint64_t> keyed_;  // bin and instance, sorted: scratch
+
+    // Scratch of select(): what is drawn goes to buckets, which have numbers in the order of drawing.
+    struct Choice {
+        uint32_t bucket;
+        uint32_t instance;
+    };
+    void choose(uint32_t bucket, uint32_t instance);
+
+    std::vector<Choice> choices_;
+    std::vector<uint32_t> counts_;  // by bucket; all 0 in between
+    std::vector<uint32_t> used_;    // buckets with anything in them
 };
 
 }  // namespace flg::render
