@@ -311,6 +311,8 @@ void ScriptPlayer::start_command(const ScriptStep& step) {
         host_.export_path(word(1), word(2));
     else if (verb == "resize")
         host_.resize(static_cast<uint32_t>(number(word(1))), static_cast<uint32_t>(number(word(2))));
+    else if (verb == "lose_device")
+        host_.lose_device();
     else if (verb == "expect")
         expect(step);
     else if (verb == "look") {

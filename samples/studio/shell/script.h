@@ -35,6 +35,7 @@ public:
     virtual void take_shot(const std::string& name, bool everything) = 0;  // of the next frame
     virtual double count(const std::string& name) const = 0;               // "strokes.count"
     virtual void resize(uint32_t width, uint32_t height) = 0;
+    virtual void lose_device() = 0;
     virtual render::Box scene_box() const = 0;
 };
 

@@ -139,9 +139,24 @@ void Studio::guarded(const char* what, const std::function<void()>& work) {
         work();
     } catch (const StudioError& error) {
         notices_.add(Weight::error, error.what());
+    } catch (const render::DeviceLost&) {
+        recover();
     } catch (const std::exception& error) {
         notices_.add(Weight::error, std::string(what) + ": " + error.what());
     }
+}
+
+void Studio::recover() {
+    try {
+        renderer_.recover();
+    } catch (const render::Error& error) {
+        notices_.add(Weight::error, error.what());  // the next frame tries again
+        return;
+    }
+    gui_.device_lost();
+    scene_.device_lost();
+    for (const auto& workspace : workspaces_) workspace->device_lost();
+    notices_.add(Weight::warning, "The graphics device was lost and has been opened again; nothing of yours is gone.");
 }
 
 void Studio::lay_out() {
@@ -247,14 +262,13 @@ void Studio::draw() {
     guarded("draw", [&] { renderer_.draw(*target_, view_.orbit.camera, {ui, view_.viewport}); });
     if (!shot_) return;
     const std::string name = std::exchange(shot_, std::nullopt)->name;
-    const render::Image image = renderer_.capture(*target_);
-    if (options_.keep_shot) {
-        options_.keep_shot(name, image);
-        return;
-    }
-    std::error_code error;
-    std::filesystem::create_directories(options_.out, error);
-    write_png(image, options_.out + "/" + name + ".png");
+    guarded("take a picture", [&] {
+        const render::Image image = renderer_.capture(*target_);
+        if (options_.keep_shot) return options_.keep_shot(name, image);
+        std::error_code error;
+        std::filesystem::create_directories(options_.out, error);
+        write_png(image, options_.out + "/" + name + ".png");
+    });
 }
 
 void Studio::wait_for_events() {
@@ -303,6 +317,10 @@ void Studio::resize(uint32_t width, uint32_t height) {
         window_->set_size(wide, high);
     else
         target_->resize(wide, high);
+}
+
+void Studio::lose_device() {
+    renderer_.simulate_device_loss();
 }
 
 }  // namespace flg::studio

@@ -50,6 +50,7 @@ private:
     void tick();
     void draw();
     void guarded(const char* what, const std::function<void()>& work);
+    void recover();
     void wait_for_events();
     void lay_out();
     void move_camera();
@@ -101,6 +102,7 @@ private:
     void take_shot(const std::string& name, bool everything) override;
     double count(const std::string& name) const override;
     void resize(uint32_t width, uint32_t height) override;
+    void lose_device() override;
     render::Box scene_box() const override { return renderer_.bounds(); }
 
     StudioOptions options_;
