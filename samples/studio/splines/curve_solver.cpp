@@ -60,6 +60,7 @@ CurveProblem problem_of(const Curve& curve, const Grounds::Surface& surface, con
     }
     problem.manifold = surface.manifold.id;
     problem.is_shape = surface.is_shape;
+    problem.is_inside_out = surface.is_inside_out;
     if (curve.inside) problem.border = surface.mesh.id;
     if (curve.avoid) problem.obstacles = obstacles;
     // Nothing else asks for it, and then a thicker curve is no other one.
@@ -152,10 +153,12 @@ void CurveSolver::submit() {
     }
 }
 
-void CurveSolver::take(const filigree::Spline& spline, bool is_shape, bool final) {
+void CurveSolver::take(const filigree::Spline& spline, bool final) {
     FlgSplineView view = flgSplineViewDefaults();
     if (flgSplineGetView(desk_.context.get(), spline.get(), &view) != FLG_OK) return;
     if (!final && !found_.final && view.rounds == found_.rounds && found_.nodes.size() == view.node_count) return;
+    const bool is_shape = submitted_->is_shape;
+    const float sign = submitted_->is_inside_out ? -1.0f : 1.0f;
     found_.nodes.resize(view.node_count);
     found_.normals.resize(view.normals != nullptr ? view.node_count : 0);
     for (uint32_t i = 0; i < view.node_count; ++i) {
@@ -164,7 +167,7 @@ void CurveSolver::take(const filigree::Spline& spline, bool is_shape, bool final
         found_.nodes[i] = is_shape ? to_world(own) : own;
         if (view.normals == nullptr) continue;
         const float* const n = view.normals + size_t{3} * i;
-        found_.normals[i] = is_shape ? glm::vec3(n[0], n[2], -n[1]) : glm::vec3(n[0], n[1], n[2]);
+        found_.normals[i] = sign * (is_shape ? glm::vec3(n[0], n[2], -n[1]) : glm::vec3(n[0], n[1], n[2]));
     }
     found_.point_nodes.assign(view.point_nodes, view.point_nodes + view.point_count);
     found_.closed = view.closed != 0;
@@ -197,7 +200,7 @@ void CurveSolver::update(const Ground& ground, const Grounds& grounds) {
     if (ended_ && ended_->done) {
         if (ended_->result == FLG_OK) {
             found_.busy_ms = ended_->busy_ms;
-            take(running_, submitted_->is_shape, true);
+            take(running_, true);
             result_ = std::move(running_);
             running_.reset();
             solved_ = submitted_;
@@ -208,7 +211,7 @@ void CurveSolver::update(const Ground& ground, const Grounds& grounds) {
         }
         ended_.reset();
     } else if (ended_ && ++frames_ > kPatience) {
-        take(running_, submitted_->is_shape, false);
+        take(running_, false);
     }
     if (version_ != before && found_.normals.empty() && ground.kind != "space") find_normals(ground, grounds);
     if (!wanted_) {

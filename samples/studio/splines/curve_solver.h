@@ -22,7 +22,7 @@ struct CurveProblem {
     int density = 32;
     std::optional<glm::dvec3> begin_slope, end_slope;
     uint64_t manifold = 0;
-    bool is_shape = false;
+    bool is_shape = false, is_inside_out = false;
     uint64_t border = 0;  // an open surface whose borders are kept within
     std::vector<Obstacle> obstacles;
     double clearance = 0.0;
@@ -62,7 +62,7 @@ private:
     struct Ended;
 
     void submit();
-    void take(const filigree::Spline& spline, bool is_shape, bool final);
+    void take(const filigree::Spline& spline, bool final);
     void find_normals(const Ground& ground, const Grounds& grounds);
     filigree::Obstacles obstacles_of(const CurveProblem& problem);
 

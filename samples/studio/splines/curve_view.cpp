@@ -7,6 +7,8 @@ namespace {
 constexpr float kLinePx = 3.0f;
 // Bands and lines lie over the surface, so that it does not come through; tubes are sunk into it by half.
 constexpr float kBandHeight = 0.35f, kTubeHeight = 0.35f, kOrnamentHeight = 0.8f;
+// And of what a style swings away: upright ones stand on the surface, flat ones have some thickness too.
+constexpr float kUprightHeight = 0.9f, kFlatHeight = 0.2f;
 // Decorated curves are drawn thinner, so that their turns stay apart.
 constexpr float kOrnamentThinning = 0.55f;
 
@@ -25,7 +27,10 @@ render::CurveLook look_of(const CurveLook& look, float scale) {
 }
 
 float LiveCurve::height(const Curve& curve) {
-    if (curve.ornament.on) return kOrnamentHeight * curve.look.radius;
+    const Ornament& ornament = curve.ornament;
+    if (ornament.on)
+        return kOrnamentHeight * curve.look.radius +
+               (ornament.flat ? kFlatHeight : kUprightHeight) * ornament.size * ornament.magnitude;
     return (curve.look.form == Form::tube ? kTubeHeight : kBandHeight) * curve.look.radius;
 }
 

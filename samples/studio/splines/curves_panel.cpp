@@ -220,10 +220,10 @@ void curves_panel(Stage& stage) {
         return;
     }
     ui::heading("Shape");
-    ui::text("Name", &curve->name, "What the curve is called in the list and in files.");
     shape_widgets(stage, *curve);
     status(stage, *curve);
     look_widgets(stage, *curve);
+    ui::text("Name", &curve->name, "What the curve is called in the list and in files.");
 }
 
 }  // namespace flg::studio::splines

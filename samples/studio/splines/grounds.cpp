@@ -3,17 +3,36 @@
 
 #include <algorithm>
 
+#include "support/curve_source.h"
+
 namespace flg::studio::splines {
 namespace {
 
 constexpr glm::vec3 kShapeColor{0.115f, 0.165f, 0.215f};
+
+// By the volume that its triangles enclose, or would with a lid.
+bool is_inside_out(const FlgMeshView& mesh) {
+    const FlgColumn* column = mesh.columns;
+    while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
+    const auto corner = [&](size_t i) {
+        const float* const p = samples::value_at(*column, mesh.triangles[i]);
+        return glm::dvec3(p[0], p[1], p[2]);
+    };
+    const glm::dvec3 from = corner(0);
+    double volume = 0.0;
+    for (size_t i = 0; i < size_t{3} * mesh.triangle_count; i += 3)
+        volume += glm::dot(corner(i) - from, glm::cross(corner(i + 1) - from, corner(i + 2) - from));
+    return volume < 0.0;
+}
 
 }  // namespace
 
 std::optional<Place> Grounds::met_mesh(uint32_t id, const Ray& ray) const {
     const auto hit = desk_.scene.hit(ray);
     if (!hit || hit->mesh->id != id) return std::nullopt;
-    return Place{hit->position(), hit->normal()};
+    // What is seen is outside.
+    const glm::vec3 normal = hit->normal();
+    return Place{hit->position(), glm::dot(normal, ray.direction) > 0.0f ? -normal : normal};
 }
 
 std::optional<Place> Grounds::meet(const Ground& ground, const Ray& ray, const glm::dvec3& anchor) const {
@@ -42,7 +61,9 @@ glm::dvec3 Grounds::normal(const Ground& ground, const glm::dvec3& position) con
     if (const Shape* const shape = find_shape(ground.kind)) {
         if (const auto place = nearest(*shape, position)) return place->normal;
     } else if (const SceneMesh* const mesh = desk_.scene.find(ground.mesh); mesh != nullptr && mesh->ready) {
-        if (const auto hit = desk_.scene.nearest(*mesh, glm::vec3(position))) return hit->normal();
+        const auto smooth = meshes_.find(mesh->id);
+        const float sign = smooth != meshes_.end() && smooth->second.is_inside_out ? -1.0f : 1.0f;
+        if (const auto hit = desk_.scene.nearest(*mesh, glm::vec3(position))) return sign * hit->normal();
     }
     return {0.0, 1.0, 0.0};
 }
@@ -79,17 +100,19 @@ std::optional<Grounds::Surface> Grounds::surface(const Ground& ground) {
         return std::nullopt;
     }
     if (!mesh->ready) return std::nullopt;
-    const uint32_t revision = mesh->surface.view().revision;
+    const FlgSurfaceView view = mesh->surface.view();
     Smooth& smooth = meshes_[mesh->id];
-    if (!smooth.manifold || smooth.revision != revision) {
+    if (!smooth.manifold || smooth.revision != view.revision) {
         FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
         desc.surface = mesh->surface.get();
         filigree::Job job;
         smooth.manifold = desk_.context.manifold(desc, &job);
-        smooth.revision = revision;
+        smooth.revision = view.revision;
+        smooth.is_inside_out = is_inside_out(view.mesh);
         desk_.jobs.add("Smooth surface of " + mesh->name, std::move(job));
     }
     out.manifold = smooth.manifold.get();
+    out.is_inside_out = smooth.is_inside_out;
     if (mesh->surface.report().border_count > 0) out.mesh = mesh->surface.get();
     return out;
 }

@@ -32,6 +32,7 @@ public:
         FlgSurface mesh{};      // with open borders; else null
         bool is_shape = false;  // in the shape's coordinates (to_shape)
         bool is_space = false;
+        bool is_inside_out = false;  // what the SDK calls outwards leads in
     };
     // None while there is none: its mesh is gone, or is being changed.
     std::optional<Surface> surface(const Ground& ground);
@@ -50,6 +51,7 @@ private:
     struct Smooth {
         uint32_t revision = 0;
         filigree::Manifold manifold;
+        bool is_inside_out = false;
     };
     struct Shown {
         render::SurfaceId id{};

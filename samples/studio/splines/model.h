@@ -34,8 +34,8 @@ struct CurveLook {
 // A built-in style, laid along the curve in the surface's frame.
 struct Ornament {
     bool on = false;
-    bool flat = false;  // on the surface, else upright
-    std::string style = "curls";
+    bool flat = true;  // on the surface, else upright
+    std::string style = "loops";
     float magnitude = 1.0f;
     float size = 0.0f;  // metres that the style swings away at magnitude 1
     bool operator==(const Ornament&) const = default;

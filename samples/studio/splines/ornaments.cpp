@@ -9,7 +9,7 @@
 namespace flg::studio::splines {
 namespace {
 
-constexpr const char* kStyles[] = {"curls", "loops", "braid", "knots", "wave", "knit", "zigzag", "tremor"};
+constexpr const char* kStyles[] = {"loops", "curls", "braid", "knots", "wave", "knit", "zigzag", "tremor"};
 constexpr uint32_t kMostPoints = 2'000'000;
 // Turns what was drawn above the curve to its side.
 constexpr float kFlat[9] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};

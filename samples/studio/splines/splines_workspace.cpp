@@ -68,8 +68,7 @@ std::string Splines::help() const {
     if (stage_.tool == Tool::obstacles)
         return "Click to put an obstacle there. Drag it about: curves and motions make way.";
     if (stage_.tool == Tool::motions)
-        return "Click to put the body there, one key after another; keep pressing and drag to say where its nose "
-               "points. Space plays.";
+        return "Click: a key for the body. Press and drag: its nose points there. Space plays.";
     if (stage_.document.curve(stage_.drawing) != nullptr)
         return "Click on: each click is a point. A click on the first one closes the curve, a double click or Enter "
                "ends it.";

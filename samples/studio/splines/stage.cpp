@@ -12,7 +12,7 @@ constexpr glm::vec3 kColors[] = {{0.66f, 0.035f, 0.020f}, {0.85f, 0.36f, 0.03f},
                                  {0.010f, 0.20f, 0.19f},  {0.045f, 0.27f, 0.035f}, {0.33f, 0.03f, 0.26f}};
 
 // Of the scene's size.
-constexpr double kTube = 0.010, kOrnament = 0.045, kSolid = 0.13, kBody = 0.22;
+constexpr double kTube = 0.010, kOrnament = 0.03, kSolid = 0.13, kBody = 0.2;
 constexpr double kTurns = 6.0;  // tension begins at the square of this over the size
 constexpr double kSecond = 1.0;
 
