@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "live_strokes/painter.h"
+
+#include <chrono>
+#include <stdexcept>
+
+namespace flg::samples {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr uint32_t kMostSamples = 8192, kMostPoints = 1u << 17;  // of a stroke
+constexpr uint32_t kTickUs = 1000;
+const glm::vec3 kColors[] = {
+    {0.90f, 0.13f, 0.03f}, {0.05f, 0.30f, 0.62f}, {0.95f, 0.50f, 0.04f}, {0.50f, 0.02f, 0.22f}, {0.06f, 0.42f, 0.30f}};
+
+void check(FlgResult result) {
+    if (result != FLG_OK) throw std::runtime_error(flgLastError());
+}
+
+FlgFrameReport tick_context(FlgContext context) {
+    FlgFrameReport report = {};
+    report.struct_size = sizeof report;
+    check(flgTick(context, kTickUs, &report));
+    return report;
+}
+
+FlgJobStatus status_of(FlgContext context, FlgJob job) {
+    FlgJobStatus status = {};
+    status.struct_size = sizeof status;
+    check(flgJobGetStatus(context, job, &status));
+    if (status.state == FLG_JOB_FINISHED && status.result != FLG_OK) throw std::runtime_error(status.error);
+    return status;
+}
+
+void finish(FlgContext context, FlgJob job) {
+    while (status_of(context, job).state != FLG_JOB_FINISHED) tick_context(context);
+    check(flgJobRelease(context, job));
+}
+
+}  // namespace
+
+Painter::Painter(render::Renderer& renderer, const CurveSource& style, float displacement) : renderer_(renderer) {
+    FlgContextDesc context_desc = flgContextDefaults();
+    context_desc.worker_count = 1;
+    check(flgContextCreate(&context_desc, &context_));
+    try {
+        FlgStyleDesc style_desc = flgStyleDefaults();
+        const CurveRange first(style.view(), 0, 1);
+        check(flgCurveSetCreate(context_, &first.view(), &style_desc.style));
+        desc_ = flgLiveStrokeDefaults();
+        FlgJob job = {};
+        check(flgStyleCreate(context_, &style_desc, &desc_.style, &job));
+        finish(context_, job);
+        check(flgStyleWarm(context_, desc_.style, desc_.temperature, nullptr, &job));
+        finish(context_, job);
+        FlgStyleInfo info = {};
+        info.struct_size = sizeof info;
+        check(flgStyleGetInfo(context_, desc_.style, &info));
+        desc_.scale = displacement / info.displacement_rms;
+        desc_.radius_min = 0.0016f;
+        desc_.radius_max = 0.0055f;
+        desc_.max_samples = kMostSamples;
+        desc_.max_points = kMostPoints;
+    } catch (...) {
+        flgContextDestroy(context_);
+        throw;
+    }
+}
+
+Painter::~Painter() {
+    flgContextDestroy(context_);
+}
+
+Added Painter::paint(const XrController& controller, double time_s) {
+    Added added;
+    const bool pressed = controller.trigger > 0.0f;
+    if (pressed && !pressed_) begin();
+    if (pressed) push(controller, time_s, added);
+    if (!pressed && pressed_) end();
+    pressed_ = pressed;
+    return added;
+}
+
+void Painter::begin() {
+    desc_.seed = stroke_count_ + 1;
+    stroke_ = {};
+    check(flgLiveStrokeBegin(context_, &desc_, &stroke_.live));
+    const glm::vec3 color = kColors[stroke_count_ % std::size(kColors)];
+    const auto shape = stroke_count_ % 3 == 2 ? render::Shape::tube : render::Shape::ribbon;
+    stroke_.curve = renderer_.begin_growing({.shape = shape, .color = color, .color_end = color}, kMostPoints);
+    ++stroke_count_;
+}
+
+void Painter::push(const XrController& controller, double time_s, Added& added) {
+    FlgLiveSample sample = {};
+    const glm::quat& turned = controller.pose.orientation;
+    for (int i = 0; i < 3; ++i) sample.position[i] = controller.pose.position[i];
+    sample.orientation[0] = turned.x;
+    sample.orientation[1] = turned.y;
+    sample.orientation[2] = turned.z;
+    sample.orientation[3] = turned.w;
+    sample.pressure = controller.trigger;
+    sample.time = time_s;
+    FlgCurveSetView fresh = flgCurveSetViewDefaults();
+    const auto before = Clock::now();
+    FlgResult result = flgLiveStrokePush(context_, stroke_.live, &sample, 1, &fresh);
+    added.push_us += std::chrono::duration<double, std::micro>(Clock::now() - before).count();
+    if (result == FLG_ERROR_LIMIT) {  // too far, or full: the next stroke begins here
+        end();
+        begin();
+        result = flgLiveStrokePush(context_, stroke_.live, &sample, 1, &fresh);
+    }
+    check(result);
+    ++added.samples;
+    append(stroke_, fresh, added);
+}
+
+void Painter::end() {
+    check(flgLiveStrokeEnd(context_, stroke_.live, nullptr, nullptr, nullptr, &stroke_.ending));
+    ending_.push_back(stroke_);
+}
+
+void Painter::append(Stroke& stroke, const FlgCurveSetView& view, Added& added) {
+    if (view.curve_count == 0) return;
+    renderer_.append(stroke.curve, view);
+    const uint32_t points = view.curve_offsets[1];
+    stroke.points += points;
+    point_count_ += points;
+    added.points += points;
+    ++added.strokes;
+}
+
+FlgFrameReport Painter::tick(Added& in_out_added) {
+    const FlgFrameReport report = tick_context(context_);
+    std::erase_if(ending_, [&](Stroke& stroke) {
+        if (status_of(context_, stroke.ending).state != FLG_JOB_FINISHED) return false;
+        FlgCurveSetView whole = flgCurveSetViewDefaults();
+        check(flgLiveStrokeGetPoints(context_, stroke.live, &whole));
+        // What its end has added.
+        const uint32_t offsets[2] = {0, whole.curve_offsets[1] - stroke.points};
+        std::vector<FlgColumn> columns(whole.columns, whole.columns + whole.column_count);
+        for (FlgColumn& column : columns) column.data = value_at(column, stroke.points);
+        whole.curve_offsets = offsets;
+        whole.columns = columns.data();
+        if (offsets[1] > 0) append(stroke, whole, in_out_added);
+        check(flgJobRelease(context_, stroke.ending));
+        check(flgLiveStrokeRelease(context_, stroke.live));
+        return true;
+    });
+    return report;
+}
+
+}  // namespace flg::samples
