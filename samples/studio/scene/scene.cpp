@@ -141,10 +141,17 @@ void Scene::show(SceneMesh& mesh, const FlgSurfaceView& view) {
         const FlgSurfaceReport report = mesh.surface.report();
         mesh.box = {glm::make_vec3(report.box_min), glm::make_vec3(report.box_max)};
     }
+    FlgMeshView shown = view.mesh;
+    std::vector<uint32_t> labels;
+    if (!mesh.label_of.empty() && shown.regions != nullptr) {
+        labels.assign(shown.regions, shown.regions + shown.triangle_count);
+        for (uint32_t& label : labels) label = label < mesh.label_of.size() ? mesh.label_of[label] : 0;
+        shown.regions = labels.data();
+    }
     if (mesh.drawn.value == 0)
-        mesh.drawn = renderer_.upload(view.mesh, mesh.look);
+        mesh.drawn = renderer_.upload(shown, mesh.look);
     else
-        renderer_.update(mesh.drawn, view.mesh, mesh.look);
+        renderer_.update(mesh.drawn, shown, mesh.look);
     renderer_.set_visible(mesh.drawn, mesh.visible);
     mesh.shown_revision = view.revision;
     mesh.stale = false;

@@ -30,6 +30,7 @@ struct SceneMesh {
 
     // Set by whoever decorates it, then Scene::redraw().
     render::SurfaceLook look{};
+    std::vector<uint32_t> label_of{};  // by region: the label it is drawn with, so that some look as one; empty: its own
 
     uint32_t shown_revision = 0;
     bool stale = true;  // look or revision is newer than what is drawn

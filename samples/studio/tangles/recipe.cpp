@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "tangles/recipe.h"
+
+#include <algorithm>
+
+namespace flg::studio {
+namespace {
+
+constexpr DeedInfo kDeeds[kDeedCount] = {
+    {"Contour", "Bands that follow the seeds at equal distances: borders, points you click, or scattered ones.", 0},
+    {"Stream", "Stripes that run straight away from a border, evenly spaced along it.", 1},
+    {"Voronoi", "Cells around scattered points, or around points you click.", 0},
+    {"Polyline", "Cuts along a line that you click point by point, the shortest way between them.", 0},
+    {"Sunburst", "Rays from the first border to the others. Needs two borders.", 2},
+    {"Polka dots", "Round dots scattered as evenly as chance allows.", 0},
+    {"Frames", "Frames one within the other along the borders.", 1},
+    {"Flower", "Petals that grow from the borders around scattered centres.", 1},
+    {"Grid", "A chequerboard between the first border and the others. Needs two borders.", 2},
+    {"Outline", "A band along every border.", 1},
+    {"Lace", "Scallops along the borders.", 1},
+    {"Cells", "A mosaic of cells around scattered points.", 0},
+    {"Raise", "Lifts regions from the surface, or sinks them into it: domes, ridges, terraces.", 1},
+};
+
+// Points of the seeds, alive while the step is started.
+struct SeedArrays {
+    std::vector<FlgSurfacePoint> points;
+    std::vector<FlgBorderStretch> stretches;
+    FlgTangleSeeds view{};
+
+    explicit SeedArrays(const SeedChoice& choice) {
+        switch (choice.kind) {
+            case SeedKind::none: break;
+            case SeedKind::border: view.borders = FLG_TANGLE_BORDERS_OUTER; break;
+            case SeedKind::each: view.borders = FLG_TANGLE_BORDERS_EACH; break;
+            case SeedKind::points:
+                for (const SeedPoint& point : choice.points) points.push_back(point.on);
+                view.points = points.data();
+                view.point_count = static_cast<uint32_t>(points.size());
+                break;
+            case SeedKind::samples: view.sample_radius = choice.radius; break;
+            case SeedKind::spaced: view.border_spacing = choice.spacing; break;
+            case SeedKind::picked:
+                for (const SeedStretch& s : choice.stretches) stretches.push_back({s.loop, s.begin, s.end});
+                view.stretches = stretches.data();
+                view.stretch_count = static_cast<uint32_t>(stretches.size());
+                break;
+        }
+    }
+};
+
+filigree::Job start_operator(const Recipe& recipe, filigree::Tangle& tangle) {
+    const SeedArrays from(recipe.from), towards(recipe.towards);
+    FlgTangleDivideDesc desc = flgTangleDivideDefaults();
+    desc.kind = static_cast<FlgTangleOperator>(recipe.deed);
+    desc.regions = recipe.regions.data();
+    desc.region_count = static_cast<uint32_t>(recipe.regions.size());
+    desc.count = static_cast<uint32_t>(recipe.count);
+    desc.a = from.view;
+    if (recipe.deed == Deed::contour || recipe.deed == Deed::stream) desc.b = towards.view;
+    const bool blends = recipe.deed == Deed::contour && recipe.towards.kind != SeedKind::none;
+    desc.delta = blends ? recipe.share : recipe.delta;
+    desc.grouping = static_cast<FlgTangleGrouping>(recipe.grouping);
+    desc.cycle = static_cast<uint32_t>(recipe.cycle);
+    desc.scaffold = recipe.scaffold ? 1 : 0;
+    desc.closed = recipe.closed && recipe.from.points.size() > 2 ? 1 : 0;
+    desc.perturbation = recipe.perturbation;
+    desc.frequency = recipe.frequency;
+    desc.seed = static_cast<uint64_t>(recipe.seed);
+    return tangle.divide(desc);
+}
+
+}  // namespace
+
+bool is_operator(Deed deed) {
+    return deed <= Deed::polyline;
+}
+
+bool is_macro(Deed deed) {
+    return deed >= Deed::sunburst && deed <= Deed::cells;
+}
+
+const DeedInfo& info_of(Deed deed) {
+    return kDeeds[static_cast<int>(deed)];
+}
+
+Recipe default_recipe(Deed deed, const Regions& regions, const Outline& outline) {
+    Recipe recipe{.deed = deed, .regions = regions};
+    const float breadth = outline.breadth(), size = outline.size();
+    const bool has_border = !outline.loops.empty();
+    recipe.from.radius = recipe.towards.radius = 0.45f * size;
+    recipe.from.spacing = recipe.towards.spacing = 0.35f * size;
+    recipe.frequency = 2.0f / size;
+    recipe.delta = has_border ? 0.2f * breadth : 0.09f * size;
+    recipe.from.points = {{outline.top, outline.top_place}};
+    recipe.from.kind = has_border ? SeedKind::border : SeedKind::points;
+    recipe.size = 0.2f * breadth;
+    recipe.spacing = 0.9f * breadth;
+    recipe.amount = 0.25f * breadth;
+    recipe.bias = 0.7f;
+    switch (deed) {
+        case Deed::contour: recipe.count = has_border ? 3 : 0; break;
+        case Deed::stream: recipe.delta = 0.25f * size; break;
+        case Deed::voronoi:
+            recipe.from.kind = SeedKind::samples;
+            recipe.from.radius = std::min(0.8f * breadth, 0.3f * size);
+            recipe.grouping = FLG_TANGLE_GROUP_CYCLE;
+            recipe.cycle = 4;
+            break;
+        case Deed::polyline:
+            recipe.from.kind = SeedKind::points;
+            recipe.from.points.clear();
+            break;
+        case Deed::sunburst: recipe.size = 0.18f * size; break;
+        case Deed::polka_dots:
+            recipe.spacing = std::min(0.7f * breadth, 0.22f * size);
+            recipe.size = 0.3f * recipe.spacing;
+            break;
+        case Deed::frames:
+            recipe.count = 4;
+            recipe.size = 0.16f * breadth;
+            break;
+        case Deed::flower:
+            recipe.count = 4;
+            recipe.spacing = 0.6f * breadth;
+            break;
+        case Deed::grid:
+            recipe.count = 6;
+            recipe.size = 0.18f * size;
+            break;
+        case Deed::outline: recipe.size = 0.16f * breadth; break;
+        case Deed::lace:
+            recipe.spacing = 0.4f * breadth;
+            recipe.size = 0.6f * recipe.spacing;
+            break;
+        case Deed::cells: recipe.spacing = std::min(0.6f * breadth, 0.25f * size); break;
+        case Deed::displace: break;
+    }
+    return recipe;
+}
+
+std::string missing(const Recipe& recipe) {
+    const SeedChoice& from = recipe.from;
+    if (!is_operator(recipe.deed)) return {};
+    const bool blends = recipe.deed == Deed::contour || recipe.deed == Deed::stream;
+    if (recipe.deed == Deed::polyline && from.points.size() < 2)
+        return "Click two points or more on the mesh; Enter ends the line.";
+    if (from.kind == SeedKind::points && from.points.empty()) return "Click points on the mesh to begin at.";
+    if (from.kind == SeedKind::picked && from.stretches.empty())
+        return "Click a border of the selected regions, or drag along it.";
+    if (!blends) return {};
+    if (recipe.towards.kind == SeedKind::points && recipe.towards.points.empty())
+        return "Click points on the mesh to go towards.";
+    if (recipe.towards.kind == SeedKind::picked && recipe.towards.stretches.empty())
+        return "Click a border to go towards.";
+    return {};
+}
+
+filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& tangle) {
+    if (is_operator(recipe.deed)) return start_operator(recipe, tangle);
+    if (recipe.deed == Deed::displace) {
+        FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
+        desc.regions = recipe.regions.data();
+        desc.region_count = static_cast<uint32_t>(recipe.regions.size());
+        desc.amount = recipe.amount;
+        desc.bias = recipe.bias;
+        desc.gain = recipe.gain;
+        desc.reach = recipe.reach;
+        return tangle.displace(desc);
+    }
+    FlgTangleMacroDesc desc{};
+    filigree::check(flgTangleMacroDescInit(&desc, sizeof desc));
+    desc.tangle = tangle.get();
+    desc.kind = static_cast<FlgTangleMacro>(static_cast<int>(recipe.deed) - static_cast<int>(Deed::sunburst));
+    desc.regions = recipe.regions.data();
+    desc.region_count = static_cast<uint32_t>(recipe.regions.size());
+    desc.count = static_cast<uint32_t>(std::max(recipe.count, 1));
+    desc.size = recipe.size;
+    desc.spacing = recipe.spacing;
+    desc.seed = static_cast<uint64_t>(recipe.seed);
+    FlgJob job{};
+    filigree::check(flgTangleApplyMacro(context, &desc, &job));
+    return {context, job};
+}
+
+}  // namespace flg::studio

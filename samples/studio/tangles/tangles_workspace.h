@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Tangles: regions of meshes are clicked and divided, again and again, by operators whose numbers can be changed while one looks.
+// What the user asks for while a step is under way waits for it, in order.
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "tangles/highlight.h"
+#include "tangles/ornament.h"
+#include "tangles/region_rows.h"
+#include "tangles/tangle_acts.h"
+
+namespace flg::studio {
+
+class TanglesWorkspace final : public Workspace {
+public:
+    explicit TanglesWorkspace(Desk& desk);
+
+    const char* title() const override { return "Tangles"; }
+    std::string help() const override;
+    void enter() override { in_front_ = true; }
+    void leave() override;
+    void update() override;
+    void panel() override;
+    void pointer(const Pointer& mouse) override;
+    void overlay(ImDrawList& list) override;
+    bool shortcut(const Chord& chord) override;
+    std::span<const Shortcut> shortcuts() const override;
+    bool can_undo() const override;
+    bool can_redo() const override { return !trying() && acts_.can_redo(); }
+    void undo() override;
+    void redo() override;
+    bool open(const std::string& path) override;
+    nlohmann::json save() const override;
+    void load(const nlohmann::json& part) override;
+    std::span<const Export> exports() const override;
+    void write(const Export& what, const std::string& path) override;
+    bool busy() const override;
+    void device_lost() override;
+    double count(const std::string& name) const override;
+
+private:
+    enum class Picks { region, group, alike };
+
+    // The one of the active mesh; null while there is none.
+    Ornament* active() const;
+    Ornament* find(uint32_t mesh) const;
+    Ornament* trying() const;  // whose step is not accepted yet
+    // Waits until no step is under way.
+    void later(std::function<void()> command) { commands_.push_back(std::move(command)); }
+    bool all_idle() const;
+    Ornament::Owner owner();
+    Ornament& make_ornament(const SceneMesh& mesh);
+
+    // What can be done; all through later().
+    void try_deed(Deed deed);
+    void keep();
+    void discard();
+    void change_regions(const char* name, filigree::Job (*begin)(Ornament&, FlgContext, const Regions&));
+    void paint(uint32_t material, Regions on);
+    void apply(const Act& act, bool forward);
+    void recolor_all();
+    void replay(Ornament& ornament, const FlgTangleHistory& history);
+
+    void select(Regions regions);
+    void select_parents();
+    void select_all();
+    // What a click on a leaf means.
+    Regions meant(const Ornament& ornament, uint32_t leaf) const;
+    void refresh_highlights();
+    void take_snapshot();
+    nlohmann::json document() const;
+
+    // The mouse. True: it was for the seeds of the step that is tried.
+    bool edit_seeds(Ornament& ornament, const Pointer& mouse);
+    bool edit_points(Ornament& ornament, SeedChoice& seeds, const Pointer& mouse);
+    bool edit_borders(Ornament& ornament, SeedChoice& seeds, const Pointer& mouse);
+    std::optional<SeedPoint> place_under(const Ornament& ornament, glm::vec2 px) const;
+    bool is_hidden(const glm::vec3& place) const;
+    void click(const Pointer& mouse);
+    bool delete_point();
+
+    // The panel.
+    void draw_selection(const Ornament& ornament);
+    void draw_deeds();
+    void deed_button(Deed deed, int across);
+    void draw_live(Ornament& ornament);
+    void draw_sizes(Ornament& ornament);
+    void draw_seeds(Ornament& ornament);
+    void draw_seed_choice(LiveStep& live, SeedChoice& seeds, bool is_from);
+    void draw_profile(const Recipe& recipe);
+    void draw_materials();
+    void draw_material_editor();
+    void draw_regions(const Ornament& ornament);
+
+    Palette palette_ = house_palette();
+    std::map<uint32_t, std::unique_ptr<Ornament>> ornaments_;
+    Acts acts_;
+    std::deque<std::function<void()>> commands_;
+    bool in_front_ = false;
+
+    Regions selected_, hovered_;
+    uint32_t selected_mesh_ = 0, hovered_mesh_ = 0;
+    Picks picks_ = Picks::group;
+    bool paints_ = false;  // with clicks
+    uint32_t material_ = 1;
+    std::optional<Palette> palette_before_;  // while it is being changed
+    RegionRows rows_;
+    bool shows_groups_ = false, hovers_row_ = false;
+
+    // Of the step that is tried.
+    bool edits_towards_ = false;
+    std::optional<size_t> hovered_point_, dragged_point_;
+    struct Grip {
+        uint32_t loop;
+        float share;
+    };
+    std::optional<Grip> hovered_grip_, dragged_grip_;
+    glm::vec2 pressed_px_{0.0f};
+    bool pressed_on_picture_ = false;
+
+    // What is drawn, and of what.
+    struct Shown {
+        uint32_t mesh = 0, revision = 0;
+        Regions regions{};
+        bool operator==(const Shown&) const = default;
+    };
+    Highlight selection_lines_, hover_lines_, grip_lines_;
+    Shown selection_shown_, hover_shown_;
+
+    nlohmann::json snapshot_ = nlohmann::json::object();  // when all was last idle
+    uint64_t snapshot_changes_ = 0;
+    double snapshot_after_s_ = 0.0;
+};
+
+}  // namespace flg::studio
