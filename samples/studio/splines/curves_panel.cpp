@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <imgui.h>
+
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "shell/widgets.h"
@@ -46,18 +47,15 @@ void status(const Stage& stage, const Curve& curve) {
 }
 
 void list(Stage& stage) {
-    const uint32_t before = stage.curve;
     for (size_t i = 0; i < stage.document.curves.size(); ++i) {
         Curve& curve = stage.document.curves[i];
-        const std::string id = "##" + std::to_string(curve.id);
         ui::toggle(("##show curve " + std::to_string(i + 1)).c_str(), &curve.visible, "Whether this curve is shown.");
         ui::same_row();
-        const std::string label = curve.name + (curve.closed ? " (closed)" : "") + id;
-        if (ui::selectable(label.c_str(), curve.id == before,
-                           "Click to choose this curve: its points can be dragged then.")) {
-            stage.choose_curve(curve.id);
-            return;  // one-point curves may be gone
-        }
+        const uint32_t id = curve.id;
+        const Row row = list_row(curve.name + (curve.closed ? " (closed)" : ""), id, id == stage.curve, "curve");
+        // Curves of one point may be gone after either.
+        if (row == Row::chosen) return stage.choose_curve(id);
+        if (row == Row::removed) return stage.remove_curve(id);
     }
 }
 
@@ -148,6 +146,21 @@ void look_widgets(Stage& stage, Curve& curve) {
 
 }  // namespace
 
+Row list_row(const std::string& name, uint32_t id, bool chosen, const char* what) {
+    const std::string number = "##" + std::to_string(id);
+    const float height = ImGui::GetFrameHeight();
+    const float width = ImGui::GetContentRegionAvail().x - height - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::BeginChild(("##row" + number).c_str(), {width, height}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::AlignTextToFramePadding();
+    const bool clicked =
+        ui::selectable((name + number).c_str(), chosen, "Click to choose it: its handles can be dragged then.");
+    ImGui::EndChild();
+    ImGui::SameLine();
+    const bool removed = ui::button(("x##remove " + name).c_str(), (std::string("Removes this ") + what + ".").c_str());
+    return removed ? Row::removed : clicked ? Row::chosen : Row::none;
+}
+
 void ground_choice(Stage& stage, Ground* chosen) {
     std::vector<Ground> grounds;
     std::vector<std::string> titles;
@@ -191,28 +204,21 @@ void curves_panel(Stage& stage) {
     Curve* curve = stage.chosen_curve();
     const bool drawing = stage.drawing != 0 && stage.document.curve(stage.drawing) != nullptr;
     ground_choice(stage, curve != nullptr && (drawing || curve->points.empty()) ? &curve->ground : nullptr);
-    if (ui::row_button("New curve", 3, "The next click begins another curve. (N)")) {
+    if (ui::row_button("New curve", 2, "The next click begins another curve. (N)")) {
         stage.end_drawing();
         stage.point = -1;
     }
     ui::same_row();
-    if (ui::row_button("Done", 3, "Ends the curve that is being drawn; a double click or Enter does it too.",
+    if (ui::row_button("Done", 2, "Ends the curve that is being drawn; a double click or Enter does it too.",
                        {.enabled = drawing}))
         stage.end_drawing();
-    ui::same_row();
-    curve = stage.chosen_curve();
-    const bool on_point = curve != nullptr && stage.point >= 0;
-    if (ui::row_button(
-            "Remove", 3,
-            on_point ? "Removes the point with the ring around it. (Delete)" : "Removes the chosen curve. (Delete)",
-            {.enabled = curve != nullptr})) {
-        if (on_point)
-            stage.remove_point(*curve, stage.point);
-        else
-            stage.remove_curve(curve->id);
-    }
     list(stage);
     curve = stage.chosen_curve();
+    if (curve != nullptr && ui::row_button("Remove point", 1, "Removes the point with the ring around it. (Delete)",
+                                           {.enabled = stage.point >= 0})) {
+        stage.remove_point(*curve, stage.point);
+        curve = stage.chosen_curve();
+    }
     if (curve == nullptr) {
         ui::hint(
             "Click on the surface: each click is a point, and the curve goes through all of them. Drag points to "

@@ -75,7 +75,6 @@ void insert_key(Stage& stage, Motion& motion) {
 
 void shape_widgets(Stage& stage, Motion& motion) {
     ui::heading("Motion");
-    ui::text("Name", &motion.name, "What the motion is called in the list and in files.");
     ui::choice("Body", &motion.body, body_names(), "What moves.");
     auto size = static_cast<float>(motion.size);
     const auto whole = static_cast<float>(stage.size());
@@ -103,6 +102,7 @@ void shape_widgets(Stage& stage, Motion& motion) {
                motion.keys.size() > 2);
     ui::toggle("Avoid obstacles", &motion.avoid, "The whole body keeps out of all obstacles.");
     ui::slider("Ghosts", &motion.ghosts, 0, 40, "%d", "Pale copies of the body along its way. More: closer together.");
+    ui::text("Name", &motion.name, "What the motion is called in the list and in files.");
 }
 
 }  // namespace
@@ -110,20 +110,22 @@ void shape_widgets(Stage& stage, Motion& motion) {
 void motions_panel(Stage& stage) {
     Motion* motion = stage.chosen_motion();
     ground_choice(stage, motion != nullptr ? &motion->ground : nullptr);
-    if (ui::row_button("New motion", 2, "Begins another motion; clicks put its keys.")) {
-        const Ground on = stage.ground_now();
-        // One without keys is as good as another.
-        if (motion == nullptr || !motion->keys.empty()) stage.add_motion(on);
-    }
-    ui::same_row();
-    if (ui::row_button("Remove motion", 2, "Removes the chosen motion with all its keys.",
-                       {.enabled = motion != nullptr}))
-        stage.remove_motion(motion->id);
-    for (const Motion& each : stage.document.motions) {
-        const std::string label = each.name + "##" + std::to_string(each.id);
-        if (ui::selectable(label.c_str(), each.id == stage.motion, "Click to choose this motion.") &&
-            each.id != stage.motion) {
-            stage.motion = each.id;
+    // One without keys is as good as another.
+    if (ui::row_button("New motion", 1, "Begins another motion; clicks put its keys. (N)",
+                       {.enabled = motion != nullptr && !motion->keys.empty()}))
+        stage.add_motion(stage.ground_now());
+    for (Motion& each : stage.document.motions) {
+        ui::toggle(("##show motion " + std::to_string(each.id)).c_str(), &each.visible,
+                   "Whether this motion is shown.");
+        ui::same_row();
+        const uint32_t id = each.id;
+        const Row row = list_row(each.name, id, id == stage.motion, "motion");
+        if (row == Row::removed) {
+            stage.remove_motion(id);
+            break;
+        }
+        if (row == Row::chosen && id != stage.motion) {
+            stage.motion = id;
             stage.key = -1;
             stage.playing = false;
         }
@@ -135,7 +137,6 @@ void motions_panel(Stage& stage) {
             "points.");
         if (motion == nullptr) return;
     }
-    ui::toggle("Show", &motion->visible, "Whether this motion is shown.");
     player(stage, *motion);
     insert_key(stage, *motion);
     const LiveMotion* const live = stage.live_motion(motion->id);

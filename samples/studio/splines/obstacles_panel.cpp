@@ -33,9 +33,12 @@ void obstacles_panel(Stage& stage) {
         "Click where an obstacle is to be, on the surface or beside it. Curves and motions go around it, also while "
         "you drag it.");
     for (const Obstacle& obstacle : stage.document.obstacles) {
-        const std::string label = obstacle.name + "##" + std::to_string(obstacle.id);
-        if (ui::selectable(label.c_str(), obstacle.id == stage.obstacle, "Click to choose this obstacle."))
-            stage.obstacle = obstacle.id;
+        const Row row = list_row(obstacle.name, obstacle.id, obstacle.id == stage.obstacle, "obstacle");
+        if (row == Row::chosen) stage.obstacle = obstacle.id;
+        if (row == Row::removed) {
+            stage.remove_obstacle(obstacle.id);
+            break;
+        }
     }
     Obstacle* const chosen = stage.chosen_obstacle();
     if (chosen == nullptr) return;
@@ -50,8 +53,6 @@ void obstacles_panel(Stage& stage) {
     } else {
         size_slider("Radius", &chosen->radius, size, "In metres. More: thicker, and curves go a longer way around.");
     }
-    if (ui::row_button("Remove obstacle", 1, "Removes the chosen obstacle. (Delete)"))
-        stage.remove_obstacle(chosen->id);
 }
 
 }  // namespace flg::studio::splines

@@ -2,6 +2,8 @@
 // The workspace's widgets.
 #pragma once
 
+#include <string>
+
 #include "splines/stage.h"
 
 namespace flg::studio::splines {
@@ -9,6 +11,9 @@ namespace flg::studio::splines {
 void curves_panel(Stage& stage);
 void obstacles_panel(Stage& stage);
 void motions_panel(Stage& stage);
+// A row of a list: a name to be chosen by, and a button that takes it away.
+enum class Row { none, chosen, removed };
+Row list_row(const std::string& name, uint32_t id, bool chosen, const char* what);
 // The choice of what points lie on, for what is begun next and for `chosen`, if that is not null.
 void ground_choice(Stage& stage, Ground* chosen);
 

@@ -134,10 +134,13 @@ bool Splines::shortcut(const Chord& chord) {
     if (chord.control || chord.shift) return false;
     switch (chord.key) {
         case GLFW_KEY_N:
-            if (stage_.tool == Tool::motions)
+            if (stage_.tool != Tool::motions) {
+                stage_.end_drawing();
+                stage_.point = -1;
+            } else if (const Motion* const motion = stage_.chosen_motion();
+                       motion != nullptr && !motion->keys.empty()) {
                 stage_.add_motion(stage_.ground_now());
-            else
-                stage_.end_drawing(), stage_.point = -1;
+            }
             return true;
         case GLFW_KEY_ENTER:
         case GLFW_KEY_KP_ENTER: stage_.end_drawing(); return true;
