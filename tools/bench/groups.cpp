@@ -31,6 +31,7 @@ const std::vector<Group>& groups() {
 #endif
 #if defined(FLG_WITH_RENDERER)
         {"magnitude", run_magnitude},
+        {"renderer", run_drawing},
 #endif
     };
     return list;

@@ -28,6 +28,7 @@ std::vector<Row> run_picking();
 #endif
 #if defined(FLG_WITH_RENDERER)
 std::vector<Row> run_magnitude();
+std::vector<Row> run_drawing();
 #endif
 #if defined(FLG_WITH_REFERENCE)
 // Against the literal versions, which are built with the tests.

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Frames of the renderer: the paper's largest ribbon, a scene of everything, stereo, tubes against triangles, live strokes,
+// the first picture. A frame's time is the device's; on a device in software the processor time of all threads over the
+// number of cores, which is what an idle machine would take.
+#include <time.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "bench/groups.h"
+#include "bench/host.h"
+#include "bench/meshes.h"
+#include "bench/tube_mesh.h"
+#include "filigree_renderer/renderer.h"
+
+namespace flg::bench {
+namespace {
+
+constexpr uint32_t kWidth = 1280, kHeight = 720;
+constexpr uint32_t kRibbonPoints = 369'400, kStrands = 2000, kTriangles = 2'000'000;
+constexpr uint32_t kTubePoints = 60'000, kTubeSides = 12;
+constexpr int kFrames = 3;  // steady: a frame is what it was before
+
+double process_ms() {
+    timespec now = {};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+bool in_software(const render::Renderer& renderer) {
+    return renderer.device_name().find("llvmpipe") != std::string::npos;
+}
+
+// Of one frame, of which `draw` draws one; the median.
+double frame_ms(render::Renderer& renderer, const std::function<void()>& draw) {
+    draw();  // uploads, and the shadow map
+    renderer.wait_idle();
+    return median_ms(kFrames, [&] {
+        const double before_ms = process_ms();
+        draw();
+        renderer.wait_idle();
+        const double cores = std::max(1u, std::thread::hardware_concurrency());
+        return in_software(renderer) ? (process_ms() - before_ms) / cores : renderer.stats().gpu_ms;
+    });
+}
+
+render::CurvesId upload_ribbon(render::Renderer& renderer, const render::CurveLook& look) {
+    Host host;
+    return renderer.upload(host.view(host.add(scenes::make_target("thomas", kRibbonPoints))), look);
+}
+
+render::CurveLook ribbon_look() {
+    render::CurveLook look;
+    look.radius = 0.01f;
+    return look;
+}
+
+void add_everything(render::Renderer& renderer) {
+    Host host;
+    const scenes::Scene hair = scenes::make_scene("hair", kStrands);
+    renderer.upload(host.view(host.add(hair.curves)));
+    FlgColumn column;
+    const MeshArrays torus = wavy_torus(kTriangles, 0.02);
+    FlgMeshView mesh = torus.view(column);
+    std::vector<uint32_t> regions(mesh.triangle_count);
+    for (uint32_t i = 0; i < mesh.triangle_count; ++i) regions[i] = i / 2048 % 3;
+    mesh.regions = regions.data();
+    render::SurfaceLook look;
+    look.regions = {render::Material{}, {.color = {0.1f, 0.3f, 0.5f}}, {.color = {0.6f, 0.5f, 0.2f}, .metallic = 1.0f}};
+    look.border_width_px = 1.5f;
+    renderer.upload(mesh, look);
+}
+
+void ribbon_rows(std::vector<Row>& rows) {
+    render::Renderer renderer;
+    upload_ribbon(renderer, ribbon_look());
+    render::Target target(renderer, kWidth, kHeight);
+    const render::Camera camera = frame_box(renderer.bounds(), {-1.0f, -0.5f, -1.0f}, target.aspect());
+    const double mono_ms = frame_ms(renderer, [&] { renderer.draw(target, camera); });
+    const render::FrameStats& stats = renderer.stats();
+    char note[160];
+    std::snprintf(note, sizeof note, "%s: %.1f ms; on the device %.1f ms: curves %.1f, backdrop %.1f; %llu triangles",
+                  renderer.device_name().c_str(), mono_ms, stats.gpu_ms, stats.gpu_curves_ms, stats.gpu_backdrop_ms,
+                  static_cast<unsigned long long>(stats.triangles));
+    rows.push_back(at_least("ribbon of 369,400 points, 1280 x 720: frames", 1e3 / mono_ms, "/s",
+                            in_software(renderer) ? 10.0 : 500.0, note));
+
+    render::StereoTarget both(renderer, kWidth, kHeight);
+    render::Camera eyes[2] = {camera, camera};
+    eyes[1].eye.x += 0.064f;
+    eyes[1].target.x += 0.064f;
+    const double stereo_ms = frame_ms(renderer, [&] { renderer.draw(both, eyes); });
+    std::snprintf(note, sizeof note, "%.1f ms against %.1f ms for one eye", stereo_ms, mono_ms);
+    rows.push_back(below("both eyes in one frame over two frames", stereo_ms / (2.0 * mono_ms), "", 1.05, note));
+
+    add_everything(renderer);
+    const render::Camera wide = frame_box(renderer.bounds(), {-1.0f, -0.5f, -1.0f}, target.aspect());
+    std::vector<double> recorded;
+    for (int i = 0; i < kFrames; ++i) {
+        renderer.draw(target, wide);
+        renderer.wait_idle();
+        recorded.push_back(renderer.stats().cpu_ms);
+    }
+    std::snprintf(note, sizeof note, "%u draw calls, %.1f M triangles, %llu MB held", renderer.stats().draw_calls,
+                  1e-6 * static_cast<double>(renderer.stats().triangles),
+                  static_cast<unsigned long long>(renderer.stats().device_bytes >> 20));
+    rows.push_back(
+        below("ribbon, 2,000 strands, 2 M triangles: processor outside the driver", median(recorded), "ms", 0.5, note));
+}
+
+// Pixels where a picture is not the empty scene's.
+std::vector<bool> covered(const render::Image& image, const render::Image& empty) {
+    std::vector<bool> mask;
+    for (size_t i = 0; i < image.pixels.size(); i += 4) {
+        int most = 0;
+        for (size_t c = i; c < i + 3; ++c) most = std::max(most, std::abs(image.pixels[c] - empty.pixels[c]));
+        mask.push_back(most > 12);
+    }
+    return mask;
+}
+
+void tube_rows(std::vector<Row>& rows) {
+    render::Options options;
+    options.shadow_size = 0;  // surfaces look into the shadow map more often than curves
+    render::Renderer renderer(options);
+    render::Scene scene;
+    scene.ground = false;
+    renderer.set_scene(scene);
+    render::Target target(renderer, kWidth, kHeight);
+    const scenes::Curve curve = scenes::make_target("thomas", kTubePoints);
+    std::vector<glm::vec3> points;
+    for (const scenes::Point& p : curve.points)
+        if (points.empty() || points.back() != glm::vec3(p.x, p.y, p.z)) points.emplace_back(p.x, p.y, p.z);
+    render::CurveLook look;
+    look.shape = render::Shape::tube;
+    look.caps = render::Caps::none;
+    look.sides = kTubeSides;
+    look.radius = 0.03f;
+    look.color = look.color_end = {0.1f, 0.1f, 0.1f};
+    Host host;
+    const render::CurvesId tubes = renderer.upload(host.view(host.add(curve)), look);
+    const render::Camera camera = frame_box(renderer.bounds(), {-1.0f, -0.5f, -1.0f}, target.aspect());
+    const auto draw = [&] { renderer.draw(target, camera); };
+    const double tubes_ms = frame_ms(renderer, draw);
+    const render::Image tube_image = renderer.capture(target);
+    const double tube_bytes = static_cast<double>(renderer.memory().curves);
+    renderer.remove(tubes);
+
+    TubeMesh mesh(points, look.radius, kTubeSides);
+    render::SurfaceLook surface_look;
+    surface_look.material = {.color = look.color, .roughness = 0.6f};
+    const render::SurfaceId triangles = renderer.upload(mesh.view(), surface_look);
+    const double triangles_ms = frame_ms(renderer, draw);
+    const render::Image triangle_image = renderer.capture(target);
+    const double triangle_bytes = static_cast<double>(renderer.memory().surfaces);
+    renderer.remove(triangles);
+    draw();
+    const render::Image empty = renderer.capture(target);
+
+    const std::vector<bool> a = covered(tube_image, empty), b = covered(triangle_image, empty);
+    double either = 0.0, one = 0.0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        either += a[i] || b[i];
+        one += a[i] != b[i];
+    }
+    char note[160];
+    std::snprintf(note, sizeof note, "%.1f MB against %.1f MB", 1e-6 * tube_bytes, 1e-6 * triangle_bytes);
+    rows.push_back(
+        below("tubes expanded on the device over triangles: memory", tube_bytes / triangle_bytes, "", 0.2, note));
+    std::snprintf(note, sizeof note, "%.1f ms against %.1f ms", tubes_ms, triangles_ms);
+    rows.push_back(below("tubes expanded on the device over triangles: frame", tubes_ms / triangles_ms, "", 1.0, note));
+    rows.push_back(
+        below("tubes expanded on the device and triangles: pixels only one covers", 100.0 * one / either, "%", 3.0));
+}
+
+// Bytes of the frame in which a sample's points were new, after so many points.
+double growth_bytes(render::Renderer& renderer, render::Target& target, uint32_t length) {
+    constexpr uint32_t kNew = 10;  // points of a sample
+    std::vector<float> positions;
+    for (uint32_t i = 0; i < length + kNew; ++i) {
+        const float t = 0.01f * static_cast<float>(i);
+        positions.insert(positions.end(), {std::sin(t), 1e-4f * t, std::cos(t)});
+    }
+    const auto append = [&](render::CurvesId id, uint32_t first, uint32_t count) {
+        const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &positions[3 * size_t{first}], 0, 0};
+        const uint32_t offsets[2] = {0, count};
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        view.curve_count = 1;
+        view.curve_offsets = offsets;
+        view.columns = &column;
+        view.column_count = 1;
+        renderer.append(id, view);
+        renderer.draw(target, {});
+    };
+    const render::CurvesId id = renderer.begin_growing({}, length + kNew);
+    append(id, 0, length);
+    append(id, length, kNew);
+    renderer.remove(id);
+    return static_cast<double>(renderer.stats().uploaded_bytes);
+}
+
+void growth_rows(std::vector<Row>& rows) {
+    render::Renderer renderer;
+    render::Target target(renderer, 64, 64);
+    // Neither begins a chunk.
+    const double after_few = growth_bytes(renderer, target, 130), after_many = growth_bytes(renderer, target, 128'002);
+    char note[80];
+    std::snprintf(note, sizeof note, "%.0f B for 10 points after 130, %.0f B after 128,002", after_few, after_many);
+    rows.push_back(within("live stroke: upload of a sample, after 128,002 points over after 130",
+                          after_many / after_few, "", 1.0, 0.0, note));
+}
+
+void start_rows(std::vector<Row>& rows) {
+    Host host;
+    const FlgCurveSetView view = host.view(host.add(scenes::make_target("thomas", kRibbonPoints)));
+    std::vector<double> walls;
+    const auto all = [&] {
+        const auto start = std::chrono::steady_clock::now();
+        const double before_ms = process_ms();
+        render::Renderer renderer;
+        renderer.upload(view, ribbon_look());
+        render::Target target(renderer, kWidth, kHeight);
+        renderer.draw(target, frame_box(renderer.bounds(), {-1.0f, -0.5f, -1.0f}, target.aspect()));
+        renderer.capture(target);
+        const double process = process_ms() - before_ms;
+        walls.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        // In software, what one thread does and what all do is not told apart: the whole as if by one.
+        return in_software(renderer) ? process : walls.back();
+    };
+    const double first_ms = all();
+    char note[80];
+    std::snprintf(note, sizeof note, "%.0f ms on the wall's clock", walls.front());
+    rows.push_back(below("start to first picture of 369,400 points", 1e-3 * first_ms, "s", 1.0, note));
+}
+
+}  // namespace
+
+std::vector<Row> run_drawing() {
+    std::vector<Row> rows;
+    try {
+        start_rows(rows);  // while nothing is compiled yet
+        ribbon_rows(rows);
+        tube_rows(rows);
+        growth_rows(rows);
+    } catch (const render::Error& error) {
+        rows.push_back(below("frames", std::nan(""), "", 0.0, error.what()));
+    }
+    return rows;
+}
+
+}  // namespace flg::bench
