@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipelines.h"
 
+#include <utility>
+
 #include "pipeline_build.h"
 #include "shaders/backdrop_frag.h"
 #include "shaders/backdrop_frag_stereo.h"
@@ -18,7 +20,8 @@ constexpr VkVertexInputAttributeDescription instance_attribute[] = {{0, 0, VK_FO
 
 }  // namespace
 
-Pipelines::Pipelines(const Device& device, const RenderPasses& passes) : device_(device.handle()), passes_(passes) {
+Pipelines::Pipelines(const Device& device, const Shaders& shaders, const RenderPasses& passes)
+    : device_(device.handle()), shaders_(&shaders), passes_(passes) {
     const VkShaderStageFlags vertex = VK_SHADER_STAGE_VERTEX_BIT, fragment = VK_SHADER_STAGE_FRAGMENT_BIT;
     const VkDescriptorSetLayoutBinding view_bindings[] = {
         {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, vertex | fragment, nullptr},
@@ -40,17 +43,19 @@ Pipelines::Pipelines(const Device& device, const RenderPasses& passes) : device_
 }
 
 void Pipelines::need_stereo() {
-    if (!main_[static_cast<int>(Eyes::both)].backdrop) make_main(Eyes::both);
+    if (!has_stereo()) make_main(Eyes::both);
 }
 
 void Pipelines::make_main(Eyes eyes) {
-    const auto shader = [&](std::span<const uint32_t> one, std::span<const uint32_t> both) {
-        return ShaderModule(device_, eyes == Eyes::both ? both : one);
+    const auto shader = [&](const char* file, std::span<const uint32_t> one, std::span<const uint32_t> both) {
+        const bool stereo = eyes == Eyes::both;
+        const ShaderVariant variant = stereo ? ShaderVariant::stereo : ShaderVariant::plain;
+        return ShaderModule(device_, shaders_->of(file, stereo ? both : one, variant));
     };
-    const ShaderModule curve_vertex = shader(curve_vert_spv, curve_vert_stereo_spv);
-    const ShaderModule curve_fragment = shader(curve_frag_spv, curve_frag_stereo_spv);
-    const ShaderModule backdrop_vertex(device_, backdrop_vert_spv);
-    const ShaderModule backdrop_fragment = shader(backdrop_frag_spv, backdrop_frag_stereo_spv);
+    const ShaderModule curve_vertex = shader("curve.vert", curve_vert_spv, curve_vert_stereo_spv);
+    const ShaderModule curve_fragment = shader("curve.frag", curve_frag_spv, curve_frag_stereo_spv);
+    const ShaderModule backdrop_vertex(device_, shaders_->of("backdrop.vert", backdrop_vert_spv));
+    const ShaderModule backdrop_fragment = shader("backdrop.frag", backdrop_frag_spv, backdrop_frag_stereo_spv);
     Main& made = main_[static_cast<int>(eyes)];
     PipelineDesc desc;
     desc.layout = layout_;
@@ -82,7 +87,7 @@ void Pipelines::make_main(Eyes eyes) {
 }
 
 void Pipelines::make_shadow() {
-    const ShaderModule curve_vertex(device_, curve_vert_spv);
+    const ShaderModule curve_vertex(device_, shaders_->of("curve.vert", curve_vert_spv));
     uint32_t shape_and_displaced[2] = {};
     PipelineDesc shadow;
     shadow.layout = layout_;
@@ -96,6 +101,12 @@ void Pipelines::make_shadow() {
     auto& [shape, displaced] = shape_and_displaced;
     for (displaced = 0; displaced < 2; ++displaced)
         for (shape = 0; shape < 2; ++shape) shadow_[displaced][shape] = make_pipeline(device_, shadow);
+}
+
+void Pipelines::swap_pipelines(Pipelines& other) {
+    std::swap(shaders_, other.shaders_);
+    std::swap(main_, other.main_);
+    std::swap(shadow_, other.shadow_);
 }
 
 Pipelines::~Pipelines() {

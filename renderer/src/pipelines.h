@@ -4,6 +4,7 @@
 
 #include "device.h"
 #include "eyes.h"
+#include "shaders.h"
 
 namespace flg::render {
 
@@ -24,7 +25,7 @@ constexpr uint32_t curve_buffers = 4;  // of set 1: centers, looks, chunks, disp
 class Pipelines {
 public:
     // Those for one eye; those for both when they are first needed.
-    Pipelines(const Device& device, const RenderPasses& passes);
+    Pipelines(const Device& device, const Shaders& shaders, const RenderPasses& passes);
     ~Pipelines();
     Pipelines(const Pipelines&) = delete;
     Pipelines& operator=(const Pipelines&) = delete;
@@ -35,6 +36,9 @@ public:
 
     // Before anything is drawn for both eyes.
     void need_stereo();
+    bool has_stereo() const { return backdrop(Eyes::both); }
+    // With those of others for the same device and passes, and their shaders.
+    void swap_pipelines(Pipelines& other);
 
     // `displaced`: of points moved by a magnitude offset.
     VkPipeline curve(const CurveLook& look, bool displaced, Eyes eyes) const;
@@ -53,6 +57,7 @@ private:
     void destroy();
 
     VkDevice device_;
+    const Shaders* shaders_;
     RenderPasses passes_;
     VkDescriptorSetLayout view_layout_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout curves_layout_ = VK_NULL_HANDLE;

@@ -8,6 +8,7 @@
 #include "device.h"
 #include "frame.h"
 #include "pipelines.h"
+#include "shaders.h"
 #include "shadow_map.h"
 #include "surface_store.h"
 #include "target_image.h"
@@ -67,6 +68,7 @@ struct Renderer::State {
     ShadowMap shadow_map;
     VkSampleCountFlagBits samples;
     OwnedPass main_pass, stereo_pass;
+    std::unique_ptr<Shaders> shaders;
     Pipelines pipelines;
     SurfacePipelines surface_pipelines;
     TextureSampler texture_sampler;

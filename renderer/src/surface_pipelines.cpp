@@ -2,6 +2,7 @@
 #include "surface_pipelines.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "shaders/border_frag.h"
@@ -45,8 +46,9 @@ constexpr VkVertexInputAttributeDescription skin_attributes[] = {
 
 }  // namespace
 
-SurfacePipelines::SurfacePipelines(const Device& device, const RenderPasses& passes, VkDescriptorSetLayout view_layout)
-    : device_(device.handle()), passes_(passes) {
+SurfacePipelines::SurfacePipelines(const Device& device, const Shaders& shaders, const RenderPasses& passes,
+                                   VkDescriptorSetLayout view_layout)
+    : device_(device.handle()), shaders_(&shaders), passes_(passes) {
     try {
         make_layouts(view_layout);
         make_main(Eyes::one);
@@ -71,14 +73,17 @@ void SurfacePipelines::need_stereo() {
 }
 
 void SurfacePipelines::make_main(Eyes eyes) {
-    const auto shader = [&](std::span<const uint32_t> one, std::span<const uint32_t> both) {
-        return ShaderModule(device_, eyes == Eyes::both ? both : one);
+    const auto shader = [&](const char* file, std::span<const uint32_t> one, std::span<const uint32_t> both) {
+        const bool stereo = eyes == Eyes::both;
+        const ShaderVariant variant = stereo ? ShaderVariant::stereo : ShaderVariant::plain;
+        return ShaderModule(device_, shaders_->of(file, stereo ? both : one, variant));
     };
-    const ShaderModule surface_vertex = shader(surface_vert_spv, surface_vert_stereo_spv);
-    const ShaderModule surface_fragment = shader(surface_frag_spv, surface_frag_stereo_spv);
-    const ShaderModule border_vertex = shader(border_vert_spv, border_vert_stereo_spv);
-    const ShaderModule border_fragment = shader(border_frag_spv, border_frag_stereo_spv);
-    const ShaderModule skinned_vertex = shader(skinned_surface_vert_spv, skinned_surface_vert_stereo_spv);
+    const ShaderModule surface_vertex = shader("surface.vert", surface_vert_spv, surface_vert_stereo_spv);
+    const ShaderModule surface_fragment = shader("surface.frag", surface_frag_spv, surface_frag_stereo_spv);
+    const ShaderModule border_vertex = shader("border.vert", border_vert_spv, border_vert_stereo_spv);
+    const ShaderModule border_fragment = shader("border.frag", border_frag_spv, border_frag_stereo_spv);
+    const ShaderModule skinned_vertex =
+        shader("skinned_surface.vert", skinned_surface_vert_spv, skinned_surface_vert_stereo_spv);
     Main& made = main_[static_cast<int>(eyes)];
     PipelineDesc surface;
     surface.layout = layout_;
@@ -103,8 +108,9 @@ void SurfacePipelines::make_main(Eyes eyes) {
 }
 
 void SurfacePipelines::make_shadows() {
-    const ShaderModule vertex(device_, surface_shadow_vert_spv),
-        skinned_vertex(device_, skinned_surface_shadow_vert_spv);
+    const ShaderModule vertex(device_, shaders_->of("surface_shadow.vert", surface_shadow_vert_spv));
+    const ShaderModule skinned_vertex(device_,
+                                      shaders_->of("skinned_surface_shadow.vert", skinned_surface_shadow_vert_spv));
     PipelineDesc shadow;
     shadow.layout = layout_;
     shadow.pass = passes_.shadow;
@@ -130,6 +136,13 @@ void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipeline (&out_pipeline
         desc.constants = {&skinning, 1};
         out_pipelines[skinning] = make_pipeline(device_, desc);
     }
+}
+
+void SurfacePipelines::swap_pipelines(SurfacePipelines& other) {
+    std::swap(shaders_, other.shaders_);
+    std::swap(main_, other.main_);
+    std::swap(shadow_, other.shadow_);
+    std::swap(skinned_shadow_, other.skinned_shadow_);
 }
 
 SurfacePipelines::~SurfacePipelines() {

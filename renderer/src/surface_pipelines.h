@@ -8,6 +8,7 @@
 #include "eyes.h"
 #include "filigree/filigree_model.h"
 #include "pipeline_build.h"
+#include "shaders.h"
 
 namespace flg::render {
 
@@ -35,13 +36,16 @@ constexpr uint32_t border_vertices = 12;  // of a line: four triangles, mirrors 
 class SurfacePipelines {
 public:
     // Those for one eye; those for both when they are first needed.
-    SurfacePipelines(const Device& device, const RenderPasses& passes, VkDescriptorSetLayout view_layout);
+    SurfacePipelines(const Device& device, const Shaders& shaders, const RenderPasses& passes,
+                     VkDescriptorSetLayout view_layout);
     ~SurfacePipelines();
     SurfacePipelines(const SurfacePipelines&) = delete;
     SurfacePipelines& operator=(const SurfacePipelines&) = delete;
 
     // Before anything is drawn for both eyes.
     void need_stereo();
+    // With those of others for the same device and passes, and their shaders.
+    void swap_pipelines(SurfacePipelines& other);
 
     VkPipelineLayout layout() const { return layout_; }               // set 0: the view
     VkPipeline surface(Eyes eyes) const { return of(eyes).surface; }  // vertex buffers: positions, SurfaceVertex
@@ -69,6 +73,7 @@ private:
     void destroy();
 
     VkDevice device_;
+    const Shaders* shaders_;
     RenderPasses passes_;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     Main main_[2];  // by Eyes

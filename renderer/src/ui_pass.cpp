@@ -90,11 +90,13 @@ void check_ui(const UiFrame& ui, const TextureStore& textures) {
     }
 }
 
-UiPass::UiPass(const Device& device, VkDescriptorSetLayout texture_layout) : device_(device.handle()) {
+UiPass::UiPass(const Device& device, const Shaders& shaders, VkDescriptorSetLayout texture_layout)
+    : device_(device.handle()) {
     try {
         pass_ = make_pass(device_);
         layout_ = make_pipeline_layout(device_, {&texture_layout, 1}, sizeof(glm::vec2));
-        const ShaderModule vertex(device_, ui_vert_spv), fragment(device_, ui_frag_spv);
+        const ShaderModule vertex(device_, shaders.of("ui.vert", ui_vert_spv));
+        const ShaderModule fragment(device_, shaders.of("ui.frag", ui_frag_spv));
         PipelineDesc desc;
         desc.vertex = vertex.handle();
         desc.fragment = fragment.handle();

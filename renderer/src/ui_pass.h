@@ -3,7 +3,10 @@
 // of sRGB values.
 #pragma once
 
+#include <utility>
+
 #include "frame.h"
+#include "shaders.h"
 #include "texture_store.h"
 
 namespace flg::render {
@@ -13,10 +16,13 @@ void check_ui(const UiFrame& ui, const TextureStore& textures);
 
 class UiPass {
 public:
-    UiPass(const Device& device, VkDescriptorSetLayout texture_layout);
+    UiPass(const Device& device, const Shaders& shaders, VkDescriptorSetLayout texture_layout);
     ~UiPass();
     UiPass(const UiPass&) = delete;
     UiPass& operator=(const UiPass&) = delete;
+
+    // With those of another for the same device.
+    void swap_pipelines(UiPass& other) { std::swap(pipeline_, other.pipeline_); }
 
     VkRenderPass handle() const { return pass_; }
     // Of a checked frame, which `buffers` hold. Returns the number of draw calls.

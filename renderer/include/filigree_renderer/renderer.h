@@ -49,6 +49,9 @@ struct Options {
     // The most memory the renderer may hold on the device, bytes; 0 = four fifths of the device's own. What would take it
     // beyond throws, and nothing changes. A window's own images, which are the system's, don't count.
     uint64_t memory_limit_bytes = 0;
+    // For those who write shaders: where the files of shaders/ lie, which are then compiled at the start instead of those the
+    // program was built with. Only in programs linked with filigree_shader_compiler; others throw. Empty: built in.
+    std::string shader_folder;
     StereoPasses stereo = StereoPasses::automatic;
 };
 
@@ -285,6 +288,10 @@ public:
     Image capture(StereoTarget& target, uint32_t eye);  // 0 or 1
     // Waits until all frames are drawn.
     void wait_idle();
+
+    // Compiles the shaders of options.shader_folder again, for the next frame; false: nothing has changed, or there is no
+    // folder. Throws with the compiler's words for one that doesn't compile, and goes on with those it had.
+    bool reload_shaders();
 
     // Goes on with a new device, after DeviceLost or whenever a host wants to. All curves, surfaces and textures are gone;
     // their ids are no longer valid and are not given out again. Options, scene, targets and windows stay, their pictures

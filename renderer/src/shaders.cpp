@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "shaders.h"
+
+#include "shader_compiler.h"
+#include "vk.h"
+
+namespace flg::render {
+
+Shaders::Shaders(std::string folder) : folder_(std::move(folder)) {
+    if (!folder_.empty() && !compile_shader)
+        fail("options.shader_folder is \"%s\", but this program is not linked with filigree_shader_compiler.",
+             folder_.c_str());
+}
+
+std::span<const uint32_t> Shaders::of(const std::string& file, std::span<const uint32_t> built_in,
+                                      ShaderVariant variant) const {
+    if (folder_.empty()) return built_in;
+    const std::string stereo = "STEREO";
+    const bool is_stereo = variant == ShaderVariant::stereo;
+    const std::string key = is_stereo ? file + " " + stereo : file;
+    const auto found = compiled_.find(key);
+    if (found != compiled_.end()) return found->second;
+    return compiled_[key] = compile_shader(folder_, file, {&stereo, is_stereo ? 1u : 0u});
+}
+
+}  // namespace flg::render
