@@ -59,8 +59,12 @@ std::string Drawing::free_name(const std::string& base, uint32_t but_of) const {
         return std::any_of(parts.begin(), parts.end(),
                            [&](const DrawnPart& part) { return part.id != but_of && part.name == name; });
     };
+    // "leg" and "leg 2" are followed by "leg 3".
+    const size_t digits = wanted.find_last_not_of("0123456789") + 1;
+    const bool is_numbered = digits > 1 && digits < wanted.size() && wanted[digits - 1] == ' ';
+    const std::string stem = is_numbered ? wanted.substr(0, digits - 1) : wanted;
     std::string name = wanted;
-    for (int number = 2; is_taken(name); ++number) name = wanted + " " + std::to_string(number);
+    for (int number = 2; is_taken(name); ++number) name = stem + " " + std::to_string(number);
     return name;
 }
 

@@ -44,6 +44,13 @@ render::Image halved(const render::Image& image) {
 
 }  // namespace
 
+ImageSize image_size(const std::string& path) {
+    int width = 0, height = 0, channels = 0;
+    if (stbi_info(path.c_str(), &width, &height, &channels) == 0)
+        throw StudioError("The picture " + path + " can't be read: " + stbi_failure_reason() + ".");
+    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+}
+
 render::Image read_image(const std::string& path) {
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(

@@ -70,9 +70,13 @@ std::optional<PartHit> pick_part(const Editor& editor, glm::vec2 px) {
 
 std::vector<glm::vec2> ring_in_window(const View& view, const DrawnPart& part, const Ring& ring,
                                       const glm::vec4* mirror) {
+    // Of contours from files: more cannot be seen.
+    constexpr size_t kMost = 2000;
+    const size_t step = ring.size() / kMost + 1;
     const glm::dmat4 matrix = part.matrix();
     std::vector<glm::vec2> polygon;
-    for (const glm::dvec2& p : ring) {
+    for (size_t i = 0; i < ring.size(); i += step) {
+        const glm::dvec2& p = ring[i];
         glm::dvec3 at(matrix * glm::dvec4(p, 0.0, 1.0));
         if (mirror != nullptr) at = mirrored(*mirror, at);
         const auto px = view.project(glm::vec3(at));

@@ -38,6 +38,7 @@ void Skeletons::enter() {
 
 void Skeletons::leave() {
     is_in_front_ = false;
+    play(false);
     drop_tools();
     for (const auto& mesh : desk_.scene.meshes())
         if (mesh->drawn.value != 0) desk_.renderer.set_visible(mesh->drawn, mesh->visible);
@@ -160,11 +161,29 @@ void Skeletons::pointer(const Pointer& mouse) {
 void Skeletons::overlay(ImDrawList& list) {
     if (mode_ == Mode::draw || mode_ == Mode::move) layer_.draw(list, desk_.view, editor_.drawing().picture);
     if (mode_ != Mode::pose) draw_outlines(list);
+    if (mode_ == Mode::draw && editor_.drawing().parts.empty() && !draw_.is_drawing() && !layer_.is_shown())
+        draw_invitation(list);
     if (mode_ == Mode::draw) draw_.overlay(list);
     if (mode_ == Mode::move) move_.overlay(list);
     if (mode_ == Mode::refine) branch_.overlay(list);
     const Rig* rig = shown_rig();
     if (mode_ == Mode::pose && rig != nullptr && joints_.at.size() == rig->count()) pose_.overlay(list, *rig, joints_);
+}
+
+void Skeletons::draw_invitation(ImDrawList& list) const {
+    constexpr const char* kText = "Draw the outline of a body here";
+    constexpr int kDashes = 48;
+    const glm::vec4 v(desk_.view.viewport);
+    const glm::vec2 middle(v.x + 0.5f * v.z, v.y + 0.5f * v.w), half = 0.28f * glm::vec2(v.z, 0.7f * v.w);
+    for (int i = 0; i < kDashes; ++i) {
+        const auto at = [&](float step) {
+            const float angle = 6.2831853f * (static_cast<float>(i) + step) / kDashes;
+            return ImVec2(middle.x + half.x * std::cos(angle), middle.y + half.y * std::sin(angle));
+        };
+        list.AddLine(at(0.0f), at(0.55f), ink::kFaint, 2.0f * desk_.scale);
+    }
+    const ImVec2 size = ImGui::CalcTextSize(kText);
+    list.AddText({middle.x - 0.5f * size.x, middle.y - 0.5f * size.y}, ink::kLine, kText);
 }
 
 void Skeletons::draw_outlines(ImDrawList& list) const {
@@ -248,7 +267,7 @@ void Skeletons::redo() {
 }
 
 bool Skeletons::busy() const {
-    return editor_.live.busy() || editor_.contours.busy() || layer_.busy();
+    return is_playing_ || editor_.live.busy() || editor_.contours.busy() || layer_.busy();
 }
 
 void Skeletons::device_lost() {

@@ -51,6 +51,7 @@ private:
     void drop_tools();
     void frame_drawing(const glm::vec3& sight);
     void hide_meshes();
+    void open_picture(const std::string& path);
 
     // What is shown of the pose: at rest but in Pose, where the bones are those of the body.
     const Rig* shown_rig() const;
@@ -79,6 +80,7 @@ private:
     // After each slider: a step of undo where it was let go of.
     void end_slider();
     void draw_outlines(ImDrawList& list) const;
+    void draw_invitation(ImDrawList& list) const;
 
     Editor editor_;
     ModelPicture picture_;
@@ -92,6 +94,7 @@ private:
     bool is_in_front_ = false;
     bool wants_frame_ = true;  // the camera is to see the drawing, or the empty paper
     bool refines_part_ = false;
+    float reach_ = 1.0f;       // of sliders that move parts, metres
     bool is_sliding_ = false;  // a slider of the panel is held
     std::string name_text_;    // being typed
     uint32_t name_of_ = 0;

@@ -6,6 +6,7 @@
 
 #include "filigree/filigree_io.h"
 #include "skeletons/drawing_file.h"
+#include "skeletons/image_file.h"
 #include "skeletons/skeletons.h"
 
 namespace flg::studio {
@@ -28,17 +29,29 @@ constexpr Workspace::Export kExports[] = {{"Model", ".glb"}, {"Drawing", ".json"
 
 }  // namespace
 
+void Skeletons::open_picture(const std::string& path) {
+    constexpr double kOfView = 0.85;
+    const ImageSize size = image_size(path);
+    editor_.commit();
+    // Before it is seen for the first time there is no camera to go by.
+    if (wants_frame_ && desk_.view.viewport.z > 1) {
+        frame_drawing({0.0f, 0.0f, -1.0f});
+        wants_frame_ = false;
+    }
+    const glm::vec3& aim = desk_.view.orbit.camera.target;
+    const double metres = static_cast<double>(desk_.view.metres_per_px({aim.x, aim.y, 0.0f}));
+    const double fit = std::min(static_cast<double>(desk_.view.viewport.w),
+                                desk_.view.viewport.z * static_cast<double>(size.height) / size.width);
+    TracedPicture& picture = editor_.change("picture").picture;
+    picture.path = std::filesystem::absolute(path).string();
+    picture.centre = {aim.x, aim.y};
+    picture.height = std::clamp(kOfView * fit * metres, 0.1, 100.0);
+    editor_.commit();
+}
+
 bool Skeletons::open(const std::string& path) {
     if (ends_with(path, ".png") || ends_with(path, ".jpg") || ends_with(path, ".jpeg")) {
-        constexpr double kOfView = 0.8;
-        const glm::vec3& aim = desk_.view.orbit.camera.target;
-        const double seen = static_cast<double>(desk_.view.metres_per_px({aim.x, aim.y, 0.0f})) * desk_.view.viewport.w;
-        editor_.commit();
-        TracedPicture& picture = editor_.change("picture").picture;
-        picture = {std::filesystem::absolute(path).string(), {aim.x, aim.y}, kOfView * seen, picture.opacity};
-        // Before it is seen for the first time there is no camera to go by.
-        if (wants_frame_ || !(picture.height > 0.0)) picture.centre = {0.0, 0.0}, picture.height = 2.8;
-        editor_.commit();
+        open_picture(path);
         set_mode(Mode::draw);
         return true;
     }
@@ -84,6 +97,7 @@ void Skeletons::write(const Export& what, const std::string& path) {
     if (std::string(what.extension) == ".json") return write_drawing(editor_.drawing(), path);
     const LiveModel::Skinned* skin = editor_.live.skin();
     if (skin == nullptr) throw StudioError("There is no body to be written: draw a part, or wait until it is made.");
+    if (editor_.live.busy()) throw StudioError("The body is still being made: try again in a moment.");
     const Pose& pose = editor_.drawing().pose;
     std::vector<FlgSkinAnimation> animations;
     const float start = 0.0f;

@@ -15,7 +15,7 @@ namespace {
 constexpr FlgBoneThresholds kFineBones = {.simplify = 0.002f, .merge = 0.008f, .prune = 0.015f, .collapse = 0.004f},
                             kCoarseBones = {.simplify = 0.03f, .merge = 0.07f, .prune = 0.10f, .collapse = 0.06f};
 
-// How far parts may be moved by sliders: does not change while they are.
+// How far parts may be moved by sliders.
 float reach_of(const Drawing& drawing) {
     const float size = std::max(drawing.box().diagonal(), 1.0f);
     return std::exp2(std::ceil(std::log2(0.5f * size)));
@@ -39,6 +39,8 @@ void Skeletons::end_slider() {
 
 void Skeletons::panel() {
     is_sliding_ = false;
+    // A slider's range stays while it is held.
+    if (!editor_.is_acting()) reach_ = reach_of(editor_.drawing());
     struct Choice {
         Mode mode;
         const char* label;
@@ -153,9 +155,8 @@ void Skeletons::part_panel() {
         if (!is_next) editor_.change_selected("thickness").thickness = 0.01f * thickness;
     }
     end_slider();
-    const float reach = reach_of(editor_.drawing());
     float depth = is_next ? draw_.depth : static_cast<float>(part.at.z);
-    if (ui::slider("Depth", &depth, -reach, reach, "%.2f m",
+    if (ui::slider("Depth", &depth, -reach_, reach_, "%.2f m",
                    "How near to you the part's plane is. More is nearer; 0 is the plane of the picture.")) {
         if (is_next)
             draw_.depth = depth;
@@ -201,7 +202,6 @@ void Skeletons::move_panel() {
 }
 
 void Skeletons::place_panel() {
-    const float reach = reach_of(editor_.drawing());
     struct Axis {
         const char* label;
         int axis;
@@ -211,7 +211,7 @@ void Skeletons::place_panel() {
                                 {"Up", 1, "How far the part is moved up from where it was drawn."}};
     for (const Axis& along : kPlaces) {
         auto value = static_cast<float>(editor_.selected()->at[along.axis]);
-        if (ui::slider(along.label, &value, -reach, reach, "%.2f m", along.tip))
+        if (ui::slider(along.label, &value, -reach_, reach_, "%.2f m", along.tip))
             editor_.change_selected(along.label).at[along.axis] = static_cast<double>(value);
         end_slider();
     }
@@ -409,7 +409,6 @@ void Skeletons::shown_panel() {
     ui::toggle("Body", &shown_.body, "The body that is made of the parts.");
     ui::same_row();
     ui::toggle("Bones", &shown_.bones, "Bones and joints, seen through the body.");
-    ui::same_row();
     ui::toggle("Lines", &shown_.outlines, "The contours as they were drawn.");
     ui::same_row();
     ui::toggle("Meshes", &shown_.meshes, "The meshes of the scene, which are put out of sight here otherwise.");
