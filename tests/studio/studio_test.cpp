@@ -102,18 +102,79 @@ TEST(Studio, DocumentsComeBackAsTheyWere) {
     const std::string document = (folder / "mine.filigree").string();
     ASSERT_EQ(play_text(folder,
                         "open builtin:ball\nwait\ndrag 0.4,0.4 0.6,0.5 0.5,0.6\nclick \"New layer\"\n"
-                        "click \"style knit\"\ndrag 0.45,0.3 0.55,0.35\nwait\nmove 0.99,0.99\n"
+                        "click \"style knit\"\ndrag 0.45,0.3 0.55,0.35\nwait\nclick \"Draw\"\nmove 0.99,0.99\n"
                         "expect studio.unsaved 1\nsave " +
                             document + "\nexpect studio.unsaved 0\nframes 2\nshot saved\n")
                   .status,
               0);
     const Outcome loaded = play_text(folder, "load " + document +
                                                  "\nwait\nexpect strokes.count 2\nexpect strokes.layers 2\n"
-                                                 "expect scene.meshes 1\nexpect studio.unsaved 0\nmove 0.99,0.99\n"
+                                                 "expect scene.meshes 1\nexpect studio.unsaved 0\nclick \"Draw\"\nmove 0.99,0.99\n"
                                                  "frames 2\nshot loaded\n");
     ASSERT_EQ(loaded.status, 0) << loaded.err;
     const Difference difference = compare_pictures(folder / "saved.png", folder / "loaded.png");
     EXPECT_LT(difference.mean, 0.1);
+}
+
+TEST(Studio, AsksBeforeWorkIsLost) {
+    const Folder folder;
+    const Outcome outcome = play_text(folder, R"(drag 0.4,0.4 0.5,0.5
+wait
+key ctrl+n
+click "Stay here"
+expect strokes.count 1
+key ctrl+n
+click "Discard them"
+expect strokes.count 0
+expect studio.unsaved 0
+key ctrl+n
+expect strokes.count 0
+)");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(Studio, WorkSurvivesBeingKilled) {
+    const Folder folder;
+    folder.write("work.txt", "drag 0.4,0.4 0.5,0.5\nwait\nframes 100000000\n");
+    const std::string copies = (folder / "copies").string(), log = (folder / "log").string();
+    const std::string start = std::string(FLG_STUDIO_PROGRAM) + " --script " + (folder / "work.txt").string() +
+                              " --offscreen --autosave " + copies + " 2> " + log + " & pid=$!";
+    const std::string wait = "for i in $(seq 1200); do [ -e " + copies +
+                             "/autosave-$pid.filigree ] && break; sleep 0.1; done; kill -KILL $pid; wait $pid";
+    run_program("/bin/sh", {"-c", start + "; " + wait}, folder.path());
+    EXPECT_EQ(folder.read("log"), "");
+    const Outcome next = play_text(folder,
+                                   "frames 2\nclick \"Bring it back\"\nwait\nexpect strokes.count 1\n"
+                                   "expect studio.unsaved 1\n",
+                                   {"--autosave", copies});
+    EXPECT_EQ(next.status, 0) << next.err;
+    const Outcome last = play_text(folder,
+                                   "frames 2\nexpect strokes.count 0\ndrag 0.4,0.4 0.5,0.5\nwait\n"
+                                   "expect strokes.count 1\n",
+                                   {"--autosave", copies});
+    EXPECT_EQ(last.status, 0) << "what was brought back is not offered again: " << last.err;
+}
+
+TEST(Studio, GoesOnAfterTheDeviceIsLost) {
+    const Folder folder;
+    const Outcome outcome = play_text(folder, R"(open builtin:ball
+wait
+drag 0.4,0.4 0.5,0.5
+wait
+move 0.98,0.98
+shot before
+lose_device
+frames 12
+wait
+shot after
+lose_device
+resize 900 600
+frames 12
+wait
+expect strokes.count 1
+)");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(folder.read("before.png"), folder.read("after.png"));
 }
 
 TEST(Studio, DamagedDocumentsAreRefusedOrTakenAsFarAsTheyGo) {

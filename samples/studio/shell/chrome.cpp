@@ -44,9 +44,11 @@ void Studio::draw_tabs() {
     for (size_t i = 0; i < workspaces_.size(); ++i) {
         if (i > 0) ImGui::SameLine();
         const bool chosen = i == front_;
-        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        const ImVec4 amber = ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive);
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, amber);
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, amber);
         const bool clicked = ImGui::Button(workspaces_[i]->title(), {width, 0.0f});
-        if (chosen) ImGui::PopStyleColor();
+        if (chosen) ImGui::PopStyleColor(2);
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         ui::mark(workspaces_[i]->title(), {{low.x, low.y}, {high.x, high.y}});
         const std::string said =
@@ -61,7 +63,7 @@ void Studio::draw_panel() {
     const auto top = static_cast<float>(view_.viewport.y);
     begin_fixed("##panel", 0.0f, top, static_cast<float>(view_.viewport.x), static_cast<float>(view_.viewport.w));
     ImGui::PushID(static_cast<int>(front_));
-    guarded(front().title(), [this] { front().panel(); });
+    front().panel();
     ImGui::PopID();
     ImGui::End();
 }

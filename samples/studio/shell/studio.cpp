@@ -4,6 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,7 @@ Studio::Studio(const StudioOptions& options)
     view_.orbit.camera = {{1.1f, 0.9f, 2.2f}, {0.0f, 0.4f, 0.0f}};
     if (!options_.script.empty())
         player_.emplace(static_cast<ScriptHost&>(*this), options_.script, read_script(options_.script));
+    lay_out();
     started_ = frame_start_ = std::chrono::steady_clock::now();
     const std::vector<std::string> left = autosave_.left_behind();
     if (!left.empty()) left_behind_ = left.front();
@@ -108,7 +110,8 @@ bool Studio::frame() {
     ui::begin_widgets();
     for (const std::string& path : input_.dropped) guarded("open a file", [&] { open_any(path); });
     move_camera();
-    guarded("draw the panels", [&] { draw_chrome(); });
+    // A panel that throws leaves ImGui in the middle of its windows.
+    if (!guarded("the panels", [&] { draw_chrome(); })) ImGui::ErrorCheckEndFrameRecover(nullptr);
     send_keys();
     send_pointer();
     if (player_ == std::nullopt)
@@ -134,9 +137,10 @@ void Studio::tick() {
     }
 }
 
-void Studio::guarded(const char* what, const std::function<void()>& work) {
+bool Studio::guarded(const char* what, const std::function<void()>& work) {
     try {
         work();
+        return true;
     } catch (const StudioError& error) {
         notices_.add(Weight::error, error.what());
     } catch (const render::DeviceLost&) {
@@ -144,6 +148,7 @@ void Studio::guarded(const char* what, const std::function<void()>& work) {
     } catch (const std::exception& error) {
         notices_.add(Weight::error, std::string(what) + ": " + error.what());
     }
+    return false;
 }
 
 void Studio::recover() {
@@ -313,10 +318,13 @@ void Studio::take_shot(const std::string& name, bool everything) {
 void Studio::resize(uint32_t width, uint32_t height) {
     const auto wide = static_cast<uint32_t>(std::lround(static_cast<float>(width) * scale_));
     const auto high = static_cast<uint32_t>(std::lround(static_cast<float>(height) * scale_));
-    if (window_)
-        window_->set_size(wide, high);
-    else
+    if (window_) return window_->set_size(wide, high);
+    try {
         target_->resize(wide, high);
+    } catch (const render::DeviceLost&) {
+        recover();
+        target_->resize(wide, high);
+    }
 }
 
 void Studio::lose_device() {

@@ -49,7 +49,8 @@ private:
     bool frame();
     void tick();
     void draw();
-    void guarded(const char* what, const std::function<void()>& work);
+    // False if it threw: the user has been told, a lost device been opened again.
+    bool guarded(const char* what, const std::function<void()>& work);
     void recover();
     void wait_for_events();
     void lay_out();

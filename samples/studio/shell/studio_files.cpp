@@ -133,7 +133,7 @@ void Studio::export_path(const std::string& what, const std::string& path) {
 }
 
 void Studio::when_safe(std::function<void()> action) {
-    if (unsaved() && !player_)
+    if (unsaved())
         when_safe_ = std::move(action);
     else
         action();

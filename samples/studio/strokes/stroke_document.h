@@ -28,7 +28,7 @@ using StrokePtr = std::shared_ptr<const DrawnStroke>;
 enum class StrokeShape { ribbon, tube, raw };
 
 struct StrokeSettings {
-    std::string style = "curls";  // built in, or drawn
+    std::string style = "loops";  // built in, or drawn
     StrokeShape shape = StrokeShape::tube;
     bool standing = false;   // the style swings away from what it lies on, not along it
     float scale_cm = 1.6f;   // how far the style swings off the stroke, root mean square
