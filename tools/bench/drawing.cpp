@@ -64,8 +64,12 @@ void add_everything(render::Renderer& renderer) {
     FlgColumn column;
     const MeshArrays torus = wavy_torus(kTriangles, 0.02);
     FlgMeshView mesh = torus.view(column);
+    // Slanted bands.
     std::vector<uint32_t> regions(mesh.triangle_count);
-    for (uint32_t i = 0; i < mesh.triangle_count; ++i) regions[i] = i / 2048 % 3;
+    for (uint32_t i = 0; i < mesh.triangle_count; ++i) {
+        const float* corner = &torus.positions[3 * size_t{torus.triangles[3 * size_t{i}]}];
+        regions[i] = static_cast<uint32_t>(std::floor(6.0f * (corner[0] + corner[1] + corner[2]) + 60.0f)) % 3;
+    }
     mesh.regions = regions.data();
     render::SurfaceLook look;
     look.regions = {render::Material{}, {.color = {0.1f, 0.3f, 0.5f}}, {.color = {0.6f, 0.5f, 0.2f}, .metallic = 1.0f}};
