@@ -133,8 +133,7 @@ void TanglesWorkspace::draw_sizes(Ornament& ornament) {
     }
     const bool has_samples = is_operator(r.deed) && (r.from.kind == SeedKind::samples ||
                                                      r.towards.kind == SeedKind::samples || r.perturbation > 0.0f);
-    const bool scatters =
-        r.deed == Deed::polka_dots || r.deed == Deed::flower || r.deed == Deed::cells || has_samples;
+    const bool scatters = r.deed == Deed::polka_dots || r.deed == Deed::flower || r.deed == Deed::cells || has_samples;
     if (scatters)
         ui::slider("Chance", &r.seed, 1, 99, "%d",
                    "Which of the many ways that chance has: each number is another, always the same.");
@@ -210,6 +209,7 @@ void TanglesWorkspace::draw_seed_choice(LiveStep& live, SeedChoice& seeds, bool 
         length_slider("Between beads", &seeds.spacing, live.first.from.spacing,
                       "Metres along the border: more makes fewer.");
     if (seeds.kind == SeedKind::points && !seeds.points.empty()) {
+        ImGui::AlignTextToFramePadding();
         ui::hint((std::to_string(seeds.points.size()) + (seeds.points.size() == 1 ? " point" : " points")).c_str());
         ui::same_row();
         if (ui::button("Clear the points", "Takes all points away.")) seeds.points.clear();

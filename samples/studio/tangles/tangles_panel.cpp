@@ -77,10 +77,10 @@ void TanglesWorkspace::draw_selection(const Ornament& ornament) {
                        {.enabled = !selected_.empty()}))
         select_parents();
     const size_t leaves = ornament.regions.leaves().size();
-    const std::string said =
-        selected_.empty() ? (leaves == 1 ? std::string("Nothing selected: the whole mesh.")
-                                         : "Nothing selected: all " + plural(leaves, "region") + ".")
-                          : plural(selected_.size(), "region") + " of " + std::to_string(leaves) + " selected.";
+    const std::string said = selected_.empty()
+                                 ? (leaves == 1 ? std::string("Nothing selected: the whole mesh.")
+                                                : "Nothing selected: all " + plural(leaves, "region") + ".")
+                                 : plural(selected_.size(), "region") + " of " + std::to_string(leaves) + " selected.";
     ui::hint(said.c_str());
 }
 
@@ -110,6 +110,11 @@ void TanglesWorkspace::draw_deeds() {
     for (int i = 0; i < 12; ++i) {
         if (i % 4 != 0) ui::same_row();
         deed_button(static_cast<Deed>(i), 4);
+    }
+    if (!refusal_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{1.0f, 0.62f, 0.35f, 1.0f});
+        ImGui::TextWrapped("%s", refusal_.c_str());
+        ImGui::PopStyleColor();
     }
     const bool any = !selected_.empty();
     if (ui::row_button("Raise", 4, info_of(Deed::displace).what)) try_deed(Deed::displace);

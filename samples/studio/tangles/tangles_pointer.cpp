@@ -29,13 +29,14 @@ bool TanglesWorkspace::is_hidden(const glm::vec3& place) const {
     return glm::distance(hit->position(), ray.origin) < 0.99f * distance;
 }
 
-std::optional<SeedPoint> TanglesWorkspace::place_under(const Ornament& ornament, glm::vec2 px) const {
-    const auto hit = desk_.scene.hit(desk_.view.ray(px));
+std::optional<SeedPoint> TanglesWorkspace::place_under(const Ornament& ornament, const Ray& ray) const {
+    const auto hit = desk_.scene.hit(ray);
     if (!hit || hit->mesh->id != ornament.mesh_id()) return std::nullopt;
     return ornament.live->before.nearest(hit->position(), kOffMesh * hit->mesh->box.diagonal());
 }
 
 void TanglesWorkspace::pointer(const Pointer& mouse) {
+    while (!waiting_clicks_.empty() && click(waiting_clicks_.front())) waiting_clicks_.pop_front();
     Ornament* ornament = active();
     if (ornament != nullptr && ornament->live && is_operator(ornament->live->recipe.deed)) {
         if (edit_seeds(*ornament, mouse)) {
@@ -61,22 +62,29 @@ void TanglesWorkspace::pointer(const Pointer& mouse) {
     }
     if (!mouse.released || !pressed_on_picture_) return;
     pressed_on_picture_ = false;
-    if (glm::distance(mouse.px, pressed_px_) <= kClickUnits * desk_.scale) click(mouse);
+    if (glm::distance(mouse.px, pressed_px_) <= kClickUnits * desk_.scale)
+        waiting_clicks_.push_back({desk_.view.ray(mouse.px), mouse.shift, mouse.control, false});
 }
 
-void TanglesWorkspace::click(const Pointer& mouse) {
-    const auto hit = desk_.scene.hit(desk_.view.ray(mouse.px));
-    if (!hit) {
-        if (desk_.scene.settled() && !mouse.shift && !paints_ && trying() == nullptr) selected_.clear();
-        return;
+bool TanglesWorkspace::click(const Click& click) {
+    const auto hit = desk_.scene.hit(click.ray);
+    if (!hit && !desk_.scene.settled()) return false;
+    Ornament* tried = trying();
+    if (click.adds_point && tried != nullptr) {
+        SeedChoice& seeds = edited_seeds(tried->live.value());
+        if (seeds.kind == SeedKind::points && add_point(*tried, seeds, click.ray)) return true;
     }
-    if (trying() != nullptr) later([this] { keep(); });
+    if (!hit) {
+        if (!click.shift && !paints_ && tried == nullptr) selected_.clear();
+        return true;
+    }
+    if (tried != nullptr) later([this] { keep(); });
     if (desk_.scene.active() != hit->mesh) {
         desk_.scene.set_active(hit->mesh->id);
         selected_.clear();
         selected_mesh_ = hit->mesh->id;
     }
-    later([this, mesh = hit->mesh->id, leaf = hit->hit.region, shift = mouse.shift, control = mouse.control] {
+    later([this, mesh = hit->mesh->id, leaf = hit->hit.region, shift = click.shift, control = click.control] {
         const Ornament* ornament = find(mesh);
         if (ornament == nullptr || ornament != active() || leaf >= ornament->regions.count()) return;
         Regions regions = control ? Regions{leaf} : meant(*ornament, leaf);
@@ -99,12 +107,26 @@ void TanglesWorkspace::click(const Pointer& mouse) {
             all.insert(all.end(), regions.begin(), regions.end());
         select(std::move(all));
     });
+    return true;
+}
+
+SeedChoice& TanglesWorkspace::edited_seeds(LiveStep& live) {
+    const bool has_towards = live.recipe.deed == Deed::contour || live.recipe.deed == Deed::stream;
+    return edits_towards_ && has_towards ? live.recipe.towards : live.recipe.from;
+}
+
+bool TanglesWorkspace::add_point(Ornament& ornament, SeedChoice& seeds, const Ray& ray) {
+    const auto place = place_under(ornament, ray);
+    if (!place) return false;
+    // The point that was proposed makes way for the first that is clicked.
+    const LiveStep& live = *ornament.live;
+    if (&seeds == &live.recipe.from && seeds.points == live.first.from.points) seeds.points.clear();
+    seeds.points.push_back(*place);
+    return true;
 }
 
 bool TanglesWorkspace::edit_seeds(Ornament& ornament, const Pointer& mouse) {
-    Recipe& recipe = ornament.live->recipe;
-    const bool has_towards = recipe.deed == Deed::contour || recipe.deed == Deed::stream;
-    SeedChoice& seeds = edits_towards_ && has_towards ? recipe.towards : recipe.from;
+    SeedChoice& seeds = edited_seeds(*ornament.live);
     if (seeds.kind == SeedKind::points) return edit_points(ornament, seeds, mouse);
     if (seeds.kind == SeedKind::picked) return edit_borders(ornament, seeds, mouse);
     return false;
@@ -114,7 +136,8 @@ bool TanglesWorkspace::edit_points(Ornament& ornament, SeedChoice& seeds, const 
     LiveStep& live = *ornament.live;
     if (dragged_point_) {
         if (*dragged_point_ < seeds.points.size())
-            if (const auto place = place_under(ornament, mouse.px)) seeds.points[*dragged_point_] = *place;
+            if (const auto place = place_under(ornament, desk_.view.ray(mouse.px)))
+                seeds.points[*dragged_point_] = *place;
         if (mouse.released || !mouse.down) dragged_point_.reset();
         return true;
     }
@@ -142,11 +165,11 @@ bool TanglesWorkspace::edit_points(Ornament& ornament, SeedChoice& seeds, const 
             dragged_point_ = hovered_point_;
         return true;
     }
-    const auto place = place_under(ornament, mouse.px);
-    if (!place) return false;
-    // The point that was proposed makes way for the first that is clicked.
-    if (&seeds == &live.recipe.from && seeds.points == live.first.from.points) seeds.points.clear();
-    seeds.points.push_back(*place);
+    if (!add_point(ornament, seeds, desk_.view.ray(mouse.px))) {
+        if (desk_.scene.settled()) return false;
+        waiting_clicks_.push_back({desk_.view.ray(mouse.px), mouse.shift, mouse.control, true});
+        return true;
+    }
     hovered_point_ = dragged_point_ = seeds.points.size() - 1;
     return true;
 }
@@ -197,8 +220,7 @@ bool TanglesWorkspace::edit_borders(Ornament& ornament, SeedChoice& seeds, const
 bool TanglesWorkspace::delete_point() {
     Ornament* ornament = trying();
     if (ornament == nullptr || !is_operator(ornament->live->recipe.deed)) return false;
-    Recipe& recipe = ornament->live->recipe;
-    SeedChoice& seeds = edits_towards_ ? recipe.towards : recipe.from;
+    SeedChoice& seeds = edited_seeds(*ornament->live);
     if (seeds.kind == SeedKind::picked && !seeds.stretches.empty()) {
         seeds.stretches.pop_back();
         return true;

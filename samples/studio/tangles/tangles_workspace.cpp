@@ -11,7 +11,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr glm::vec3 kSelectionColor{1.0f, 0.42f, 0.02f}, kHoverColor{1.4f, 1.35f, 1.2f}, kGripColor{0.02f, 0.75f, 0.9f};
+constexpr glm::vec3 kSelectionColor{1.0f, 0.42f, 0.02f}, kHoverColor{1.0f, 0.97f, 0.90f}, kGripColor{0.02f, 0.75f, 0.9f};
 constexpr float kLift = 0.002f;  // of highlights above the mesh, of its size
 
 }  // namespace
@@ -42,6 +42,7 @@ std::string TanglesWorkspace::help() const {
 
 void TanglesWorkspace::leave() {
     in_front_ = false;
+    waiting_clicks_.clear();
     hovered_.clear();
     hovered_grip_.reset();
     hovered_point_.reset();
@@ -77,7 +78,7 @@ bool TanglesWorkspace::all_idle() const {
 bool TanglesWorkspace::busy() const {
     const bool wants = std::any_of(ornaments_.begin(), ornaments_.end(),
                                    [](const auto& one) { return one.second->running() || one.second->wants_try(); });
-    return wants || !commands_.empty();
+    return wants || !commands_.empty() || !waiting_clicks_.empty();
 }
 
 Ornament& TanglesWorkspace::make_ornament(const SceneMesh& mesh) {
@@ -106,7 +107,7 @@ void TanglesWorkspace::update() {
         selected_mesh_ = mesh != nullptr ? mesh->id : 0;
     }
     for (const auto& [id, ornament] : ornaments_)
-        if (ornament->wants_try() && desk_.scene.find(id)->ready) ornament->try_again(owner());
+        if (ornament->wants_try() && desk_.scene.find(id)->ready) try_again(*ornament);
     if (Ornament* ornament = active(); ornament != nullptr && ornament->idle())
         selected_ = ornament->regions.existing(selected_);
     refresh_highlights();
@@ -145,6 +146,7 @@ void TanglesWorkspace::refresh_highlights() {
 }
 
 void TanglesWorkspace::try_deed(Deed deed) {
+    refusal_.clear();
     later([this] { keep(); });
     later([this, deed] {
         Ornament* ornament = active();
@@ -157,15 +159,19 @@ void TanglesWorkspace::try_deed(Deed deed) {
         if (borders < info.borders) {
             ornament->live.reset();
             const std::string has = borders == 0 ? "none" : std::to_string(borders);
-            throw StudioError(std::string(info.name) + " needs regions with " +
-                              (info.borders == 1 ? "a border" : "two borders or more") +
-                              ", and the selected ones have " + has +
-                              ". Divide the mesh first, by a Contour for instance, and click a part.");
+            refusal_ = std::string(info.name) + " needs regions with " +
+                       (info.borders == 1 ? "a border" : "two borders or more") + ", and the selected ones have " +
+                       has + ". Divide the mesh first, by a Contour for instance, and click a part.";
+            return;
         }
-        acts_.forget_undone();
         edits_towards_ = false;
         hovered_.clear();
     });
+}
+
+void TanglesWorkspace::try_again(Ornament& ornament) {
+    if (missing(ornament.live->recipe).empty()) acts_.forget_undone();
+    ornament.try_again(owner());
 }
 
 void TanglesWorkspace::keep() {
@@ -173,7 +179,7 @@ void TanglesWorkspace::keep() {
     if (ornament == nullptr) return;
     // What the mouse changed last may not have been tried yet.
     if (ornament->wants_try()) {
-        ornament->try_again(owner());
+        try_again(*ornament);
         commands_.push_front([this] { keep(); });
         return;
     }
@@ -284,6 +290,7 @@ void TanglesWorkspace::select(Regions regions) {
     std::sort(regions.begin(), regions.end());
     regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
     selected_ = std::move(regions);
+    refusal_.clear();
 }
 
 void TanglesWorkspace::select_parents() {

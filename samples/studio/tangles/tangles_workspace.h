@@ -55,6 +55,7 @@ private:
 
     // What can be done; all through later().
     void try_deed(Deed deed);
+    void try_again(Ornament& ornament);
     void keep();
     void discard();
     void change_regions(const char* name, filigree::Job (*begin)(Ornament&, FlgContext, const Regions&));
@@ -76,9 +77,17 @@ private:
     bool edit_seeds(Ornament& ornament, const Pointer& mouse);
     bool edit_points(Ornament& ornament, SeedChoice& seeds, const Pointer& mouse);
     bool edit_borders(Ornament& ornament, SeedChoice& seeds, const Pointer& mouse);
-    std::optional<SeedPoint> place_under(const Ornament& ornament, glm::vec2 px) const;
+    std::optional<SeedPoint> place_under(const Ornament& ornament, const Ray& ray) const;
     bool is_hidden(const glm::vec3& place) const;
-    void click(const Pointer& mouse);
+    // A click that waits for the picking scene, which is being built for a while after each step.
+    struct Click {
+        Ray ray;
+        bool shift, control, adds_point;
+    };
+    // False: it has to wait.
+    bool click(const Click& click);
+    bool add_point(Ornament& ornament, SeedChoice& seeds, const Ray& ray);
+    SeedChoice& edited_seeds(LiveStep& live);
     bool delete_point();
 
     // The panel.
@@ -119,6 +128,8 @@ private:
     std::optional<Grip> hovered_grip_, dragged_grip_;
     glm::vec2 pressed_px_{0.0f};
     bool pressed_on_picture_ = false;
+    std::deque<Click> waiting_clicks_;
+    std::string refusal_;  // why the last button could not do it
 
     // What is drawn, and of what.
     struct Shown {
