@@ -9,8 +9,8 @@
 
 namespace flg::studio {
 
-void Jobs::add(std::string name, filigree::Job job, Done done, Shown shown) {
-    running_.push_back({std::move(name), std::move(job), std::move(done), shown});
+void Jobs::add(std::string name, filigree::Job job, Done done, Shown shown, Failure failure) {
+    running_.push_back({std::move(name), std::move(job), std::move(done), shown, failure});
 }
 
 void Jobs::update() {

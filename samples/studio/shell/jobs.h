@@ -17,10 +17,12 @@ public:
 
     // `done` is called once, by update(), in the frame in which the job is finished, whatever its result; it may add jobs.
     // Failures other than a cancelled job, or one that a failed job leads to, also become a notice: "NAME: why".
-    // Quiet jobs are not listed: for what takes no longer than a frame or two.
+    // Quiet jobs are not listed: for what takes no longer than a frame or two. Where a failure is told by the caller it becomes no notice.
     enum class Shown { listed, quiet };
+    enum class Failure { noticed, told_by_caller };
     using Done = std::function<void(const FlgJobStatus&)>;
-    void add(std::string name, filigree::Job job, Done done = {}, Shown shown = Shown::listed);
+    void add(std::string name, filigree::Job job, Done done = {}, Shown shown = Shown::listed,
+             Failure failure = Failure::noticed);
 
     // After each tick.
     void update();
@@ -36,6 +38,7 @@ private:
         filigree::Job job;
         Done done;
         Shown shown;
+        Failure failure;
         bool cancelled = false;
     };
     Notices& notices_;

@@ -278,8 +278,8 @@ void Studio::draw() {
 
 void Studio::wait_for_events() {
     if (!window_ || player_) return;
-    const bool busy = !idle() || input_.pending() || !input_.path.empty() || !input_.pressed_keys.empty() ||
-                      input_.down[kLeft] || input_.scrolled != glm::vec2(0.0f);
+    const bool busy = !idle() || front().moving() || input_.pending() || !input_.path.empty() ||
+                      !input_.pressed_keys.empty() || input_.down[kLeft] || input_.scrolled != glm::vec2(0.0f);
     quiet_frames_ = busy ? 0 : quiet_frames_ + 1;
     if (quiet_frames_ > kQuietFrames) glfwWaitEventsTimeout(kSleep_s);
 }

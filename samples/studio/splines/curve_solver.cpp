@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "splines/sentences.h"
+
 namespace flg::studio::splines {
 namespace {
 
@@ -146,10 +148,10 @@ void CurveSolver::submit() {
                 mine->error = status.error;
                 mine->busy_ms = 1e-3f * status.busy_us;
             },
-            found_.busy_ms > kListedMs ? Jobs::Shown::listed : Jobs::Shown::quiet);
+            found_.busy_ms > kListedMs ? Jobs::Shown::listed : Jobs::Shown::quiet, Jobs::Failure::told_by_caller);
     } catch (const filigree::Error& failed) {
-        error_ = failed.what();
-        desk_.notices.add(Weight::error, name_ + ": " + error_);
+        error_ = in_words(failed.what(), problem.obstacles);
+        desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
     }
 }
 
@@ -206,7 +208,12 @@ void CurveSolver::update(const Ground& ground, const Grounds& grounds) {
             solved_ = submitted_;
         } else {
             // Cancelled: it stays as it was until something else is wanted.
-            error_ = ended_->result == FLG_ERROR_CANCELLED ? "cancelled" : ended_->error;
+            error_ = "cancelled";
+            if (ended_->result != FLG_ERROR_CANCELLED) {
+                error_ = in_words(ended_->error, submitted_->obstacles);
+                // While it is dragged the next wish may be a better one.
+                if (wanted_ == submitted_) desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
+            }
             running_.reset();
         }
         ended_.reset();

@@ -5,6 +5,7 @@
 
 #include "splines/bodies.h"
 #include "splines/curve_solver.h"
+#include "splines/sentences.h"
 
 namespace flg::studio::splines {
 namespace {
@@ -109,10 +110,10 @@ void MotionSolver::submit() {
                 mine->error = status.error;
                 mine->busy_ms = 1e-3f * status.busy_us;
             },
-            problem.obstacles.empty() ? Jobs::Shown::quiet : Jobs::Shown::listed);
+            problem.obstacles.empty() ? Jobs::Shown::quiet : Jobs::Shown::listed, Jobs::Failure::told_by_caller);
     } catch (const filigree::Error& failed) {
-        error_ = failed.what();
-        desk_.notices.add(Weight::error, name_ + ": " + error_);
+        error_ = in_words(failed.what(), problem.obstacles);
+        desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
     }
 }
 
@@ -136,10 +137,14 @@ void MotionSolver::take() {
 
 void MotionSolver::update() {
     if (ended_ && ended_->done) {
-        if (ended_->result == FLG_OK)
+        if (ended_->result == FLG_OK) {
             take();
-        else
-            error_ = ended_->result == FLG_ERROR_CANCELLED ? "cancelled" : ended_->error;
+        } else if (ended_->result == FLG_ERROR_CANCELLED) {
+            error_ = "cancelled";
+        } else {
+            error_ = in_words(ended_->error, submitted_->obstacles);
+            if (wanted_ == submitted_) desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
+        }
         running_.reset();
         ended_.reset();
     }
