@@ -164,6 +164,12 @@ void Ornament::recolor() {
     materials_ = color_regions(regions, paints, palette_.materials.size());
     TangleLook look = make_look(regions, materials_, palette_, shows_scaffolds);
     look.look.material = shown->look.material;
+    constexpr float kThinnest_px = 0.5f, kWidest_px = 64.0f;  // that are drawn
+    const auto scaled = [&](float px) {
+        return px > 0.0f ? std::clamp(px * desk_.scale, kThinnest_px, kWidest_px) : 0.0f;
+    };
+    look.look.border_width_px = scaled(look.look.border_width_px);
+    for (render::Material& material : look.look.regions) material.border_width_px = scaled(material.border_width_px);
     shown->look = std::move(look.look);
     shown->label_of = std::move(look.label_of);
     desk_.scene.redraw(*shown);

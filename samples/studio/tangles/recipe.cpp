@@ -103,7 +103,7 @@ Recipe default_recipe(Deed deed, const Regions& regions, const Outline& outline)
         case Deed::stream: recipe.delta = 0.25f * size; break;
         case Deed::voronoi:
             recipe.from.kind = SeedKind::samples;
-            recipe.from.radius = std::min(0.8f * breadth, 0.3f * size);
+            recipe.from.radius = std::min(0.6f * breadth, 0.16f * size);
             recipe.grouping = FLG_TANGLE_GROUP_CYCLE;
             recipe.cycle = 4;
             break;
@@ -133,7 +133,7 @@ Recipe default_recipe(Deed deed, const Regions& regions, const Outline& outline)
             recipe.spacing = 0.4f * breadth;
             recipe.size = 0.6f * recipe.spacing;
             break;
-        case Deed::cells: recipe.spacing = std::min(0.6f * breadth, 0.25f * size); break;
+        case Deed::cells: recipe.spacing = std::min(0.5f * breadth, 0.13f * size); break;
         case Deed::displace: break;
     }
     return recipe;

@@ -58,20 +58,27 @@ void TanglesWorkspace::load(const nlohmann::json& part) {
         Paints paints;
     };
     std::vector<Read> read;
-    if (!part.empty()) {
-        palette = palette_from_json(part.at("palette"));
-        std::vector<uint32_t> mesh_of;
-        for (const auto& mesh : desk_.scene.meshes()) mesh_of.push_back(mesh->id);
-        acts = Acts::from_json(part.at("acts"), mesh_of);
-        for (const nlohmann::json& entry : part.at("meshes")) {
-            Read one{mesh_of.at(entry.at("mesh").get<size_t>()), history_from_json(entry.at("history")), {}};
-            for (const nlohmann::json& p : entry.at("paints")) {
-                const uint32_t material = p.at(1).get<uint32_t>();
-                if (material >= palette.materials.size()) throw StudioError("A tangle is painted with no material.");
-                one.paints.emplace(p.at(0).get<uint32_t>(), material);
+    try {
+        if (!part.empty()) {
+            palette = palette_from_json(part.at("palette"));
+            std::vector<uint32_t> mesh_of;
+            for (const auto& mesh : desk_.scene.meshes()) mesh_of.push_back(mesh->id);
+            acts = Acts::from_json(part.at("acts"), mesh_of);
+            for (const nlohmann::json& entry : part.at("meshes")) {
+                Read one{mesh_of.at(entry.at("mesh").get<size_t>()), history_from_json(entry.at("history")), {}};
+                for (const nlohmann::json& p : entry.at("paints")) {
+                    const uint32_t material = p.at(1).get<uint32_t>();
+                    if (material >= palette.materials.size())
+                        throw StudioError("A tangle is painted with no material.");
+                    one.paints.emplace(p.at(0).get<uint32_t>(), material);
+                }
+                read.push_back(std::move(one));
             }
-            read.push_back(std::move(one));
         }
+    } catch (const StudioError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw StudioError(std::string("The tangles of the document can't be read: ") + error.what());
     }
     commands_.clear();
     ornaments_.clear();

@@ -11,7 +11,8 @@
 namespace flg::studio {
 namespace {
 
-constexpr glm::vec3 kSelectionColor{1.0f, 0.42f, 0.02f}, kHoverColor{1.0f, 0.97f, 0.90f}, kGripColor{0.02f, 0.75f, 0.9f};
+constexpr glm::vec3 kSelectionColor{1.0f, 0.42f, 0.02f}, kHoverColor{1.0f, 0.97f, 0.90f},
+    kGripColor{0.02f, 0.75f, 0.9f};
 constexpr float kLift = 0.002f;  // of highlights above the mesh, of its size
 
 }  // namespace
