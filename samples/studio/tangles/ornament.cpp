@@ -51,21 +51,6 @@ MeshBefore copy_mesh(const FlgSurfaceView& surface, const Regions& leaves) {
     return copy;
 }
 
-// Whether points lie clockwise about what they enclose, seen from outside.
-bool is_clockwise(const MeshBefore& mesh, const std::vector<SeedPoint>& points) {
-    glm::vec3 area(0.0f), outwards(0.0f);
-    for (size_t i = 0; i < points.size(); ++i) {
-        const glm::vec3& next = points[(i + 1) % points.size()].place;
-        area += glm::cross(points[i].place - points[0].place, next - points[0].place);
-        const auto found = std::lower_bound(mesh.numbers.begin(), mesh.numbers.end(), points[i].on.triangle);
-        if (found == mesh.numbers.end()) continue;
-        const uint32_t* corner = &mesh.triangles[3 * static_cast<size_t>(found - mesh.numbers.begin())];
-        const glm::vec3& a = mesh.positions[corner[0]];
-        outwards += glm::cross(mesh.positions[corner[1]] - a, mesh.positions[corner[2]] - a);
-    }
-    return glm::dot(area, outwards) < 0.0f;
-}
-
 }  // namespace
 
 std::optional<SeedPoint> MeshBefore::nearest(const glm::vec3& place, float reach) const {
@@ -146,11 +131,7 @@ void Ornament::try_again(const Owner& owner) {
         live->is_made = false;
         return;
     }
-    // What a closed line encloses is its left side, the foreground, whichever way round it was clicked.
-    Recipe recipe = live->recipe;
-    if (recipe.deed == Deed::polyline && recipe.closed && is_clockwise(live->before, recipe.from.points))
-        std::reverse(recipe.from.points.begin(), recipe.from.points.end());
-    run(name, start(recipe, desk_.context.get(), tangle), owner, Jobs::Shown::listed,
+    run(name, start(live->recipe, desk_.context.get(), tangle), owner, Jobs::Shown::listed,
         [this](const FlgJobStatus& status) {
             if (!live || status.result == FLG_OK) return;
             live->error =
