@@ -11,10 +11,13 @@
 namespace flg::render {
 namespace {
 
-constexpr float least_step_px = 2.0f;   // points nearer to each other than this are skipped
-constexpr float roundness_px = 0.15f;   // how far a tube's polygon may fall short of its circle
-constexpr float least_cap_px = 0.8f;    // caps of thinner tubes are left away
-constexpr uint32_t least_segments = 4;  // of a bin
+constexpr float least_step_px = 2.0f;     // points nearer to each other than this are skipped
+constexpr float largest_step_px = 16.0f;  // over which colours and shading may be interpolated
+constexpr float straying_px = 0.25f;      // how far what is drawn may lie off the curve
+constexpr float least_radius_px = 0.5f;   // of ribbons whose turning is looked at: shading turns as well
+constexpr float roundness_px = 0.15f;     // how far a tube's polygon may fall short of its circle
+constexpr float least_cap_px = 0.8f;      // caps of thinner tubes are left away
+constexpr uint32_t least_segments = 4;    // of a bin
 constexpr uint32_t least_sides = 3, most_sides = 32;
 constexpr uint32_t most_stride_log2 = 6;
 
@@ -49,11 +52,20 @@ uint32_t sides_for(float radius_px, uint32_t most) {
     return std::min(2 * half, most);
 }
 
-// How many times the steps between points may be doubled.
-uint32_t stride_for(float step_m, float pixel_m) {
+// Floor of the logarithm, of numbers >= 0.
+int log2_of(float x) {
     constexpr int exponent_bias = 127, mantissa_bits = 23;
-    const float steps = least_step_px * pixel_m / std::max(step_m, std::numeric_limits<float>::min());
-    const int doublings = static_cast<int>(std::bit_cast<uint32_t>(steps) >> mantissa_bits) - exponent_bias;
+    return static_cast<int>(std::bit_cast<uint32_t>(x) >> mantissa_bits) - exponent_bias;
+}
+
+// How many times the steps between points may be doubled: until they are two pixels long, or further where nobody can see it.
+uint32_t stride_for(const ChunkBounds& bounds, float pixel_m) {
+    constexpr float tiny = std::numeric_limits<float>::min();
+    const float steps_a_pixel = pixel_m / std::max(bounds.segment, tiny);
+    const float bend = bounds.bend + std::max(bounds.thickness, least_radius_px * pixel_m) * bounds.turn;
+    const float straight = std::sqrt(8.0f * straying_px * pixel_m / std::max(bend, tiny));
+    const int doublings =
+        std::max(log2_of(least_step_px * steps_a_pixel), log2_of(std::min(straight, largest_step_px * steps_a_pixel)));
     return static_cast<uint32_t>(std::clamp(doublings, 0, static_cast<int>(most_stride_log2)));
 }
 
@@ -107,10 +119,11 @@ void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float
         if (magnitude_offset != 0.0f) {
             bounds.extent += std::abs(magnitude_offset) * curves.growths[i].extent;
             bounds.segment += std::abs(magnitude_offset) * curves.growths[i].segment;
+            bounds.bend += std::abs(magnitude_offset) * curves.growths[i].bend;
         }
         const float pixel_m = metres_per_pixel(bounds);
         if (pixel_m == std::numeric_limits<float>::infinity()) continue;
-        const uint32_t stride_log2 = stride_for(bounds.segment, pixel_m);
+        const uint32_t stride_log2 = stride_for(bounds, pixel_m);
         const uint32_t segments = (curves.chunks[i].segments() + (1u << stride_log2) - 1) >> stride_log2;
         const uint32_t drawn = std::max(std::bit_ceil(segments), least_segments);
         const float radius_px = tube ? bounds.thickness / pixel_m : 0.0f;

@@ -99,7 +99,8 @@ private:
             if (!joined && at == first) flags |= Chunk::begins;
             if (!joined && at + segments == last) flags |= Chunk::ends;
             data_.chunks.push_back({at, segments | flags, first, last});
-            data_.bounds.push_back(bounds_of(&data_.centers[at], segments, look_.shape, data_.box));
+            data_.bounds.push_back(
+                bounds_of(&data_.centers[at], &normals_[at - first], segments, look_.shape, data_.box));
             if (data_.has_displacements) add_growth(at, segments);
         }
     }
@@ -114,6 +115,10 @@ private:
             if (i > first)
                 growth.segment +=
                     glm::distance(displacement, data_.displacements[i - 1].displacement) / static_cast<float>(segments);
+            if (i > first && i < first + segments)
+                growth.bend =
+                    std::max(growth.bend, glm::length(data_.displacements[i - 1].displacement - 2.0f * displacement +
+                                                      data_.displacements[i + 1].displacement));
         }
         data_.growths.push_back(growth);
     }
@@ -128,21 +133,35 @@ private:
 
 }  // namespace
 
-ChunkBounds bounds_of(const glm::vec4* centers, uint32_t segments, Shape shape, Box& in_out_box) {
+ChunkBounds bounds_of(const glm::vec4* centers, const glm::vec3* normals, uint32_t segments, Shape shape,
+                      Box& in_out_box) {
     glm::vec3 low(centers[0]), high = low;
-    float thickness = centers[0].w, length = 0.0f;
+    float thickness = centers[0].w, length = 0.0f, bend = 0.0f, turn = 0.0f;
     for (uint32_t i = 1; i <= segments; ++i) {
         const glm::vec3 p(centers[i]);
         low = glm::min(low, p);
         high = glm::max(high, p);
         thickness = std::max(thickness, centers[i].w);
         length += glm::distance(p, glm::vec3(centers[i - 1]));
+        if (i == segments) break;
+        const glm::vec4 second = centers[i - 1] - 2.0f * centers[i] + centers[i + 1];
+        // Uneven steps along the curve don't show.
+        const glm::vec3 chord(centers[i + 1] - centers[i - 1]), off(second);
+        const float square = glm::dot(chord, chord);
+        const glm::vec3 across = square > 0.0f ? off - chord * (glm::dot(off, chord) / square) : off;
+        bend = std::max(bend, glm::length(across) + (shape == Shape::line ? 0.0f : std::abs(second.w)));
+        if (shape == Shape::ribbon)
+            turn = std::max(turn, glm::length(normals[i - 1] - 2.0f * normals[i] + normals[i + 1]));
     }
     const float reach = shape == Shape::line ? 0.0f : thickness;
     in_out_box.add({low - reach, high + reach});
     // Joints and caps reach up to two radii from the centre line.
-    return {0.5f * (low + high), 0.5f * glm::distance(low, high) + 2.0f * reach, thickness,
-            length / static_cast<float>(segments)};
+    return {0.5f * (low + high),
+            0.5f * glm::distance(low, high) + 2.0f * reach,
+            thickness,
+            length / static_cast<float>(segments),
+            bend,
+            turn};
 }
 
 CurveData prepare_curves(const FlgCurveSetView& view, const CurveLook& look) {

@@ -32,12 +32,17 @@ struct ChunkBounds {
     float extent;     // radius of a ball around all of it, metres
     float thickness;  // largest radius of the curve, metres
     float segment;    // mean length of a segment, metres
+    // Largest second differences of neighbouring points: across the curve, with that of a tube's radius, metres; and of a
+    // ribbon's normals. Where every s-th point is drawn, what is drawn strays from the curve by less than s * s / 8 of them.
+    float bend;
+    float turn;
 };
 
 // What of a chunk grows with the size of the magnitude offset; per offset of 1.
 struct ChunkGrowth {
     float extent;   // largest displacement, metres
     float segment;  // mean difference of neighbouring displacements, metres
+    float bend;     // largest second difference of neighbouring displacements, metres
 };
 
 struct PackedLook {
@@ -65,8 +70,9 @@ struct CurveData {
     Box box_at(float magnitude_offset) const { return has_displacements ? displaced_box.at(magnitude_offset) : box; }
 };
 
-// Of the chunk whose first point this is; the box grows by it.
-ChunkBounds bounds_of(const glm::vec4* centers, uint32_t segments, Shape shape, Box& in_out_box);
+// Of the chunk whose first point this is; the box grows by it. Normals matter for ribbons alone.
+ChunkBounds bounds_of(const glm::vec4* centers, const glm::vec3* normals, uint32_t segments, Shape shape,
+                      Box& in_out_box);
 
 // Throws Error for a view or a look that can't be used.
 CurveData prepare_curves(const FlgCurveSetView& view, const CurveLook& look);

@@ -29,6 +29,7 @@ public:
     // before it are carried back from there.
     uint32_t find(const glm::vec4* centers, uint32_t from);
     glm::vec3 operator[](uint32_t point) const { return normals_[point]; }
+    const glm::vec3* from(uint32_t point) const { return &normals_[point]; }
 
 private:
     static constexpr uint32_t none = ~0u;

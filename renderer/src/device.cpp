@@ -223,7 +223,8 @@ bool Device::seems_lost() const {
 VkSampleCountFlagBits Device::supported_samples(uint32_t wanted) const {
     const VkSampleCountFlags both =
         properties_.limits.framebufferColorSampleCounts & properties_.limits.framebufferDepthSampleCounts;
-    for (uint32_t samples = wanted; samples > 1; samples /= 2)
+    const uint32_t usual = properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 4;
+    for (uint32_t samples = wanted ? wanted : usual; samples > 1; samples /= 2)
         if (both & samples) return static_cast<VkSampleCountFlagBits>(samples);
     return VK_SAMPLE_COUNT_1_BIT;
 }

@@ -81,7 +81,7 @@ void GrowingCurve::refresh(uint32_t from) {
     for (uint32_t i = changed; i < count; ++i)
         data_.looks[i] = {pack_normal(line ? glm::vec3(0.0f, 1.0f, 0.0f) : normals_[i]), colors_[i]};
     first_changed_point_ = std::min(first_changed_point_, changed);
-    make_chunks(from);
+    make_chunks(std::min(from, changed));
 }
 
 void GrowingCurve::make_chunks(uint32_t from) {
@@ -99,7 +99,9 @@ void GrowingCurve::make_chunks(uint32_t from) {
         const uint32_t flags = (c == 0 ? Chunk::begins : 0) | (ends ? Chunk::ends : 0);
         data_.chunks[c] = {begin, segments | flags, 0, ends ? last : further_on};
         boxes_[c] = c > 0 ? boxes_[c - 1] : Box();
-        data_.bounds[c] = bounds_of(&data_.centers[begin], segments, look_.shape, boxes_[c]);
+        data_.bounds[c] =
+            bounds_of(&data_.centers[begin], look_.shape == Shape::ribbon ? normals_.from(begin) : nullptr, segments,
+                      look_.shape, boxes_[c]);
     }
     data_.box = chunks ? boxes_.back() : Box();
 }

@@ -16,8 +16,8 @@ double milliseconds_since(SteadyClock::time_point start) {
 
 Options checked(Options options) {
     const uint32_t samples = options.samples;
-    if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
-        fail("options.samples is %u; it must be 1, 2, 4 or 8.", samples);
+    if (samples != 0 && samples != 1 && samples != 2 && samples != 4 && samples != 8)
+        fail("options.samples is %u; it must be 0, 1, 2, 4 or 8.", samples);
     if (options.shadow_size != 0 && (options.shadow_size < 256 || options.shadow_size > 8192))
         fail("options.shadow_size is %u; it must be 0 or 256 to 8192.", options.shadow_size);
     return options;

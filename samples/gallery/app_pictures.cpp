@@ -32,6 +32,12 @@ std::span<const Picture> app_pictures() {
     static constexpr Picture kPictures[] = {
         {"studio_strokes", "Strokes drawn on a vase in the studio, in styles built in and drawn by hand", true,
          [](Workshop&, Studio& gallery) { take(gallery, "strokes", "strokes_two", "studio_strokes"); }},
+        {"studio_tangles", "A vase ornamented in the studio: bands, polka dots, a grid, painted in materials", true,
+         [](Workshop&, Studio& gallery) { take(gallery, "tangles", "tangles_done", "studio_tangles"); }},
+        {"studio_skeletons", "An animal drawn in the studio, with its bones, in a pose", true,
+         [](Workshop&, Studio& gallery) { take(gallery, "skeletons", "skeletons_posed", "studio_skeletons"); }},
+        {"studio_splines", "A closed curve through six points of a torus, in a style", true,
+         [](Workshop&, Studio& gallery) { take(gallery, "splines", "splines_stylized", "studio_splines"); }},
     };
     return kPictures;
 }

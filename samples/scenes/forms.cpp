@@ -133,7 +133,7 @@ Mesh make_torus() {
     constexpr float kRing = 0.28f, kTube = 0.12f;
     Mesh mesh;
     for (uint32_t row = 0; row < kAround; ++row) {
-        const double along = 2.0 * std::numbers::pi * row / kAround;
+        const double along = -2.0 * std::numbers::pi * row / kAround;
         for (uint32_t i = 0; i < kAcross; ++i) {
             const double across = 2.0 * std::numbers::pi * i / kAcross;
             const double radius = kRing + kTube * std::cos(across);

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     flg::samples::calm_vulkan_loader();
     flg::studio::StudioOptions options;
     options.autosave = flg::studio::state_folder();
+    options.renderer.samples = 0;
     CLI::App program("Draws, ornaments, models and lays curves, with all of Filigree.", "studio");
     program.add_option("FILE", options.files, "Documents (.filigree), meshes, strokes, drawings; builtin:NAME");
     program.add_option("--script", options.script, "Steps to do instead of a person's (samples/studio/README.md)");
@@ -24,6 +25,9 @@ int main(int argc, char** argv) {
     program.add_option("--budget", options.budget_us, "Microseconds of the SDK's work a frame")
         ->capture_default_str()
         ->check(CLI::Range(100u, 1'000'000u));
+    program.add_option("--samples", options.renderer.samples, "A pixel: 1, 2, 4 or 8; 0 = as suits the device")
+        ->capture_default_str()
+        ->check(CLI::IsMember({0u, 1u, 2u, 4u, 8u}));
     program.add_option("--device", options.renderer.device, "Part of the Vulkan device's name");
     program.add_option("--autosave", options.autosave, "Folder for the copy that survives a crash; empty: none")
         ->capture_default_str();

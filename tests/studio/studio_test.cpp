@@ -57,6 +57,18 @@ TEST(Studio, DrawsStrokes) {
     plays("strokes");
 }
 
+TEST(Studio, OrnamentsAVase) {
+    plays("tangles");
+}
+
+TEST(Studio, DrawsAnAnimalThatIsMovedRefinedAndPosed) {
+    plays("skeletons");
+}
+
+TEST(Studio, LaysCurvesAroundObstaclesAndPlaysAMotion) {
+    plays("splines");
+}
+
 TEST(Studio, TwoRunsOfAScriptLeaveTheSameBits) {
     const Folder first, second;
     ASSERT_EQ(studio(first, {"--script", script("strokes"), "--offscreen"}).status, 0);
@@ -107,10 +119,11 @@ TEST(Studio, DocumentsComeBackAsTheyWere) {
                             document + "\nexpect studio.unsaved 0\nframes 2\nshot saved\n")
                   .status,
               0);
-    const Outcome loaded = play_text(folder, "load " + document +
-                                                 "\nwait\nexpect strokes.count 2\nexpect strokes.layers 2\n"
-                                                 "expect scene.meshes 1\nexpect studio.unsaved 0\nclick \"Draw\"\nmove 0.99,0.99\n"
-                                                 "frames 2\nshot loaded\n");
+    const Outcome loaded =
+        play_text(folder, "load " + document +
+                              "\nwait\nexpect strokes.count 2\nexpect strokes.layers 2\n"
+                              "expect scene.meshes 1\nexpect studio.unsaved 0\nclick \"Draw\"\nmove 0.99,0.99\n"
+                              "frames 2\nshot loaded\n");
     ASSERT_EQ(loaded.status, 0) << loaded.err;
     const Difference difference = compare_pictures(folder / "saved.png", folder / "loaded.png");
     EXPECT_LT(difference.mean, 0.1);

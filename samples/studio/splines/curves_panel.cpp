@@ -39,9 +39,9 @@ void status(const Stage& stage, const Curve& curve) {
     }
     const FoundCurve& found = live->found();
     char text[240];
-    std::snprintf(text, sizeof text, "%s, %u rounds, %.1f ms. %zu nodes, %.3g m long, energy %.3g.",
-                  ending_words(found.ending), found.rounds, static_cast<double>(found.busy_ms), found.nodes.size(),
-                  found.length, found.energy);
+    std::snprintf(text, sizeof text, "%s, %u rounds%s. %zu nodes, %.3g m long, energy %.3g.",
+                  ending_words(found.ending), found.rounds, in_milliseconds(stage.desk, found.busy_ms).c_str(),
+                  found.nodes.size(), found.length, found.energy);
     text[0] = static_cast<char>(text[0] - 'a' + 'A');
     ui::hint(text);
 }

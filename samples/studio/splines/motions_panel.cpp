@@ -143,8 +143,9 @@ void motions_panel(Stage& stage) {
     if (live != nullptr && !live->error().empty()) ui::hint(("It can't be: " + live->error()).c_str());
     if (live != nullptr && live->found().poses.size() > 1) {
         char text[160];
-        std::snprintf(text, sizeof text, "%zu positions, %u rounds, %.1f ms, energy %.3g.", live->found().poses.size(),
-                      live->found().rounds, static_cast<double>(live->found().busy_ms), live->found().energy);
+        std::snprintf(text, sizeof text, "%zu positions, %u rounds%s, energy %.3g.", live->found().poses.size(),
+                      live->found().rounds, in_milliseconds(stage.desk, live->found().busy_ms).c_str(),
+                      live->found().energy);
         ui::hint(text);
     }
     key_widgets(stage, *motion);
