@@ -130,6 +130,35 @@ TEST(Studio, DocumentsComeBackAsTheyWere) {
     EXPECT_LT(difference.mean, 0.1);
 }
 
+TEST(Studio, AMissingMeshStaysInItsDocument) {
+    const Folder folder;
+    const std::string document = (folder / "mine.filigree").string();
+    folder.write("mine.filigree", R"({"filigree": 1, "front": 3, "scene": {"active": 1, "meshes": [
+        {"source": "/no/such/mesh.obj"}, {"source": "builtin:ball"}]}})");
+    const std::string before = folder.read("mine.filigree");
+    // The other one comes; saving asks for a name, and what is missing is still named there.
+    const Outcome outcome =
+        play_text(folder, "load " + document + "\nwait\nexpect scene.meshes 2\nexpect studio.unsaved 1\n" +
+                              "key ctrl+s\nclick \"Cancel##file\"\nsave " + document + "2\n");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(folder.read("mine.filigree"), before);
+    EXPECT_NE(folder.read("mine.filigree2").find("/no/such/mesh.obj"), std::string::npos);
+}
+
+TEST(Studio, AsksBeforeAMeshGoes) {
+    const Folder folder;
+    const Outcome outcome = play_text(folder, R"(open builtin:ball
+wait
+click "x##remove ball"
+click "Keep it"
+expect scene.meshes 1
+click "x##remove ball"
+click "Take it out"
+expect scene.meshes 0
+)");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST(Studio, AsksBeforeWorkIsLost) {
     const Folder folder;
     const Outcome outcome = play_text(folder, R"(drag 0.4,0.4 0.5,0.5
@@ -207,7 +236,8 @@ TEST(Studio, DamagedDocumentsAreRefusedOrTakenAsFarAsTheyGo) {
     folder.write("half.filigree", R"({"filigree": 1, "scene": {"meshes": [{"source": "builtin:ball"}]}, "camera": 7,
         "strokes": {"layers": [{"name": "a"}]}})");
     const Outcome half = play_text(folder, "load " + (folder / "half.filigree").string() +
-                                               "\nwait\nexpect scene.meshes 1\nexpect studio.notices > 0\n");
+                                               "\nwait\nexpect scene.meshes 1\nexpect studio.notices > 0\n"
+                                               "expect strokes.count 0\nexpect studio.unsaved 1\n");
     EXPECT_EQ(half.status, 0) << half.err;
 }
 

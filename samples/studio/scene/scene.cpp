@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "scene/mesh_sources.h"
@@ -36,7 +37,8 @@ SceneMesh& Scene::open(const std::string& source) {
     auto mesh = std::make_unique<SceneMesh>();
     mesh->id = ++last_id_;
     mesh->name = opened.name;
-    mesh->source = source;
+    const bool is_file = !source.starts_with("builtin:");
+    mesh->source = is_file ? std::filesystem::absolute(source).string() : source;
     mesh->surface = std::move(opened.surface);
     mesh->look.material = kPorcelain;
     meshes_.push_back(std::move(mesh));
@@ -132,7 +134,7 @@ void Scene::update() {
 bool Scene::settled() const {
     if (!can_pick()) return false;
     for (const auto& mesh : meshes_)
-        if (!mesh->ready || mesh->stale || !mesh->pickable) return false;
+        if (!mesh->missing && (!mesh->ready || mesh->stale || !mesh->pickable)) return false;
     return true;
 }
 
@@ -185,13 +187,28 @@ nlohmann::json Scene::save() const {
 void Scene::load(const nlohmann::json& part) {
     clear();
     if (!part.contains("meshes")) return;
+    std::string refusal;
     for (const nlohmann::json& entry : part.at("meshes")) {
-        SceneMesh& mesh = open(entry.at("source").get<std::string>());
-        mesh.name = entry.value("name", mesh.name);
+        const auto source = entry.at("source").get<std::string>();
+        try {
+            open(source);
+        } catch (const StudioError& error) {
+            if (refusal.empty()) refusal = error.what();
+            auto absent = std::make_unique<SceneMesh>();
+            absent->id = ++last_id_;
+            absent->source = source;
+            absent->name = "missing: " + std::filesystem::path(source).filename().string();
+            absent->missing = true;
+            meshes_.push_back(std::move(absent));
+        }
+        SceneMesh& mesh = *meshes_.back();
+        const std::string name = entry.value("name", "");
+        if (!name.empty()) mesh.name = name;
         mesh.visible = entry.value("visible", true);
     }
     const size_t active = part.value("active", size_t{0});
     if (active < meshes_.size()) active_ = meshes_[active]->id;
+    if (!refusal.empty()) throw StudioError(refusal);
 }
 
 }  // namespace flg::studio

@@ -24,13 +24,15 @@ struct SceneMesh {
     std::string source;         // a path, or builtin:NAME
     filigree::Surface surface;  // in the making while !ready
     bool ready = false;         // made, and not being changed just now; surface.view() may be read
+    bool missing = false;       // its file could not be read: kept by name, so that saving does not lose it
     bool visible = true;
     render::Box box;  // when it was made
     render::SurfaceId drawn{};
 
     // Set by whoever decorates it, then Scene::redraw().
     render::SurfaceLook look{};
-    std::vector<uint32_t> label_of{};  // by region: the label it is drawn with, so that some look as one; empty: its own
+    std::vector<uint32_t>
+        label_of{};  // by region: the label it is drawn with, so that some look as one; empty: its own
 
     uint32_t shown_revision = 0;
     bool stale = true;  // look or revision is newer than what is drawn
@@ -80,7 +82,7 @@ public:
     void update();
     void device_lost();
     nlohmann::json save() const;
-    // Replaces all; throws StudioError where a mesh can't be read.
+    // Replaces all; throws StudioError if a mesh can't be read, which is then kept as missing, once the others are there.
     void load(const nlohmann::json& part);
 
 private:

@@ -94,10 +94,7 @@ void Studio::draw_scene_panel() {
         if (ui::button(("x##remove " + mesh->name).c_str(), "Takes this mesh out of the scene.")) removed = mesh->id;
         ImGui::PopID();
     }
-    if (removed != 0) {
-        scene_.remove(removed);
-        ++desk_.changes;
-    }
+    if (removed != 0) removing_ = removed;
     if (scene_.meshes().empty()) ui::hint("No mesh yet. Drop a file here, or begin with one of these:");
     int row = 0;
     for (const char* name : builtin_meshes()) {
@@ -168,6 +165,25 @@ void Studio::draw_log() {
 void Studio::draw_questions() {
     const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
     const float unit = ImGui::GetFontSize();
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (removing_ != 0 && !ImGui::IsPopupOpen("Take a mesh out")) ImGui::OpenPopup("Take a mesh out");
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    if (ImGui::BeginPopupModal("Take a mesh out", nullptr, flags)) {
+        ImGui::TextUnformatted("What was made on it goes with it, and can't be had back.");
+        ImGui::Dummy({28.0f * unit, 0.0f});
+        const bool remove = ui::row_button("Take it out", 2, "Takes the mesh out of the scene.");
+        ui::same_row();
+        const bool keep = ui::row_button("Keep it", 2, "Nothing happens. Escape.") || escape;
+        if (remove) {
+            scene_.remove(removing_);
+            ++desk_.changes;
+        }
+        if (remove || keep) {
+            removing_ = 0;
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::EndPopup();
+    }
     if (when_safe_ && !ImGui::IsPopupOpen("Unsaved work") && !files_.is_open()) ImGui::OpenPopup("Unsaved work");
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     if (ImGui::BeginPopupModal("Unsaved work", nullptr, flags)) {
@@ -181,7 +197,7 @@ void Studio::draw_questions() {
         ui::same_row();
         if (ui::row_button("Discard them", 3, "Goes on without them: they are lost.")) chosen = when_safe_;
         ui::same_row();
-        const bool stay = ui::row_button("Stay here", 3, "Nothing happens.");
+        const bool stay = ui::row_button("Stay here", 3, "Nothing happens. Escape.") || escape;
         if (chosen || stay || files_.is_open()) {
             if (!files_.is_open()) when_safe_ = nullptr;
             ImGui::CloseCurrentPopup();
@@ -197,13 +213,12 @@ void Studio::draw_questions() {
         const bool restore = ui::row_button("Bring it back", 2, "Opens what was kept.");
         ui::same_row();
         const bool discard = ui::row_button("Throw it away", 2, "It can't be had back.");
-        if (restore) {
-            take_document(read_document(left_behind_));
-            ++desk_.changes;
-        }
+        const std::string left = restore || discard ? std::exchange(left_behind_, {}) : std::string();
+        if (discard) std::remove(left.c_str());
+        // What could not be taken whole is kept as it is, and offered again.
+        if (restore && take_document(read_document(left))) autosave_.adopt(left);
+        if (restore) ++desk_.changes;
         if (restore || discard) {
-            std::remove(left_behind_.c_str());
-            left_behind_.clear();
             ImGui::CloseCurrentPopup();
         }
         ImGui::EndPopup();

@@ -118,6 +118,10 @@ void Autosave::forget(uint64_t changes) {
     if (!file_.empty()) ::unlink(file_.c_str());
 }
 
+void Autosave::adopt(const std::string& left) {
+    if (::rename(left.c_str(), file_.c_str()) != 0) fail(left, "renamed");
+}
+
 std::vector<std::string> Autosave::left_behind() const {
     std::vector<fs::directory_entry> found;
     std::error_code error;

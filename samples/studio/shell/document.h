@@ -31,6 +31,9 @@ public:
     // What was saved has no need of a copy.
     void forget(uint64_t changes);
 
+    // What such a process left becomes this one's copy.
+    void adopt(const std::string& left);
+
     // Copies that processes left which are no more, the newest first.
     std::vector<std::string> left_behind() const;
 

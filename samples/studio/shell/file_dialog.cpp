@@ -96,7 +96,8 @@ void FileDialog::draw() {
         ui::row_button((std::string(verb) + "##file").c_str(), 2,
                        asks_to_replace_ ? "There is such a file: it will be lost." : "", {.enabled = !name_.empty()});
     ui::same_row();
-    if (ui::row_button("Cancel##file", 2, "") || !stays) open_ = false;
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (ui::row_button("Cancel##file", 2, "") || !stays || escape) open_ = false;
     if (open_ && !name_.empty() && (chosen || entered_name)) choose();
     if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

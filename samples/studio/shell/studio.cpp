@@ -66,7 +66,10 @@ Studio::Studio(const StudioOptions& options)
       workspaces_(make_workspaces(desk_)),
       gui_(renderer_, scale_),
       autosave_(options.autosave) {
-    if (window_) listen(window_->handle(), input_, seconds_now);
+    if (window_) {
+        listen(window_->handle(), input_, seconds_now);
+        glfwSetWindowSizeLimits(window_->handle(), 760, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    }
     view_.orbit.camera = {{1.1f, 0.9f, 2.2f}, {0.0f, 0.4f, 0.0f}};
     if (!options_.script.empty())
         player_.emplace(static_cast<ScriptHost&>(*this), options_.script, read_script(options_.script));

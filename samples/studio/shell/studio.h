@@ -76,7 +76,8 @@ private:
     // Documents: studio_files.cpp.
     bool unsaved() const { return desk_.changes != saved_changes_; }
     nlohmann::json document() const;
-    void take_document(const nlohmann::json& document);
+    // False if some of it could not be taken: the rest is there, and counts as not saved.
+    bool take_document(const nlohmann::json& document);
     void open_any(const std::string& path);
     void ask_open();
     void save();
@@ -129,6 +130,7 @@ private:
     std::string path_;  // of the document; empty: none yet
     uint64_t saved_changes_ = 0;
     std::function<void()> when_safe_;  // waits for the answer
+    uint32_t removing_ = 0;            // a mesh that waits for the answer; 0: none
     std::string left_behind_;          // a crash's document, to be asked about
     bool closing_ = false;
     bool shows_budget_ = false, shows_shortcuts_ = false, shows_log_ = false;

@@ -36,22 +36,31 @@ nlohmann::json Studio::document() const {
     return whole;
 }
 
-void Studio::take_document(const nlohmann::json& whole) {
+bool Studio::take_document(const nlohmann::json& whole) {
     const auto part = [&](const std::string& key) { return whole.value(key, nlohmann::json::object()); };
-    // A part that can't be taken leaves the others: as much as possible of a damaged document.
-    guarded("The scene", [&] { scene_.load(part("scene")); });
-    for (const auto& workspace : workspaces_)
-        guarded(workspace->title(), [&] { workspace->load(part(key_of(*workspace))); });
-    guarded("The camera", [&] {
-        framed_ = whole.contains("camera");
-        if (!framed_) return;
-        view_.orbit.camera.eye = to_vec3(whole.at("camera").at("eye"));
-        view_.orbit.camera.target = to_vec3(whole.at("camera").at("target"));
-        view_.orbit.camera.up = {0.0f, 1.0f, 0.0f};
+    // A part that can't be taken leaves the others: as much as possible of a damaged document, and nothing of the one before.
+    bool all = guarded("The scene", [&] { scene_.load(part("scene")); });
+    for (const auto& workspace : workspaces_) {
+        if (guarded(workspace->title(), [&] { workspace->load(part(key_of(*workspace))); })) continue;
+        guarded(workspace->title(), [&] { workspace->load(nlohmann::json::object()); });
+        all = false;
+    }
+    all = guarded("The camera",
+                  [&] {
+                      framed_ = whole.contains("camera");
+                      if (!framed_) return;
+                      view_.orbit.camera.eye = to_vec3(whole.at("camera").at("eye"));
+                      view_.orbit.camera.target = to_vec3(whole.at("camera").at("target"));
+                      view_.orbit.camera.up = {0.0f, 1.0f, 0.0f};
+                  }) &&
+          all;
+    guarded("The workspace in front", [&] {
+        for (size_t i = 0; i < workspaces_.size(); ++i)
+            if (whole.value("front", "") == key_of(*workspaces_[i])) bring_to_front(i);
     });
-    for (size_t i = 0; i < workspaces_.size(); ++i)
-        if (whole.value("front", "") == key_of(*workspaces_[i])) bring_to_front(i);
     saved_changes_ = desk_.changes;
+    if (!all) ++desk_.changes;
+    return all;
 }
 
 void Studio::open_any(const std::string& path) {
@@ -76,9 +85,15 @@ void Studio::open_any(const std::string& path) {
 }
 
 void Studio::load_path(const std::string& path) {
-    take_document(read_document(path));
-    path_ = path;
-    autosave_.forget(desk_.changes);
+    const nlohmann::json whole = read_document(path);
+    path_.clear();
+    if (take_document(whole)) {
+        path_ = path;
+        autosave_.forget(desk_.changes);
+    } else {
+        notices_.add(Weight::warning,
+                     "Not all of " + path + " could be taken. It stays as it is: saving asks for a name.");
+    }
 }
 
 void Studio::save_path(const std::string& path) {

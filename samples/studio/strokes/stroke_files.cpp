@@ -74,7 +74,12 @@ bool is_stroke_file(const std::string& path) {
         return false;
     }
     const std::string extension = std::filesystem::path(path).extension().string();
-    return extension == ".tilt" || extension == ".xyz" || extension == ".txt";
+    if (extension != ".txt") return extension == ".tilt" || extension == ".xyz";
+    // Contours are such files, too.
+    FlgCurveFile file = nullptr;
+    const bool readable = flgCurveFileRead(path.c_str(), &file) == FLG_OK;
+    flgCurveFileRelease(file);
+    return readable;
 }
 
 void import_strokes(StrokeDocument& document, const std::string& path) {
