@@ -145,6 +145,20 @@ TEST(Studio, AMissingMeshStaysInItsDocument) {
     EXPECT_NE(folder.read("mine.filigree2").find("/no/such/mesh.obj"), std::string::npos);
 }
 
+TEST(Studio, SavingInTheMiddleOfAStepKeepsWhatWasThereBefore) {
+    const Folder folder;
+    const std::string document = (folder / "mine.filigree").string();
+    // The step takes many frames, and the mesh before its own is gone by the time it is saved.
+    const Outcome outcome = play_text(folder,
+                                      "open builtin:ball\nwait\nopen builtin:cat\nwait\nclick \"Tangles\"\nwait\n"
+                                      "click \"Contour\"\nwait\nkey enter\nwait\nexpect tangles.acts 1\nframes 60\n"
+                                      "click \"Cells\"\nclick \"x##remove ball\"\nclick \"Take it out\"\n"
+                                      "expect scene.meshes 1\nsave " +
+                                          document + "\nload " + document + "\nwait\nexpect tangles.acts 1\n",
+                                      {"--workers", "0", "--budget", "100"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST(Studio, AsksBeforeAMeshGoes) {
     const Folder folder;
     const Outcome outcome = play_text(folder, R"(open builtin:ball

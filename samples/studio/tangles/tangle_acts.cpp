@@ -37,7 +37,11 @@ void Acts::forget_mesh(uint32_t mesh) {
 
 nlohmann::json Acts::to_json(const std::map<uint32_t, size_t>& number_of) const {
     nlohmann::json list = nlohmann::json::array();
-    for (const Act& act : acts_) {
+    size_t done = 0;
+    for (size_t i = 0; i < acts_.size(); ++i) {
+        const Act& act = acts_[i];
+        if (act.kind != Act::Kind::palette && !number_of.contains(act.mesh)) continue;
+        if (i < done_) ++done;
         switch (act.kind) {
             case Act::Kind::step: list.push_back({{"step", number_of.at(act.mesh)}}); break;
             case Act::Kind::paint: {
@@ -52,7 +56,7 @@ nlohmann::json Acts::to_json(const std::map<uint32_t, size_t>& number_of) const 
                 break;
         }
     }
-    return {{"list", std::move(list)}, {"done", done_}};
+    return {{"list", std::move(list)}, {"done", done}};
 }
 
 Acts Acts::from_json(const nlohmann::json& json, const std::vector<uint32_t>& mesh_of) {

@@ -37,7 +37,7 @@ public:
     size_t done() const { return done_; }
     size_t count() const { return acts_.size(); }
 
-    // Meshes are numbers from `number_of`.
+    // Meshes are numbers from `number_of`; acts on others, which are gone, are left out.
     nlohmann::json to_json(const std::map<uint32_t, size_t>& number_of) const;
     // `mesh_of`: their identifiers now. Throws nlohmann's exceptions and StudioError.
     static Acts from_json(const nlohmann::json& json, const std::vector<uint32_t>& mesh_of);

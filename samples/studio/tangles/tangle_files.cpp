@@ -14,25 +14,20 @@ constexpr size_t kMostDocument = size_t{16} << 20;  // bytes of a .json that is 
 }  // namespace
 
 // Only of tangles that no step of is under way.
-nlohmann::json TanglesWorkspace::document() const {
-    nlohmann::json meshes = nlohmann::json::array();
-    std::map<uint32_t, size_t> number_of;
-    const auto& scene = desk_.scene.meshes();
-    for (size_t i = 0; i < scene.size(); ++i) {
-        number_of.emplace(scene[i]->id, i);
-        const Ornament* ornament = find(scene[i]->id);
-        if (ornament == nullptr || ornament->regions.count() == 0) continue;
+TanglesWorkspace::Kept TanglesWorkspace::kept() const {
+    Kept all{{}, to_json(palette_), acts_};
+    for (const auto& [mesh, ornament] : ornaments_) {
+        if (ornament->regions.count() == 0) continue;
         const FlgTangleHistory history = ornament->tangle.history();
         if (history.step_count == 0 && ornament->paints.empty()) continue;
         nlohmann::json paints = nlohmann::json::array();
         for (const auto& [region, material] : ornament->paints) paints.push_back({region, material});
-        meshes.push_back({{"mesh", i}, {"history", history_to_json(history)}, {"paints", std::move(paints)}});
+        all.ornaments[mesh] = {{"history", history_to_json(history)}, {"paints", std::move(paints)}};
     }
     // What is being tried counts as kept.
-    Acts acts = acts_;
     if (const Ornament* ornament = trying(); ornament != nullptr && ornament->live->is_made)
-        acts.push({.kind = Act::Kind::step, .mesh = ornament->mesh_id()});
-    return {{"meshes", std::move(meshes)}, {"palette", to_json(palette_)}, {"acts", acts.to_json(number_of)}};
+        all.acts.push({.kind = Act::Kind::step, .mesh = ornament->mesh_id()});
+    return all;
 }
 
 void TanglesWorkspace::take_snapshot() {
@@ -42,11 +37,23 @@ void TanglesWorkspace::take_snapshot() {
     if (desk_.seconds < snapshot_after_s_) return;
     snapshot_after_s_ = desk_.seconds + kRest_s;
     snapshot_changes_ = desk_.changes;
-    snapshot_ = document();
+    snapshot_ = kept();
 }
 
 nlohmann::json TanglesWorkspace::save() const {
-    return all_idle() ? document() : snapshot_;
+    const Kept all = all_idle() ? kept() : snapshot_;
+    if (all.palette.is_null()) return nlohmann::json::object();  // nothing was ever done
+    nlohmann::json meshes = nlohmann::json::array();
+    std::map<uint32_t, size_t> number_of;
+    for (const auto& mesh : desk_.scene.meshes()) {
+        const size_t number = number_of.size();
+        number_of.emplace(mesh->id, number);
+        const auto found = all.ornaments.find(mesh->id);
+        if (found == all.ornaments.end()) continue;
+        meshes.push_back(found->second);
+        meshes.back()["mesh"] = number;
+    }
+    return {{"meshes", std::move(meshes)}, {"palette", all.palette}, {"acts", all.acts.to_json(number_of)}};
 }
 
 void TanglesWorkspace::load(const nlohmann::json& part) {
@@ -56,6 +63,7 @@ void TanglesWorkspace::load(const nlohmann::json& part) {
         uint32_t mesh;
         HistoryFile history;
         Paints paints;
+        nlohmann::json json;
     };
     std::vector<Read> read;
     try {
@@ -65,7 +73,7 @@ void TanglesWorkspace::load(const nlohmann::json& part) {
             for (const auto& mesh : desk_.scene.meshes()) mesh_of.push_back(mesh->id);
             acts = Acts::from_json(part.at("acts"), mesh_of);
             for (const nlohmann::json& entry : part.at("meshes")) {
-                Read one{mesh_of.at(entry.at("mesh").get<size_t>()), history_from_json(entry.at("history")), {}};
+                Read one{mesh_of.at(entry.at("mesh").get<size_t>()), history_from_json(entry.at("history")), {}, entry};
                 for (const nlohmann::json& p : entry.at("paints")) {
                     const uint32_t material = p.at(1).get<uint32_t>();
                     if (material >= palette.materials.size())
@@ -86,12 +94,13 @@ void TanglesWorkspace::load(const nlohmann::json& part) {
     hovered_.clear();
     palette_ = std::move(palette);
     acts_ = std::move(acts);
+    snapshot_ = {{}, to_json(palette_), acts_};
     for (Read& one : read) {
+        snapshot_.ornaments[one.mesh] = std::move(one.json);
         Ornament& ornament = make_ornament(*desk_.scene.find(one.mesh));
         ornament.paints = std::move(one.paints);
         replay(ornament, history_of(one.history));
     }
-    snapshot_ = part;
 }
 
 void TanglesWorkspace::replay(Ornament& ornament, const FlgTangleHistory& history) {

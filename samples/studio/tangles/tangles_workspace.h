@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 
 #include "tangles/highlight.h"
@@ -71,7 +72,13 @@ private:
     Regions meant(const Ornament& ornament, uint32_t leaf) const;
     void refresh_highlights();
     void take_snapshot();
-    nlohmann::json document() const;
+    // What is saved, by meshes' identifiers: they outlive places in the scene.
+    struct Kept {
+        std::map<uint32_t, nlohmann::json> ornaments;  // history and paints
+        nlohmann::json palette;
+        Acts acts;
+    };
+    Kept kept() const;
 
     // The mouse. True: it was for the seeds of the step that is tried.
     bool edit_seeds(Ornament& ornament, const Pointer& mouse);
@@ -140,7 +147,7 @@ private:
     Highlight selection_lines_, hover_lines_, grip_lines_;
     Shown selection_shown_, hover_shown_;
 
-    nlohmann::json snapshot_ = nlohmann::json::object();  // when all was last idle
+    Kept snapshot_;  // when all was last idle
     uint64_t snapshot_changes_ = 0;
     double snapshot_after_s_ = 0.0;
 };
