@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The same as minimal_c through filigree.hpp: owners instead of handles, exceptions instead of results. And a stroke that
+// is stylized while it is drawn.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filigree/filigree.hpp>
+#include <vector>
+
+namespace {
+
+// One curve through points of three floats each. The SDK copies them.
+filigree::CurveSet curve(filigree::Context& context, const std::vector<float>& points) {
+    const uint32_t offsets[] = {0, static_cast<uint32_t>(points.size() / 3)};
+    const FlgColumn positions{FLG_ATTRIBUTE_POSITION, 3, points.data(), 0, 0};
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    view.curve_count = 1;
+    view.curve_offsets = offsets;
+    view.columns = &positions;
+    view.column_count = 1;
+    return context.curves(view);
+}
+
+// How far a curve goes off the x axis. The view shows the SDK's own arrays: draw from them, or upload them.
+float farthest(const FlgCurveSetView& view) {
+    float distance = 0;
+    for (uint32_t point = 0; point < view.curve_offsets[1]; ++point)
+        distance = std::max(distance, std::abs(view.columns[0].data[3 * point + 1]));
+    return distance;
+}
+
+// A line becomes a zigzag, as a job while frames go by.
+void stylize_line(filigree::Context& context, const filigree::Style& style) {
+    const filigree::CurveSet line = curve(context, {0, 0, 0, 30, 0, 0});
+    FlgStylizeDesc desc = flgStylizeDefaults();
+    desc.style = style.get();
+    desc.target = line.get();
+    const filigree::CurveSet zigzag = context.stylize(desc);
+    while (!zigzag.ready()) {
+        context.tick(2000);                    // once a frame, for at most 2 ms
+        flgContextWait(context.get(), 11000);  // a game draws its frame here
+    }
+    std::printf("a line of 2 points became a zigzag of %u, up to %.2f m off the line\n", zigzag.view().curve_offsets[1],
+                farthest(zigzag.view()));
+}
+
+// A hand draws a line at 1 m/s, 90 samples a second: each push shows the points that are new, and they are final.
+void draw_live(filigree::Context& context, const filigree::Style& style) {
+    const filigree::Job warming = context.warm(style);
+    while (!warming.finished()) {
+        context.tick(2000);
+        flgContextWait(context.get(), 11000);
+    }
+    FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
+    desc.style = style.get();
+    desc.scale = 0.1f;  // a zigzag of 10 cm on a stroke of 2 m
+    filigree::LiveStroke stroke = context.begin(desc);
+    uint32_t points = 0;
+    for (int frame = 0; frame <= 180; ++frame) {
+        FlgLiveSample sample{};
+        sample.time = frame / 90.0;
+        sample.position[0] = static_cast<float>(sample.time);
+        sample.pressure = 1;
+        const FlgCurveSetView added = stroke.push(&sample, 1);
+        if (added.curve_count > 0) points += added.curve_offsets[1];
+    }
+    std::printf("181 samples became %u points while they came in, up to %.3f m off the line\n", points,
+                farthest(stroke.points()));
+}
+
+}  // namespace
+
+int main() {
+    try {
+        filigree::Context context;
+        const filigree::CurveSet zigzag =
+            curve(context, {0, 0, 0, 1, 1, 0, 2, -1, 0, 3, 1, 0, 4, -1, 0, 5, 1, 0, 6, 0, 0});
+        const filigree::Style style = context.style(zigzag);
+        stylize_line(context, style);
+        draw_live(context, style);
+    } catch (const filigree::Error& error) {
+        std::fprintf(stderr, "%s: %s\n", flgResultName(error.result()), error.what());
+        return 1;
+    }
+}
