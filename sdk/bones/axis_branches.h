@@ -52,7 +52,6 @@ private:
     std::pmr::vector<CurvePoint> curve_;             // the curve, finer than its samples
     bool is_smooth_ = true;
     bool is_outside_ = false;
-    double clearance_ = 0;    // at the sample
     uint32_t crossings_ = 0;  // of the slice's line to the left of the sample
     Point2 before_{};         // the sample before it
     double reach_ = 0;        // the distance to that

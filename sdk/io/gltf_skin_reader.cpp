@@ -167,6 +167,7 @@ private:
 
     struct Bound {
         uint16_t joint;
+        uint16_t place;  // among those of its vertex
         float weight;
     };
 
@@ -182,7 +183,7 @@ private:
             if (!(weight >= 0 && weight <= 1 + static_cast<float>(sum_tolerance)))
                 fail(FLG_ERROR_FORMAT, weights.place, "vertex %u has the weight %g, must be 0 to 1", vertex,
                      double{weight});
-            bound[k] = {skeleton_->order()[joint], weight};
+            bound[k] = {skeleton_->order()[joint], static_cast<uint16_t>(k), weight};
             sum += weight;
         }
         if (has_more ? !(sum > 0) : !(std::abs(sum - 1) <= sum_tolerance))
@@ -195,8 +196,9 @@ private:
                 break;
             }
         }
-        std::stable_sort(bound, bound + joints_a_vertex,
-                         [](const Bound& a, const Bound& b) { return a.weight > b.weight; });
+        std::sort(bound, bound + joints_a_vertex, [](const Bound& a, const Bound& b) {
+            return a.weight != b.weight ? a.weight > b.weight : a.place < b.place;
+        });
         constexpr double off_by = 1e-6;  // nearer to 1 than this weights keep their bits
         const double scale = std::abs(sum - 1) > off_by ? 1 / sum : 1;
         for (const Bound& b : bound) {

@@ -47,7 +47,7 @@ public:
     // Steps may be longer where this says yes for each piece of the curve (ObstacleSet::keeps_sides): points of the
     // surface. Pieces should be no longer than step_limit(): longer ones straddle an obstacle without touching it, and
     // a curve that is pulled over it can then only stop.
-    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const {
+    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const override {
         return obstacles_.keeps_sides(a, b, c, e);
     }
 

@@ -21,7 +21,7 @@ void thicken(std::array<double, 3>& f, double coordinates) {
         return;
     }
     std::array<size_t, 3> order{0, 1, 2};
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return f[a] > f[b]; });
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return f[a] != f[b] ? f[a] > f[b] : a < b; });
     f[order[1]] = std::max(f[order[1]], least_share * largest);
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using Place = Obstacle::Place;
 constexpr double axes_tolerance = 1e-6;
-constexpr uint32_t core_rounds = 4;
 constexpr double relative_step = 1e-5;  // of a box: errors of differences then are 1e-10, their noise 1e-11
 
 uint32_t checked(uint32_t dimension) {

@@ -138,7 +138,7 @@ RotationManifold::RotationManifold(const std::array<double, 3>& f)
         stretch_[i] = 1 / std::sqrt(2 * (g * g + h * h));
     }
     order_ = {0, 1, 2};
-    std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return f[a] > f[b]; });
+    std::sort(order_.begin(), order_.end(), [&](int a, int b) { return f[a] != f[b] ? f[a] > f[b] : a < b; });
 }
 
 void RotationManifold::point_of(const Mat3& rotation, double* x) const {

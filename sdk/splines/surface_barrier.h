@@ -22,7 +22,7 @@ public:
     // Between solves, see BarrierSurface.
     void set_radius(double radius) { barrier_.set_radius(radius); }
     double step_limit() const { return barrier_.step_limit(); }
-    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const {
+    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const override {
         return obstacles_.keeps_sides(a, b, c, e);
     }
     // The nearest point of S, and its z. False if there is none, or if it is in an obstacle: then x is the nearest one

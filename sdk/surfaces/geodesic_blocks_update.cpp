@@ -7,8 +7,7 @@ namespace flg {
 
 GeodesicBlocksUpdateKernel::GeodesicBlocksUpdateKernel(const Mesh& mesh, const GrowingBuffer<Position>& positions,
                                                        std::span<const uint32_t> touched, GeodesicBlocks& blocks)
-    : mesh_(mesh),
-      touched_(touched),
+    : touched_(touched),
       blocks_(blocks),
       fans_(mesh, positions, blocks),
       before_(blocks.vertex_count()),

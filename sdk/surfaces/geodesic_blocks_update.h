@@ -33,7 +33,6 @@ private:
     void forget(uint32_t rank);
     void finish_around(uint32_t rank);
 
-    const Mesh& mesh_;
     std::span<const uint32_t> touched_;
     GeodesicBlocks& blocks_;
     FanBuilder fans_;

@@ -104,7 +104,7 @@ Graph sparse_jumps(const std::vector<double>& distances_sq, const std::vector<in
             if (last_row || minimum) jumps.emplace_back(value(c), c + 1);
         }
         if (!last_row) {
-            std::stable_sort(jumps.begin(), jumps.end(), [](auto& a, auto& b) { return a.first < b.first; });
+            std::sort(jumps.begin(), jumps.end());
             if (static_cast<int>(jumps.size()) > kept) jumps.resize(kept);
         }
         for (const auto& [distance_sq, target] : jumps) {
