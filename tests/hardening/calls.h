@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Calls of the ABI that watch what comes of them: results, outputs on every path, jobs, bits. What a test lets happen to
+// them (memory that runs out, jobs that are cancelled) ends the scenario they are part of; anything else fails the test.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "api/surface_inputs.h"
+#include "hardening/heap.h"
+
+namespace flg::test {
+
+// Thrown where a scenario can't go on, for a reason that the test allows.
+struct Ended {};
+
+// The names of all functions that were called so far, by any thread.
+std::set<std::string> called_functions();
+
+class Calls {
+public:
+    explicit Calls(FlgContext on) : context(on) {}
+    Calls(const Calls&) = delete;
+    Calls& operator=(const Calls&) = delete;
+
+    const FlgContext context;
+    std::vector<FlgResult> allowed;                  // failures that may happen
+    FlgContextDesc contexts = flgContextDefaults();  // for scenarios that make contexts of their own
+    std::function<void()> before_tick;
+    uint32_t tick_budget_us = 0;
+    uint32_t ticks = 0;
+    bool ended = false;
+    std::string bits;                       // of all results
+    std::vector<FlgSurface> surfaces;       // that jobs change
+    std::vector<std::string> surface_bits;  // theirs, whenever nothing was going on
+
+    // A call, by FLG_CALL.
+    template <class... Parameters, class... Arguments>
+    void call(const char* name, FlgResult (*function)(Parameters...), Arguments&&... arguments) {
+        returned(name, value(name, function, std::forward<Arguments>(arguments)...));
+    }
+    // Likewise one whose result says something else, by FLG_VALUE.
+    template <class Result, class... Parameters, class... Arguments>
+    Result value(const char* name, Result (*function)(Parameters...), Arguments&&... arguments) {
+        note_call(name);
+        const InsideSdk inside;
+        return function(std::forward<Arguments>(arguments)...);
+    }
+    // A descriptor or view with its defaults, by FLG_INIT.
+    template <class Struct>
+    Struct init(const char* name, FlgResult (*function)(Struct*, uint32_t)) {
+        Struct made;
+        std::memset(static_cast<void*>(&made), 0xa5, sizeof made);
+        call(name, function, &made, static_cast<uint32_t>(sizeof made));
+        EXPECT_EQ(made.struct_size, sizeof made) << name;
+        return made;
+    }
+
+    // Where the next call is to write a handle. It must do so, whatever happens.
+    template <class Handle>
+    Handle* out(Handle& handle) {
+        handle.id = unwritten;
+        outs_.push_back(&handle.id);
+        return &handle;
+    }
+    FlgJob* job() { return out(jobs_.emplace_back()); }
+    // Runs all jobs to their end; they are to succeed, and are released.
+    void finish();
+    FlgJob last_job() const { return jobs_.back(); }
+
+    void note(const void* data, size_t size) { bits.append(static_cast<const char*>(data), size); }
+    void note(FlgCurveSet set);
+    void note(FlgField field);
+    void note(FlgSurfaceCurves curves);
+    // Also as one of the states that the surface may be in.
+    void note(FlgSurface surface);
+
+private:
+    static constexpr uint64_t unwritten = 0xabadcafeabadcafe;
+
+    static void note_call(const char* name);
+    void returned(const char* name, FlgResult result);
+    bool allows(FlgResult result) const;
+    [[noreturn]] void end();
+
+    std::vector<uint64_t*> outs_;
+    std::deque<FlgJob> jobs_;
+};
+
+#define FLG_CALL(calls, function, ...) (calls).call(#function, function __VA_OPT__(, ) __VA_ARGS__)
+#define FLG_VALUE(calls, function, ...) (calls).value(#function, function __VA_OPT__(, ) __VA_ARGS__)
+#define FLG_INIT(calls, function) (calls).init(#function, function)
+
+}  // namespace flg::test

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Files of every kind, written and read again.
+#ifdef FLG_WITH_IO
+#include "filigree/filigree_io.h"
+#include "hardening/folder.h"
+#include "hardening/scenarios.h"
+
+namespace flg::test {
+
+namespace {
+
+// Gives a file's memory back, however the scenario ends.
+template <class File>
+class Owned {
+public:
+    Owned(Calls& calls, void (*release)(File), const char* name) : calls_(calls), release_(release), name_(name) {}
+    ~Owned() { calls_.value(name_, release_, file); }
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+
+    File file = nullptr;
+
+private:
+    Calls& calls_;
+    void (*const release_)(File);
+    const char* const name_;
+};
+
+template <class Info, class File>
+Info info_of(Calls& calls, const char* name, FlgResult (*get)(File, Info*), File file) {
+    Info info{};
+    info.struct_size = sizeof info;
+    calls.call(name, get, file, &info);
+    return info;
+}
+
+}  // namespace
+
+// Formats without JSON.
+void keep_plain_files(Calls& calls) {
+    const Folder folder;
+    Curves curves = arcs(2, 9);
+    MeshArrays mesh = cube(2);
+    const FlgCurveSetView given = curves.view();
+    const FlgMeshView shape = mesh.view();
+    for (const char* name : {"curves.xyz", "curves.obj"}) {
+        const std::string path = folder.at(name);
+        FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, nullptr);
+        Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
+        FLG_CALL(calls, flgCurveFileRead, path.c_str(), &read.file);
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
+        calls.bits += bits(view);
+    }
+    for (const char* name : {"mesh.ply", "mesh.off", "mesh.obj"}) {
+        const std::string path = folder.at(name);
+        FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &shape, nullptr);
+        Owned<FlgMeshFile> read(calls, flgMeshFileRelease, "flgMeshFileRelease");
+        FLG_CALL(calls, flgMeshFileRead, path.c_str(), &read.file);
+        FlgMeshView view = flgMeshViewDefaults();
+        FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
+        calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
+    }
+}
+
+void keep_curve_files(Calls& calls) {
+    EXPECT_NE(FLG_VALUE(calls, flgIoLastError), nullptr);
+    const Folder folder;
+    const std::string path = folder.at("curves.glb");
+    Curves curves = arcs(2, 9);
+    const FlgCurveSetView given = curves.view();
+    const FlgCurveWriteDesc desc = FLG_INIT(calls, flgCurveWriteDescInit);
+    FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, &desc);
+    Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
+    FLG_CALL(calls, flgCurveFileRead, path.c_str(), &read.file);
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
+    calls.bits += bits(view);
+    EXPECT_EQ(info_of(calls, "flgCurveFileGetInfo", flgCurveFileGetInfo, read.file).curve_count, 2u);
+    const FlgStroke* strokes = nullptr;
+    uint32_t count = 1;
+    FLG_CALL(calls, flgCurveFileGetStrokes, read.file, &strokes, &count);
+    EXPECT_EQ(count, 0u);
+}
+
+void keep_mesh_files(Calls& calls) {
+    const Folder folder;
+    MeshArrays mesh = cube(2);
+    mesh.set_regions([](const Point& p) { return p[0] > 0.5 ? 1u : 0u; });
+    const std::vector<uint32_t> numbers(mesh.triangle_count(), 3);
+    const FlgMeshFaceColumn column = {"kind", numbers.data()};
+    const FlgMeshMaterial materials[2] = {{"a", {1, 0, 0}, 0, 1, {0, 0, 0}, 1, 0}, {"b", {0, 1, 0}, 0, 1, {}, 0, 0}};
+    for (const char* name : {"mesh.ply", "mesh.glb"}) {
+        const std::string path = folder.at(name);
+        const FlgMeshView given = mesh.view();
+        FlgMeshWriteDesc desc = FLG_INIT(calls, flgMeshWriteDescInit);
+        if (path.ends_with(".ply")) {
+            desc.face_columns = &column;
+            desc.face_column_count = 1;
+        } else {
+            desc.split_regions = 1;
+            desc.materials = materials;
+            desc.material_count = 2;
+        }
+        FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &given, &desc);
+        Owned<FlgMeshFile> read(calls, flgMeshFileRelease, "flgMeshFileRelease");
+        FLG_CALL(calls, flgMeshFileRead, path.c_str(), &read.file);
+        FlgMeshView view = flgMeshViewDefaults();
+        FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
+        calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
+        EXPECT_EQ(info_of(calls, "flgMeshFileGetInfo", flgMeshFileGetInfo, read.file).region_count, 2u);
+        const FlgMeshFaceColumn* columns = nullptr;
+        const FlgMeshMaterial* looks = nullptr;
+        uint32_t column_count = 0, look_count = 0;
+        FLG_CALL(calls, flgMeshFileGetFaceColumns, read.file, &columns, &column_count);
+        FLG_CALL(calls, flgMeshFileGetMaterials, read.file, &looks, &look_count);
+        EXPECT_EQ(column_count, path.ends_with(".ply") ? 1u : 0u);
+        EXPECT_EQ(look_count, path.ends_with(".glb") ? 2u : 0u);
+    }
+}
+
+void keep_skin_files(Calls& calls) {
+    const Folder folder;
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    const uint32_t triangle[] = {0, 1, 2}, parts[] = {0, 0, 0}, parents[] = {FLG_NO_INDEX, 0};
+    const uint16_t joints[12] = {0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0};
+    const float weights[12] = {0.75f, 0.25f, 0, 0, 0.5f, 0.5f, 0, 0, 1, 0, 0, 0}, places[] = {0, 0, 0, 1, 0, 0};
+    const char* const names[] = {"root", "tip"};
+    const FlgSkinView skin = {sizeof skin, 3,       1,     2,      positions, normals, triangle,
+                              joints,      weights, parts, places, parents,   names};
+    const float times[] = {0, 1}, rotations[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.6f, 0.8f, 0, 0, 0, 1};
+    const FlgSkinAnimation animation = {sizeof animation, 2, "nod", times, rotations, nullptr};
+    FlgSkinFileDesc desc = FLG_INIT(calls, flgSkinFileDescInit);
+    desc.skin = &skin;
+    desc.animations = &animation;
+    desc.animation_count = 1;
+    const std::string path = folder.at("skin.glb"), motion_path = folder.at("motion.glb");
+    FLG_CALL(calls, flgSkinFileWrite, path.c_str(), &desc);
+    Owned<FlgSkinFile> read(calls, flgSkinFileRelease, "flgSkinFileRelease");
+    FLG_CALL(calls, flgSkinFileRead, path.c_str(), &read.file);
+    FlgSkinView view = flgSkinViewDefaults();
+    FLG_CALL(calls, flgSkinFileGetView, read.file, &view);
+    calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
+    const FlgSkinAnimation* animations = nullptr;
+    const FlgMeshMaterial* looks = nullptr;
+    uint32_t animation_count = 0, look_count = 0;
+    FLG_CALL(calls, flgSkinFileGetAnimations, read.file, &animations, &animation_count);
+    EXPECT_EQ(animation_count, 1u);
+    FLG_CALL(calls, flgSkinFileGetMaterials, read.file, &looks, &look_count);
+    EXPECT_EQ(info_of(calls, "flgSkinFileGetInfo", flgSkinFileGetInfo, read.file).part_count, 1u);
+
+    const double motion_times[] = {0, 1};
+    const double poses[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 1, 0, 0};
+    FlgMotionFileDesc motion = FLG_INIT(calls, flgMotionFileDescInit);
+    motion.position_count = 2;
+    motion.times = motion_times;
+    motion.poses = poses;
+    FLG_CALL(calls, flgMotionFileWrite, motion_path.c_str(), &motion);
+}
+
+void keep_tangle_files(Calls& calls) {
+    const Folder folder;
+    std::vector<uint32_t> regions;
+    for (uint32_t i = 0; i < 40; ++i) regions.push_back(i);
+    FlgTangleStep step{};
+    step.struct_size = sizeof step;
+    step.kind = FLG_TANGLE_STEP_GROUP;
+    step.regions = regions.data();
+    step.region_count = 40;
+    FlgTangleHistory history{};
+    history.struct_size = sizeof history;
+    history.step_count = history.made_count = 1;
+    history.steps = &step;
+    history.box_max[0] = 1;
+    const std::string path = folder.at("tangle.json");
+    FLG_CALL(calls, flgTangleFileWrite, path.c_str(), &history);
+    Owned<FlgTangleFile> read(calls, flgTangleFileRelease, "flgTangleFileRelease");
+    FLG_CALL(calls, flgTangleFileRead, path.c_str(), &read.file);
+    FlgTangleHistory shown{};
+    shown.struct_size = sizeof shown;
+    FLG_CALL(calls, flgTangleFileGetHistory, read.file, &shown);
+    ASSERT_EQ(shown.step_count, 1u);
+    calls.note(shown.steps[0].regions, shown.steps[0].region_count * sizeof(uint32_t));
+}
+
+}  // namespace flg::test
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Manifolds of every kind, and splines on them.
+#include "filigree/filigree_spline.h"
+#include "hardening/manifold_inputs.h"
+#include "hardening/scenarios.h"
+
+namespace flg::test {
+
+namespace {
+
+void look_at(Calls& calls, FlgManifold manifold) {
+    FlgManifoldView view = FLG_INIT(calls, flgManifoldViewInit);
+    FLG_CALL(calls, flgManifoldGetView, calls.context, manifold, &view);
+    calls.note(&view.size, sizeof view.size);
+    double point[3] = {0.7, 0.6, 0.5}, distance = 0;
+    FLG_CALL(calls, flgManifoldProject, calls.context, manifold, point, 1u, &distance);
+    calls.note(point, sizeof point);
+}
+
+FlgSpline fit(Calls& calls, FlgManifold manifold, FlgSpline warm_start = {}) {
+    const std::vector<double> points = {1, 0.1, 0.1, 0.2, 0.9, 0.3, -0.6, 0.5, 0.6, -0.5, -0.5, 0.5};
+    FlgSplineDesc desc = FLG_INIT(calls, flgSplineDescInit);
+    desc.manifold = manifold;
+    desc.points = points.data();
+    desc.point_count = 4;
+    desc.node_count = 16;
+    desc.max_rounds = 20;
+    desc.warm_start = warm_start;
+    desc.job.partial_results = 1;
+    FlgSpline spline{};
+    FLG_CALL(calls, flgSplineCreate, calls.context, &desc, calls.out(spline), calls.job());
+    return spline;
+}
+
+void look_at(Calls& calls, FlgSpline spline) {
+    FlgSplineView view = FLG_INIT(calls, flgSplineViewInit);
+    FLG_CALL(calls, flgSplineGetView, calls.context, spline, &view);
+    calls.note(view.nodes, size_t{view.ambient} * view.node_count * sizeof(double));
+}
+
+FlgManifold make_shape(Calls& calls, FlgShape shape, const char* name = nullptr) {
+    FlgShapeDesc desc = FLG_INIT(calls, flgShapeDescInit);
+    desc.shape = shape;
+    desc.name = name;
+    FlgManifold manifold{};
+    FLG_CALL(calls, flgManifoldCreateShape, calls.context, &desc, calls.out(manifold));
+    return manifold;
+}
+
+}  // namespace
+
+void make_manifolds(Calls& calls) {
+    const char* const name = FLG_VALUE(calls, flgFormulaName, 0u);
+    ASSERT_NE(name, nullptr);
+    std::vector<FlgManifold> all = {make_shape(calls, FLG_SHAPE_SPACE), make_shape(calls, FLG_SHAPE_PLANE),
+                                    make_shape(calls, FLG_SHAPE_SPHERE), make_shape(calls, FLG_SHAPE_TORUS),
+                                    make_shape(calls, FLG_SHAPE_FORMULA, name)};
+    FlgManifoldFunctions functions = FLG_INIT(calls, flgManifoldFunctionsInit);
+    functions.ambient = 3;
+    functions.dimension = 2;
+    functions.project = project_on_sphere;
+    functions.tangent_basis = basis_on_sphere;
+    const double near[3] = {1, 0, 0.2};
+    FlgManifold made{};
+    FLG_CALL(calls, flgManifoldCreateHost, calls.context, &functions, near, calls.out(made));
+    all.push_back(made);
+    FlgPatchFunctions patch = FLG_INIT(calls, flgPatchFunctionsInit);
+    patch.evaluate = sphere_patch;
+    patch.periodic[0] = 1;
+    patch.high[0] = 2 * M_PI;
+    patch.low[1] = -1.2;
+    patch.high[1] = 1.2;
+    FLG_CALL(calls, flgManifoldCreatePatch, calls.context, &patch, calls.out(made));
+    all.push_back(made);
+    FLG_CALL(calls, flgManifoldCreateImage, calls.context, all[2], 0.5, calls.out(made));
+    all.push_back(made);
+    for (const FlgManifold manifold : all) {
+        look_at(calls, manifold);
+        FLG_CALL(calls, flgManifoldRelease, calls.context, manifold);
+    }
+}
+
+void make_sampled_manifolds(Calls& calls) {
+    MeshArrays mesh = sphere(3);
+    FlgSurfaceDesc surface = FLG_INIT(calls, flgSurfaceDescInit);
+    surface.mesh = mesh.view();
+    FlgMeshManifoldDesc by_mesh = FLG_INIT(calls, flgMeshManifoldDescInit);
+    FLG_CALL(calls, flgSurfaceCreate, calls.context, &surface, calls.out(by_mesh.surface), calls.job());
+    FlgManifold made[3] = {};
+    FLG_CALL(calls, flgManifoldCreateFromSurface, calls.context, &by_mesh, calls.out(made[0]), calls.job());
+    const std::vector<float> points = points_on_sphere(120);
+    FlgCloudManifoldDesc cloud = FLG_INIT(calls, flgCloudManifoldDescInit);
+    cloud.points = points.data();
+    cloud.point_count = 120;
+    FLG_CALL(calls, flgManifoldCreateFromPoints, calls.context, &cloud, calls.out(made[1]), calls.job());
+    const std::vector<float> values = distances_from_sphere(8, 0.4);
+    FlgGridManifoldDesc grid = FLG_INIT(calls, flgGridManifoldDescInit);
+    for (uint32_t& count : grid.counts) count = 8;
+    for (double& x : grid.origin) x = -1.4;
+    grid.spacing = 0.4;
+    grid.values = values.data();
+    FLG_CALL(calls, flgManifoldCreateFromGrid, calls.context, &grid, calls.out(made[2]), calls.job());
+    calls.finish();
+    for (const FlgManifold manifold : made) {
+        look_at(calls, manifold);
+        const FlgSpline spline = fit(calls, manifold);
+        calls.finish();
+        look_at(calls, spline);
+    }
+}
+
+void fit_splines(Calls& calls) {
+    for (const FlgShape shape : {FLG_SHAPE_SPACE, FLG_SHAPE_SPHERE, FLG_SHAPE_TORUS}) {
+        const FlgManifold manifold = make_shape(calls, shape);
+        const FlgSpline spline = fit(calls, manifold);
+        const FlgSpline warm = fit(calls, manifold, spline);
+        FlgSplineCurvesDesc curves = FLG_INIT(calls, flgSplineCurvesDescInit);
+        curves.spline = warm;
+        FlgCurveSet set{};
+        FLG_CALL(calls, flgSplineCurves, calls.context, &curves, calls.out(set), calls.job());
+        calls.finish();
+        look_at(calls, spline);
+        look_at(calls, warm);
+        calls.note(set);
+        FLG_CALL(calls, flgSplineRelease, calls.context, spline);
+    }
+}
+
+}  // namespace flg::test

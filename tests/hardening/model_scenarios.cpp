@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Straight skeletons, models of parts with their skins, outlines, poses.
+#include "filigree/filigree_model.h"
+#include "hardening/scenarios.h"
+
+namespace flg::test {
+
+namespace {
+
+std::vector<double> ellipse(double x, double y, double rx, double ry, uint32_t count = 24) {
+    std::vector<double> points;
+    for (uint32_t i = 0; i < count; ++i) {
+        points.push_back(x + rx * std::cos(2 * M_PI * i / count));
+        points.push_back(y + ry * std::sin(2 * M_PI * i / count));
+    }
+    return points;
+}
+
+FlgContourView contour(Calls& calls, const std::vector<double>& points) {
+    FlgContourView view = FLG_INIT(calls, flgContourViewInit);
+    view.points = points.data();
+    view.point_count = static_cast<uint32_t>(points.size() / 2);
+    return view;
+}
+
+FlgPart make_part(Calls& calls, const std::vector<double>& points) {
+    FlgPartDesc desc = FLG_INIT(calls, flgPartDescInit);
+    desc.contour = contour(calls, points);
+    desc.spacing = 0.03;
+    FlgPart part{};
+    FLG_CALL(calls, flgPartCreate, calls.context, &desc, calls.out(part), calls.job());
+    return part;
+}
+
+// A body and an arm that is there twice.
+FlgModel make_model(Calls& calls) {
+    FlgModelPart parts[2];
+    for (FlgModelPart& part : parts) FLG_CALL(calls, flgModelPartInit, &part);
+    parts[0].part = make_part(calls, ellipse(0, 0, 1, 2));
+    parts[0].name = "body";
+    parts[1].part = make_part(calls, ellipse(1.6, 0.8, 1.2, 0.35));
+    parts[1].mirrored = 1;
+    FlgModelDesc desc = FLG_INIT(calls, flgModelDescInit);
+    desc.parts = parts;
+    desc.part_count = 2;
+    FlgModel model{};
+    FLG_CALL(calls, flgModelCreate, calls.context, &desc, calls.out(model), calls.job());
+    FLG_CALL(calls, flgPartRelease, calls.context, parts[0].part);
+    return model;
+}
+
+}  // namespace
+
+void make_straight_skeletons(Calls& calls) {
+    const std::vector<double> hourglass = {0, 0, 3, 2, 3, 0, 0, 2};
+    for (const std::vector<double>& points : {ellipse(0, 0, 2, 1), hourglass}) {
+        FlgStraightSkeletonDesc desc = FLG_INIT(calls, flgStraightSkeletonDescInit);
+        desc.contour = contour(calls, points);
+        desc.repair = points == hourglass;
+        FlgStraightSkeleton skeleton{};
+        FLG_CALL(calls, flgStraightSkeletonCreate, calls.context, &desc, calls.out(skeleton), calls.job());
+        calls.finish();
+        FlgStraightSkeletonView view = FLG_INIT(calls, flgStraightSkeletonViewInit);
+        FLG_CALL(calls, flgStraightSkeletonGetView, calls.context, skeleton, &view);
+        calls.note(view.nodes, size_t{3} * view.node_count * sizeof(double));
+        calls.note(view.arcs, size_t{4} * view.arc_count * sizeof(uint32_t));
+        FlgOffsetPolygons polygons = FLG_INIT(calls, flgOffsetPolygonsInit);
+        FLG_CALL(calls, flgStraightSkeletonOffset, calls.context, skeleton, 0.2, &polygons);
+        std::vector<double> front(2 * size_t{polygons.point_count});
+        std::vector<uint32_t> offsets(polygons.ring_count + 1);
+        polygons.points = front.data();
+        polygons.ring_offsets = offsets.data();
+        polygons.point_capacity = polygons.point_count;
+        polygons.ring_capacity = polygons.ring_count;
+        FLG_CALL(calls, flgStraightSkeletonOffset, calls.context, skeleton, 0.2, &polygons);
+        calls.note(front.data(), front.size() * sizeof(double));
+        FLG_CALL(calls, flgStraightSkeletonRelease, calls.context, skeleton);
+    }
+}
+
+void make_models(Calls& calls) {
+    FlgPartMeshDesc body = FLG_INIT(calls, flgPartMeshDescInit);
+    body.part = make_part(calls, ellipse(0, 0, 1.5, 0.5));
+    body.spacing = 0.4;
+    FlgPartMesh mesh{};
+    FLG_CALL(calls, flgPartMeshCreate, calls.context, &body, calls.out(mesh), calls.job());
+    FlgSkinDesc desc = FLG_INIT(calls, flgSkinDescInit);
+    desc.model = make_model(calls);
+    desc.vertex_count = 100;
+    FlgSkin skin{};
+    FLG_CALL(calls, flgSkinCreate, calls.context, &desc, calls.out(skin), calls.job());
+    calls.finish();
+
+    FlgPartView part = FLG_INIT(calls, flgPartViewInit);
+    FLG_CALL(calls, flgPartGetView, calls.context, body.part, &part);
+    calls.note(part.nodes, size_t{3} * part.node_count * sizeof(double));
+    FlgPartMeshView shape = FLG_INIT(calls, flgPartMeshViewInit);
+    FLG_CALL(calls, flgPartMeshGetView, calls.context, mesh, &shape);
+    calls.note(shape.positions, size_t{3} * shape.vertex_count * sizeof(float));
+    FlgModelView model = FLG_INIT(calls, flgModelViewInit);
+    FLG_CALL(calls, flgModelGetView, calls.context, desc.model, &model);
+    calls.note(model.joint_positions, size_t{3} * model.joint_count * sizeof(float));
+    FlgSkinView view = FLG_INIT(calls, flgSkinViewInit);
+    FLG_CALL(calls, flgSkinGetView, calls.context, skin, &view);
+    calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
+    calls.note(view.vertex_weights, size_t{4} * view.vertex_count * sizeof(float));
+    FLG_CALL(calls, flgSkinRelease, calls.context, skin);
+    FLG_CALL(calls, flgModelRelease, calls.context, desc.model);
+    FLG_CALL(calls, flgPartMeshRelease, calls.context, mesh);
+}
+
+void make_outlines(Calls& calls) {
+    MeshArrays mesh = sphere(4);
+    FlgSurfaceDesc surface = FLG_INIT(calls, flgSurfaceDescInit);
+    surface.mesh = mesh.view();
+    FlgOutlineDesc desc = FLG_INIT(calls, flgOutlineDescInit);
+    FLG_CALL(calls, flgSurfaceCreate, calls.context, &surface, calls.out(desc.surface), calls.job());
+    desc.direction[2] = 1;
+    FlgOutline outline{};
+    FLG_CALL(calls, flgOutlineCreate, calls.context, &desc, calls.out(outline), calls.job());
+    calls.finish();
+    FlgOutlineView view = FLG_INIT(calls, flgOutlineViewInit);
+    FLG_CALL(calls, flgOutlineGetView, calls.context, outline, &view);
+    calls.note(view.contour.points, size_t{2} * view.contour.point_count * sizeof(double));
+    FLG_CALL(calls, flgOutlineRelease, calls.context, outline);
+}
+
+void pose_skins(Calls& calls) {
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    const uint32_t triangle[] = {0, 1, 2}, parts[] = {0, 0, 0};
+    const uint16_t joints[12] = {0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0};
+    const float weights[12] = {1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 1, 0, 0, 0};
+    // More joints than fit on the stack.
+    constexpr uint32_t joint_count = 300;
+    std::vector<float> places(3 * joint_count), rotations;
+    std::vector<uint32_t> parents;
+    const std::vector<const char*> names(joint_count, "joint");
+    for (uint32_t j = 0; j < joint_count; ++j) {
+        places[3 * j] = static_cast<float>(j);
+        parents.push_back(j == 0 ? FLG_NO_INDEX : j - 1);
+        rotations.insert(rotations.end(), {0, 0, 0.6f, 0.8f});
+    }
+    FlgSkinView view = FLG_INIT(calls, flgSkinViewInit);
+    view.vertex_count = 3;
+    view.triangle_count = 1;
+    view.joint_count = joint_count;
+    view.positions = positions;
+    view.normals = normals;
+    view.triangles = triangle;
+    view.vertex_joints = joints;
+    view.vertex_weights = weights;
+    view.vertex_parts = parts;
+    view.joint_positions = places.data();
+    view.joint_parents = parents.data();
+    view.joint_names = names.data();
+    const float time = 0;
+    FlgSkinAnimation animation = FLG_INIT(calls, flgSkinAnimationInit);
+    animation.key_count = 1;
+    animation.name = "turn";
+    animation.times = &time;
+    animation.rotations = rotations.data();
+    std::vector<float> sampled(4 * joint_count), matrices(12 * joint_count);
+    FLG_CALL(calls, flgSkinAnimationSample, &animation, joint_count, 0.5f, sampled.data(), nullptr);
+    FLG_CALL(calls, flgSkinPose, &view, sampled.data(), nullptr, matrices.data(), nullptr);
+    float moved[9];
+    FLG_CALL(calls, flgSkinDeform, &view, FLG_SKINNING_LINEAR, matrices.data(), moved, nullptr);
+    calls.note(moved, sizeof moved);
+}
+
+}  // namespace flg::test

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Contexts, curves, styles, stylization, live strokes.
+#include "api/live_inputs.h"
+#include "hardening/scenarios.h"
+
+namespace flg::test {
+
+namespace {
+
+FlgCurveSet create(Calls& calls, Curves curves) {
+    const FlgCurveSetView view = curves.view();
+    FlgCurveSet set{};
+    FLG_CALL(calls, flgCurveSetCreate, calls.context, &view, calls.out(set));
+    return set;
+}
+
+FlgStyle create_style(Calls& calls) {
+    FlgStyleDesc desc = FLG_INIT(calls, flgStyleDescInit);
+    desc.style = create(calls, coil(64, 3, 2));
+    desc.point_count = 64;
+    desc.patch = 4;
+    FlgStyle style{};
+    FLG_CALL(calls, flgStyleCreate, calls.context, &desc, calls.out(style), calls.job());
+    return style;
+}
+
+}  // namespace
+
+void make_contexts(Calls& calls) {
+    EXPECT_EQ(FLG_VALUE(calls, flgVersion), uint32_t{FLG_VERSION});
+    EXPECT_STREQ(FLG_VALUE(calls, flgResultName, FLG_ERROR_LIMIT), "FLG_ERROR_LIMIT");
+    EXPECT_NE(FLG_VALUE(calls, flgLastError), nullptr);
+    FlgContextDesc desc = FLG_INIT(calls, flgContextDescInit);
+    desc.allocator = calls.contexts.allocator;
+    desc.job_system = calls.contexts.job_system;
+    desc.worker_count = 0;
+    FlgContext context = calls.context;
+    try {
+        FLG_CALL(calls, flgContextCreate, &desc, &context);
+    } catch (const Ended&) {
+        EXPECT_EQ(context, nullptr);
+        throw;
+    }
+    FlgFrameReport report{};
+    report.struct_size = sizeof report;
+    FLG_CALL(calls, flgTick, context, 100u, &report);
+    EXPECT_EQ(report.frame, 1u);
+    FLG_CALL(calls, flgContextWait, context, 10u);
+    FLG_CALL(calls, flgContextDestroy, context);
+}
+
+void make_curves(Calls& calls) {
+    FlgResampleDesc desc = FLG_INIT(calls, flgResampleDescInit);
+    desc.curves = create(calls, arcs(3, 12));
+    desc.spacing = 0.4f;
+    FlgCurveSet even{}, framed{};
+    FLG_CALL(calls, flgResample, calls.context, &desc, calls.out(even), calls.job());
+    desc.curves = even;
+    desc.frame = FLG_FRAME_FRENET;
+    FLG_CALL(calls, flgResample, calls.context, &desc, calls.out(framed), calls.job());
+    calls.finish();
+    calls.note(framed);
+
+    FLG_CALL(calls, flgCurveSetRelease, calls.context, even);
+}
+
+void make_styles(Calls& calls) {
+    FlgCurveSet guide{};
+    const FlgStyle style = create_style(calls);
+    calls.finish();
+    FlgStyleInfo info{};
+    info.struct_size = sizeof info;
+    FLG_CALL(calls, flgStyleGetInfo, calls.context, style, &info);
+    calls.note(info.matching, info.point_count * sizeof(float));
+    FLG_CALL(calls, flgStyleGetGuide, calls.context, style, calls.out(guide));
+    calls.note(guide);
+
+    size_t size = 0;
+    FLG_CALL(calls, flgStyleGetData, calls.context, style, nullptr, size_t{0}, &size);
+    std::string data(size, '\0');
+    FLG_CALL(calls, flgStyleGetData, calls.context, style, data.data(), size, &size);
+    calls.bits += data;
+    FlgStyle loaded{};
+    FLG_CALL(calls, flgStyleCreateFromData, calls.context, data.data(), size, calls.out(loaded));
+    FLG_CALL(calls, flgStyleRelease, calls.context, loaded);
+
+    // Every option at once: a guide of one's own, attributes, several patch sizes, the discrete matching.
+    FlgStyleDesc desc = FLG_INIT(calls, flgStyleDescInit);
+    const FlgPatchSize sizes[] = {{2, 1}, {4, 0.5f}};
+    const FlgStyleAttribute attribute = {FLG_ATTRIBUTE_RADIUS, FLG_METRIC_AUTO, 0.1f, 0};
+    desc.style = create(calls, arcs(2, 40, 3));
+    desc.guide = create(calls, arcs(2, 7, 3));
+    desc.point_count = 48;
+    desc.patch_sizes = sizes;
+    desc.patch_size_count = 2;
+    desc.matching = FLG_MATCHING_DISCRETE;
+    desc.attributes = &attribute;
+    desc.attribute_count = 1;
+    FlgStyle rich{};
+    FLG_CALL(calls, flgStyleCreate, calls.context, &desc, calls.out(rich), calls.job());
+    calls.finish();
+    FLG_CALL(calls, flgStyleGetInfo, calls.context, rich, &info);
+    calls.note(info.matching, info.point_count * sizeof(float));
+}
+
+void stylize_curves(Calls& calls) {
+    FlgStylizeDesc desc = FLG_INIT(calls, flgStylizeDescInit);
+    desc.style = create_style(calls);
+    desc.target = create(calls, arcs(3, 12, 4));
+    desc.temperature = 1;
+    desc.strokes = 2;
+    desc.keep_displacement = 1;
+    desc.job.partial_results = 1;
+    FlgCurveSet one{}, two{};
+    FLG_CALL(calls, flgStylize, calls.context, &desc, calls.out(one), calls.job());
+    calls.finish();
+    calls.note(one);
+    desc.target = one;
+    desc.strokes = 1;
+    desc.scale = 0.5f;
+    desc.temperature = 0;
+    desc.pin_ends = 1;
+    FLG_CALL(calls, flgStylize, calls.context, &desc, calls.out(two), calls.job());
+    calls.finish();
+    calls.note(two);
+}
+
+void draw_live_strokes(Calls& calls) {
+    const FlgContext context = calls.context;
+    FlgLiveStrokeDesc desc = FLG_INIT(calls, flgLiveStrokeDescInit);
+    desc.style = create_style(calls);
+    FLG_CALL(calls, flgStyleWarm, context, desc.style, 0.0f, nullptr, calls.job());
+    calls.finish();
+    desc.scale = 0.3f;
+    desc.max_samples = 64;
+    desc.max_points = 512;
+    FlgLiveStroke stroke{};
+    FLG_CALL(calls, flgLiveStrokeBegin, context, &desc, calls.out(stroke));
+    const Samples samples = drawn(30);
+    FlgCurveSetView view = FLG_INIT(calls, flgCurveSetViewInit);
+    for (uint32_t i = 0; i + 5 <= 30; i += 5) {
+        FLG_CALL(calls, flgLiveStrokePush, context, stroke, samples.data() + i, 5u, &view);
+    }
+    uint32_t left = 0;
+    FLG_CALL(calls, flgLiveStrokeUndo, context, stroke, 3u, &left);
+    FLG_CALL(calls, flgLiveStrokePush, context, stroke, samples.data() + 27, 3u, &view);
+    FLG_CALL(calls, flgLiveStrokeGetPoints, context, stroke, &view);
+    calls.bits += bits(view);
+    FlgLiveStrokeInfo info{};
+    info.struct_size = sizeof info;
+    FLG_CALL(calls, flgLiveStrokeGetInfo, context, stroke, &info);
+    EXPECT_EQ(info.sample_count, 30u);
+
+    FlgCurveSet stylized{}, recorded{}, first{}, second{}, replayed{};
+    FLG_CALL(calls, flgLiveStrokeEnd, context, stroke, nullptr, calls.out(stylized), calls.out(recorded), calls.job());
+    calls.finish();
+    calls.note(stylized);
+    FLG_CALL(calls, flgLiveStrokeSplit, context, stroke, 20u, nullptr, calls.out(first), calls.out(second),
+             calls.job());
+    FLG_CALL(calls, flgLiveStrokeReplay, context, &desc, recorded, nullptr, calls.out(replayed), calls.job());
+    calls.finish();
+    calls.note(first);
+    calls.note(second);
+    calls.note(replayed);
+    FLG_CALL(calls, flgLiveStrokeResume, context, stroke);
+    FLG_CALL(calls, flgLiveStrokeGetPoints, context, stroke, &view);
+    calls.bits += bits(view);
+    FLG_CALL(calls, flgLiveStrokeRelease, context, stroke);
+}
+
+}  // namespace flg::test

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Surfaces: made, measured, traced, cut.
+#include "filigree/filigree_project.h"
+#include "hardening/scenarios.h"
+
+namespace flg::test {
+
+namespace {
+
+FlgSurface create(Calls& calls, MeshArrays mesh) {
+    FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
+    desc.mesh = mesh.view();
+    FlgSurface surface{};
+    FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(surface), calls.job());
+    return surface;
+}
+
+FlgField distances(Calls& calls, FlgSurface surface, uint32_t vertex, FlgAccuracy accuracy = FLG_ACCURACY_REFINED) {
+    FlgGeodesicDesc desc = FLG_INIT(calls, flgGeodesicDescInit);
+    desc.surface = surface;
+    desc.accuracy = accuracy;
+    desc.vertices = &vertex;
+    desc.vertex_count = 1;
+    desc.labels = 1;
+    FlgField field{};
+    FLG_CALL(calls, flgGeodesic, calls.context, &desc, calls.out(field), calls.job());
+    return field;
+}
+
+FlgSurfaceCurves isolines(Calls& calls, FlgField field, float every) {
+    FlgIsolinesDesc desc = FLG_INIT(calls, flgIsolinesDescInit);
+    desc.field = field;
+    desc.levels.every = every;
+    FlgSurfaceCurves curves{};
+    FLG_CALL(calls, flgTraceIsolines, calls.context, &desc, calls.out(curves), calls.job());
+    return curves;
+}
+
+}  // namespace
+
+void make_surfaces(Calls& calls) {
+    MeshArrays mesh = cube(2);
+    mesh.add_triangle(0, 0, 1);
+    mesh.set_regions([](const Point& p) { return p[0] > 0.5 ? 1u : 0u; });
+    const FlgMeshView given = FLG_INIT(calls, flgMeshViewInit);
+    EXPECT_EQ(given.triangle_count, 0u);
+    const FlgSurface surface = create(calls, mesh);
+    calls.finish();
+    FlgSurfaceReport report{};
+    report.struct_size = sizeof report;
+    FLG_CALL(calls, flgSurfaceGetReport, calls.context, surface, &report);
+    EXPECT_EQ(report.degenerate_triangles, 1u);
+    calls.note(surface);
+    for (const FlgSubdivision scheme : {FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP}) {
+        FlgRefineDesc refine = FLG_INIT(calls, flgRefineDescInit);
+        refine.surface = surface;
+        refine.scheme = scheme;
+        FlgSurface finer{};
+        FLG_CALL(calls, flgSurfaceRefine, calls.context, &refine, calls.out(finer), calls.job());
+        calls.finish();
+        calls.note(finer);
+    }
+    FLG_CALL(calls, flgSurfaceRelease, calls.context, surface);
+}
+
+void measure_surfaces(Calls& calls) {
+    const FlgSurface surface = create(calls, plane(6));
+    const FlgField refined = distances(calls, surface, 0);
+    const FlgField graph = distances(calls, surface, 48, FLG_ACCURACY_GRAPH);
+    FlgBlendDesc blend = FLG_INIT(calls, flgBlendDescInit);
+    blend.from = refined;
+    blend.to = graph;
+    FlgField blended{}, sampled{}, perturbed{}, own{};
+    FLG_CALL(calls, flgFieldBlend, calls.context, &blend, calls.out(blended), calls.job());
+    FlgSamplingDesc sampling = FLG_INIT(calls, flgSamplingDescInit);
+    sampling.surface = surface;
+    sampling.radius = 0.3f;
+    FLG_CALL(calls, flgSurfaceSample, calls.context, &sampling, calls.out(sampled), calls.job());
+    FlgBorderSamplingDesc border = FLG_INIT(calls, flgBorderSamplingDescInit);
+    border.surface = surface;
+    border.spacing = 0.2f;
+    FlgSurfaceCurves points{};
+    FLG_CALL(calls, flgBorderSample, calls.context, &border, calls.out(points), calls.job());
+
+    const uint32_t zero = 0;
+    const FlgSurfacePoint point = {7, 0.2f, 0.2f};
+    FlgGeodesicDesc desc = FLG_INIT(calls, flgGeodesicDescInit);
+    desc.surface = surface;
+    desc.points = &point;
+    desc.point_count = 1;
+    desc.curves = points;
+    desc.border_regions = desc.regions = desc.targets = &zero;
+    desc.border_region_count = desc.region_count = desc.target_count = 1;
+    desc.perturbation = 0.01f;
+    desc.labels = 1;
+    FLG_CALL(calls, flgGeodesic, calls.context, &desc, calls.out(perturbed), calls.job());
+    calls.finish();
+    const std::vector<float> values(49, 0.5f);
+    FLG_CALL(calls, flgFieldCreate, calls.context, surface, values.data(), 49u, calls.out(own));
+    for (const FlgField field : {refined, graph, blended, sampled, perturbed, own}) {
+        calls.note(field);
+        FLG_CALL(calls, flgFieldRelease, calls.context, field);
+    }
+    calls.note(points);
+}
+
+void trace_surfaces(Calls& calls) {
+    const FlgSurface surface = create(calls, sphere(3));
+    const FlgField field = distances(calls, surface, 3);
+    const FlgSurfaceCurves rings = isolines(calls, field, 0.4f);
+    FlgSurfaceCurves flows{}, paths{}, laid{};
+    const FlgSurfacePoint starts[] = {{40, 0.2f, 0.2f}, {70, 0.1f, 0.3f}};
+    FlgStreamsDesc streams = FLG_INIT(calls, flgStreamsDescInit);
+    streams.field = field;
+    streams.starts = starts;
+    streams.start_count = 2;
+    streams.downhill = 1;
+    FLG_CALL(calls, flgTraceStreams, calls.context, &streams, calls.out(flows), calls.job());
+    const FlgSurfacePoint stops[] = {{3, 0.2f, 0.3f}, {50, 0.5f, 0.1f}, {90, 0.1f, 0.1f}};
+    const uint32_t offsets[] = {0, 3};
+    FlgPathsDesc path = FLG_INIT(calls, flgPathsDescInit);
+    path.surface = surface;
+    path.points = stops;
+    path.path_offsets = offsets;
+    path.path_count = 1;
+    path.closed = 1;
+    FLG_CALL(calls, flgTracePaths, calls.context, &path, calls.out(paths), calls.job());
+    FlgLiftDesc lift = FLG_INIT(calls, flgLiftDescInit);
+    lift.curves = paths;
+    lift.height = 0.1f;
+    FlgCurveSet lifted{};
+    FLG_CALL(calls, flgLiftCurves, calls.context, &lift, calls.out(lifted), calls.job());
+    FlgProjectDesc project = FLG_INIT(calls, flgProjectDescInit);
+    project.surface = surface;
+    project.curves = lifted;
+    FLG_CALL(calls, flgProjectCurves, calls.context, &project, calls.out(laid), calls.job());
+    calls.finish();
+    calls.note(lifted);
+    for (const FlgSurfaceCurves curves : {rings, flows, paths, laid}) {
+        FlgSurfaceCurvesView view = FLG_INIT(calls, flgSurfaceCurvesViewInit);
+        FLG_CALL(calls, flgSurfaceCurvesGetView, calls.context, curves, &view);
+        calls.bits += bits(view);
+        FLG_CALL(calls, flgSurfaceCurvesRelease, calls.context, curves);
+    }
+}
+
+void cut_surfaces(Calls& calls) {
+    const FlgSurface surface = create(calls, sphere(3));
+    calls.surfaces.push_back(surface);
+    calls.finish();
+    calls.note(surface);
+    const FlgField first = distances(calls, surface, 3);
+    distances(calls, surface, 5, FLG_ACCURACY_GRAPH);  // what solvers keep is to be updated, too
+    calls.finish();
+    FlgCutIsolinesDesc bands = FLG_INIT(calls, flgCutIsolinesDescInit);
+    bands.field = first;
+    bands.levels.first = 0.5f;
+    bands.levels.every = 0.7f;
+    bands.first_label = 5;
+    FlgField after{};
+    FLG_CALL(calls, flgCutIsolines, calls.context, &bands, calls.out(after), calls.job());
+    calls.finish();
+    calls.note(surface);
+    calls.note(after);
+
+    const FlgField second = distances(calls, surface, 30);
+    FlgCutCurvesDesc along = FLG_INIT(calls, flgCutCurvesDescInit);
+    along.curves = isolines(calls, second, 0.33f);
+    along.first_label = 100;
+    calls.finish();
+    FLG_CALL(calls, flgCutCurves, calls.context, &along, calls.job());
+    calls.finish();
+    calls.note(surface);
+    uint32_t changed = 0;
+    FLG_CALL(calls, flgSurfaceGetChanges, calls.context, surface, 0u, nullptr, 0u, &changed);
+    EXPECT_GT(changed, 0u);
+}
+
+}  // namespace flg::test

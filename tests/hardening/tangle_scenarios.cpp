@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Tangles: divided, edited, made again.
+#include "filigree/filigree_tangle.h"
+#include "hardening/scenarios.h"
+
+namespace flg::test {
+
+namespace {
+
+struct Decorated {
+    FlgSurface surface{};
+    FlgTangle tangle{};
+};
+
+Decorated begin(Calls& calls) {
+    FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
+    MeshArrays mesh = plane(7);
+    desc.mesh = mesh.view();
+    Decorated made;
+    FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(made.surface), calls.job());
+    FLG_CALL(calls, flgTangleCreate, calls.context, made.surface, calls.out(made.tangle), calls.job());
+    calls.surfaces.push_back(made.surface);
+    calls.finish();
+    calls.note(made.surface);
+    return made;
+}
+
+// After each job, so that a cancelled one has left one of these states.
+void finish(Calls& calls, const Decorated& decorated) {
+    calls.finish();
+    calls.note(decorated.surface);
+    FlgTangleInfo info{};
+    info.struct_size = sizeof info;
+    FLG_CALL(calls, flgTangleGetInfo, calls.context, decorated.tangle, &info);
+    for (uint32_t r = 0; r < info.region_count; ++r) {
+        FlgTangleRegion region{};
+        region.struct_size = sizeof region;
+        FLG_CALL(calls, flgTangleGetRegion, calls.context, decorated.tangle, r, &region);
+        calls.note(&region, sizeof region);
+    }
+}
+
+void divide(Calls& calls, const Decorated& decorated, FlgTangleOperator kind, uint32_t region,
+            const FlgTangleSeeds& seeds, float delta) {
+    FlgTangleDivideDesc desc = FLG_INIT(calls, flgTangleDivideDescInit);
+    desc.tangle = decorated.tangle;
+    desc.kind = kind;
+    desc.regions = &region;
+    desc.region_count = 1;
+    desc.a = seeds;
+    desc.delta = delta;
+    FLG_CALL(calls, flgTangleDivide, calls.context, &desc, calls.job());
+    finish(calls, decorated);
+}
+
+void frame(Calls& calls, const Decorated& decorated) {
+    FlgTangleSeeds seeds{};
+    seeds.borders = FLG_TANGLE_BORDERS_OUTER;
+    divide(calls, decorated, FLG_TANGLE_CONTOUR, 0, seeds, 0.17f);
+}
+
+}  // namespace
+
+void divide_tangles(Calls& calls) {
+    const Decorated decorated = begin(calls);
+    frame(calls, decorated);
+    FlgTangleSeeds samples{};
+    samples.sample_radius = 0.2f;
+    divide(calls, decorated, FLG_TANGLE_VORONOI, 2, samples, 0.1f);
+    FlgTangleSeeds borders{};
+    borders.borders = FLG_TANGLE_BORDERS_OUTER;
+    divide(calls, decorated, FLG_TANGLE_STREAM, 1, borders, 0.5f);
+    const FlgSurfacePoint ends[] = {{3, 0.3f, 0.3f}, {90, 0.2f, 0.3f}};
+    FlgTangleSeeds points{};
+    points.points = ends;
+    points.point_count = 2;
+    divide(calls, decorated, FLG_TANGLE_POLYLINE, 0, points, 0.1f);
+    FlgSurfaceCurves seen{};
+    FLG_CALL(calls, flgTangleBorders, calls.context, decorated.tangle, calls.out(seen), calls.job());
+    calls.finish();
+    calls.note(seen);
+    FLG_CALL(calls, flgTangleRelease, calls.context, decorated.tangle);
+}
+
+void edit_tangles(Calls& calls) {
+    const Decorated decorated = begin(calls);
+    frame(calls, decorated);
+    const uint32_t inner = 2;
+    FlgTangleMacroDesc macro = FLG_INIT(calls, flgTangleMacroDescInit);
+    macro.tangle = decorated.tangle;
+    macro.kind = FLG_TANGLE_POLKA_DOTS;
+    macro.regions = &inner;
+    macro.region_count = 1;
+    macro.size = 0.08f;
+    macro.spacing = 0.3f;
+    FLG_CALL(calls, flgTangleApplyMacro, calls.context, &macro, calls.job());
+    finish(calls, decorated);
+    FlgTangleDisplaceDesc displace = FLG_INIT(calls, flgTangleDisplaceDescInit);
+    displace.tangle = decorated.tangle;
+    displace.regions = &inner;
+    displace.region_count = 1;
+    displace.amount = 0.02f;
+    FLG_CALL(calls, flgTangleDisplace, calls.context, &displace, calls.job());
+    finish(calls, decorated);
+    const uint32_t both[] = {1, 2};
+    FLG_CALL(calls, flgTangleGroup, calls.context, decorated.tangle, both, 2u, calls.job());
+    finish(calls, decorated);
+    FlgTangleRegion region{};
+    region.struct_size = sizeof region;
+    FLG_CALL(calls, flgTangleGetRegion, calls.context, decorated.tangle, 1u, &region);
+    FLG_CALL(calls, flgTangleUngroup, calls.context, decorated.tangle, region.group, calls.job());
+    finish(calls, decorated);
+    FLG_CALL(calls, flgTangleJoin, calls.context, decorated.tangle, both, 2u, calls.job());
+    finish(calls, decorated);
+    for (int i = 0; i < 3; ++i) {
+        FLG_CALL(calls, flgTangleUndo, calls.context, decorated.tangle, calls.job());
+        finish(calls, decorated);
+    }
+    FLG_CALL(calls, flgTangleRedo, calls.context, decorated.tangle, calls.job());
+    finish(calls, decorated);
+}
+
+void replay_tangles(Calls& calls) {
+    const Decorated first = begin(calls);
+    frame(calls, first);
+    FlgTangleSeeds samples{};
+    samples.sample_radius = 0.25f;
+    divide(calls, first, FLG_TANGLE_CONTOUR, 2, samples, 0.08f);
+    FlgTangleHistory history{};
+    history.struct_size = sizeof history;
+    FLG_CALL(calls, flgTangleGetHistory, calls.context, first.tangle, &history);
+    EXPECT_EQ(history.step_count, 2u);
+    calls.surfaces.clear();  // in between, the second surface has states of its own
+    const Decorated second = begin(calls);
+    FLG_CALL(calls, flgTangleReplay, calls.context, second.tangle, &history, calls.job());
+    finish(calls, second);
+}
+
+}  // namespace flg::test
