@@ -96,7 +96,8 @@ typedef struct FlgPlace {
 class Check(unittest.TestCase):
     def test_a_header_that_changed_is_found(self):
         with tempfile.TemporaryDirectory() as folder:
-            for part in ("tools/abi", "sdk/include/filigree", "sdk/api"):
+            binding = "samples/unity_csharp/com.filigree.sdk/Runtime/Native"
+            for part in ("tools/abi", "sdk/include/filigree", "sdk/api", binding):
                 shutil.copytree(SOURCES / part, Path(folder) / part, ignore=shutil.ignore_patterns("*.cpp"))
             check = [sys.executable, f"{folder}/tools/abi/generate", "--check"]
             self.assertEqual(subprocess.run(check).returncode, 0)
@@ -106,6 +107,13 @@ class Check(unittest.TestCase):
             found = subprocess.run(check, capture_output=True, text=True)
             self.assertEqual(found.returncode, 1)
             self.assertIn("sdk/api/abi.json is not what the headers say", found.stderr)
+            self.assertIn(f"{binding}/FiligreeStructs.cs is not what the headers say", found.stderr)
+            self.assertEqual(len(found.stderr.splitlines()), 2)
+
+            subprocess.run(check[:-1], check=True, stdout=subprocess.DEVNULL)
+            self.assertEqual(subprocess.run(check).returncode, 0)
+            (Path(folder) / binding / "FiligreeGoneTypes.cs").touch()
+            self.assertEqual(subprocess.run(check, stderr=subprocess.DEVNULL).returncode, 1)
 
 
 class Proof(unittest.TestCase):

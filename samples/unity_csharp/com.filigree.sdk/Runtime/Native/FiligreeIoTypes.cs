@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Types of filigree_io.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    public enum FlgGeometry
+    {
+        /// <summary>FLG_GEOMETRY_LINES</summary>
+        Lines = 0,
+        /// <summary>FLG_GEOMETRY_RIBBON: flat, across the frame's second normal</summary>
+        Ribbon = 1,
+        /// <summary>FLG_GEOMETRY_TUBE</summary>
+        Tube = 2,
+    }
+
+    /// <summary>Curves read from a file, with their memory.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgCurveFile
+    {
+        public IntPtr pointer;
+        public bool IsNull => pointer == IntPtr.Zero;
+    }
+
+    /// <summary>A mesh read from a file, with its memory.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgMeshFile
+    {
+        public IntPtr pointer;
+        public bool IsNull => pointer == IntPtr.Zero;
+    }
+
+    /// <summary>A skin read from a .gltf or .glb file, with its animations and its memory.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgSkinFile
+    {
+        public IntPtr pointer;
+        public bool IsNull => pointer == IntPtr.Zero;
+    }
+
+    /// <summary>A history read from a file, with its memory.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgTangleFile
+    {
+        public IntPtr pointer;
+        public bool IsNull => pointer == IntPtr.Zero;
+    }
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Types of filigree_model.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    public enum FlgPartEvent
+    {
+        /// <summary>FLG_PART_ROOT: it meets no earlier part</summary>
+        Root = 0,
+        /// <summary>FLG_PART_BONE_SPLIT: a new joint on a bone of the part it hangs on</summary>
+        BoneSplit = 1,
+        /// <summary>FLG_PART_JOINT_CONNECT: a bone from one of that part's joints</summary>
+        JointConnect = 2,
+    }
+
+    /// <summary>How a vertex follows several joints.</summary>
+    public enum FlgSkinning
+    {
+        /// <summary>FLG_SKINNING_LINEAR: the mean of where each takes it: thin where joints are twisted</summary>
+        Linear = 0,
+        /// <summary>
+        /// FLG_SKINNING_DUAL_QUATERNION: one rigid motion between theirs: keeps its girth, bulges a little in sharp
+        /// bends
+        /// </summary>
+        DualQuaternion = 1,
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgOutline : IEquatable<FlgOutline>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgOutline other) => id == other.id;
+        public override bool Equals(object other) => other is FlgOutline handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgPart : IEquatable<FlgPart>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgPart other) => id == other.id;
+        public override bool Equals(object other) => other is FlgPart handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgPartMesh : IEquatable<FlgPartMesh>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgPartMesh other) => id == other.id;
+        public override bool Equals(object other) => other is FlgPartMesh handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgModel : IEquatable<FlgModel>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgModel other) => id == other.id;
+        public override bool Equals(object other) => other is FlgModel handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgSkin : IEquatable<FlgSkin>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgSkin other) => id == other.id;
+        public override bool Equals(object other) => other is FlgSkin handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Types of filigree_pick.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgPickScene
+    {
+        public IntPtr pointer;
+        public bool IsNull => pointer == IntPtr.Zero;
+    }
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Structs of filigree_project.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct FlgProjectDesc
+    {
+        public uint struct_size;
+        public uint reserved;
+        public FlgJobOptions job;
+        public FlgSurface surface;
+        /// <summary>open and closed ones; only their POSITION is used</summary>
+        public FlgCurveSet curves;
+    }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Types of filigree_tangle.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    public enum FlgTangleBorders
+    {
+        /// <summary>FLG_TANGLE_BORDERS_NONE</summary>
+        None = 0,
+        /// <summary>FLG_TANGLE_BORDERS_OUTER: of the regions together</summary>
+        Outer = 1,
+        /// <summary>FLG_TANGLE_BORDERS_EACH: of each leaf by itself</summary>
+        Each = 2,
+    }
+
+    public enum FlgTangleOperator
+    {
+        /// <summary>FLG_TANGLE_CONTOUR: cuts along isolines of the field of a, or blended between a and b</summary>
+        Contour = 0,
+        /// <summary>
+        /// FLG_TANGLE_STREAM: cuts along integral curves that begin evenly on a, which is lines or borders
+        /// </summary>
+        Stream = 1,
+        /// <summary>FLG_TANGLE_VORONOI: cells of the points and samples of a</summary>
+        Voronoi = 2,
+        /// <summary>
+        /// FLG_TANGLE_POLYLINE: cuts along the shortest ways from point to point of a, and along its curves
+        /// </summary>
+        Polyline = 3,
+    }
+
+    public enum FlgTangleGrouping
+    {
+        /// <summary>FLG_TANGLE_GROUP_TWO: foreground (even parts) and background (odd ones)</summary>
+        Two = 0,
+        /// <summary>FLG_TANGLE_GROUP_ONE: all in one</summary>
+        One = 1,
+        /// <summary>FLG_TANGLE_GROUP_EACH: each region in its own</summary>
+        Each = 2,
+        /// <summary>FLG_TANGLE_GROUP_CYCLE: by part modulo `cycle`</summary>
+        Cycle = 3,
+    }
+
+    public enum FlgTangleMacro
+    {
+        /// <summary>FLG_TANGLE_SUNBURST: strips from the first border to the others: a stream of the blend</summary>
+        Sunburst = 0,
+        /// <summary>FLG_TANGLE_POLKA_DOTS: discs around samples: a contour</summary>
+        PolkaDots = 1,
+        /// <summary>FLG_TANGLE_FRAMES: bands along the outer borders: contours</summary>
+        Frames = 2,
+        /// <summary>FLG_TANGLE_FLOWER: petals between the outer borders and samples: contours of the blend</summary>
+        Flower = 3,
+        /// <summary>
+        /// FLG_TANGLE_GRID: a chequerboard between the first border and the others: contours of the blend, then a
+        /// stream
+        /// </summary>
+        Grid = 4,
+        /// <summary>FLG_TANGLE_OUTLINE: a band along every border: a contour</summary>
+        Outline = 5,
+        /// <summary>FLG_TANGLE_LACE: scallops: a contour of points along the outer borders</summary>
+        Lace = 6,
+        /// <summary>FLG_TANGLE_CELLS: Voronoi cells of samples</summary>
+        Cells = 7,
+    }
+
+    public enum FlgTangleStepKind
+    {
+        /// <summary>FLG_TANGLE_STEP_DIVIDE</summary>
+        Divide = 0,
+        /// <summary>FLG_TANGLE_STEP_MACRO</summary>
+        Macro = 1,
+        /// <summary>FLG_TANGLE_STEP_DISPLACE</summary>
+        Displace = 2,
+        /// <summary>FLG_TANGLE_STEP_GROUP</summary>
+        Group = 3,
+        /// <summary>FLG_TANGLE_STEP_UNGROUP</summary>
+        Ungroup = 4,
+        /// <summary>FLG_TANGLE_STEP_JOIN</summary>
+        Join = 5,
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgTangle : IEquatable<FlgTangle>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgTangle other) => id == other.id;
+        public override bool Equals(object other) => other is FlgTangle handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Types of filigree.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    public static unsafe partial class Native
+    {
+        public const int FLG_VERSION_MAJOR = 0;
+        public const int FLG_VERSION_MINOR = 1;
+        public const int FLG_VERSION_PATCH = 0;
+        /// <summary>The version of this header, as one number.</summary>
+        public const int FLG_VERSION = 4096;
+        /// <summary>the last point is joined to the first, which is not repeated</summary>
+        public const int FLG_CURVE_CLOSED = 1;
+    }
+
+    public enum FlgResult
+    {
+        /// <summary>FLG_OK</summary>
+        Ok = 0,
+        /// <summary>FLG_NOT_READY: asked too early: the job behind it has not been published by flgTick</summary>
+        NotReady = 1,
+        /// <summary>FLG_ERROR_INVALID_ARGUMENT: a null, a value out of its range, data that can't be used</summary>
+        ErrorInvalidArgument = -1,
+        /// <summary>FLG_ERROR_INVALID_HANDLE: null, released, of another kind or of another context</summary>
+        ErrorInvalidHandle = -2,
+        /// <summary>FLG_ERROR_OUT_OF_MEMORY: the allocator hook returned null</summary>
+        ErrorOutOfMemory = -3,
+        /// <summary>FLG_ERROR_VERSION: header and library do not fit each other</summary>
+        ErrorVersion = -4,
+        /// <summary>FLG_ERROR_CANCELLED: the job was cancelled</summary>
+        ErrorCancelled = -5,
+        /// <summary>FLG_ERROR_DEPENDENCY: a job that this one depends on failed or was cancelled</summary>
+        ErrorDependency = -6,
+        /// <summary>FLG_ERROR_FILE: a file can't be opened, read or written</summary>
+        ErrorFile = -7,
+        /// <summary>FLG_ERROR_FORMAT: a file holds something else than its format allows</summary>
+        ErrorFormat = -8,
+        /// <summary>FLG_ERROR_LIMIT: a documented limit would be passed; the message says which</summary>
+        ErrorLimit = -9,
+        /// <summary>FLG_ERROR_INTERNAL: a bug of ours</summary>
+        ErrorInternal = -10,
+    }
+
+    public enum FlgLogLevel
+    {
+        /// <summary>FLG_LOG_INFO</summary>
+        Info = 0,
+        /// <summary>FLG_LOG_WARNING</summary>
+        Warning = 1,
+        /// <summary>FLG_LOG_ERROR</summary>
+        Error = 2,
+    }
+
+    public enum FlgPriority
+    {
+        /// <summary>FLG_PRIORITY_LOW</summary>
+        Low = 0,
+        /// <summary>FLG_PRIORITY_NORMAL</summary>
+        Normal = 1,
+        /// <summary>FLG_PRIORITY_HIGH</summary>
+        High = 2,
+    }
+
+    public enum FlgJobState
+    {
+        /// <summary>FLG_JOB_WAITING: for its dependencies or its turn</summary>
+        Waiting = 0,
+        /// <summary>FLG_JOB_RUNNING</summary>
+        Running = 1,
+        /// <summary>FLG_JOB_FINISHED: published; `result` says how it ended</summary>
+        Finished = 2,
+    }
+
+    /// <summary>What a column of a curve set means. One value a point, of so many floats:</summary>
+    public enum FlgAttribute
+    {
+        /// <summary>FLG_ATTRIBUTE_POSITION: 3, metres; every set has it. Finite, at most 1e30 in size</summary>
+        Position = 0,
+        /// <summary>FLG_ATTRIBUTE_RADIUS: 1, metres, &gt;= 0; of a tube, or half the width of a ribbon</summary>
+        Radius = 1,
+        /// <summary>FLG_ATTRIBUTE_COLOR: 4, linear RGBA</summary>
+        Color = 2,
+        /// <summary>FLG_ATTRIBUTE_TANGENT: 3, unit length</summary>
+        Tangent = 3,
+        /// <summary>
+        /// FLG_ATTRIBUTE_NORMAL: 3, unit length, across the tangent: the first normal of the moving frame; a ribbon's
+        /// width lies along the second, tangent x normal
+        /// </summary>
+        Normal = 4,
+        /// <summary>
+        /// FLG_ATTRIBUTE_TIME: 1, seconds since the first point of the curve; may run backwards in real data
+        /// </summary>
+        Time = 5,
+        /// <summary>FLG_ATTRIBUTE_PRESSURE: 1, 0 to 1</summary>
+        Pressure = 6,
+        /// <summary>FLG_ATTRIBUTE_ORIENTATION: 4, unit quaternion x y z w of the controller that drew it</summary>
+        Orientation = 7,
+        /// <summary>
+        /// FLG_ATTRIBUTE_STYLE_INDEX: 1, which point of the style a stylized point copies; whole numbers
+        /// </summary>
+        StyleIndex = 8,
+        /// <summary>
+        /// FLG_ATTRIBUTE_RADII: 3: half axes along the first and the second normal, metres, &gt;= 0, and the angle that
+        /// turns them about the tangent, radians: an elliptic cross-section
+        /// </summary>
+        Radii = 9,
+        /// <summary>
+        /// FLG_ATTRIBUTE_ANGLE: 1, radians: turns a ribbon about the tangent, from the first normal to the second
+        /// </summary>
+        Angle = 10,
+        /// <summary>FLG_ATTRIBUTE_WIDTH: 1, metres, &gt;= 0: of a ribbon</summary>
+        Width = 11,
+        /// <summary>FLG_ATTRIBUTE_SPEED: 1, metres a second, &gt; 0: of a motion along the curve</summary>
+        Speed = 12,
+        /// <summary>FLG_ATTRIBUTE_DISPLACEMENT: 3, metres: what the style adds at magnitude 1</summary>
+        Displacement = 13,
+        /// <summary>FLG_ATTRIBUTE_USER: this and above: the host's own, 1 to 16 floats, interpolated linearly</summary>
+        User = 64,
+    }
+
+    /// <summary>Which moving frame to carry along a curve.</summary>
+    public enum FlgFrameMethod
+    {
+        /// <summary>
+        /// FLG_FRAME_ROTATION_MINIMIZING: double reflection (Wang et al. 2008); the twist of closed curves is spread
+        /// evenly. Defined everywhere
+        /// </summary>
+        RotationMinimizing = 0,
+        /// <summary>
+        /// FLG_FRAME_FRENET: principal normal; where the curvature vanishes, carried on from the last point where it
+        /// did not, around closed curves. Flips at inflections, as Frenet frames do
+        /// </summary>
+        Frenet = 1,
+        /// <summary>
+        /// FLG_FRAME_SUPPLIED: the NORMAL column of the curves, interpolated and made perpendicular to the tangent;
+        /// where it points along the tangent or vanishes, carried on from the last point where it did not, around
+        /// closed curves. Without that column the job fails
+        /// </summary>
+        Supplied = 2,
+    }
+
+    /// <summary>How far apart two values of an attribute are, sec. 5.</summary>
+    public enum FlgMetric
+    {
+        /// <summary>
+        /// FLG_METRIC_AUTO: CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else
+        /// </summary>
+        Auto = 0,
+        /// <summary>FLG_METRIC_EUCLIDEAN</summary>
+        Euclidean = 1,
+        /// <summary>
+        /// FLG_METRIC_CIRCLE: radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and
+        /// the third component of RADII, whose others are EUCLIDEAN always
+        /// </summary>
+        Circle = 2,
+        /// <summary>
+        /// FLG_METRIC_PROJECTIVE: radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn does
+        /// not change. For the same
+        /// </summary>
+        Projective = 3,
+    }
+
+    /// <summary>How guide and style are matched, sec. 4.2.</summary>
+    public enum FlgMatching
+    {
+        /// <summary>
+        /// FLG_MATCHING_SEMI_DISCRETE: places on the style are continuous: more exact, and many times faster
+        /// </summary>
+        SemiDiscrete = 0,
+        /// <summary>
+        /// FLG_MATCHING_DISCRETE: places are points of the style, by dynamic programming over all of them
+        /// </summary>
+        Discrete = 1,
+    }
+
+    /// <summary>Where on the style a target curve begins.</summary>
+    public enum FlgStart
+    {
+        /// <summary>FLG_START_AUTO: a lone target curve as FlgStart.Style, several as FlgStart.Random</summary>
+        Auto = 0,
+        /// <summary>
+        /// FLG_START_STYLE: at the style's own start; the first run goes to its end: a target as long as the guide gets
+        /// the style once, whole
+        /// </summary>
+        Style = 1,
+        /// <summary>FLG_START_RANDOM: at a random point, by seed and index of the curve</summary>
+        Random = 2,
+    }
+
+    /// <summary>A running or finished piece of work.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgJob : IEquatable<FlgJob>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgJob other) => id == other.id;
+        public override bool Equals(object other) => other is FlgJob handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    /// <summary>Curves in flat arrays; never changes once ready.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgCurveSet : IEquatable<FlgCurveSet>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgCurveSet other) => id == other.id;
+        public override bool Equals(object other) => other is FlgCurveSet handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    /// <summary>A style, prepared: guide, displacement and patch graph. Never changes once ready.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgStyle : IEquatable<FlgStyle>
+    {
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgStyle other) => id == other.id;
+        public override bool Equals(object other) => other is FlgStyle handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
+    }
+
+    /// <summary>
+    /// A context owns everything else. The one raw pointer of the interface: do not use it after flgContextDestroy.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlgContext
+    {
+        public IntPtr pointer;
+        public bool IsNull => pointer == IntPtr.Zero;
+    }
+}
