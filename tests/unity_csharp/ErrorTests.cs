@@ -34,6 +34,10 @@ namespace Filigree.Tests
                 () => CurveSet.Create(context, new[] { 0, float.NaN, 0 }), "not a number");
             Expect.Contains("finite", failure.Message, "not a number");
             Expect.Throws<ArgumentException>(() => CurveSet.Create(context, new float[4]), "four numbers");
+            failure = Expect.Throws<FiligreeException>(() => CurveSet.Create(context, new float[0]), "no numbers");
+            Expect.Equal(FlgResult.ErrorInvalidArgument, failure.Result, "no numbers");
+            failure = Expect.Throws<FiligreeException>(() => Style.Load(context, new byte[100]), "bytes that are no style");
+            Expect.Equal(FlgResult.ErrorFormat, failure.Result, "bytes that are no style");
 
             FlgContextDesc other = Native.flgContextDefaults();
             other.version += 1 << 12;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The host's own job system, here .NET's thread pool: the SDK starts no thread, and its results stay the same bits.
+// The host's own job system, in C#: the SDK starts no thread, and its results stay the same bits.
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using System.Threading;
 using AOT;
@@ -10,21 +11,23 @@ namespace Filigree.Tests
     static unsafe class HostJobTests
     {
         static readonly FlgJobSystemSubmit submit = Submit;
+        static readonly Queue<IntPtr> tasks = new Queue<IntPtr>();
         static FlgJobSystemSubmitRun run;
-        static int tasks;
+        static int done;
+        static bool over;
 
         internal static void EqualThoseOfWorkers()
         {
             byte[] expected;
             using (var context = new FiligreeContext(2)) expected = Result(context);
 
+            Thread[] threads = { new Thread(Work) { IsBackground = true }, new Thread(Work) { IsBackground = true } };
+            foreach (Thread thread in threads) thread.Start();
             FlgContextDesc desc = Native.flgContextDefaults();
             desc.job_system.concurrency = 2;
             desc.job_system.submit = Marshal.GetFunctionPointerForDelegate(submit);
             var hosted = new FiligreeContext(desc);
             byte[] found = Result(hosted);
-            Expect.True(expected.AsSpan().SequenceEqual(found), "the thread pool's results are the workers', bit for bit");
-            Expect.True(tasks > 0, "the thread pool did it");
             while (!hosted.IsDisposed)
             {
                 try
@@ -33,9 +36,17 @@ namespace Filigree.Tests
                 }
                 catch (FiligreeException waiting) when (waiting.Result == FlgResult.NotReady)
                 {
-                    Thread.Sleep(1); // the pool still holds tasks
+                    Thread.Sleep(1); // the threads still hold tasks
                 }
             }
+            lock (tasks)
+            {
+                over = true;
+                Monitor.PulseAll(tasks);
+            }
+            foreach (Thread thread in threads) thread.Join();
+            Expect.True(expected.AsSpan().SequenceEqual(found), "the host's threads make what workers make, bit for bit");
+            Expect.True(done > 0, "they did it");
         }
 
         static byte[] Result(FiligreeContext context)
@@ -48,17 +59,31 @@ namespace Filigree.Tests
             return MemoryMarshal.AsBytes(result.View.Floats(FlgAttribute.Position)).ToArray();
         }
 
-        sealed class Task
-        {
-            internal IntPtr Argument;
-        }
-
         [MonoPInvokeCallback(typeof(FlgJobSystemSubmit))]
         static void Submit(void* userData, IntPtr function, void* task)
         {
-            if (run == null) run = Marshal.GetDelegateForFunctionPointer<FlgJobSystemSubmitRun>(function);
-            Interlocked.Increment(ref tasks);
-            ThreadPool.UnsafeQueueUserWorkItem(held => run((void*)((Task)held).Argument), new Task { Argument = (IntPtr)task });
+            lock (tasks)
+            {
+                if (run == null) run = Marshal.GetDelegateForFunctionPointer<FlgJobSystemSubmitRun>(function);
+                tasks.Enqueue((IntPtr)task);
+                Monitor.Pulse(tasks);
+            }
+        }
+
+        static void Work()
+        {
+            while (true)
+            {
+                IntPtr task;
+                lock (tasks)
+                {
+                    while (tasks.Count == 0 && !over) Monitor.Wait(tasks);
+                    if (tasks.Count == 0) return;
+                    task = tasks.Dequeue();
+                }
+                run((void*)task);
+                Interlocked.Increment(ref done);
+            }
         }
     }
 }

@@ -28,6 +28,7 @@ namespace Filigree.Tests
                 case "bits": BitTests.EqualThoseOfC(arguments[1]); break;
                 case "garbage": GarbageTests.ThereIsNone(); break;
                 case "errors": ErrorTests.Run(); break;
+                case "classes": ClassTests.Run(); break;
                 case "domain": DomainTests.TakeTheirContextsAlong(); break;
                 case "callbacks": CallbackTests.Run(); break;
                 case "host_jobs": HostJobTests.EqualThoseOfWorkers(); break;

@@ -38,6 +38,14 @@ namespace Filigree.Tests
             while (stroke.Finished == null) Frame(stroke, frame + Frames, tick, update);
             IsTheStylizedCurve(mesh, stroke.Finished.View);
             FacesOutwards(mesh);
+
+            stroke.temperature = 2; // in the inspector, say: the next stroke waits for what that needs
+            stroke.Drawing = true;
+            Frame(stroke, 0, tick, update);
+            Expect.True(stroke.Finished == null, "another stroke takes the place of the first");
+            Scenes.Finish(runner.Context);
+            Draw(stroke, 0, 50, tick, update);
+            Expect.True(mesh.Part.vertexCount > 0, "and is drawn");
             Call(runner, "OnDestroy")(); // in any order
             Call(stroke, "OnDestroy")();
             Expect.True(mesh.Destroyed && runner.Context.IsDisposed, "nothing is left");

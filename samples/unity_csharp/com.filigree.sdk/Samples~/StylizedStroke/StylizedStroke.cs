@@ -38,6 +38,7 @@ namespace Filigree.Samples
         LiveStroke stroke;
         CurveSet ending;
         StrokeMesh mesh;
+        float warmTemperature;
 
         void Awake()
         {
@@ -47,7 +48,7 @@ namespace Filigree.Samples
             {
                 style = Style.Create(strokes);
             }
-            style.Warm(temperature);
+            Warm();
         }
 
         void Update()
@@ -89,9 +90,19 @@ namespace Filigree.Samples
             desc.radius_max = radiusMax;
             desc.max_points = (uint)maxPoints;
             stroke = LiveStroke.TryBegin(style, desc);
-            if (stroke == null) return false;
+            if (stroke == null)
+            {
+                if (temperature != warmTemperature) Warm(); // it was changed since
+                return false;
+            }
             mesh.Clear();
             return true;
+        }
+
+        void Warm()
+        {
+            style.Warm(temperature);
+            warmTemperature = temperature;
         }
 
         // A stroke without a sample, begun and let go before it could be drawn, can't be ended.
