@@ -45,7 +45,8 @@ namespace Filigree.Tests
             for (int frame = 0; frame < 100; ++frame) stroke.Push(Scenes.Hand(frame));
             byte[] points = Bytes(stroke.Points);
             int left = stroke.Undo(30);
-            Expect.True(left > 0 && left == stroke.Points.PointCount && 12 * left < points.Length, left + " points are left");
+            Expect.Equal(left, stroke.Points.PointCount, "points that are left");
+            Expect.True(left > 0 && 12 * left < points.Length, left + " points are left");
             for (int frame = 70; frame < 100; ++frame) stroke.Push(Scenes.Hand(frame));
             Expect.True(Bytes(stroke.Points).AsSpan().SequenceEqual(points), "the same stroke again");
 
@@ -58,6 +59,11 @@ namespace Filigree.Tests
             stroke.Dispose();
         }
 
+        static FlgColumn Column(FlgAttribute attribute, uint components, float* data)
+        {
+            return new FlgColumn { attribute = attribute, components = components, data = data, stride = 20 };
+        }
+
         static void ColumnsAreWhatTheySay(FiligreeContext context, Style style)
         {
             CurveSet made;
@@ -65,8 +71,8 @@ namespace Filigree.Tests
             fixed (uint* offsets = new uint[] { 0, 2 })
             {
                 FlgColumn* columns = stackalloc FlgColumn[2];
-                columns[0] = new FlgColumn { attribute = FlgAttribute.Position, components = 3, data = numbers, stride = 20 };
-                columns[1] = new FlgColumn { attribute = FlgAttribute.User, components = 2, data = numbers + 3, stride = 20 };
+                columns[0] = Column(FlgAttribute.Position, 3, numbers);
+                columns[1] = Column(FlgAttribute.User, 2, numbers + 3);
                 FlgCurveSetView view = Native.flgCurveSetViewDefaults();
                 view.curve_count = 1;
                 view.curve_offsets = offsets;
@@ -78,10 +84,10 @@ namespace Filigree.Tests
             {
                 Expect.Equal(new Vector3(3, 4, 5), set.View.Column<Vector3>(FlgAttribute.Position)[1], "a place");
                 Expect.Equal(7f, set.View.Floats(FlgAttribute.User)[3], "the second number of the second point");
-                Expect.True(set.View.Has(FlgAttribute.User) && !set.View.Has(FlgAttribute.Color), "columns that are there");
+                Expect.True(set.View.Has(FlgAttribute.User) && !set.View.Has(FlgAttribute.Color), "what is there");
                 Expect.Equal(0, set.View.Column<Vector3>(FlgAttribute.Normal).Length, "a column that isn't");
                 Expect.Throws<ArgumentException>(
-                    () => { int n = set.View.Column<Quaternion>(FlgAttribute.Position).Length; }, "four floats of three");
+                    () => { int n = set.View.Column<Quaternion>(FlgAttribute.Position).Length; }, "four of three");
                 Expect.Throws<ArgumentOutOfRangeException>(() => set.View.IsClosed(1), "a curve too many");
                 Expect.True(!set.View.IsClosed(0) && set.View.Offsets[1] == 2, "an open curve of two points");
             }

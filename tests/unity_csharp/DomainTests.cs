@@ -14,7 +14,7 @@ namespace Filigree.Tests
             int before = Threads();
             AppDomain domain = AppDomain.CreateDomain("scripts");
             domain.DoCallBack(LeaveAContextBehind);
-            Expect.True(Threads() >= before + Workers, "a context with " + Workers + " workers lives in the other domain");
+            Expect.True(Threads() >= before + Workers, "its " + Workers + " workers live in the other domain");
             AppDomain.Unload(domain);
             Expect.True(Threads() < before + Workers, "its workers are gone with the domain");
         }

@@ -36,8 +36,8 @@ namespace Filigree.Tests
             Expect.Throws<ArgumentException>(() => CurveSet.Create(context, new float[4]), "four numbers");
             failure = Expect.Throws<FiligreeException>(() => CurveSet.Create(context, new float[0]), "no numbers");
             Expect.Equal(FlgResult.ErrorInvalidArgument, failure.Result, "no numbers");
-            failure = Expect.Throws<FiligreeException>(() => Style.Load(context, new byte[100]), "bytes that are no style");
-            Expect.Equal(FlgResult.ErrorFormat, failure.Result, "bytes that are no style");
+            failure = Expect.Throws<FiligreeException>(() => Style.Load(context, new byte[100]), "zeros as a style");
+            Expect.Equal(FlgResult.ErrorFormat, failure.Result, "zeros as a style");
 
             FlgContextDesc other = Native.flgContextDefaults();
             other.version += 1 << 12;
@@ -52,9 +52,11 @@ namespace Filigree.Tests
             set.Dispose();
             set.Dispose(); // twice is once
             FlgCurveSetView view = Native.flgCurveSetViewDefaults();
-            Expect.Equal(FlgResult.ErrorInvalidHandle, Native.flgCurveSetGetView(context.Handle, stale, &view), "released");
+            FlgResult viewed = Native.flgCurveSetGetView(context.Handle, stale, &view);
+            Expect.Equal(FlgResult.ErrorInvalidHandle, viewed, "a view of what is released");
             Expect.True(view.columns == null && view.curve_count == 0, "nothing is shown");
-            Expect.Equal(FlgResult.ErrorInvalidHandle, Native.flgCurveSetRelease(context.Handle, stale), "released again");
+            FlgResult released = Native.flgCurveSetRelease(context.Handle, stale);
+            Expect.Equal(FlgResult.ErrorInvalidHandle, released, "released again");
             Expect.Throws<ObjectDisposedException>(() => { bool ready = set.IsReady; }, "disposed of");
 
             using (var stranger = new FiligreeContext(0))
@@ -100,7 +102,7 @@ namespace Filigree.Tests
             running.Dispose(); // went with its context
             style.Dispose();
             Expect.Throws<ObjectDisposedException>(() => context.Tick(0), "a context that is gone");
-            Expect.Throws<ObjectDisposedException>(() => CurveSet.Create(context, Scenes.Line), "a context that is gone");
+            Expect.Throws<ObjectDisposedException>(() => CurveSet.Create(context, Scenes.Line), "curves in it");
         }
     }
 }

@@ -18,7 +18,8 @@ namespace Filigree.Tests
 
         internal static void Contains(string part, string whole, string what)
         {
-            True(whole != null && whole.Contains(part), what + ": \"" + whole + "\" does not speak of \"" + part + "\"");
+            bool holds = whole != null && whole.Contains(part);
+            True(holds, what + ": \"" + whole + "\" does not speak of \"" + part + "\"");
         }
 
         internal static T Throws<T>(Action action, string what) where T : Exception

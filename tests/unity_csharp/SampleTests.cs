@@ -102,7 +102,7 @@ namespace Filigree.Tests
                 for (int k = 0; k < 8; ++k) sum += Position(mesh, 8 * i + k);
                 Vector3 centre = sum * 0.125f, point = curve.Column<Vector3>(FlgAttribute.Position)[i];
                 Vector3 off = centre - new Vector3(point.x, point.y, -point.z);
-                Expect.True(Vector3.Dot(off, off) < 1e-10f, "the ring of point " + i + " is around it, in Unity's coordinates");
+                Expect.True(Vector3.Dot(off, off) < 1e-10f, "the ring of point " + i + " is around it");
                 Vector3 out0 = Position(mesh, 8 * i) - centre;
                 float radius = curve.Floats(FlgAttribute.Radius)[i];
                 Expect.True(Math.Abs(Vector3.Dot(out0, out0) - radius * radius) < 1e-7f, "its radius is the curve's");
@@ -126,8 +126,8 @@ namespace Filigree.Tests
             {
                 int a = mesh.Indices[3 * t], b = mesh.Indices[3 * t + 1], c = mesh.Indices[3 * t + 2];
                 Expect.True(Math.Max(a, Math.Max(b, c)) < mesh.Part.vertexCount, "triangles of what is there");
-                Vector3 face = Vector3.Cross(Position(mesh, b) - Position(mesh, a), Position(mesh, c) - Position(mesh, a));
-                if (Vector3.Dot(face, Normal(mesh, a)) > 0) ++outwards;
+                Vector3 first = Position(mesh, b) - Position(mesh, a), second = Position(mesh, c) - Position(mesh, a);
+                if (Vector3.Dot(Vector3.Cross(first, second), Normal(mesh, a)) > 0) ++outwards;
             }
             // Where the curve bends more tightly than the tube is thick rings cut through each other.
             Expect.True(outwards > 0.98 * triangles, outwards + " of " + triangles + " triangles face outwards");

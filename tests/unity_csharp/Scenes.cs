@@ -24,8 +24,9 @@ namespace Filigree.Tests
         internal static FlgLiveSample Hand(int frame)
         {
             double angle = 0.02 * frame;
+            float x = (float)Math.Cos(angle), z = (float)Math.Sin(angle);
             float pressure = 0.5f + 0.5f * (float)Math.Sin(0.1 * frame);
-            return new FlgLiveSample((float)Math.Cos(angle), 0.001f * frame, (float)Math.Sin(angle), pressure, frame / 90.0);
+            return new FlgLiveSample(x, 0.001f * frame, z, pressure, frame / 90.0);
         }
 
         internal static Style Style(FiligreeContext context)

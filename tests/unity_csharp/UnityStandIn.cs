@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As much of Unity's API, with its signatures of 2021.3, as the sample uses, so that its sources compile and run here as
-// they are. A Mesh keeps what was uploaded to it.
+// As much of Unity's API, with its signatures of 2021.3, as the sample uses, so that its sources compile and run here
+// as they are. A Mesh keeps what was uploaded to it.
 using System;
 
 namespace AOT

@@ -6,8 +6,8 @@ using System.Runtime.InteropServices;
 namespace Filigree
 {
     /// <summary>
-    /// Curves in flat arrays: curve c has the points Offsets[c] to Offsets[c + 1] - 1 of every column. The arrays are the
-    /// SDK's and live as its comments say; as a ref struct the view can't outlast the method that asked for it.
+    /// Curves in flat arrays: curve c has the points Offsets[c] to Offsets[c + 1] - 1 of every column. The arrays are
+    /// the SDK's and live as its comments say; as a ref struct the view can't outlast the method that asked for it.
     /// </summary>
     public readonly unsafe ref struct CurveSetView
     {
@@ -31,7 +31,9 @@ namespace Filigree
             return view.curve_flags != null && (view.curve_flags[curve] & Native.FLG_CURVE_CLOSED) != 0;
         }
 
-        /// <summary>A column's first number and how many each point has; null and 0 if there is no such column.</summary>
+        /// <summary>
+        /// A column's first number and how many each point has; null and 0 if there is no such column.
+        /// </summary>
         public float* Pointer(FlgAttribute attribute, out int components)
         {
             for (uint i = 0; i < view.column_count; ++i)

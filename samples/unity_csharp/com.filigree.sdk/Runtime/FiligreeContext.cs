@@ -32,7 +32,7 @@ namespace Filigree
 #endif
         }
 
-        /// <param name="workers">Threads that work between frames. 0: Tick does all the work, within its budget.</param>
+        /// <param name="workers">Threads that work between frames. 0: Tick does the work, within its budget.</param>
         /// <param name="workerBudgetUs">What each may use between two ticks, in microseconds; 0 is no limit.</param>
         /// <param name="log">Gets the SDK's messages, on the thread that calls the SDK; may be null.</param>
         public FiligreeContext(int workers = 1, int workerBudgetUs = 0, Action<FlgLogLevel, string> log = null)
@@ -49,7 +49,9 @@ namespace Filigree
             Create(desc);
         }
 
-        /// <summary>With the host's own hooks. What they point to has to live until the context is disposed of.</summary>
+        /// <summary>
+        /// With the host's own hooks. What they point to has to live until the context is disposed of.
+        /// </summary>
         public FiligreeContext(FlgContextDesc desc)
         {
             Create(desc);

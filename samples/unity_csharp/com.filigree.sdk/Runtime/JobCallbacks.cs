@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Actions that are called when jobs are published. Native code holds a GCHandle for each, which is freed when the job is
-// called back, is refused, or is cut off by the end of its context.
+// Actions that are called when jobs are published. Native code holds a GCHandle for each, which is freed when the job
+// is called back, is refused, or is cut off by the end of its context.
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;

@@ -32,7 +32,9 @@ namespace Filigree
             return FiligreeException.Check(result) == FlgResult.Ok ? new LiveStroke(context, made) : null;
         }
 
-        /// <summary>Takes a sample, and shows the points it made: often none, as geometry is one sample behind.</summary>
+        /// <summary>
+        /// Takes a sample, and shows the points it made: often none, as geometry is one sample behind.
+        /// </summary>
         public CurveSetView Push(FlgLiveSample sample)
         {
             return Push(&sample, 1);
@@ -82,8 +84,8 @@ namespace Filigree
         }
 
         /// <summary>
-        /// Ends the stroke: a job makes a set of the whole stylized curve. The stroke itself stays, for Resume, until it
-        /// is disposed of.
+        /// Ends the stroke: a job makes a set of the whole stylized curve. The stroke itself stays, for Resume, until
+        /// it is disposed of.
         /// </summary>
         public CurveSet End(Action<FlgResult> finished = null)
         {

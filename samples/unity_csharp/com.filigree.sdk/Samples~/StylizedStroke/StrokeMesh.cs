@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tube that grows: a ring of vertices a point, in arrays that are made once. What is appended is uploaded, and nothing
-// else is, as points of a live stroke never move.
+// A tube that grows: a ring of vertices a point, in arrays that are made once. What is appended is uploaded, and
+// nothing else is, as points of a live stroke never move.
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -98,7 +98,9 @@ namespace Filigree.Samples
         void Show()
         {
             int pieces = Math.Max(PointCount - 1, 0);
-            var part = new SubMeshDescriptor(0, pieces * sides * 6) { vertexCount = PointCount * sides, bounds = bounds };
+            var part = new SubMeshDescriptor(0, pieces * sides * 6);
+            part.vertexCount = PointCount * sides;
+            part.bounds = bounds;
             Mesh.SetSubMesh(0, part, Trusting);
             Mesh.bounds = bounds;
         }

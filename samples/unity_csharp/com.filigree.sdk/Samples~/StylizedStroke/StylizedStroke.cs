@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stroke that a hand draws, stylized while it is drawn. Set Drawing while the trigger is held. No frame makes garbage:
-// not the one that pushes a sample, nor the one that shows its points.
+// A stroke that a hand draws, stylized while it is drawn. Set Drawing while the trigger is held. No frame makes
+// garbage: not the one that pushes a sample, nor the one that shows its points.
 using UnityEngine;
 
 namespace Filigree.Samples
