@@ -25,6 +25,7 @@
 #include <stdint.h>
 
 #if defined(FLG_STATIC)
+/* Exports and imports functions. Define FLG_STATIC where the library is linked statically. */
 #define FLG_API
 #elif defined(_WIN32)
 #if defined(FLG_BUILD)
@@ -42,8 +43,11 @@ extern "C" {
 
 /* ---- Version ------------------------------------------------------------------------------------------------- */
 
+/* What breaks hosts changes this; until 1.0 the minor version may, too. */
 #define FLG_VERSION_MAJOR 0
+/* What hosts can use besides changes this. */
 #define FLG_VERSION_MINOR 1
+/* All else. */
 #define FLG_VERSION_PATCH 0
 /* The version of this header, as one number. */
 #define FLG_VERSION ((FLG_VERSION_MAJOR << 22) | (FLG_VERSION_MINOR << 12) | FLG_VERSION_PATCH)
@@ -54,19 +58,20 @@ FLG_API uint32_t flgVersion(void);
 
 /* ---- Results ------------------------------------------------------------------------------------------------- */
 
+/* How a call or a job ended: 0 and above is no failure. */
 typedef enum FlgResult {
-    FLG_OK = 0,
-    FLG_NOT_READY = 1,                /* asked too early: the job behind it has not been published by flgTick */
-    FLG_ERROR_INVALID_ARGUMENT = -1,  /* a null, a value out of its range, data that can't be used */
-    FLG_ERROR_INVALID_HANDLE = -2,    /* null, released, of another kind or of another context */
-    FLG_ERROR_OUT_OF_MEMORY = -3,     /* the allocator hook returned null */
-    FLG_ERROR_VERSION = -4,           /* header and library do not fit each other */
-    FLG_ERROR_CANCELLED = -5,         /* the job was cancelled */
-    FLG_ERROR_DEPENDENCY = -6,        /* a job that this one depends on failed or was cancelled */
-    FLG_ERROR_FILE = -7,              /* a file can't be opened, read or written */
-    FLG_ERROR_FORMAT = -8,            /* a file holds something else than its format allows */
-    FLG_ERROR_LIMIT = -9,             /* a documented limit would be passed; the message says which */
-    FLG_ERROR_INTERNAL = -10,         /* a bug of ours */
+    FLG_OK = 0,                      /* done; of a function that starts a job: started */
+    FLG_NOT_READY = 1,               /* asked too early: the job behind it has not been published by flgTick */
+    FLG_ERROR_INVALID_ARGUMENT = -1, /* a null, a value out of its range, data that can't be used */
+    FLG_ERROR_INVALID_HANDLE = -2,   /* null, released, of another kind or of another context */
+    FLG_ERROR_OUT_OF_MEMORY = -3,    /* the allocator hook returned null */
+    FLG_ERROR_VERSION = -4,          /* header and library do not fit each other */
+    FLG_ERROR_CANCELLED = -5,        /* the job was cancelled */
+    FLG_ERROR_DEPENDENCY = -6,       /* a job that this one depends on failed or was cancelled */
+    FLG_ERROR_FILE = -7,             /* a file can't be opened, read or written */
+    FLG_ERROR_FORMAT = -8,           /* a file holds something else than its format allows */
+    FLG_ERROR_LIMIT = -9,            /* a documented limit would be passed; the message says which */
+    FLG_ERROR_INTERNAL = -10,        /* a bug of ours */
     FLG_RESULT_FORCE_32BIT = 0x7fffffff
 } FlgResult;
 
@@ -79,6 +84,7 @@ FLG_API const char* flgResultName(FlgResult result);
 
 /* ---- Handles ------------------------------------------------------------------------------------------------- */
 
+/* Makes the type of a handle. */
 #define FLG_HANDLE(Name)   \
     typedef struct Name {  \
         uint64_t id;       \
@@ -101,8 +107,10 @@ typedef struct FlgContextT* FlgContext;
  * the C++ runtime's aligned new and delete. Not included: what the C++ runtime itself takes for threads and for the
  * exceptions that a failing job is stopped with. */
 typedef struct FlgAllocator {
-    void* user_data;
+    void* user_data; /* passed to both */
+    /* `size` bytes at a multiple of `alignment`, a power of two; or null */
     void* (*allocate)(void* user_data, size_t size, size_t alignment);
+    /* what `allocate` gave, with the size and the alignment it was asked for */
     void (*free)(void* user_data, void* memory, size_t size, size_t alignment);
 } FlgAllocator;
 
@@ -111,42 +119,46 @@ typedef struct FlgAllocator {
  * 500 us. At most `concurrency` (1 to 256) tasks are handed over at a time. `submit` is called from flgTick, from the
  * calls that start jobs, and from inside tasks; it must not call run(task) before it returns, and must not fail. */
 typedef struct FlgJobSystem {
-    void* user_data;
-    uint32_t concurrency;
+    void* user_data;      /* passed to `submit` */
+    uint32_t concurrency; /* tasks at a time */
+    /* null: the SDK has threads of its own, or none */
     void (*submit)(void* user_data, void (*run)(void* task), void* task);
 } FlgJobSystem;
 
+/* How much a message matters. */
 typedef enum FlgLogLevel {
-    FLG_LOG_INFO = 0,
-    FLG_LOG_WARNING = 1,
-    FLG_LOG_ERROR = 2,
+    FLG_LOG_INFO = 0,    /* worth knowing */
+    FLG_LOG_WARNING = 1, /* odd, and gone on with */
+    FLG_LOG_ERROR = 2,   /* something failed */
     FLG_LOG_FORCE_32BIT = 0x7fffffff
 } FlgLogLevel;
 
 /* Messages worth a line in the host's log: one sentence, no line break. Called on the host's thread, from inside its
  * calls. Null: silence. */
 typedef struct FlgLog {
-    void* user_data;
+    void* user_data; /* passed to `write` */
+    /* `message` is valid for the time of the call */
     void (*write)(void* user_data, FlgLogLevel level, const char* message);
 } FlgLog;
 
 /* Monotonic nanoseconds, from any thread. Null: the system's steady clock. Budgets are measured with it; results
  * never depend on it. */
 typedef struct FlgClock {
-    void* user_data;
-    uint64_t (*now_ns)(void* user_data);
+    void* user_data;                     /* passed to `now_ns` */
+    uint64_t (*now_ns)(void* user_data); /* never falling */
 } FlgClock;
 
 /* Named zones for a profiler such as Tracy or the engine's own. Called on the thread that does the work, properly
  * nested; names are string literals. Null: nothing. */
 typedef struct FlgProfiler {
-    void* user_data;
-    void (*begin)(void* user_data, const char* name);
-    void (*end)(void* user_data);
+    void* user_data;                                  /* passed to both */
+    void (*begin)(void* user_data, const char* name); /* both or neither */
+    void (*end)(void* user_data);                     /* of the zone that began last on this thread */
 } FlgProfiler;
 
 /* ---- Context ------------------------------------------------------------------------------------------------- */
 
+/* What a context is made with. */
 typedef struct FlgContextDesc {
     uint32_t struct_size;
     /* FLG_VERSION of the header the host was compiled with. Set by flgContextDefaults. */
@@ -204,10 +216,11 @@ FLG_API FlgResult flgContextWait(FlgContext context, uint32_t timeout_us);
 
 /* ---- Jobs ---------------------------------------------------------------------------------------------------- */
 
+/* Which of the ready jobs goes first. */
 typedef enum FlgPriority {
-    FLG_PRIORITY_LOW = 0,
-    FLG_PRIORITY_NORMAL = 1,
-    FLG_PRIORITY_HIGH = 2,
+    FLG_PRIORITY_LOW = 0,    /* when nothing else is ready */
+    FLG_PRIORITY_NORMAL = 1, /* the default */
+    FLG_PRIORITY_HIGH = 2,   /* before all others, such as what the user waits for */
     FLG_PRIORITY_FORCE_32BIT = 0x7fffffff
 } FlgPriority;
 
@@ -230,9 +243,10 @@ typedef struct FlgJobOptions {
     uint32_t reserved;
 } FlgJobOptions;
 
+/* Where a job is, as of the last flgTick. */
 typedef enum FlgJobState {
     FLG_JOB_WAITING = 0,  /* for its dependencies or its turn */
-    FLG_JOB_RUNNING = 1,
+    FLG_JOB_RUNNING = 1,  /* begun, not published */
     FLG_JOB_FINISHED = 2, /* published; `result` says how it ended */
     FLG_JOB_FORCE_32BIT = 0x7fffffff
 } FlgJobState;
@@ -251,6 +265,7 @@ typedef struct FlgJobStatus {
 /* The job's state as of the last flgTick. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
 
+/* How long a stage of a job took. */
 typedef struct FlgStageTime {
     const char* name; /* string literal */
     float wall_us;    /* from the stage's start to its end */
@@ -258,16 +273,17 @@ typedef struct FlgStageTime {
 } FlgStageTime;
 
 /* The stages of a finished job in order; FLG_NOT_READY before. Writes at most `capacity` of them and their whole number
- * (at most 16) to `out_count`; `out_stages` may be null when capacity is 0. */
+ * (at most 16) to `out_count`; `out_stages` may be null when capacity is 0. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* out_stages, uint32_t capacity,
                                   uint32_t* out_count);
 
 /* Asks a job to end. It is published with FLG_ERROR_CANCELLED by a later flgTick (or with its result, if it was
- * finished already, or has begun to change a surface, which it then does whole); what it held is freed, jobs that depend on it fail. Cancelling a finished job does nothing. */
+ * finished already, or has begun to change a surface, which it then does whole); what it held is freed, jobs that depend on it fail. Cancelling a finished job does nothing.
+ * Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobCancel(FlgContext context, FlgJob job);
 
 /* Gives the handle back; the job goes on, and its callback is still called. Functions that start a job take a null
- * `out_job` if no handle is wanted. */
+ * `out_job` if no handle is wanted. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobRelease(FlgContext context, FlgJob job);
 
 /* ---- Curve sets ---------------------------------------------------------------------------------------------- */
@@ -296,10 +312,10 @@ typedef enum FlgAttribute {
 
 /* One column. As input it may be strided; columns of results are tightly packed. */
 typedef struct FlgColumn {
-    FlgAttribute attribute;
-    uint32_t components; /* floats a point */
-    const float* data;
-    uint32_t stride;     /* bytes from one point to the next, a multiple of 4; 0 = tightly packed */
+    FlgAttribute attribute; /* what the values mean */
+    uint32_t components;    /* floats a point */
+    const float* data;      /* the first value */
+    uint32_t stride;        /* bytes from one point to the next, a multiple of 4; 0 = tightly packed */
     uint32_t reserved;
 } FlgColumn;
 
@@ -314,7 +330,7 @@ typedef struct FlgCurveSetView {
     uint32_t curve_count;
     const uint32_t* curve_offsets; /* curve_count + 1 values, from 0, not falling */
     const uint8_t* curve_flags;    /* curve_count values of FLG_CURVE_...; null in input: all 0 */
-    const FlgColumn* columns;
+    const FlgColumn* columns;      /* POSITION first in results */
     uint32_t column_count;         /* 1 to 16, each attribute at most once */
     uint32_t reserved;
 } FlgCurveSetView;
@@ -375,7 +391,7 @@ FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, F
 /* How far apart two values of an attribute are, sec. 5. */
 typedef enum FlgMetric {
     FLG_METRIC_AUTO = 0,       /* CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else */
-    FLG_METRIC_EUCLIDEAN = 1,
+    FLG_METRIC_EUCLIDEAN = 1,  /* the length of the difference */
     FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and
                                   the third component of RADII, whose others are EUCLIDEAN always */
     FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn does not

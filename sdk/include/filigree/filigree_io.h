@@ -56,7 +56,7 @@ FLG_API const char* flgIoLastError(void);
 
 /* Reads all curves of a file. The file is read whole, checked, and refused at the first thing that can't be right; what
  * is merely odd becomes a warning (flgCurveFileGetInfo). Limits: 2 GiB a file (unpacked too), 2^31 points.
- * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. */
+ * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: 0.1 to 0.2 us a point. */
 FLG_API FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file);
 
 /* The curves, ready for flgCurveSetCreate; lives until the file is released. */
@@ -75,6 +75,7 @@ typedef struct FlgCurveFileInfo {
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgCurveFileInfo;
 
+/* What the file holds, and what is odd about it. Set its struct_size. */
 FLG_API FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info);
 
 /* What a .tilt file says of one stroke besides its points. */
@@ -92,10 +93,11 @@ FLG_API FlgResult flgCurveFileGetStrokes(FlgCurveFile file, const FlgStroke** ou
 /* Null is allowed. */
 FLG_API void flgCurveFileRelease(FlgCurveFile file);
 
+/* What curves become in .glb. */
 typedef enum FlgGeometry {
-    FLG_GEOMETRY_LINES = 0,
+    FLG_GEOMETRY_LINES = 0,  /* no surface */
     FLG_GEOMETRY_RIBBON = 1, /* flat, across the frame's second normal */
-    FLG_GEOMETRY_TUBE = 2,
+    FLG_GEOMETRY_TUBE = 2,   /* round, of `tube_sides` sides */
     FLG_GEOMETRY_FORCE_32BIT = 0x7fffffff
 } FlgGeometry;
 
@@ -115,7 +117,7 @@ FLG_API FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct
  * `desc` may be null. Curves without NORMAL column get frames by double reflection. Colours go into .glb, clamped to
  * 0 to 1; a USER column of more than 4 floats has no place there. Lines of one point are written with their point twice; ribbons and tubes leave out curves without length.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
- * FLG_ERROR_LIMIT (2 GiB). */
+ * FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
 FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveWriteDesc* desc);
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
@@ -175,6 +177,7 @@ typedef struct FlgMeshFileInfo {
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgMeshFileInfo;
 
+/* What the file holds, and what is odd about it. Set its struct_size. */
 FLG_API FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info);
 
 /* Null is allowed. */
@@ -194,7 +197,7 @@ FLG_API FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint32_t struct_s
 /* Writes a mesh to .ply, .obj, .off or .glb, whole or not at all as flgCurveFileWrite. `desc` may be null. .ply and .glb
  * keep every bit of positions, text has 9 digits. .glb gets normals: the column's, else the area-weighted ones.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
- * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
+ * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: 0.2 to 0.5 us a triangle. */
 FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshWriteDesc* desc);
 
 /* ---- Skinned models ------------------------------------------------------------------------------------------ */
@@ -234,6 +237,7 @@ typedef struct FlgSkinFileInfo {
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgSkinFileInfo;
 
+/* What the file holds, and what is odd about it. Set its struct_size. */
 FLG_API FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info);
 
 /* Null is allowed. */
@@ -297,13 +301,13 @@ typedef struct FlgTangleFileT* FlgTangleFile;
  * was there is removed: a save that is cut short leaves the document as it was. Where the history needs no side file none is
  * written. The same history gives the same bytes.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that aren't finite), FLG_ERROR_FILE, FLG_ERROR_LIMIT (8 MiB of JSON, 2 GiB
- * of arrays). */
+ * of arrays). Cost: some us a step and what the disk takes. */
 FLG_API FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history);
 
 /* Reads a document, and checks it as far as that can be done without its mesh: version, keys, types, sizes, the side file's size
  * and checksum, finite numbers. What the numbers may not be flgTangleReplay finds out. Nothing is read twice, so that what is
  * made of a file is no larger than some multiple of it.
- * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. */
+ * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: some us a step and what the disk takes. */
 FLG_API FlgResult flgTangleFileRead(const char* path, FlgTangleFile* out_file);
 
 /* The history, ready for flgTangleReplay; lives until the file is released. */

@@ -66,8 +66,8 @@ typedef struct FlgLiveStrokeDesc {
     FlgStyle style;
     /* As in FlgStylizeDesc. */
     float magnitude;
-    float temperature;
-    float scale;
+    float temperature; /* the style has to be warm at this */
+    float scale;       /* > 0 */
     /* Metres, >= 0: the radius at pressure 0 and at pressure 1. Default 0.001 and 0.005. */
     float radius_min, radius_max;
     /* Time constant of an exponential filter on position and pressure, seconds, >= 0; exact for hands that move evenly
@@ -80,7 +80,7 @@ typedef struct FlgLiveStrokeDesc {
      * each component of the style's attributes.
      * Default 16,384 and 65,536. */
     uint32_t max_samples;
-    uint32_t max_points;
+    uint32_t max_points; /* what is due beyond is cut off, see FlgLiveStrokeInfo */
     /* FLG_FRAME_ROTATION_MINIMIZING or FLG_FRAME_SUPPLIED: by the controller, see above. FLG_FRAME_FRENET is refused: its
      * normal lies between a point's neighbours, of which the later one is not drawn yet. */
     FlgFrameMethod frame;
@@ -115,13 +115,15 @@ typedef struct FlgLiveSample {
  * Repeated samples are taken and make no points: nor do ones nearer to the last place than 0.001 of a step, or with smoothing
  * ones at the time of the one before. The view lives until the next call for this stroke, the arrays it points to
  * until the stroke is released; its curve_count is 0 if there is nothing new. After flgLiveStrokeEnd:
- * FLG_ERROR_INVALID_ARGUMENT. */
+ * FLG_ERROR_INVALID_ARGUMENT. Cost: about 0.2 us a sample and 0.1 us a point. */
 FLG_API FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSample* samples,
                                     uint32_t count, FlgCurveSetView* out_new);
 
-/* All points so far; lives as long as flgLiveStrokePush's. Once the job of flgLiveStrokeEnd is published: the whole stroke. */
+/* All points so far; lives as long as flgLiveStrokePush's. Once the job of flgLiveStrokeEnd is published: the whole stroke.
+ * Cost: tens of nanoseconds. */
 FLG_API FlgResult flgLiveStrokeGetPoints(FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view);
 
+/* How far a stroke is. */
 typedef struct FlgLiveStrokeInfo {
     uint32_t struct_size;
     uint32_t sample_count;
@@ -132,6 +134,7 @@ typedef struct FlgLiveStrokeInfo {
     uint32_t cut;             /* nonzero: more points were due than max_points; the stroke ends before its samples do */
 } FlgLiveStrokeInfo;
 
+/* How far the stroke is; set its struct_size. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
 
 /* Takes the last `count` samples back, and the points that they made: the stroke is as it was before they were pushed, to the
@@ -147,16 +150,17 @@ FLG_API FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, ui
  * not wanted; `options` may be null. The handle stays valid, for flgLiveStrokeResume, until it is released; if the job
  * does not succeed, the stroke goes on as if it had not been ended. Refused for a stroke without samples.
  * A stroke that comes to max_points is cut there, and the job succeeds with the points that there are: once it is published,
- * FlgLiveStrokeInfo::cut says so. `out_samples` has all samples, to be stylized whole. */
+ * FlgLiveStrokeInfo::cut says so. `out_samples` has all samples, to be stylized whole. Cost: about 6 ns a point. */
 FLG_API FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* options,
                                    FlgCurveSet* out_stylized, FlgCurveSet* out_samples, FlgJob* out_job);
 
 /* Goes on with an ended stroke, as if it had never been ended: the points that its end added, not knowing what follows, are
- * taken back. FLG_NOT_READY while a job still reads the stroke. Sets that were made stay as they are. */
+ * taken back. FLG_NOT_READY while a job still reads the stroke. Sets that were made stay as they are.
+ * Cost: that of pushing up to 5 samples. */
 FLG_API FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 
 /* Starts a job that copies an ended stroke in two: points 0 to `point` and `point` to the last, so that they meet.
- * FLG_NOT_READY while the job of flgLiveStrokeEnd is not published. */
+ * FLG_NOT_READY while the job of flgLiveStrokeEnd is not published. Cost: about 10 ns a point. */
 FLG_API FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point,
                                      const FlgJobOptions* options, FlgCurveSet* out_first, FlgCurveSet* out_second,
                                      FlgJob* out_job);
@@ -169,7 +173,7 @@ FLG_API FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke)
  * no orientation, pressure 1; without TIME `smoothing` must be 0, and the hand was everywhere at 0 s. What flgLiveStrokePush would refuse for its values fails the
  * job with the same result, and so does a curve of more than max_points points: FLG_ERROR_LIMIT, before memory is taken
  * (which is for the points there are, not for max_points); max_samples does not count. Closed curves are drawn open. The style
- * need not be ready or warm. `options` may be null. */
+ * need not be ready or warm. `options` may be null. Cost: about 0.3 us a point. */
 FLG_API FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
                                       const FlgJobOptions* options, FlgCurveSet* out_set, FlgJob* out_job);
 

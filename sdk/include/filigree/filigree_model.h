@@ -22,10 +22,15 @@
 extern "C" {
 #endif
 
+/* What a surface covers as seen from afar, as a contour. Never changes once ready. */
 FLG_HANDLE(FlgOutline);
+/* A drawn contour with its axis. Never changes once ready. */
 FLG_HANDLE(FlgPart);
+/* A part's own inflated surface. Never changes once ready. */
 FLG_HANDLE(FlgPartMesh);
+/* Parts in their places and one tree of joints. Never changes once ready. */
 FLG_HANDLE(FlgModel);
+/* A model's surface, bound to its joints. Never changes once ready. */
 FLG_HANDLE(FlgSkin);
 
 /* ---- Outlines of what nobody drew ------------------------------------------------------------------------------ */
@@ -89,7 +94,7 @@ FLG_API FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, Flg
 
 /* A point of a branch's axis, with the slice across it. */
 typedef struct FlgAxisSample {
-    double x, y;
+    double x, y;           /* on the axis */
     double left_x, left_y; /* the unit vector to the left of the axis */
     double left, right;    /* how far the slice goes to either side: to the outline, or to twice the room around the axis */
 } FlgAxisSample;
@@ -103,7 +108,7 @@ typedef struct FlgPartView {
     uint32_t node_count;            /* of the axis: at least 1 */
     const double* nodes;            /* 3 a node: x, y, and the radius of a disc around it that is inside of the outline */
     const uint32_t* arcs;           /* 2 an arc: nodes; node_count - 1 arcs */
-    const FlgAxisSample* samples;
+    const FlgAxisSample* samples;   /* of all branches, one behind the other */
     const uint32_t* branches;       /* 4 a branch: nodes where it begins and ends; its first sample, and one beyond its last */
     uint32_t sample_count;
     uint32_t branch_count;          /* 0 if the axis is one node */
@@ -161,6 +166,7 @@ typedef struct FlgBoneThresholds {
     float collapse; /* bones shorter than this, with bones at both ends, vanish; default 0.005 */
 } FlgBoneThresholds;
 
+/* A part, where it is in a model, and how it is refined there. */
 typedef struct FlgModelPart {
     FlgPart part;       /* may be used more than once, and be in the making */
     const char* name;   /* UTF-8, 1 to 63 bytes, each part another; null: "part" and its number */
@@ -198,6 +204,7 @@ FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
  * FLG_ERROR_LIMIT with more than 65535 joints. Cost: about 12 us a part. */
 FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
 
+/* How a part came to the model. */
 typedef enum FlgPartEvent {
     FLG_PART_ROOT = 0,          /* it meets no earlier part */
     FLG_PART_BONE_SPLIT = 1,    /* a new joint on a bone of the part it hangs on */
@@ -205,6 +212,7 @@ typedef enum FlgPartEvent {
     FLG_PART_EVENT_FORCE_32BIT = 0x7fffffff
 } FlgPartEvent;
 
+/* Where a part came to hang. */
 typedef struct FlgModelPartInfo {
     FlgPartEvent event;    /* how it was connected, before bones were refined */
     uint32_t parent;       /* the part it hangs on; FLG_NO_INDEX: none */
@@ -251,7 +259,7 @@ typedef struct FlgSkinView {
     const uint32_t* vertex_parts;  /* one a vertex: the part it lies on */
     const float* joint_positions;  /* 3 a joint, metres, in the model's space */
     const uint32_t* joint_parents; /* one a joint, lower than its own number; FLG_NO_INDEX: a root */
-    const char* const* joint_names;
+    const char* const* joint_names; /* one a joint, UTF-8, each another; null in input: none */
 } FlgSkinView;
 
 typedef struct FlgSkinDesc {

@@ -16,7 +16,9 @@ extern "C" {
 /* A motion of a rigid body. Never changes once ready. */
 FLG_HANDLE(FlgMotion);
 
+/* Keys of a motion, at most. */
 #define FLG_MOTION_MAX_KEYS 65536u
+/* Positions of a motion, at most. */
 #define FLG_MOTION_MAX_POSITIONS (1u << 20)
 
 typedef struct FlgMotionDesc {
@@ -72,7 +74,7 @@ typedef struct FlgMotionView {
     uint32_t struct_size;
     uint32_t position_count;
     uint32_t key_count;
-    uint32_t closed;
+    uint32_t closed;               /* as asked for */
     const double* times;           /* one a position, closed: one more, when the first comes again; seconds */
     const double* poses;           /* 12 a position, as given */
     const double* quaternions;     /* 4 a position, x, y, z, w: the same rotations, next ones on the same side */
@@ -87,7 +89,7 @@ typedef struct FlgMotionView {
     uint32_t rounds;               /* of the optimization of all positions */
     double energy;                 /* with all weights, summed over the body's points */
     double barycentre_energy;      /* of that, the barycentre's share: mass times its path's */
-    double rotation_energy;
+    double rotation_energy;        /* what is left: that of the rotations */
     double residual;               /* of the rotations, see FlgSplineView */
 } FlgMotionView;
 

@@ -27,6 +27,7 @@
 extern "C" {
 #endif
 
+/* A surface with the tree of its regions and the steps that made them. */
 FLG_HANDLE(FlgTangle);
 
 /* Starts a job that makes the whole of a surface the root of a tangle: all labels become 0. The surface may still be in the
@@ -41,13 +42,14 @@ FLG_API FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle);
 /* A part of a border. Loops are the closed borders of the seeds' regions, all regions together, also where the surface ends:
  * in the order of their least edges, as flgBorderSample gives them. Shares of the loop's length from its first vertex on. */
 typedef struct FlgBorderStretch {
-    uint32_t loop;
+    uint32_t loop; /* its number */
     float begin; /* in [0, 1) */
     float end;   /* in (begin, begin + 1] */
 } FlgBorderStretch;
 
+/* Which borders an operator begins at. */
 typedef enum FlgTangleBorders {
-    FLG_TANGLE_BORDERS_NONE = 0,
+    FLG_TANGLE_BORDERS_NONE = 0,  /* no borders */
     FLG_TANGLE_BORDERS_OUTER = 1, /* of the regions together */
     FLG_TANGLE_BORDERS_EACH = 2,  /* of each leaf by itself */
     FLG_TANGLE_BORDERS_FORCE_32BIT = 0x7fffffff
@@ -58,7 +60,7 @@ typedef struct FlgTangleSeeds {
     FlgTangleBorders borders;
     uint32_t stretch_count;
     const FlgBorderStretch* stretches; /* parts of the outer borders */
-    const FlgSurfacePoint* points;
+    const FlgSurfacePoint* points;     /* places on the surface as it is */
     uint32_t point_count;
     uint32_t sample_count;   /* Poisson samples at most; 0: as many as fit */
     float sample_radius;     /* no two samples are nearer, nor half as near to a border, metres; 0: no samples */
@@ -69,6 +71,7 @@ typedef struct FlgTangleSeeds {
     uint32_t reserved;
 } FlgTangleSeeds;
 
+/* Along what regions are divided, sec. 3.3 of the paper. */
 typedef enum FlgTangleOperator {
     FLG_TANGLE_CONTOUR = 0,  /* cuts along isolines of the field of a, or blended between a and b */
     FLG_TANGLE_STREAM = 1,   /* cuts along integral curves that begin evenly on a, which is lines or borders */
@@ -77,6 +80,7 @@ typedef enum FlgTangleOperator {
     FLG_TANGLE_OPERATOR_FORCE_32BIT = 0x7fffffff
 } FlgTangleOperator;
 
+/* How an operator groups the regions it makes. */
 typedef enum FlgTangleGrouping {
     FLG_TANGLE_GROUP_TWO = 0,   /* foreground (even parts) and background (odd ones) */
     FLG_TANGLE_GROUP_ONE = 1,   /* all in one */
@@ -118,6 +122,7 @@ FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t st
  * (2 million triangles: 40 to 60 ms, however small the regions). */
 FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
 
+/* Operators that are used together. */
 typedef enum FlgTangleMacro {
     FLG_TANGLE_SUNBURST = 0,   /* strips from the first border to the others: a stream of the blend */
     FLG_TANGLE_POLKA_DOTS = 1, /* discs around samples: a contour */
@@ -151,7 +156,8 @@ typedef struct FlgTangleMacroDesc {
 FLG_API FlgResult flgTangleMacroDescInit(FlgTangleMacroDesc* desc, uint32_t struct_size);
 
 /* Starts a job that applies a macro: one step, to be taken back at once. Parts are grouped as FLG_TANGLE_GROUP_TWO does. Fails as
- * its operators do; sunbursts and grids also if the regions together have fewer than two borders. */
+ * its operators do; sunbursts and grids also if the regions together have fewer than two borders.
+ * Cost: its operators'. */
 FLG_API FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleMacroDesc* desc, FlgJob* out_job);
 
 /* Moves vertices of regions along the surface's normals: sec. 3.4, after an operator. Each leaf rises by `amount` at the place
@@ -199,18 +205,20 @@ FLG_API FlgResult flgTangleBorders(FlgContext context, FlgTangle tangle, FlgSurf
  * what the step changed. */
 FLG_API FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
 
-/* Starts a job that makes the step again that was taken back last. A new step forgets those. */
+/* Starts a job that makes the step again that was taken back last. A new step forgets those.
+ * Cost: that of what the step changes. */
 FLG_API FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
 
 /* ---- Documents --------------------------------------------------------------------------------------------------- */
 
+/* What made a step. */
 typedef enum FlgTangleStepKind {
-    FLG_TANGLE_STEP_DIVIDE = 0,
-    FLG_TANGLE_STEP_MACRO = 1,
-    FLG_TANGLE_STEP_DISPLACE = 2,
-    FLG_TANGLE_STEP_GROUP = 3,
-    FLG_TANGLE_STEP_UNGROUP = 4,
-    FLG_TANGLE_STEP_JOIN = 5,
+    FLG_TANGLE_STEP_DIVIDE = 0,   /* flgTangleDivide */
+    FLG_TANGLE_STEP_MACRO = 1,    /* flgTangleApplyMacro */
+    FLG_TANGLE_STEP_DISPLACE = 2, /* flgTangleDisplace */
+    FLG_TANGLE_STEP_GROUP = 3,    /* flgTangleGroup */
+    FLG_TANGLE_STEP_UNGROUP = 4,  /* flgTangleUngroup */
+    FLG_TANGLE_STEP_JOIN = 5,     /* flgTangleJoin */
     FLG_TANGLE_STEP_FORCE_32BIT = 0x7fffffff
 } FlgTangleStepKind;
 
@@ -221,9 +229,9 @@ typedef struct FlgTangleSeedPlaces {
     uint32_t loop_count;   /* of the first vertices of the outer borders, in their order; 0: no borders were asked for */
     uint32_t sample_count; /* of the samples, in the order they were chosen */
     uint32_t reserved;
-    const float* points;
-    const float* loops;
-    const float* samples;
+    const float* points;         /* 3 a point */
+    const float* loops;          /* 3 a loop */
+    const float* samples;        /* 3 a sample */
     FlgSurfaceCurvesView curves; /* the seeds' lines, in place of a handle; no curves: none */
     const float* curve_points;   /* of the curves' points; null: none */
 } FlgTangleSeedPlaces;
@@ -247,7 +255,7 @@ typedef struct FlgTangleStep {
     uint32_t made_count;
     /* Nonzero: it came from another mesh, so its seeds were found by `places`, and have to be again. */
     uint32_t placed;
-    const float* made;
+    const float* made; /* 3 a region */
 } FlgTangleStep;
 
 /* All steps of a tangle: with them it can be made again, and kept in a file (flgTangleFileWrite of filigree_io.h). */
@@ -256,7 +264,7 @@ typedef struct FlgTangleHistory {
     uint32_t step_count; /* with those taken back */
     uint32_t made_count; /* those not taken back */
     uint32_t reserved;
-    const FlgTangleStep* steps;
+    const FlgTangleStep* steps; /* the first one first */
     uint64_t base; /* tells meshes apart: of the positions and triangles that the tangle began with, to the bit */
     float box_min[3], box_max[3]; /* of these positions */
 } FlgTangleHistory;
@@ -281,7 +289,7 @@ typedef struct FlgTangleInfo {
     uint32_t struct_size;
     uint32_t region_count; /* identifiers are below it */
     uint32_t group_count;  /* likewise */
-    uint32_t leaf_count;
+    uint32_t leaf_count;   /* regions that are not divided */
     uint32_t undo_count, redo_count; /* steps that can be taken back, and made again */
     uint32_t depth;                  /* of the deepest leaf; the root's is 0 */
     uint32_t reserved;
@@ -294,7 +302,7 @@ FLG_API FlgResult flgTangleGetInfo(FlgContext context, FlgTangle tangle, FlgTang
 typedef struct FlgTangleRegion {
     uint32_t struct_size;
     uint32_t parent; /* FLG_NO_INDEX: the root */
-    uint32_t group;
+    uint32_t group;  /* that it is of */
     uint32_t look; /* borders are seen where looks differ */
     uint32_t
         operation; /* the number of the operator that made it, counted from 1, a macro's each by itself; the root: 0 */
@@ -302,9 +310,9 @@ typedef struct FlgTangleRegion {
     uint32_t first_child; /* children have consecutive identifiers */
     uint32_t child_count;
     uint32_t joined_into; /* the region it belongs to since they were joined; FLG_NO_INDEX: none */
-    uint32_t scaffold;
+    uint32_t scaffold;    /* nonzero: its borders are not seen */
     uint32_t visible_group; /* the group of the nearest region around it, itself included, that is no scaffold's */
-    uint32_t depth;
+    uint32_t depth;         /* of the tree; the root has 0 */
 } FlgTangleRegion;
 
 /* Not ready when the info isn't. Cost: tens of nanoseconds. */

@@ -56,7 +56,8 @@ namespace Filigree
         /// <summary>
         /// Reads all curves of a file. The file is read whole, checked, and refused at the first thing that can't be
         /// right; what is merely odd becomes a warning (flgCurveFileGetInfo). Limits: 2 GiB a file (unpacked too), 2^31
-        /// points. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
+        /// points. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: 0.1 to 0.2 us a
+        /// point.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileRead(byte* path, FlgCurveFile* out_file);
@@ -65,6 +66,7 @@ namespace Filigree
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view);
 
+        /// <summary>What the file holds, and what is odd about it. Set its struct_size.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info);
 
@@ -86,7 +88,7 @@ namespace Filigree
         /// .glb, clamped to 0 to 1; a USER column of more than 4 floats has no place there. Lines of one point are
         /// written with their point twice; ribbons and tubes leave out curves without length. Errors:
         /// FlgResult.ErrorInvalidArgument (also for no curves at all), FlgResult.ErrorFormat for another extension,
-        /// FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
+        /// FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileWrite(byte* path, FlgCurveSetView* view, FlgCurveWriteDesc* desc);
@@ -125,6 +127,7 @@ namespace Filigree
         public static extern FlgResult flgMeshFileGetMaterials(
             FlgMeshFile file, FlgMeshMaterial** out_materials, uint* out_count);
 
+        /// <summary>What the file holds, and what is odd about it. Set its struct_size.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info);
 
@@ -140,6 +143,7 @@ namespace Filigree
         /// .ply and .glb keep every bit of positions, text has 9 digits. .glb gets normals: the column's, else the
         /// area-weighted ones. Errors: FlgResult.ErrorInvalidArgument (also for no triangles, and for indices out of
         /// range), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
+        /// Cost: 0.2 to 0.5 us a triangle.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshWriteDesc* desc);
@@ -180,6 +184,7 @@ namespace Filigree
         public static extern FlgResult flgSkinFileGetMaterials(
             FlgSkinFile file, FlgMeshMaterial** out_materials, uint* out_count);
 
+        /// <summary>What the file holds, and what is odd about it. Set its struct_size.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info);
 
@@ -222,7 +227,7 @@ namespace Filigree
         /// the side file of the document that was there is removed: a save that is cut short leaves the document as it
         /// was. Where the history needs no side file none is written. The same history gives the same bytes. Errors:
         /// FlgResult.ErrorInvalidArgument (null, values that aren't finite), FlgResult.ErrorFile, FlgResult.ErrorLimit
-        /// (8 MiB of JSON, 2 GiB of arrays).
+        /// (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what the disk takes.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleFileWrite(byte* path, FlgTangleHistory* history);
@@ -231,7 +236,8 @@ namespace Filigree
         /// Reads a document, and checks it as far as that can be done without its mesh: version, keys, types, sizes,
         /// the side file's size and checksum, finite numbers. What the numbers may not be flgTangleReplay finds out.
         /// Nothing is read twice, so that what is made of a file is no larger than some multiple of it. Errors:
-        /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
+        /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: some us a step and what the disk
+        /// takes.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleFileRead(byte* path, FlgTangleFile* out_file);

@@ -94,7 +94,7 @@ namespace Filigree
         /// Repeated samples are taken and make no points: nor do ones nearer to the last place than 0.001 of a step, or
         /// with smoothing ones at the time of the one before. The view lives until the next call for this stroke, the
         /// arrays it points to until the stroke is released; its curve_count is 0 if there is nothing new. After
-        /// flgLiveStrokeEnd: FlgResult.ErrorInvalidArgument.
+        /// flgLiveStrokeEnd: FlgResult.ErrorInvalidArgument. Cost: about 0.2 us a sample and 0.1 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokePush(
@@ -102,12 +102,13 @@ namespace Filigree
 
         /// <summary>
         /// All points so far; lives as long as flgLiveStrokePush's. Once the job of flgLiveStrokeEnd is published: the
-        /// whole stroke.
+        /// whole stroke. Cost: tens of nanoseconds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetPoints(
             FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view);
 
+        /// <summary>How far the stroke is; set its struct_size. Cost: tens of nanoseconds.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetInfo(
             FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
@@ -130,7 +131,7 @@ namespace Filigree
         /// flgLiveStrokeResume, until it is released; if the job does not succeed, the stroke goes on as if it had not
         /// been ended. Refused for a stroke without samples. A stroke that comes to max_points is cut there, and the
         /// job succeeds with the points that there are: once it is published, FlgLiveStrokeInfo::cut says so.
-        /// `out_samples` has all samples, to be stylized whole.
+        /// `out_samples` has all samples, to be stylized whole. Cost: about 6 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeEnd(
@@ -140,14 +141,14 @@ namespace Filigree
         /// <summary>
         /// Goes on with an ended stroke, as if it had never been ended: the points that its end added, not knowing what
         /// follows, are taken back. FlgResult.NotReady while a job still reads the stroke. Sets that were made stay as
-        /// they are.
+        /// they are. Cost: that of pushing up to 5 samples.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 
         /// <summary>
         /// Starts a job that copies an ended stroke in two: points 0 to `point` and `point` to the last, so that they
-        /// meet. FlgResult.NotReady while the job of flgLiveStrokeEnd is not published.
+        /// meet. FlgResult.NotReady while the job of flgLiveStrokeEnd is not published. Cost: about 10 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeSplit(
@@ -165,7 +166,7 @@ namespace Filigree
         /// everywhere at 0 s. What flgLiveStrokePush would refuse for its values fails the job with the same result,
         /// and so does a curve of more than max_points points: FlgResult.ErrorLimit, before memory is taken (which is
         /// for the points there are, not for max_points); max_samples does not count. Closed curves are drawn open. The
-        /// style need not be ready or warm. `options` may be null.
+        /// style need not be ready or warm. `options` may be null. Cost: about 0.3 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeReplay(

@@ -15,7 +15,9 @@ namespace Filigree
         public FlgStyle style;
         /// <summary>As in FlgStylizeDesc.</summary>
         public float magnitude;
+        /// <summary>the style has to be warm at this</summary>
         public float temperature;
+        /// <summary>&gt; 0</summary>
         public float scale;
         /// <summary>Metres, &gt;= 0: the radius at pressure 0 and at pressure 1. Default 0.001 and 0.005.</summary>
         public float radius_min;
@@ -36,6 +38,7 @@ namespace Filigree
         /// and 4 for each component of the style's attributes. Default 16,384 and 65,536.
         /// </summary>
         public uint max_samples;
+        /// <summary>what is due beyond is cut off, see FlgLiveStrokeInfo</summary>
         public uint max_points;
         /// <summary>
         /// FlgFrameMethod.RotationMinimizing or FlgFrameMethod.Supplied: by the controller, see above.
@@ -64,6 +67,7 @@ namespace Filigree
         public double time;
     }
 
+    /// <summary>How far a stroke is.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLiveStrokeInfo
     {

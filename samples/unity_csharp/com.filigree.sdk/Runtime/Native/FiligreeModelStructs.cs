@@ -65,7 +65,9 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgAxisSample
     {
+        /// <summary>on the axis</summary>
         public double x;
+        /// <summary>on the axis</summary>
         public double y;
         /// <summary>the unit vector to the left of the axis</summary>
         public double left_x;
@@ -98,6 +100,7 @@ namespace Filigree
         public double* nodes;
         /// <summary>2 an arc: nodes; node_count - 1 arcs</summary>
         public uint* arcs;
+        /// <summary>of all branches, one behind the other</summary>
         public FlgAxisSample* samples;
         /// <summary>4 a branch: nodes where it begins and ends; its first sample, and one beyond its last</summary>
         public uint* branches;
@@ -155,6 +158,7 @@ namespace Filigree
         public float collapse;
     }
 
+    /// <summary>A part, where it is in a model, and how it is refined there.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelPart
     {
@@ -208,6 +212,7 @@ namespace Filigree
         public uint reserved;
     }
 
+    /// <summary>Where a part came to hang.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelPartInfo
     {
@@ -276,6 +281,7 @@ namespace Filigree
         public float* joint_positions;
         /// <summary>one a joint, lower than its own number; FLG_NO_INDEX: a root</summary>
         public uint* joint_parents;
+        /// <summary>one a joint, UTF-8, each another; null in input: none</summary>
         public byte** joint_names;
     }
 

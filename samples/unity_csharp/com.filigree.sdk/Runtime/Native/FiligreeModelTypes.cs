@@ -6,6 +6,7 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
+    /// <summary>How a part came to the model.</summary>
     public enum FlgPartEvent
     {
         /// <summary>FLG_PART_ROOT: it meets no earlier part</summary>
@@ -28,6 +29,7 @@ namespace Filigree
         DualQuaternion = 1,
     }
 
+    /// <summary>What a surface covers as seen from afar, as a contour. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgOutline : IEquatable<FlgOutline>
     {
@@ -38,6 +40,7 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
+    /// <summary>A drawn contour with its axis. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgPart : IEquatable<FlgPart>
     {
@@ -48,6 +51,7 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
+    /// <summary>A part's own inflated surface. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgPartMesh : IEquatable<FlgPartMesh>
     {
@@ -58,6 +62,7 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
+    /// <summary>Parts in their places and one tree of joints. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgModel : IEquatable<FlgModel>
     {
@@ -68,6 +73,7 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
+    /// <summary>A model's surface, bound to its joints. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSkin : IEquatable<FlgSkin>
     {

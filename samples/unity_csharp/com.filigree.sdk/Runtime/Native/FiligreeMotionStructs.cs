@@ -87,6 +87,7 @@ namespace Filigree
         public uint struct_size;
         public uint position_count;
         public uint key_count;
+        /// <summary>as asked for</summary>
         public uint closed;
         /// <summary>one a position, closed: one more, when the first comes again; seconds</summary>
         public double* times;
@@ -115,6 +116,7 @@ namespace Filigree
         public double energy;
         /// <summary>of that, the barycentre's share: mass times its path's</summary>
         public double barycentre_energy;
+        /// <summary>what is left: that of the rotations</summary>
         public double rotation_energy;
         /// <summary>of the rotations, see FlgSplineView</summary>
         public double residual;

@@ -8,7 +8,9 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
+        /// <summary>Keys of a motion, at most.</summary>
         public const uint FLG_MOTION_MAX_KEYS = 65536;
+        /// <summary>Positions of a motion, at most.</summary>
         public const uint FLG_MOTION_MAX_POSITIONS = 1048576;
     }
 

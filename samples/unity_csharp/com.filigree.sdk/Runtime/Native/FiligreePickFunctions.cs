@@ -26,7 +26,7 @@ namespace Filigree
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint struct_size);
 
-        /// <summary>`desc` may be null: all defaults.</summary>
+        /// <summary>`desc` may be null: all defaults. Cost: 0.2 to 1 ms.</summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneCreate(FlgPickSceneDesc* desc, FlgPickScene* out_scene);
 
@@ -39,7 +39,8 @@ namespace Filigree
         /// was there under that number before and isn't this surface goes. With `changed` (flgSurfaceGetChanges since
         /// the revision that the scene has seen; triangles beyond those seen count as changed) only these are taken in,
         /// beside the structure that is there; it is built anew once a quarter of the triangles changed, or with
-        /// `changed` null. Takes effect with flgPickSceneCommit.
+        /// `changed` null. Takes effect with flgPickSceneCommit. Cost: about 1 us a triangle that is new, with
+        /// flgPickSceneCommit.
         /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneSetSurface(
@@ -47,7 +48,7 @@ namespace Filigree
 
         /// <summary>
         /// Likewise curves, as round tubes: of their RADIUS, or half the WIDTH, but at least `least_radius` (metres,
-        /// &gt; 0), so that thin lines can be hit.
+        /// &gt; 0), so that thin lines can be hit. Cost: about 1.6 us a point that is new, with flgPickSceneCommit.
         /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneSetCurves(
@@ -57,7 +58,10 @@ namespace Filigree
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneRemove(FlgPickScene scene, uint @object);
 
-        /// <summary>Builds what was set since the last time. Queries before the first commit hit nothing.</summary>
+        /// <summary>
+        /// Builds what was set since the last time. Queries before the first commit hit nothing. Cost: with
+        /// flgPickSceneSetSurface, see there.
+        /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneCommit(FlgPickScene scene);
 
@@ -69,7 +73,10 @@ namespace Filigree
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickRays(FlgPickScene scene, FlgRay* rays, uint ray_count, FlgHit* out_hits);
 
-        /// <summary>[any thread] The nearest point within `max_distance` (metres, &gt; 0, may be infinite).</summary>
+        /// <summary>
+        /// [any thread] The nearest point within `max_distance` (metres, &gt; 0, may be infinite). Cost: some us, tens
+        /// where it is far.
+        /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickNearest(
             FlgPickScene scene, float* point, float max_distance, FlgHit* out_hit);

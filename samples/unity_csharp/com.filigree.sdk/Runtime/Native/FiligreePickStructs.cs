@@ -14,6 +14,7 @@ namespace Filigree
         public uint threads;
     }
 
+    /// <summary>Where a ray begins and goes.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgRay
     {
@@ -27,6 +28,7 @@ namespace Filigree
         public float furthest;
     }
 
+    /// <summary>What a ray or a point met.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgHit
     {

@@ -15,7 +15,7 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgShapeDescInit(FlgShapeDesc* desc, uint struct_size);
 
-        /// <summary>Makes a manifold at once.</summary>
+        /// <summary>Makes a manifold at once. Cost: 0.1 ms at most.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateShape(
             FlgContext context, FlgShapeDesc* desc, FlgManifold* out_manifold);
@@ -64,7 +64,7 @@ namespace Filigree
         /// <summary>
         /// The image manifold of a surface's normals (sec. 6, Fig. 17): (x, weight * normal) in R^6. Curves on it avoid
         /// crossing creases, the more the larger the weight (metres, above 0) is. `base`: a surface in R^3, ready.
-        /// Points are given and shown in R^3: the normals are added and left out.
+        /// Points are given and shown in R^3: the normals are added and left out. Cost: 0.1 ms at most.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateImage(
@@ -75,7 +75,8 @@ namespace Filigree
 
         /// <summary>
         /// Makes a manifold of a copy of the functions; user_data must live until it and all splines on it are
-        /// released. Tries them at one point and refuses what is not orthonormal or not finite there.
+        /// released. Tries them at one point and refuses what is not orthonormal or not finite there. Cost: some calls
+        /// of the functions.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateHost(
@@ -86,7 +87,8 @@ namespace Filigree
 
         /// <summary>
         /// Makes a manifold of a copy of these at once; asks for 1089 points of it. Refuses what is not finite there,
-        /// and derivatives that are parallel. Fixed points such as poles are to be left out of the domain.
+        /// and derivatives that are parallel. Fixed points such as poles are to be left out of the domain. Cost: 1089
+        /// calls of the function.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreatePatch(
@@ -103,7 +105,7 @@ namespace Filigree
         /// <summary>
         /// Moves up to 64 points onto a manifold, at once: a cursor's, some us each. out_distances, metres, may be
         /// null; a point that can't be projected stays and gets HUGE_VAL. FlgResult.NotReady before the manifold's job
-        /// is published.
+        /// is published. Cost: some us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldProject(
@@ -164,6 +166,7 @@ namespace Filigree
         /// <summary>
         /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in
         /// R^3, NORMAL: to be stylized in the surface's frame (FlgFrameMethod.Supplied), drawn, projected, cut in.
+        /// Cost: about 3 ns a node.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineCurves(

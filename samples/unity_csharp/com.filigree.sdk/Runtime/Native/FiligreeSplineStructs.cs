@@ -204,6 +204,7 @@ namespace Filigree
         /// </summary>
         public uint cells;
         public uint reserved;
+        /// <summary>of balls, boxes, capsules, and of the box around a function</summary>
         public fixed double centre[3];
         /// <summary>half the box's sides, above 0</summary>
         public fixed double half[3];
@@ -211,6 +212,7 @@ namespace Filigree
         /// rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first two
         /// </summary>
         public fixed double axes[9];
+        /// <summary>a capsule's other end</summary>
         public fixed double to[3];
         /// <summary>above 0</summary>
         public double radius;
@@ -233,6 +235,7 @@ namespace Filigree
         /// <summary>2 or 3. Default 3</summary>
         public uint dimension;
         public FlgJobOptions job;
+        /// <summary>copied, but for what their user_data points to</summary>
         public FlgObstacle* obstacles;
         /// <summary>1 to 256</summary>
         public uint obstacle_count;
@@ -251,6 +254,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgObstacleSide
     {
+        /// <summary>its number in FlgObstaclesDesc</summary>
         public uint obstacle;
         public uint reserved;
         /// <summary>from the obstacle to where the curve passes; any length but 0</summary>
@@ -322,6 +326,7 @@ namespace Filigree
         /// are among them). node_count, start and warm_start do not count then. Default null
         /// </summary>
         public double* curve;
+        /// <summary>one a given point: its node</summary>
         public uint* curve_knots;
         /// <summary>nodes of `curve`, 2 (closed: 3) to 2^20</summary>
         public uint curve_count;
@@ -356,6 +361,7 @@ namespace Filigree
         public uint ambient;
         public uint node_count;
         public uint point_count;
+        /// <summary>as asked for</summary>
         public uint closed;
         public FlgSplineEnding ending;
         /// <summary>n a node</summary>
@@ -370,6 +376,7 @@ namespace Filigree
         public uint* point_nodes;
         /// <summary>one a given point, metres: how far it was from the manifold</summary>
         public double* offsets;
+        /// <summary>of these, metres</summary>
         public double largest_offset;
         /// <summary>of the optimization</summary>
         public uint rounds;

@@ -8,10 +8,13 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
+        /// <summary>Dimensions of the space that a manifold lies in, at most.</summary>
         public const uint FLG_MANIFOLD_MAX_AMBIENT = 12;
+        /// <summary>Nodes of a spline, at most.</summary>
         public const uint FLG_SPLINE_MAX_NODES = 1048576;
     }
 
+    /// <summary>Manifolds that need no data.</summary>
     public enum FlgShape
     {
         /// <summary>FLG_SHAPE_SPACE: R^ambient itself: nothing restricts a curve</summary>
@@ -28,6 +31,7 @@ namespace Filigree
         Formula = 4,
     }
 
+    /// <summary>What an obstacle is, and which of its fields count.</summary>
     public enum FlgObstacleKind
     {
         /// <summary>FLG_OBSTACLE_BALL: centre, radius</summary>
@@ -54,6 +58,7 @@ namespace Filigree
         Border = 7,
     }
 
+    /// <summary>What a curve has as little of as it can.</summary>
     public enum FlgSplineEnergy
     {
         /// <summary>FLG_SPLINE_E2: the square of the second derivative: cubic splines. Wide, even turns</summary>
@@ -64,6 +69,7 @@ namespace Filigree
         Et = 2,
     }
 
+    /// <summary>The first curve, which is then optimized.</summary>
     public enum FlgSplineStart
     {
         /// <summary>FLG_SPLINE_START_GEODESIC: about the shortest ways from point to point</summary>
@@ -75,6 +81,7 @@ namespace Filigree
         Projected = 1,
     }
 
+    /// <summary>How a round steps.</summary>
     public enum FlgSplineMethod
     {
         /// <summary>FLG_SPLINE_NEWTON: a few rounds</summary>
@@ -86,6 +93,7 @@ namespace Filigree
         FootpointCone = 1,
     }
 
+    /// <summary>Why the optimization ended. There is a curve in each case.</summary>
     public enum FlgSplineEnding
     {
         /// <summary>FLG_SPLINE_RUNNING: what is shown is a round's result</summary>

@@ -6,11 +6,11 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    /// <summary>Of FlgAllocator.allocate.</summary>
+    /// <summary>Of FlgAllocator.allocate. `size` bytes at a multiple of `alignment`, a power of two; or null</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void* FlgAllocatorAllocate(void* user_data, UIntPtr size, UIntPtr alignment);
 
-    /// <summary>Of FlgAllocator.free.</summary>
+    /// <summary>Of FlgAllocator.free. what `allocate` gave, with the size and the alignment it was asked for</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgAllocatorFree(void* user_data, void* memory, UIntPtr size, UIntPtr alignment);
 
@@ -23,10 +23,17 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgAllocator
     {
+        /// <summary>passed to both</summary>
         public void* user_data;
-        /// <summary>A FlgAllocatorAllocate, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>
+        /// A FlgAllocatorAllocate, by Marshal.GetFunctionPointerForDelegate. `size` bytes at a multiple of `alignment`,
+        /// a power of two; or null
+        /// </summary>
         public IntPtr allocate;
-        /// <summary>A FlgAllocatorFree, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>
+        /// A FlgAllocatorFree, by Marshal.GetFunctionPointerForDelegate. what `allocate` gave, with the size and the
+        /// alignment it was asked for
+        /// </summary>
         public IntPtr free;
     }
 
@@ -34,7 +41,7 @@ namespace Filigree
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgJobSystemSubmitRun(void* task);
 
-    /// <summary>Of FlgJobSystem.submit.</summary>
+    /// <summary>Of FlgJobSystem.submit. null: the SDK has threads of its own, or none</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgJobSystemSubmit(void* user_data, IntPtr run, void* task);
 
@@ -47,13 +54,18 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgJobSystem
     {
+        /// <summary>passed to `submit`</summary>
         public void* user_data;
+        /// <summary>tasks at a time</summary>
         public uint concurrency;
-        /// <summary>A FlgJobSystemSubmit, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>
+        /// A FlgJobSystemSubmit, by Marshal.GetFunctionPointerForDelegate. null: the SDK has threads of its own, or
+        /// none
+        /// </summary>
         public IntPtr submit;
     }
 
-    /// <summary>Of FlgLog.write.</summary>
+    /// <summary>Of FlgLog.write. `message` is valid for the time of the call</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgLogWrite(void* user_data, FlgLogLevel level, byte* message);
 
@@ -64,12 +76,15 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLog
     {
+        /// <summary>passed to `write`</summary>
         public void* user_data;
-        /// <summary>A FlgLogWrite, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>
+        /// A FlgLogWrite, by Marshal.GetFunctionPointerForDelegate. `message` is valid for the time of the call
+        /// </summary>
         public IntPtr write;
     }
 
-    /// <summary>Of FlgClock.now_ns.</summary>
+    /// <summary>Of FlgClock.now_ns. never falling</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate ulong FlgClockNowNs(void* user_data);
 
@@ -80,16 +95,17 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgClock
     {
+        /// <summary>passed to `now_ns`</summary>
         public void* user_data;
-        /// <summary>A FlgClockNowNs, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>A FlgClockNowNs, by Marshal.GetFunctionPointerForDelegate. never falling</summary>
         public IntPtr now_ns;
     }
 
-    /// <summary>Of FlgProfiler.begin.</summary>
+    /// <summary>Of FlgProfiler.begin. both or neither</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgProfilerBegin(void* user_data, byte* name);
 
-    /// <summary>Of FlgProfiler.end.</summary>
+    /// <summary>Of FlgProfiler.end. of the zone that began last on this thread</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgProfilerEnd(void* user_data);
 
@@ -100,13 +116,17 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgProfiler
     {
+        /// <summary>passed to both</summary>
         public void* user_data;
-        /// <summary>A FlgProfilerBegin, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>A FlgProfilerBegin, by Marshal.GetFunctionPointerForDelegate. both or neither</summary>
         public IntPtr begin;
-        /// <summary>A FlgProfilerEnd, by Marshal.GetFunctionPointerForDelegate.</summary>
+        /// <summary>
+        /// A FlgProfilerEnd, by Marshal.GetFunctionPointerForDelegate. of the zone that began last on this thread
+        /// </summary>
         public IntPtr end;
     }
 
+    /// <summary>What a context is made with.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgContextDesc
     {
@@ -216,6 +236,7 @@ namespace Filigree
         public float longest_chunk_us;
     }
 
+    /// <summary>How long a stage of a job took.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStageTime
     {
@@ -231,9 +252,11 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgColumn
     {
+        /// <summary>what the values mean</summary>
         public FlgAttribute attribute;
         /// <summary>floats a point</summary>
         public uint components;
+        /// <summary>the first value</summary>
         public float* data;
         /// <summary>bytes from one point to the next, a multiple of 4; 0 = tightly packed</summary>
         public uint stride;
@@ -254,6 +277,7 @@ namespace Filigree
         public uint* curve_offsets;
         /// <summary>curve_count values of FLG_CURVE_...; null in input: all 0</summary>
         public byte* curve_flags;
+        /// <summary>POSITION first in results</summary>
         public FlgColumn* columns;
         /// <summary>1 to 16, each attribute at most once</summary>
         public uint column_count;

@@ -80,6 +80,7 @@ namespace Filigree
         /// <summary>
         /// Starts a job that makes a finer surface: four triangles of each, `levels` times, with its regions and
         /// columns. Fails with FlgResult.ErrorLimit above 2^30 triangles. Vertices keep their numbers, new ones follow.
+        /// Cost: about 0.12 us a triangle that is made.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceRefine(
@@ -105,7 +106,8 @@ namespace Filigree
         /// <summary>
         /// Starts a job that makes curves in space of curves on a surface: POSITION and, from the surface's smooth
         /// normals, NORMAL, so that flgStylize with FlgFrameMethod.Supplied decorates them in the surface's frame.
-        /// Fails if there are no curves.
+        /// Fails if there are no curves. Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a
+        /// point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiftCurves(
@@ -151,7 +153,7 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that blends two distance fields of one surface: from / (from + to), sec. 3.2. Where both are 0:
-        /// 0.5; infinite where both are.
+        /// 0.5; infinite where both are. Cost: about 5 ns a vertex.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldBlend(
@@ -163,7 +165,7 @@ namespace Filigree
         /// <summary>
         /// Starts a job that spreads points over the surface, each as far as possible from those before it (of more
         /// than 16,384 vertices most in space): Poisson-disk samples in the geodesic metric (sec. 4.2), at vertices.
-        /// The field: distances to the nearest one; labels: its cell.
+        /// The field: distances to the nearest one; labels: its cell. Cost: some 3 to 4 fields for 130 points.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceSample(
@@ -174,7 +176,7 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that places points evenly along the borders of a region: one closed curve a border, which is
-        /// not straight in triangles between its points and can't be cut in.
+        /// not straight in triangles between its points and can't be cut in. Cost: about 8 ns a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBorderSample(
@@ -186,7 +188,7 @@ namespace Filigree
         /// <summary>
         /// Starts a job that traces isolines: closed ones, and open ones from border to border. Higher values lie to
         /// their left. First the open ones, then the closed ones, each kind by the triangle it begins in; curve_values
-        /// are their levels.
+        /// are their levels. Cost: about 9 ns a triangle and 0.2 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTraceIsolines(
@@ -198,7 +200,7 @@ namespace Filigree
         /// <summary>
         /// Starts a job that traces integral curves of a field's gradient. The field rises (falls) strictly along them;
         /// each ends at the border, at `end_value` or where the field has an extremum. A start outside the regions
-        /// gives no curve.
+        /// gives no curve. Cost: about 0.25 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTraceStreams(
@@ -209,7 +211,8 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that joins points by locally shortest paths: straight over edges, and at vertices no shorter on
-        /// either side (to 1e-6). Points that no path joins make the job fail; a path without length is left out.
+        /// either side (to 1e-6). Points that no path joins make the job fail; a path without length is left out. Cost:
+        /// a field for each two points, up to where they meet, and its copy.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTracePaths(

@@ -64,9 +64,11 @@ namespace Filigree
         public uint flat_triangles;
         public uint vertex_count;
         public uint triangle_count;
+        /// <summary>pieces that no edge joins</summary>
         public uint component_count;
         /// <summary>closed chains of border edges</summary>
         public uint border_count;
+        /// <summary>edges with one triangle</summary>
         public uint border_edges;
         /// <summary>handles, of all components together</summary>
         public uint genus;
@@ -74,7 +76,9 @@ namespace Filigree
         public long euler_number;
         /// <summary>square metres</summary>
         public double area;
+        /// <summary>of the positions, metres</summary>
         public fixed float box_min[3];
+        /// <summary>of the positions, metres</summary>
         public fixed float box_max[3];
         /// <summary>
         /// one a vertex of the input: where it is now, FLG_NO_INDEX if dropped (one that was split is named where its
@@ -116,8 +120,11 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfacePoint
     {
+        /// <summary>its number</summary>
         public uint triangle;
+        /// <summary>weights of corners 1 and 2</summary>
         public float u;
+        /// <summary>weights of corners 1 and 2</summary>
         public float v;
     }
 
@@ -162,6 +169,7 @@ namespace Filigree
         public uint* vertices;
         public uint vertex_count;
         public uint point_count;
+        /// <summary>places on triangles</summary>
         public FlgSurfacePoint* points;
         /// <summary>every point of these curves; null: none</summary>
         public FlgSurfaceCurves curves;
@@ -170,6 +178,7 @@ namespace Filigree
         public uint border_region_count;
         /// <summary>Where distances are computed and paths may lead.</summary>
         public uint region_count;
+        /// <summary>labels; null: the whole surface</summary>
         public uint* regions;
         /// <summary>Distances beyond this are left infinite, metres, &gt; 0; default infinity.</summary>
         public float max_distance;
@@ -177,6 +186,7 @@ namespace Filigree
         /// Stop once these vertices have their distance; further ones may be left infinite or too far.
         /// </summary>
         public uint target_count;
+        /// <summary>vertices</summary>
         public uint* targets;
         /// <summary>
         /// The metric may be perturbed for an organic look (sec. 3.4, Fig. 10): distances are measured as if the
@@ -236,6 +246,7 @@ namespace Filigree
         /// <summary>no two points are nearer to each other along the surface, metres, &gt; 0</summary>
         public float radius;
         public uint region_count;
+        /// <summary>labels; null: the whole surface</summary>
         public uint* regions;
         /// <summary>of the first point; default 1</summary>
         public ulong seed;
@@ -267,7 +278,9 @@ namespace Filigree
         /// most 65534
         /// </summary>
         public uint count;
+        /// <summary>used without `values`; `every` &gt; 0</summary>
         public float first;
+        /// <summary>used without `values`; `every` &gt; 0</summary>
         public float every;
     }
 
@@ -278,6 +291,7 @@ namespace Filigree
         public uint region_count;
         public FlgJobOptions job;
         public FlgField field;
+        /// <summary>labels; null: the whole surface</summary>
         public uint* regions;
         public FlgLevels levels;
     }
@@ -329,6 +343,7 @@ namespace Filigree
         public FlgJobOptions job;
         /// <summary>its surface is cut</summary>
         public FlgField field;
+        /// <summary>labels; null: the whole surface</summary>
         public uint* regions;
         public FlgLevels levels;
         /// <summary>

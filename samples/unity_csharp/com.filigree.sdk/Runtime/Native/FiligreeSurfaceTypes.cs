@@ -8,9 +8,11 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
+        /// <summary>The largest label that a triangle may have.</summary>
         public const uint FLG_REGION_MAX = 16777215;
     }
 
+    /// <summary>How triangles are made finer.</summary>
     public enum FlgSubdivision
     {
         /// <summary>FLG_SUBDIVISION_MIDPOINT: each triangle in four, the surface stays as it is</summary>
@@ -19,6 +21,7 @@ namespace Filigree
         Loop = 1,
     }
 
+    /// <summary>Which solver measures distances.</summary>
     public enum FlgAccuracy
     {
         /// <summary>

@@ -65,7 +65,7 @@ namespace Filigree
         /// <summary>
         /// Starts a job that applies a macro: one step, to be taken back at once. Parts are grouped as
         /// FlgTangleGrouping.Two does. Fails as its operators do; sunbursts and grids also if the regions together have
-        /// fewer than two borders.
+        /// fewer than two borders. Cost: its operators'.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleApplyMacro(
@@ -124,7 +124,8 @@ namespace Filigree
         public static extern FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
 
         /// <summary>
-        /// Starts a job that makes the step again that was taken back last. A new step forgets those.
+        /// Starts a job that makes the step again that was taken back last. A new step forgets those. Cost: that of
+        /// what the step changes.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, FlgJob* out_job);

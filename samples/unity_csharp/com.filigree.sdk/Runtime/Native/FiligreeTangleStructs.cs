@@ -14,6 +14,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBorderStretch
     {
+        /// <summary>its number</summary>
         public uint loop;
         /// <summary>in [0, 1)</summary>
         public float begin;
@@ -31,6 +32,7 @@ namespace Filigree
         public uint stretch_count;
         /// <summary>parts of the outer borders</summary>
         public FlgBorderStretch* stretches;
+        /// <summary>places on the surface as it is</summary>
         public FlgSurfacePoint* points;
         public uint point_count;
         /// <summary>Poisson samples at most; 0: as many as fit</summary>
@@ -158,8 +160,11 @@ namespace Filigree
         /// <summary>of the samples, in the order they were chosen</summary>
         public uint sample_count;
         public uint reserved;
+        /// <summary>3 a point</summary>
         public float* points;
+        /// <summary>3 a loop</summary>
         public float* loops;
+        /// <summary>3 a sample</summary>
         public float* samples;
         /// <summary>the seeds' lines, in place of a handle; no curves: none</summary>
         public FlgSurfaceCurvesView curves;
@@ -197,6 +202,7 @@ namespace Filigree
         /// Nonzero: it came from another mesh, so its seeds were found by `places`, and have to be again.
         /// </summary>
         public uint placed;
+        /// <summary>3 a region</summary>
         public float* made;
     }
 
@@ -212,6 +218,7 @@ namespace Filigree
         /// <summary>those not taken back</summary>
         public uint made_count;
         public uint reserved;
+        /// <summary>the first one first</summary>
         public FlgTangleStep* steps;
         /// <summary>tells meshes apart: of the positions and triangles that the tangle began with, to the bit</summary>
         public ulong @base;
@@ -229,6 +236,7 @@ namespace Filigree
         public uint region_count;
         /// <summary>likewise</summary>
         public uint group_count;
+        /// <summary>regions that are not divided</summary>
         public uint leaf_count;
         /// <summary>steps that can be taken back, and made again</summary>
         public uint undo_count;
@@ -245,6 +253,7 @@ namespace Filigree
         public uint struct_size;
         /// <summary>FLG_NO_INDEX: the root</summary>
         public uint parent;
+        /// <summary>that it is of</summary>
         public uint group;
         /// <summary>borders are seen where looks differ</summary>
         public uint look;
@@ -259,9 +268,11 @@ namespace Filigree
         public uint child_count;
         /// <summary>the region it belongs to since they were joined; FLG_NO_INDEX: none</summary>
         public uint joined_into;
+        /// <summary>nonzero: its borders are not seen</summary>
         public uint scaffold;
         /// <summary>the group of the nearest region around it, itself included, that is no scaffold's</summary>
         public uint visible_group;
+        /// <summary>of the tree; the root has 0</summary>
         public uint depth;
     }
 }

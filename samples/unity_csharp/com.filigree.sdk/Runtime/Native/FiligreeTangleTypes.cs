@@ -6,9 +6,10 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
+    /// <summary>Which borders an operator begins at.</summary>
     public enum FlgTangleBorders
     {
-        /// <summary>FLG_TANGLE_BORDERS_NONE</summary>
+        /// <summary>FLG_TANGLE_BORDERS_NONE: no borders</summary>
         None = 0,
         /// <summary>FLG_TANGLE_BORDERS_OUTER: of the regions together</summary>
         Outer = 1,
@@ -16,6 +17,7 @@ namespace Filigree
         Each = 2,
     }
 
+    /// <summary>Along what regions are divided, sec. 3.3 of the paper.</summary>
     public enum FlgTangleOperator
     {
         /// <summary>FLG_TANGLE_CONTOUR: cuts along isolines of the field of a, or blended between a and b</summary>
@@ -32,6 +34,7 @@ namespace Filigree
         Polyline = 3,
     }
 
+    /// <summary>How an operator groups the regions it makes.</summary>
     public enum FlgTangleGrouping
     {
         /// <summary>FLG_TANGLE_GROUP_TWO: foreground (even parts) and background (odd ones)</summary>
@@ -44,6 +47,7 @@ namespace Filigree
         Cycle = 3,
     }
 
+    /// <summary>Operators that are used together.</summary>
     public enum FlgTangleMacro
     {
         /// <summary>FLG_TANGLE_SUNBURST: strips from the first border to the others: a stream of the blend</summary>
@@ -67,22 +71,24 @@ namespace Filigree
         Cells = 7,
     }
 
+    /// <summary>What made a step.</summary>
     public enum FlgTangleStepKind
     {
-        /// <summary>FLG_TANGLE_STEP_DIVIDE</summary>
+        /// <summary>FLG_TANGLE_STEP_DIVIDE: flgTangleDivide</summary>
         Divide = 0,
-        /// <summary>FLG_TANGLE_STEP_MACRO</summary>
+        /// <summary>FLG_TANGLE_STEP_MACRO: flgTangleApplyMacro</summary>
         Macro = 1,
-        /// <summary>FLG_TANGLE_STEP_DISPLACE</summary>
+        /// <summary>FLG_TANGLE_STEP_DISPLACE: flgTangleDisplace</summary>
         Displace = 2,
-        /// <summary>FLG_TANGLE_STEP_GROUP</summary>
+        /// <summary>FLG_TANGLE_STEP_GROUP: flgTangleGroup</summary>
         Group = 3,
-        /// <summary>FLG_TANGLE_STEP_UNGROUP</summary>
+        /// <summary>FLG_TANGLE_STEP_UNGROUP: flgTangleUngroup</summary>
         Ungroup = 4,
-        /// <summary>FLG_TANGLE_STEP_JOIN</summary>
+        /// <summary>FLG_TANGLE_STEP_JOIN: flgTangleJoin</summary>
         Join = 5,
     }
 
+    /// <summary>A surface with the tree of its regions and the steps that made them.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgTangle : IEquatable<FlgTangle>
     {

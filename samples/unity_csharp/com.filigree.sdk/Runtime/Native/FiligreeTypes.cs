@@ -8,8 +8,11 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
+        /// <summary>What breaks hosts changes this; until 1.0 the minor version may, too.</summary>
         public const int FLG_VERSION_MAJOR = 0;
+        /// <summary>What hosts can use besides changes this.</summary>
         public const int FLG_VERSION_MINOR = 1;
+        /// <summary>All else.</summary>
         public const int FLG_VERSION_PATCH = 0;
         /// <summary>The version of this header, as one number.</summary>
         public const int FLG_VERSION = 4096;
@@ -17,9 +20,10 @@ namespace Filigree
         public const int FLG_CURVE_CLOSED = 1;
     }
 
+    /// <summary>How a call or a job ended: 0 and above is no failure.</summary>
     public enum FlgResult
     {
-        /// <summary>FLG_OK</summary>
+        /// <summary>FLG_OK: done; of a function that starts a job: started</summary>
         Ok = 0,
         /// <summary>FLG_NOT_READY: asked too early: the job behind it has not been published by flgTick</summary>
         NotReady = 1,
@@ -45,31 +49,34 @@ namespace Filigree
         ErrorInternal = -10,
     }
 
+    /// <summary>How much a message matters.</summary>
     public enum FlgLogLevel
     {
-        /// <summary>FLG_LOG_INFO</summary>
+        /// <summary>FLG_LOG_INFO: worth knowing</summary>
         Info = 0,
-        /// <summary>FLG_LOG_WARNING</summary>
+        /// <summary>FLG_LOG_WARNING: odd, and gone on with</summary>
         Warning = 1,
-        /// <summary>FLG_LOG_ERROR</summary>
+        /// <summary>FLG_LOG_ERROR: something failed</summary>
         Error = 2,
     }
 
+    /// <summary>Which of the ready jobs goes first.</summary>
     public enum FlgPriority
     {
-        /// <summary>FLG_PRIORITY_LOW</summary>
+        /// <summary>FLG_PRIORITY_LOW: when nothing else is ready</summary>
         Low = 0,
-        /// <summary>FLG_PRIORITY_NORMAL</summary>
+        /// <summary>FLG_PRIORITY_NORMAL: the default</summary>
         Normal = 1,
-        /// <summary>FLG_PRIORITY_HIGH</summary>
+        /// <summary>FLG_PRIORITY_HIGH: before all others, such as what the user waits for</summary>
         High = 2,
     }
 
+    /// <summary>Where a job is, as of the last flgTick.</summary>
     public enum FlgJobState
     {
         /// <summary>FLG_JOB_WAITING: for its dependencies or its turn</summary>
         Waiting = 0,
-        /// <summary>FLG_JOB_RUNNING</summary>
+        /// <summary>FLG_JOB_RUNNING: begun, not published</summary>
         Running = 1,
         /// <summary>FLG_JOB_FINISHED: published; `result` says how it ended</summary>
         Finished = 2,
@@ -150,7 +157,7 @@ namespace Filigree
         /// FLG_METRIC_AUTO: CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else
         /// </summary>
         Auto = 0,
-        /// <summary>FLG_METRIC_EUCLIDEAN</summary>
+        /// <summary>FLG_METRIC_EUCLIDEAN: the length of the difference</summary>
         Euclidean = 1,
         /// <summary>
         /// FLG_METRIC_CIRCLE: radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and
