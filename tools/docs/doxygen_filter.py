@@ -14,6 +14,10 @@ import pathlib
 import re
 import sys
 
+sys.dont_write_bytecode = True  # the sources' folder stays as it is
+
+import wrapper_comments  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 SECTION = re.compile(r"/\* -{3,} (.+?)(?: -{3,})?\s*(?:\n \* -{3,})?\s*(?:\n(?P<rest>.*?))?\*/", re.S)
@@ -191,4 +195,7 @@ def page(text):
 
 path = pathlib.Path(sys.argv[1])
 source = path.read_text(encoding="utf-8")
-sys.stdout.write(page(source) if path.suffix == ".md" else header(path, source))
+if path.suffix == ".hpp":
+    sys.stdout.write(wrapper_comments.documented(source))
+else:
+    sys.stdout.write(page(source) if path.suffix == ".md" else header(path, source))

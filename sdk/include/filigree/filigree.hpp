@@ -38,6 +38,7 @@ namespace filigree {
 class Error : public std::runtime_error {
 public:
     explicit Error(FlgResult result) : std::runtime_error(flgLastError()), result_(result) {}
+    // What flgLastError's sentence is about.
     FlgResult result() const noexcept { return result_; }
 
 private:
@@ -88,6 +89,7 @@ public:
         check(flgJobGetStatus(context_, handle_, &status));
         return status;
     }
+    // Published, whatever its result.
     bool finished() const { return status().state == FLG_JOB_FINISHED; }
     void cancel() { check(flgJobCancel(context_, handle_)); }
     // Empty until finished.
@@ -266,6 +268,7 @@ public:
         check(flgStraightSkeletonGetView(context_, handle_, &view));
         return view;
     }
+    // The front: what is inside lies to the left of each ring.
     struct Rings {
         std::vector<double> points;     // 2 a point
         std::vector<uint32_t> edges;    // one a point
@@ -377,8 +380,10 @@ public:
         check(flgLiveStrokeUndo(context_, handle_, samples, &points));
         return points;
     }
+    // What is left of a stroke; a job still makes both.
     struct Ended {
-        CurveSet stylized, samples;
+        CurveSet stylized;  // all its points
+        CurveSet samples;   // as pushed: a style's example, or a target
     };
     Ended end(Job* out_job = nullptr) {
         FlgCurveSet stylized{}, samples{};
@@ -391,6 +396,7 @@ public:
     bool resume() { return check(flgLiveStrokeResume(context_, handle_)); }
 };
 
+// Makes everything else, and must outlive it.
 class Context {
 public:
     explicit Context(const FlgContextDesc& desc = flgContextDefaults()) { check(flgContextCreate(&desc, &context_)); }
