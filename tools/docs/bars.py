@@ -5,8 +5,7 @@
     filigree bench --json > bars.json
     tools/docs/bars.py bars.json "2 cores of a Xeon at 2.8 GHz, GCC 12, release, 1 May 2026"
 
-Replaces what stands between the page's two marks. Rows keep their order; where they say which group or issue they belong to
-each of these gets a table.
+Replaces what stands between the page's two marks: a table an ability, rows in their order.
 """
 import itertools
 import json
@@ -21,8 +20,8 @@ def number(value):
     return "not measured" if value is None or value != value else f"{value:.4g}"
 
 
-def group_of(row):
-    return str(row.get("issue") or row.get("group") or "")
+def ability_of(row):
+    return row["ability"]
 
 
 def table(rows):
@@ -42,8 +41,8 @@ def main():
     rows = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))["bars"]
     held = sum(row["held"] for row in rows)
     parts = [f"{held} of {len(rows)} bars held. {sys.argv[2]}.\n"]
-    for name, group in itertools.groupby(rows, group_of):
-        parts.append((f"**{name}**\n\n" if name else "") + table(group))
+    for name, group in itertools.groupby(rows, ability_of):
+        parts.append(f"**{name[:1].upper()}{name[1:]}**\n\n{table(group)}")
     text = PAGE.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN)
     PAGE.write_text(before + BEGIN + "\n" + "\n".join(parts) + "\n" + END + rest.split(END)[1], encoding="utf-8")
