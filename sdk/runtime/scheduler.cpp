@@ -111,7 +111,8 @@ bool Scheduler::run_next(uint64_t deadline_ns) {
     }
     if (!strand->job.given_up()) {
         strand->pace.begin_slice(host_.now_ns(), deadline_ns);
-        host_.zone_begin(strand->job.stage.load(std::memory_order_relaxed));
+        const char* const stage = strand->job.stage.load(std::memory_order_relaxed);
+        host_.zone_begin(*stage != '\0' ? stage : "filigree job");
         strand->pace.resume_point_.resume();
         host_.zone_end();
         strand->pace.end_slice(host_.now_ns());

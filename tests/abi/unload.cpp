@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// A host that loads the library, works with it and unloads it, again and again: of the library nothing must be left, neither
+// mappings nor threads nor files, and the process must not grow. Not linked to it: arguments are the paths of filigree and
+// of what hosts may load beside it.
+#include <dirent.h>
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "filigree/filigree_surface.h"
+
+namespace {
+
+constexpr int rounds = 50, settled_round = 10;
+constexpr long most_growth = 2 << 20;  // bytes: less than one library that stays
+constexpr uint32_t across = 40;
+
+#define FAIL(...) (std::fprintf(stderr, __VA_ARGS__), std::fputc('\n', stderr), std::exit(1))
+
+// Function `name` of the library, as the headers declare it.
+#define LOOK_UP(library, name) const auto name##_ = look_up<decltype(&name)>(library, #name)
+
+void must(FlgResult result, const char* what) {
+    if (result != FLG_OK) FAIL("%s: result %d", what, static_cast<int>(result));
+}
+#define MUST(call) must(call, #call)
+
+template <class Function>
+Function look_up(void* library, const char* name) {
+    void* const function = dlsym(library, name);
+    if (!function) FAIL("%s", dlerror());
+    return reinterpret_cast<Function>(function);
+}
+
+int entries(const char* path) {
+    DIR* const folder = opendir(path);
+    int count = 0;
+    if (!folder) FAIL("%s can't be read", path);
+    while (readdir(folder)) ++count;
+    closedir(folder);
+    return count;
+}
+
+bool is_mapped(const std::string& name) {
+    std::FILE* const maps = std::fopen("/proc/self/maps", "r");
+    if (!maps) FAIL("/proc/self/maps can't be read");
+    char line[4096];
+    bool found = false;
+    while (std::fgets(line, sizeof line, maps)) found = found || std::strstr(line, name.c_str()) != nullptr;
+    std::fclose(maps);
+    return found;
+}
+
+long resident_bytes() {
+    std::FILE* const file = std::fopen("/proc/self/statm", "r");
+    long whole = 0, resident = 0;
+    if (!file || std::fscanf(file, "%ld %ld", &whole, &resident) != 2) FAIL("/proc/self/statm can't be read");
+    std::fclose(file);
+    return resident * sysconf(_SC_PAGESIZE);
+}
+
+// A plane with distances from its first vertex, made by workers; the farthest one.
+float work(void* library) {
+    LOOK_UP(library, flgContextDescInit);
+    LOOK_UP(library, flgContextCreate);
+    LOOK_UP(library, flgContextDestroy);
+    LOOK_UP(library, flgContextWait);
+    LOOK_UP(library, flgTick);
+    LOOK_UP(library, flgLastError);
+    LOOK_UP(library, flgSurfaceDescInit);
+    LOOK_UP(library, flgSurfaceCreate);
+    LOOK_UP(library, flgGeodesicDescInit);
+    LOOK_UP(library, flgGeodesic);
+    LOOK_UP(library, flgFieldGetView);
+    LOOK_UP(library, flgFieldViewInit);
+
+    float positions[across * across * 3];
+    uint32_t triangles[(across - 1) * (across - 1) * 6];
+    uint32_t corner = 0;
+    for (uint32_t i = 0; i < across * across; ++i) {
+        positions[3 * i] = static_cast<float>(i % across);
+        positions[3 * i + 1] = static_cast<float>(i / across);
+        if (i % across == across - 1 || i / across == across - 1) continue;
+        const uint32_t square[] = {i, i + 1, i + across, i + 1, i + across + 1, i + across};
+        std::memcpy(triangles + corner, square, sizeof square);
+        corner += 6;
+    }
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, positions, 0, 0};
+
+    FlgContextDesc desc;
+    MUST(flgContextDescInit_(&desc, sizeof desc));
+    desc.worker_count = 3;
+    FlgContext context = nullptr;
+    MUST(flgContextCreate_(&desc, &context));
+    FlgSurfaceDesc surface_desc;
+    MUST(flgSurfaceDescInit_(&surface_desc, sizeof surface_desc));
+    surface_desc.mesh.vertex_count = across * across;
+    surface_desc.mesh.triangle_count = corner / 3;
+    surface_desc.mesh.column_count = 1;
+    surface_desc.mesh.columns = &column;
+    surface_desc.mesh.triangles = triangles;
+    const uint32_t first = 0;
+    FlgGeodesicDesc geodesic;
+    MUST(flgGeodesicDescInit_(&geodesic, sizeof geodesic));
+    MUST(flgSurfaceCreate_(context, &surface_desc, &geodesic.surface, nullptr));
+    geodesic.vertices = &first;
+    geodesic.vertex_count = 1;
+    FlgField field{};
+    MUST(flgGeodesic_(context, &geodesic, &field, nullptr));
+    FlgFrameReport report{};
+    report.struct_size = sizeof report;
+    do {
+        flgContextWait_(context, 10000);
+        MUST(flgTick_(context, 0, &report));
+    } while (report.jobs_pending > 0);
+    FlgFieldView view;
+    MUST(flgFieldViewInit_(&view, sizeof view));
+    MUST(flgFieldGetView_(context, field, &view));
+    const float farthest = view.values[across * across - 1];
+    // A failure's sentence is kept for each thread: that must not keep the library either.
+    if (flgTick_(nullptr, 0, nullptr) != FLG_ERROR_INVALID_HANDLE) FAIL("a null context was not refused");
+    if (std::strstr(flgLastError_(), "context") == nullptr) FAIL("the sentence is: %s", flgLastError_());
+    MUST(flgContextDestroy_(context));
+    return farthest;
+}
+
+// Libraries beside: a call or two each.
+void touch(void* library, const std::string& path) {
+    if (path.find("filigree_io") != path.npos) {
+        const auto read = look_up<FlgResult (*)(const char*, void**)>(library, "flgCurveFileRead");
+        void* file = nullptr;
+        if (read("no such file.xyz", &file) != FLG_ERROR_FILE) FAIL("a missing file was read");
+    } else {
+        const float farthest = work(library);
+        if (farthest < 50 || farthest > 60) FAIL("the farthest vertex is %g metres away", double{farthest});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int threads = entries("/proc/self/task");
+    int files = 0;
+    long settled = 0;
+    for (int round = 0; round < rounds; ++round) {
+        for (int i = 1; i < argc; ++i) {
+            const std::string path = argv[i], name = path.substr(path.rfind('/') + 1);
+            void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+            if (!library) FAIL("%s", dlerror());
+            if (!is_mapped(name)) FAIL("%s is not mapped, so that nothing can be said", name.c_str());
+            touch(library, path);
+            if (dlclose(library) != 0) FAIL("%s", dlerror());
+            if (is_mapped(name)) FAIL("round %d: %s is still mapped", round, name.c_str());
+        }
+        if (round == 0) files = entries("/proc/self/fd");
+        if (entries("/proc/self/fd") != files) FAIL("round %d: files were left open", round);
+        if (entries("/proc/self/task") != threads) FAIL("round %d: threads were left", round);
+        if (round == settled_round) settled = resident_bytes();
+    }
+    const long grown = resident_bytes() - settled;
+    std::printf("%d rounds; resident memory %+ld bytes since round %d\n", rounds, grown, settled_round);
+    if (grown > most_growth) FAIL("resident memory grew by %ld bytes", grown);
+    return 0;
+}
