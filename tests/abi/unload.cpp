@@ -78,7 +78,7 @@ float work(void* library) {
     LOOK_UP(library, flgFieldGetView);
     LOOK_UP(library, flgFieldViewInit);
 
-    float positions[across * across * 3];
+    float positions[across * across * 3] = {};
     uint32_t triangles[(across - 1) * (across - 1) * 6];
     uint32_t corner = 0;
     for (uint32_t i = 0; i < across * across; ++i) {
