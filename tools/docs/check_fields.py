@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Checks that the pages of sdk/docs explain every parameter: each field of each descriptor (sdk/api/abi.json), and of the
-structs that descriptors hold, is named in code marks on a page that names its struct so too.
+structs that descriptors hold, is named in code marks on a page that names its struct so too; and each FlgResult on one.
 
     check_fields.py ROOT
 
@@ -50,7 +50,12 @@ def main():
             if not any(name in words and field["name"] in words for words in pages):
                 faults += 1
                 print(f"{name}::{field['name']} is explained on no page that names {name}")
-    print(f"{fields} fields, {faults} of them not explained")
+    results = next(enum for enum in abi["enums"] if enum["name"] == "FlgResult")["values"]
+    for result in results:
+        if not result["name"].endswith("_FORCE_32BIT") and not any(result["name"] in words for words in pages):
+            faults += 1
+            print(f"{result['name']} is explained on no page")
+    print(f"{fields} fields, {len(results) - 1} results, {faults} of them not explained")
     sys.exit(1 if faults or not fields else 0)
 
 
