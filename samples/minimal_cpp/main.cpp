@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same as minimal_c through filigree.hpp: owners instead of handles, exceptions instead of results. And a stroke that
-// is stylized while it is drawn.
+// The same as minimal_c through filigree.hpp: owners instead of handles, exceptions instead of results. And a stroke
+// that is stylized while it is drawn.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

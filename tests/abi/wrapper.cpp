@@ -57,6 +57,33 @@ bool straight_skeletons_work(filigree::Context& context) {
            rings.offsets.size() == 2 && rings.offsets[1] == 4 && skeleton.offset(2).points.empty();
 }
 
+// A bar, as a part, its body, its bones and its skin.
+bool models_work(filigree::Context& context) {
+    const double corners[] = {0, 0, 5, 0, 5, 1, 0, 1};
+    FlgPartDesc part_desc = flgPartDefaults();
+    part_desc.contour.points = corners;
+    part_desc.contour.point_count = 4;
+    const filigree::Part part = context.part(part_desc);
+    FlgPartMeshDesc body_desc = flgPartMeshDefaults();
+    body_desc.part = part.get();
+    const filigree::PartMesh body = context.part_mesh(body_desc);
+    FlgModelPart model_part = flgModelPartDefaults();
+    model_part.part = part.get();
+    FlgModelDesc model_desc = flgModelDefaults();
+    model_desc.parts = &model_part;
+    model_desc.part_count = 1;
+    const filigree::Model model = context.model(model_desc);
+    FlgSkinDesc skin_desc = flgSkinDefaults();
+    skin_desc.model = model.get();
+    skin_desc.vertex_count = 500;
+    const filigree::Skin skin = context.skin(skin_desc);
+    if (part.ready() || skin.ready() || skin.view().vertex_count != 0) return false;
+    context.finish();
+    const FlgSkinView view = skin.view();
+    return body.ready() && part.view().node_count >= 2 && view.joint_count == model.view().joint_count &&
+           view.joint_count >= 2 && view.vertex_count > 300;
+}
+
 }  // namespace
 
 int main() {
@@ -85,7 +112,7 @@ int main() {
         context.finish();
         if (!job.finished() || job.stages().size() != 2 || !style.guide().ready()) return 1;
         std::printf("%u points\n", result.view().curve_offsets[1]);
-        if (!surfaces_work(context) || !straight_skeletons_work(context)) return 1;
+        if (!surfaces_work(context) || !straight_skeletons_work(context) || !models_work(context)) return 1;
         FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
         live.style = style.get();
         if (context.begin(live)) return 1;  // not warm

@@ -8,6 +8,7 @@ import re
 
 CALL = re.compile(r"\b(flg[A-Z]\w+)\b(?<!Defaults)")
 OWNER = re.compile(r"^class (\w+) : public detail::Owner<(\w+), \w+>")
+VIEWED = re.compile(r"^using (\w+) =")
 FUNCTION = re.compile(r"^    (?=\S)(?:explicit |inline |static )?[\w:<>~&, ]*?(~?\w+|operator[ =\w]+)\(.*[{;]")
 KNOWN = {
     "get": "The C handle, to be used beside.",
@@ -53,6 +54,8 @@ def documented(text):
         function = FUNCTION.match(line)
         if not comment and not is_comment and OWNER.match(line):
             prefix = f"Owns an {OWNER.match(line).group(2)}."
+        elif not comment and not is_comment and VIEWED.match(line):
+            prefix = f"Owns an Flg{VIEWED.match(line).group(1)}."
         elif not comment and not is_comment and not hidden and scope and function and "using " not in line:
             prefix = text_of(lines, at, function.group(1).strip(), scope)
         out.append(f"/** {prefix} */ {line}" if prefix else line)

@@ -25,6 +25,7 @@
 
 #include "filigree.h"
 #include "filigree_live.h"
+#include "filigree_model.h"
 #include "filigree_motion.h"
 #include "filigree_project.h"
 #include "filigree_skeleton.h"
@@ -78,6 +79,27 @@ protected:
     Handle handle_{};
 };
 
+// What a job makes and a view shows.
+template <class Handle, FlgResult (*release)(FlgContext, Handle), class View, FlgResult (*init)(View*, uint32_t),
+          FlgResult (*get)(FlgContext, Handle, View*)>
+class Viewed : public Owner<Handle, release> {
+public:
+    using Owner<Handle, release>::Owner;
+    // Throws what its job failed with.
+    bool ready() const {
+        View view;
+        init(&view, static_cast<uint32_t>(sizeof view));
+        return check(get(this->context_, this->handle_, &view));
+    }
+    // Empty until ready.
+    View view() const {
+        View view;
+        init(&view, static_cast<uint32_t>(sizeof view));
+        check(get(this->context_, this->handle_, &view));
+        return view;
+    }
+};
+
 }  // namespace detail
 
 class Job : public detail::Owner<FlgJob, flgJobRelease> {
@@ -102,21 +124,8 @@ public:
     }
 };
 
-class CurveSet : public detail::Owner<FlgCurveSet, flgCurveSetRelease> {
-public:
-    using Owner::Owner;
-    // Throws what its job failed with.
-    bool ready() const {
-        FlgCurveSetView view = flgCurveSetViewDefaults();
-        return check(flgCurveSetGetView(context_, handle_, &view));
-    }
-    // Empty until ready.
-    FlgCurveSetView view() const {
-        FlgCurveSetView view = flgCurveSetViewDefaults();
-        check(flgCurveSetGetView(context_, handle_, &view));
-        return view;
-    }
-};
+using CurveSet =
+    detail::Viewed<FlgCurveSet, flgCurveSetRelease, FlgCurveSetView, flgCurveSetViewInit, flgCurveSetGetView>;
 
 class Style : public detail::Owner<FlgStyle, flgStyleRelease> {
 public:
@@ -172,87 +181,26 @@ public:
     }
 };
 
-class Field : public detail::Owner<FlgField, flgFieldRelease> {
-public:
-    using Owner::Owner;
-    bool ready() const {
-        FlgFieldView view = flgFieldViewDefaults();
-        return check(flgFieldGetView(context_, handle_, &view));
-    }
-    FlgFieldView view() const {
-        FlgFieldView view = flgFieldViewDefaults();
-        check(flgFieldGetView(context_, handle_, &view));
-        return view;
-    }
-};
+using Field = detail::Viewed<FlgField, flgFieldRelease, FlgFieldView, flgFieldViewInit, flgFieldGetView>;
 
-class SurfaceCurves : public detail::Owner<FlgSurfaceCurves, flgSurfaceCurvesRelease> {
-public:
-    using Owner::Owner;
-    bool ready() const {
-        FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
-        return check(flgSurfaceCurvesGetView(context_, handle_, &view));
-    }
-    FlgSurfaceCurvesView view() const {
-        FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
-        check(flgSurfaceCurvesGetView(context_, handle_, &view));
-        return view;
-    }
-};
+using SurfaceCurves = detail::Viewed<FlgSurfaceCurves, flgSurfaceCurvesRelease, FlgSurfaceCurvesView,
+                                     flgSurfaceCurvesViewInit, flgSurfaceCurvesGetView>;
 
 // See filigree_spline.h.
-class Manifold : public detail::Owner<FlgManifold, flgManifoldRelease> {
-public:
-    using Owner::Owner;
-    bool ready() const {
-        FlgManifoldView view = flgManifoldViewDefaults();
-        return check(flgManifoldGetView(context_, handle_, &view));
-    }
-    // Empty until ready.
-    FlgManifoldView view() const {
-        FlgManifoldView view = flgManifoldViewDefaults();
-        check(flgManifoldGetView(context_, handle_, &view));
-        return view;
-    }
-};
+using Manifold =
+    detail::Viewed<FlgManifold, flgManifoldRelease, FlgManifoldView, flgManifoldViewInit, flgManifoldGetView>;
 
 class Obstacles : public detail::Owner<FlgObstacles, flgObstaclesRelease> {
 public:
     using Owner::Owner;
 };
 
-class Spline : public detail::Owner<FlgSpline, flgSplineRelease> {
-public:
-    using Owner::Owner;
-    // Or a round of it can be seen.
-    bool ready() const {
-        FlgSplineView view = flgSplineViewDefaults();
-        return check(flgSplineGetView(context_, handle_, &view));
-    }
-    // Empty until ready.
-    FlgSplineView view() const {
-        FlgSplineView view = flgSplineViewDefaults();
-        check(flgSplineGetView(context_, handle_, &view));
-        return view;
-    }
-};
+// Ready also when a round of it can be seen.
+using Spline = detail::Viewed<FlgSpline, flgSplineRelease, FlgSplineView, flgSplineViewInit, flgSplineGetView>;
 
 // See filigree_motion.h.
-class Motion : public detail::Owner<FlgMotion, flgMotionRelease> {
-public:
-    using Owner::Owner;
-    // Or a round of it can be seen.
-    bool ready() const {
-        FlgMotionView view = flgMotionViewDefaults();
-        return check(flgMotionGetView(context_, handle_, &view));
-    }
-    // Empty until ready.
-    FlgMotionView view() const {
-        FlgMotionView view = flgMotionViewDefaults();
-        check(flgMotionGetView(context_, handle_, &view));
-        return view;
-    }
-};
+// Ready also when a round of it can be seen.
+using Motion = detail::Viewed<FlgMotion, flgMotionRelease, FlgMotionView, flgMotionViewInit, flgMotionGetView>;
 
 // See filigree_skeleton.h.
 class StraightSkeleton : public detail::Owner<FlgStraightSkeleton, flgStraightSkeletonRelease> {
@@ -290,6 +238,14 @@ public:
         return rings;
     }
 };
+
+// See filigree_model.h for these.
+using Outline = detail::Viewed<FlgOutline, flgOutlineRelease, FlgOutlineView, flgOutlineViewInit, flgOutlineGetView>;
+using Part = detail::Viewed<FlgPart, flgPartRelease, FlgPartView, flgPartViewInit, flgPartGetView>;
+using PartMesh =
+    detail::Viewed<FlgPartMesh, flgPartMeshRelease, FlgPartMeshView, flgPartMeshViewInit, flgPartMeshGetView>;
+using Model = detail::Viewed<FlgModel, flgModelRelease, FlgModelView, flgModelViewInit, flgModelGetView>;
+using Skin = detail::Viewed<FlgSkin, flgSkinRelease, FlgSkinView, flgSkinViewInit, flgSkinGetView>;
 
 // See filigree_tangle.h. What it starts are steps, in this order; jobs may be let go of.
 class Tangle : public detail::Owner<FlgTangle, flgTangleRelease> {
@@ -488,6 +444,21 @@ public:
     }
     StraightSkeleton straight_skeleton(const FlgStraightSkeletonDesc& desc, Job* out_job = nullptr) {
         return start<StraightSkeleton, FlgStraightSkeleton>(flgStraightSkeletonCreate, desc, out_job);
+    }
+    Outline outline(const FlgOutlineDesc& desc, Job* out_job = nullptr) {
+        return start<Outline, FlgOutline>(flgOutlineCreate, desc, out_job);
+    }
+    Part part(const FlgPartDesc& desc, Job* out_job = nullptr) {
+        return start<Part, FlgPart>(flgPartCreate, desc, out_job);
+    }
+    PartMesh part_mesh(const FlgPartMeshDesc& desc, Job* out_job = nullptr) {
+        return start<PartMesh, FlgPartMesh>(flgPartMeshCreate, desc, out_job);
+    }
+    Model model(const FlgModelDesc& desc, Job* out_job = nullptr) {
+        return start<Model, FlgModel>(flgModelCreate, desc, out_job);
+    }
+    Skin skin(const FlgSkinDesc& desc, Job* out_job = nullptr) {
+        return start<Skin, FlgSkin>(flgSkinCreate, desc, out_job);
     }
     Manifold manifold(const FlgShapeDesc& desc) {
         FlgManifold manifold{};

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "decorated_mesh.h"
+
+#include <OgreEntity.h>
+#include <OgreHardwareBufferManager.h>
+#include <OgreMeshManager.h>
+#include <OgreSceneManager.h>
+#include <OgreSubEntity.h>
+#include <OgreSubMesh.h>
+
+#include <array>
+
+namespace viewer {
+namespace {
+
+filigree::Surface surface_of(filigree::Context& context, const flg::scenes::Mesh& mesh) {
+    const FlgColumn positions = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
+    desc.mesh.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
+    desc.mesh.columns = &positions;
+    desc.mesh.column_count = 1;
+    desc.mesh.triangles = mesh.triangles[0].data();
+    return context.surface(desc);
+}
+
+struct Vertex {
+    Ogre::Vector3f position, normal;
+};
+
+// Means of the triangles' normals by area.
+void add_normals(std::vector<Vertex>& vertices, const FlgMeshView& mesh) {
+    for (size_t t = 0; t < size_t{3} * mesh.triangle_count; t += 3) {
+        Vertex &a = vertices[mesh.triangles[t]], &b = vertices[mesh.triangles[t + 1]],
+               &c = vertices[mesh.triangles[t + 2]];
+        const Ogre::Vector3f twice_area = (b.position - a.position).crossProduct(c.position - a.position);
+        for (Vertex* const corner : {&a, &b, &c}) corner->normal += twice_area;
+    }
+    for (Vertex& v : vertices) v.normal.normalise();
+}
+
+}  // namespace
+
+DecoratedMesh::DecoratedMesh(filigree::Context& context, const flg::scenes::Mesh& mesh, Ogre::SceneNode& node,
+                             const std::vector<Ogre::MaterialPtr>& materials, const Ogre::MaterialPtr& line)
+    : context_(context), node_(node), line_(line), surface_(surface_of(context, mesh)), ornament_(context, surface_) {
+    mesh_ = Ogre::MeshManager::getSingleton().createManual("decorated.mesh", Ogre::RGN_DEFAULT);
+    mesh_->sharedVertexData = OGRE_NEW Ogre::VertexData();
+    Ogre::VertexDeclaration& declaration = *mesh_->sharedVertexData->vertexDeclaration;
+    declaration.addElement(0, offsetof(Vertex, position), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
+    declaration.addElement(0, offsetof(Vertex, normal), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
+    for (const Ogre::MaterialPtr& material : materials) mesh_->createSubMesh()->setMaterialName(material->getName());
+}
+
+void DecoratedMesh::update() {
+    if (ready()) return;
+    if (border_curves_) return draw_borders();
+    // While steps are under way the surface can't be looked at: OGRE goes on drawing what it has.
+    if (!ornament_.published() || !surface_.ready()) return;
+    refresh(surface_.view());
+    if (ornament_.start_next()) return;
+    FlgSurfaceCurves curves = {};
+    filigree::check(flgTangleBorders(context_.get(), ornament_.tangle().get(), &curves, nullptr));
+    border_curves_ = filigree::SurfaceCurves(context_.get(), curves);
+    FlgLiftDesc lift = flgLiftDefaults();
+    lift.curves = border_curves_.get();
+    lifted_ = context_.lift(lift);
+    FlgResampleDesc even = flgResampleDefaults();
+    even.curves = lifted_.get();
+    even.spacing = 0.006f;
+    lines_ = context_.resample(even);
+}
+
+void DecoratedMesh::refresh(const FlgSurfaceView& view) {
+    refresh_vertices(view.mesh);
+    if (!entity_) node_.attachObject(entity_ = node_.getCreator()->createEntity(mesh_));
+    std::array<std::vector<uint32_t>, kColourCount> triangles;
+    for (size_t t = 0; t < view.mesh.triangle_count; ++t) {
+        auto& list = triangles[static_cast<size_t>(ornament_.colours()[view.mesh.regions[t]])];
+        list.insert(list.end(), view.mesh.triangles + 3 * t, view.mesh.triangles + 3 * t + 3);
+    }
+    for (size_t c = 0; c < kColourCount; ++c) {
+        Ogre::IndexData& data = *mesh_->getSubMesh(static_cast<unsigned short>(c))->indexData;
+        entity_->getSubEntity(c)->setVisible(!triangles[c].empty());
+        data.indexCount = triangles[c].size();
+        if (triangles[c].empty()) continue;
+        data.indexBuffer = Ogre::HardwareBufferManager::getSingleton().createIndexBuffer(
+            Ogre::HardwareIndexBuffer::IT_32BIT, data.indexCount, Ogre::HBU_GPU_ONLY);
+        data.indexBuffer->writeData(0, data.indexCount * sizeof(uint32_t), triangles[c].data(), true);
+    }
+}
+
+void DecoratedMesh::refresh_vertices(const FlgMeshView& mesh) {
+    std::vector<Vertex> vertices(mesh.vertex_count);
+    Ogre::AxisAlignedBox box;
+    for (size_t v = 0; v < vertices.size(); ++v) {
+        vertices[v] = {Ogre::Vector3f(mesh.columns[0].data + 3 * v), Ogre::Vector3f(0.0f)};
+        box.merge(vertices[v].position);
+    }
+    add_normals(vertices, mesh);
+    Ogre::VertexData& data = *mesh_->sharedVertexData;
+    data.vertexCount = vertices.size();
+    const Ogre::HardwareVertexBufferSharedPtr buffer = Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
+        sizeof(Vertex), vertices.size(), Ogre::HBU_GPU_ONLY);
+    buffer->writeData(0, sizeof(Vertex) * vertices.size(), vertices.data(), true);
+    data.vertexBufferBinding->setBinding(0, buffer);
+    mesh_->_setBounds(box);
+}
+
+void DecoratedMesh::draw_borders() {
+    if (!lines_.ready()) return;
+    const FlgCurveSetView view = lines_.view();
+    CurveObject::Look look;
+    look.radius = 0.0012f;
+    look.colour = Ogre::ColourValue(0.012f, 0.016f, 0.03f);
+    borders_ = std::make_unique<CurveObject>(view.curve_offsets[view.curve_count] + view.curve_count, look, line_);
+    borders_->append(view);
+    borders_->setCastShadows(false);
+    node_.attachObject(borders_.get());
+    lines_.reset();
+    lifted_.reset();
+    border_curves_.reset();
+}
+
+}  // namespace viewer
