@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What Doxygen reads in place of the headers and pages (its INPUT_FILTER): the same, line by line.
+"""What Doxygen reads in place of the headers and pages (its INPUT_FILTER): the same, with lines where they were, or nearly.
 
 Headers: plain comments become documentation, those behind code that of what stands before them; sections become topics.
 What the grammar of filigree.h says of all descriptors is said for each: `struct_size`, `reserved`, counts, Init functions.
@@ -50,12 +50,12 @@ def documentation(text):
             lines.append(body)
         elif columns and (in_list or not before.strip() or indent > 0):
             in_list = True
-            lines.append(f"- **{escaped(columns.group(1))}** {escaped(columns.group(2))}")
+            lines.append(f"- <b>{escaped(columns.group(1))}</b> {escaped(columns.group(2))}")
         elif in_list and indent >= 2:
             lines.append("  " + escaped(body.strip()))
         else:
+            lines.append("\n" * in_list + escaped(body.strip()))  # what follows a list is no part of it
             in_list = False
-            lines.append(escaped(body.strip()))
         before = body
     return "\n".join(lines)
 
