@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks that the pages of sdk/docs explain every parameter: each field of each descriptor (sdk/api/abi.json), and of the
-structs that descriptors hold, is named in code marks on a page that names its struct so too; and each FlgResult on one.
+"""Checks that the pages of sdk/docs explain every parameter: each field of each descriptor (sdk/api/abi.json), and of
+the structs that descriptors hold, is named in code marks on a page that names its struct so too; and each FlgResult.
 
     check_fields.py ROOT
 
@@ -15,7 +15,8 @@ import sys
 COMMON = re.compile(r"^(struct_size|version|reserved2?|job|user_data)$")
 DESCRIPTOR = re.compile(r"(Desc|Functions)$")
 # Explained by examples of code, or as results; a host's hooks have no values to choose.
-ELSEWHERE = re.compile(r"(View|Places|Allocator|JobSystem|Log|Clock|Profiler|Animation|FlgColumn|FlgSurfacePoint|FaceColumn)$")
+ELSEWHERE = re.compile(
+    r"(View|Places|Allocator|JobSystem|Log|Clock|Profiler|Animation|FlgColumn|FlgSurfacePoint|FaceColumn)$")
 
 
 def base_type(text):

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What Doxygen reads in place of the headers and pages (its INPUT_FILTER): the same, with lines where they were, or nearly.
+"""What Doxygen reads in place of the headers and pages (its INPUT_FILTER): the same, lines being where they were, nearly.
 
 Headers: plain comments become documentation, those behind code that of what stands before them; sections become topics.
-What the grammar of filigree.h says of all descriptors is said for each: `struct_size`, `reserved`, counts, Init functions.
-Anything else without a comment stays without one, so that Doxygen warns of it.
+What the grammar of filigree.h says of all descriptors is said for each: `struct_size`, `reserved`, counts, functions
+that give defaults. Anything else without a comment stays without one, so that Doxygen warns of it.
 
 Pages: links that lead out of sdk/docs become words, as the reference is read without the repository.
 """
@@ -117,7 +117,8 @@ def one_field_each(match):
     type_name, first, first_size, second, second_size, about = match.groups()
     first_about = about.replace("\n", " ") if about else ""
     second_about = about or f" /**< See {first}. */"
-    return f"    {type_name} {first}{first_size or ''};{first_about} {type_name} {second}{second_size or ''};{second_about}"
+    return (f"    {type_name} {first}{first_size or ''};{first_about}"
+            f" {type_name} {second}{second_size or ''};{second_about}")
 
 
 def with_common_texts(text):

@@ -4,8 +4,9 @@
 
     extract_examples.py OUT PAGE.md...
 
-A fenced block whose first line reads ```c complete (or ```cpp complete) is a whole program: OUT/complete/PAGE_N.c, to be
-compiled and run. One that reads ```c part is code at file scope: OUT/part/PAGE_N.c, to be compiled, after all public headers.
+A fenced block whose first line reads ```c complete (or ```cpp complete) is a whole program: OUT/complete/PAGE_N.c, to
+be compiled and run. One that reads ```c part is code at file scope: OUT/part/PAGE_N.c, to be compiled, after all public
+headers.
 Files that have not changed are not written again; files that no page holds any more are removed.
 """
 import pathlib

@@ -5,8 +5,8 @@
     tools/docs/threading_table.py            writes it
     tools/docs/threading_table.py --check    changes nothing; fails where the page is not what it would write
 
-All of it comes from sdk/api/abi.json. A cost is what a function's comment says behind "Cost:", or what follows from its kind.
-A function of which neither tells is a mistake: its comment is to be completed.
+All of it comes from sdk/api/abi.json. A cost is what a function's comment says behind "Cost:", or what follows from its
+kind. A function of which neither tells is a mistake: its comment is to be completed.
 """
 import json
 import pathlib

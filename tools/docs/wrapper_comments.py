@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """filigree.hpp for Doxygen: its comments as documentation, and for functions without one what they call.
 
-The wrapper does nothing that the C functions don't do; so a function is explained by the first of these in its body, an owner by
-the handle it owns.
+The wrapper does nothing that the C functions don't do; so a function is explained by the first of these in its body, an
+owner by the handle it owns.
 """
 import re
 
