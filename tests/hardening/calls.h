@@ -70,7 +70,7 @@ public:
     FlgJob* job() { return out(jobs_.emplace_back()); }
     // Runs all jobs to their end; they are to succeed, and are released.
     void finish();
-    FlgJob last_job() const { return jobs_.back(); }
+    const std::deque<FlgJob>& jobs() const { return jobs_; }
 
     void note(const void* data, size_t size) { bits.append(static_cast<const char*>(data), size); }
     void note(FlgCurveSet set);
