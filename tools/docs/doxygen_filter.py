@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What Doxygen reads in place of the headers and pages (its INPUT_FILTER): the same, lines being where they were, nearly.
+"""What Doxygen reads in place of headers and pages (its INPUT_FILTER): the same, lines being nearly where they were.
 
 Headers: plain comments become documentation, those behind code that of what stands before them; sections become topics.
 What the grammar of filigree.h says of all descriptors is said for each: `struct_size`, `reserved`, counts, functions
