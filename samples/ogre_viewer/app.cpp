@@ -74,7 +74,6 @@ void App::createRoot() {
     mRoot = OGRE_NEW Ogre::Root("", "", "");
     for (const char* plugin : {"RenderSystem_GL3Plus", "Codec_STBI"})
         mRoot->loadPlugin(Ogre::String(OGRE_VIEWER_PLUGINS) + "/" + plugin);
-    mOverlaySystem = nullptr;
 }
 
 bool App::oneTimeConfig() {
@@ -175,6 +174,7 @@ void App::report() const {
     std::printf("%u frames until all was made, %u after that\n", frames_before_, frame_);
     std::printf("ticks: p50 %.0f us, p99 %.0f us, longest %.0f us, of a budget of %u us\n", ticks_.quantile(0.5),
                 ticks_.quantile(0.99), ticks_.quantile(1), kBudgetUs);
+    std::printf("jobs: %zu tasks on OGRE's threads\n", jobs_->tasks());
     std::printf("frames: p50 %.1f ms, p99 %.1f ms\n", frames_.quantile(0.5), frames_.quantile(0.99));
     std::printf("live stroke: %u points, at most %zu bytes uploaded in a frame\n", content_->live.points(),
                 content_->live.largest_upload());

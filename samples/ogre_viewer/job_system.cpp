@@ -36,6 +36,7 @@ FlgJobSystem JobSystem::hook() {
 Ogre::WorkQueue::Response* JobSystem::handleRequest(const Ogre::WorkQueue::Request* request, const Ogre::WorkQueue*) {
     const Task task = Ogre::any_cast<Task>(request->getData());
     task.run(task.task);
+    ++tasks_;
     return OGRE_NEW Ogre::WorkQueue::Response(request, true, Ogre::Any());
 }
 

@@ -4,6 +4,8 @@
 
 #include <OgreWorkQueue.h>
 
+#include <atomic>
+
 #include "filigree/filigree.h"
 
 namespace viewer {
@@ -17,6 +19,8 @@ public:
     JobSystem& operator=(const JobSystem&) = delete;
 
     FlgJobSystem hook();
+    // Tasks that OGRE's threads have run.
+    size_t tasks() const { return tasks_; }
 
 private:
     Ogre::WorkQueue::Response* handleRequest(const Ogre::WorkQueue::Request* request, const Ogre::WorkQueue*) override;
@@ -24,6 +28,7 @@ private:
     Ogre::WorkQueue& queue_;
     Ogre::uint16 channel_;
     uint32_t threads_;
+    std::atomic<size_t> tasks_ = 0;
 };
 
 }  // namespace viewer
