@@ -2,6 +2,7 @@
 #include "pick/pick_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -31,6 +32,26 @@ Device make_device(uint32_t threads) {
     return device;
 }
 
+// Embree builds all of a scene anew when geometry of a kind comes that it did not have: from the beginning each scene has
+// one of each, whose vertices are nowhere, so that it is never hit and has no bounds.
+void attach_nowhere(RTCDevice device, RTCScene scene, RTCGeometryType type) {
+    const bool is_curve = type == RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE;
+    const Geometry geometry(rtcNewGeometry(device, type));
+    if (is_curve) {
+        auto* vertices =
+            make_buffer<std::array<float, 4>>(device, geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 2);
+        vertices[0] = vertices[1] = {NAN, NAN, NAN, NAN};
+        *make_buffer<uint32_t>(device, geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, 1) = 0;
+    } else {
+        auto* vertices =
+            make_buffer<std::array<float, 3>>(device, geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3);
+        vertices[0] = vertices[1] = vertices[2] = {NAN, NAN, NAN};
+        *make_buffer<std::array<uint32_t, 3>>(device, geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 1) = {0, 1, 2};
+    }
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene, geometry.get());
+}
+
 // Embree squares directions: those whose size is out of hand are shot as others of about length 1, times 2 to this power.
 int exponent_of(const Vec3f& direction) {
     const float size = direction.cwiseAbs().maxCoeff();
@@ -48,6 +69,8 @@ PickScene::PickScene(uint32_t threads)
     // Low quality is Embree's name for scenes of two levels; each object's own structure is of the usual quality.
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
+    attach_nowhere(device_.get(), scene_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    attach_nowhere(device_.get(), scene_.get(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
     commit();
 }
 
