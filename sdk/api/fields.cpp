@@ -107,8 +107,8 @@ FlgResult flgBlendDescInit(FlgBlendDesc* desc, uint32_t struct_size) {
 
 FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
-        require(out_field, "out_field") = {};
         if (out_job) *out_job = {};
+        require(out_field, "out_field") = {};
         Context& self = get_context(context);
         const FlgGeodesicDesc read = read_struct(desc, default_geodesic_desc(), "desc");
         check(read);
@@ -173,8 +173,8 @@ FlgResult flgFieldRelease(FlgContext context, FlgField field) {
 
 FlgResult flgFieldBlend(FlgContext context, const FlgBlendDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
-        require(out_field, "out_field") = {};
         if (out_job) *out_job = {};
+        require(out_field, "out_field") = {};
         Context& self = get_context(context);
         const FlgBlendDesc read = read_struct(desc, default_blend_desc(), "desc");
         Submission submission(self, read.job);

@@ -316,8 +316,8 @@ FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke) {
 FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
                               const FlgJobOptions* options, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
-        require(out_set, "out_set") = {};
         if (out_job) *out_job = {};
+        require(out_set, "out_set") = {};
         Context& self = get_context(context);
         const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
         check(read);

@@ -148,8 +148,8 @@ FlgResult flgPartDescInit(FlgPartDesc* desc, uint32_t struct_size) {
 
 FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* out_part, FlgJob* out_job) {
     return guarded([&] {
-        require(out_part, "out_part") = {};
         if (out_job) *out_job = {};
+        require(out_part, "out_part") = {};
         Context& self = get_context(context);
         const FlgPartDesc read = read_struct(desc, default_part_desc(), "desc");
         check_range(read.spacing == 0 || (read.spacing >= 0.0005 && read.spacing <= 0.1), "desc.spacing", read.spacing,
@@ -200,8 +200,8 @@ FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size) {
 
 FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job) {
     return guarded([&] {
-        require(out_model, "out_model") = {};
         if (out_job) *out_job = {};
+        require(out_model, "out_model") = {};
         Context& self = get_context(context);
         const FlgModelDesc read = read_struct(desc, default_model_desc(), "desc");
         check_range(read.part_count >= 1 && read.part_count <= most_parts, "desc.part_count", read.part_count,

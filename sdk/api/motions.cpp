@@ -143,8 +143,8 @@ FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size) {
 
 FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMotion* out_motion, FlgJob* out_job) {
     return guarded([&] {
-        require(out_motion, "out_motion") = {};
         if (out_job) *out_job = {};
+        require(out_motion, "out_motion") = {};
         Context& self = get_context(context);
         const FlgMotionDesc read = read_struct(desc, default_motion_desc(), "desc");
         Submission submission(self, read.job);

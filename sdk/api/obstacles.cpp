@@ -107,8 +107,8 @@ FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size) {
 FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles,
                              FlgJob* out_job) {
     return guarded([&] {
-        require(out_obstacles, "out_obstacles") = {};
         if (out_job) *out_job = {};
+        require(out_obstacles, "out_obstacles") = {};
         Context& self = get_context(context);
         const FlgObstaclesDesc read = read_struct(desc, default_obstacles_desc(), "desc");
         check_range(read.dimension == 2 || read.dimension == 3, "desc.dimension", read.dimension, "2 or 3");

@@ -49,8 +49,8 @@ FlgResult flgOutlineDescInit(FlgOutlineDesc* desc, uint32_t struct_size) {
 
 FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* desc, FlgOutline* out_outline, FlgJob* out_job) {
     return guarded([&] {
-        require(out_outline, "out_outline") = {};
         if (out_job) *out_job = {};
+        require(out_outline, "out_outline") = {};
         Context& self = get_context(context);
         const FlgOutlineDesc read = read_struct(desc, default_outline_desc(), "desc");
         for (int i = 0; i < 3; ++i) {

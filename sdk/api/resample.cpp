@@ -35,8 +35,8 @@ FlgResult flgResampleDescInit(FlgResampleDesc* desc, uint32_t struct_size) {
 
 FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
-        require(out_set, "out_set") = {};
         if (out_job) *out_job = {};
+        require(out_set, "out_set") = {};
         Context& self = get_context(context);
         const FlgResampleDesc read = read_struct(desc, default_resample_desc(), "desc");
         check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,

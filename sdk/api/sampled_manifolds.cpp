@@ -85,8 +85,8 @@ FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t struct_siz
 FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc, FlgManifold* out_manifold,
                                        FlgJob* out_job) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
         if (out_job) *out_job = {};
+        require(out_manifold, "out_manifold") = {};
         Context& self = get_context(context);
         const FlgMeshManifoldDesc read = read_struct(desc, default_mesh_desc(), "desc");
         Submission submission(self, read.job);
@@ -110,8 +110,8 @@ FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint32_t struct_s
 FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifoldDesc* desc, FlgManifold* out_manifold,
                                       FlgJob* out_job) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
         if (out_job) *out_job = {};
+        require(out_manifold, "out_manifold") = {};
         Context& self = get_context(context);
         const FlgCloudManifoldDesc read = read_struct(desc, default_cloud_desc(), "desc");
         check_range(read.point_count >= 4 && read.point_count <= 1u << 24, "desc.point_count", read.point_count,
@@ -140,8 +140,8 @@ FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint32_t struct_siz
 FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc, FlgManifold* out_manifold,
                                     FlgJob* out_job) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
         if (out_job) *out_job = {};
+        require(out_manifold, "out_manifold") = {};
         Context& self = get_context(context);
         const FlgGridManifoldDesc read = read_struct(desc, default_grid_desc(), "desc");
         const GridInput input = read_grid(read);

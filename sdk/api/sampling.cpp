@@ -43,8 +43,8 @@ FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint32_t struct_size) {
 
 FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
-        require(out_field, "out_field") = {};
         if (out_job) *out_job = {};
+        require(out_field, "out_field") = {};
         Context& self = get_context(context);
         const FlgSamplingDesc read = read_struct(desc, default_sampling_desc(), "desc");
         check_range(read.radius > 0 && std::isfinite(read.radius), "desc.radius", read.radius, "finite and above 0");
@@ -76,8 +76,8 @@ FlgResult flgBorderSamplingDescInit(FlgBorderSamplingDesc* desc, uint32_t struct
 FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDesc* desc, FlgSurfaceCurves* out_curves,
                           FlgJob* out_job) {
     return guarded([&] {
-        require(out_curves, "out_curves") = {};
         if (out_job) *out_job = {};
+        require(out_curves, "out_curves") = {};
         Context& self = get_context(context);
         const FlgBorderSamplingDesc read = read_struct(desc, default_border_sampling_desc(), "desc");
         check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,

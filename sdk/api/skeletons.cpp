@@ -70,8 +70,8 @@ FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uint32_t st
 FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeletonDesc* desc,
                                     FlgStraightSkeleton* out_skeleton, FlgJob* out_job) {
     return guarded([&] {
-        require(out_skeleton, "out_skeleton") = {};
         if (out_job) *out_job = {};
+        require(out_skeleton, "out_skeleton") = {};
         Context& self = get_context(context);
         const FlgStraightSkeletonDesc read = read_struct(desc, default_straight_skeleton_desc(), "desc");
         Submission submission(self, read.job);

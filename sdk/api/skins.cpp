@@ -51,8 +51,8 @@ FlgResult flgPartMeshDescInit(FlgPartMeshDesc* desc, uint32_t struct_size) {
 
 FlgResult flgPartMeshCreate(FlgContext context, const FlgPartMeshDesc* desc, FlgPartMesh* out_mesh, FlgJob* out_job) {
     return guarded([&] {
-        require(out_mesh, "out_mesh") = {};
         if (out_job) *out_job = {};
+        require(out_mesh, "out_mesh") = {};
         Context& self = get_context(context);
         const FlgPartMeshDesc read = read_struct(desc, default_part_mesh_desc(), "desc");
         check_range(read.thickness >= 0.01f && read.thickness <= 100, "desc.thickness", read.thickness, "0.01 to 100");
@@ -93,8 +93,8 @@ FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size) {
 
 FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
     return guarded([&] {
-        require(out_skin, "out_skin") = {};
         if (out_job) *out_job = {};
+        require(out_skin, "out_skin") = {};
         Context& self = get_context(context);
         const FlgSkinDesc read = read_struct(desc, default_skin_desc(), "desc");
         check_range(read.most_vertices >= fewest_vertices && read.most_vertices <= largest_limit, "desc.most_vertices",

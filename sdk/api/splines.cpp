@@ -179,8 +179,8 @@ FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size) {
 
 FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job) {
     return guarded([&] {
-        require(out_spline, "out_spline") = {};
         if (out_job) *out_job = {};
+        require(out_spline, "out_spline") = {};
         Context& self = get_context(context);
         const FlgSplineDesc read = read_struct(desc, default_spline_desc(), "desc");
         Submission submission(self, read.job);
@@ -234,8 +234,8 @@ FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t struct_siz
 
 FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
-        require(out_set, "out_set") = {};
         if (out_job) *out_job = {};
+        require(out_set, "out_set") = {};
         Context& self = get_context(context);
         const FlgSplineCurvesDesc read = read_struct(desc, default_spline_curves_desc(), "desc");
         check_range(is_coordinate(read.height), "desc.height", read.height, "finite and at most 1e30 in size");

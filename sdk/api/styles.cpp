@@ -120,8 +120,8 @@ FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size) {
 
 FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job) {
     return guarded([&] {
-        require(out_style, "out_style") = {};
         if (out_job) *out_job = {};
+        require(out_style, "out_style") = {};
         Context& self = get_context(context);
         const FlgStyleDesc read = read_struct(desc, default_style_desc(), "desc");
         check(read);

@@ -62,8 +62,8 @@ FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size) {
 
 FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
-        require(out_set, "out_set") = {};
         if (out_job) *out_job = {};
+        require(out_set, "out_set") = {};
         Context& self = get_context(context);
         const FlgStylizeDesc read = read_struct(desc, default_stylize_desc(), "desc");
         check(read);

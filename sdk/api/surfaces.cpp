@@ -128,8 +128,8 @@ FlgResult flgRefineDescInit(FlgRefineDesc* desc, uint32_t struct_size) {
 
 FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
-        require(out_surface, "out_surface") = {};
         if (out_job) *out_job = {};
+        require(out_surface, "out_surface") = {};
         Context& self = get_context(context);
         const FlgSurfaceDesc read = read_struct(desc, default_surface_desc(), "desc");
         check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
@@ -144,8 +144,8 @@ FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSu
 
 FlgResult flgSurfaceRefine(FlgContext context, const FlgRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
-        require(out_surface, "out_surface") = {};
         if (out_job) *out_job = {};
+        require(out_surface, "out_surface") = {};
         Context& self = get_context(context);
         const FlgRefineDesc read = read_struct(desc, default_refine_desc(), "desc");
         check_enum(read.scheme, FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP, "desc.scheme", "FLG_SUBDIVISION_");

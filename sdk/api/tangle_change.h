@@ -14,16 +14,20 @@ inline FlgResult visible_result_now(const Tangle& tangle) {
     return result == FLG_OK ? visible_result_now(*tangle.surface) : result;
 }
 
+// Where the surface's triangles are no longer those of the tangle's regions.
+inline void refuse_changed_surface(const Tangle& tangle, const char* argument) {
+    if (tangle.surface->order.revision() == tangle.revision) return;
+    throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: its surface was changed by others, from revision %u to %u", argument,
+                  tangle.revision, tangle.surface->order.revision());
+}
+
 // A job that changes a tangle.
 class TangleChange {
 public:
     TangleChange(Context& context, const FlgJobOptions& options, FlgTangle handle, const char* argument)
         : tangle(context.tangles.get(handle.id, argument)), submission(context, options), context_(context) {
         submission.read(*tangle, argument);
-        if (tangle->surface->order.revision() != tangle->revision) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: its surface was changed by others, from revision %u to %u",
-                          argument, tangle->revision, tangle->surface->order.revision());
-        }
+        refuse_changed_surface(*tangle, argument);
     }
 
     // The surface's, after the job.

@@ -113,8 +113,8 @@ FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint32_t struct
 
 FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, FlgTangle* out_tangle, FlgJob* out_job) {
     return guarded([&] {
-        require(out_tangle, "out_tangle") = {};
         if (out_job) *out_job = {};
+        require(out_tangle, "out_tangle") = {};
         Context& self = get_context(context);
         Submission submission(self, default_job_options());
         const auto on = self.surfaces.get(surface.id, "surface");
@@ -199,12 +199,13 @@ FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* re
 
 FlgResult flgTangleBorders(FlgContext context, FlgTangle tangle, FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
-        require(out_curves, "out_curves") = {};
         if (out_job) *out_job = {};
+        require(out_curves, "out_curves") = {};
         Context& self = get_context(context);
         const auto of = self.tangles.get(tangle.id, "tangle");
         Submission submission(self, default_job_options());
         submission.read(*of, "tangle");
+        refuse_changed_surface(*of, "tangle");
         submission.read_surface(of->surface, "the surface of the tangle");
         const auto out = make_object<TracedCurves>(self, of->surface, &self.memory);
         submission.job().strand.start(trace_borders(submission.pace(), of, out));

@@ -77,8 +77,8 @@ FlgResult flgLiftDescInit(FlgLiftDesc* desc, uint32_t struct_size) {
 
 FlgResult flgLiftCurves(FlgContext context, const FlgLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
-        require(out_set, "out_set") = {};
         if (out_job) *out_job = {};
+        require(out_set, "out_set") = {};
         Context& self = get_context(context);
         const FlgLiftDesc read = read_struct(desc, default_desc<FlgLiftDesc>(), "desc");
         check_range(std::isfinite(read.height), "desc.height", read.height, "finite");
@@ -104,8 +104,8 @@ FlgResult flgIsolinesDescInit(FlgIsolinesDesc* desc, uint32_t struct_size) {
 FlgResult flgTraceIsolines(FlgContext context, const FlgIsolinesDesc* desc, FlgSurfaceCurves* out_curves,
                            FlgJob* out_job) {
     return guarded([&] {
-        require(out_curves, "out_curves") = {};
         if (out_job) *out_job = {};
+        require(out_curves, "out_curves") = {};
         Context& self = get_context(context);
         const FlgIsolinesDesc read = read_struct(desc, default_desc<FlgIsolinesDesc>(), "desc");
         Submission submission(self, read.job);
@@ -133,8 +133,8 @@ FlgResult flgStreamsDescInit(FlgStreamsDesc* desc, uint32_t struct_size) {
 FlgResult flgTraceStreams(FlgContext context, const FlgStreamsDesc* desc, FlgSurfaceCurves* out_curves,
                           FlgJob* out_job) {
     return guarded([&] {
-        require(out_curves, "out_curves") = {};
         if (out_job) *out_job = {};
+        require(out_curves, "out_curves") = {};
         Context& self = get_context(context);
         const FlgStreamsDesc read = read_struct(desc, default_streams_desc(), "desc");
         check_range(!std::isnan(read.end_value), "desc.end_value", read.end_value, "a number");
@@ -173,8 +173,8 @@ FlgResult flgPathsDescInit(FlgPathsDesc* desc, uint32_t struct_size) {
 
 FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
-        require(out_curves, "out_curves") = {};
         if (out_job) *out_job = {};
+        require(out_curves, "out_curves") = {};
         Context& self = get_context(context);
         const FlgPathsDesc read = read_struct(desc, default_desc<FlgPathsDesc>(), "desc");
         Submission submission(self, read.job);
@@ -206,8 +206,8 @@ FlgResult flgProjectDescInit(FlgProjectDesc* desc, uint32_t struct_size) {
 FlgResult flgProjectCurves(FlgContext context, const FlgProjectDesc* desc, FlgSurfaceCurves* out_curves,
                            FlgJob* out_job) {
     return guarded([&] {
-        require(out_curves, "out_curves") = {};
         if (out_job) *out_job = {};
+        require(out_curves, "out_curves") = {};
         Context& self = get_context(context);
         const FlgProjectDesc read = read_struct(desc, default_desc<FlgProjectDesc>(), "desc");
         Submission submission(self, read.job);

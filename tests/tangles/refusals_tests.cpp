@@ -231,6 +231,9 @@ TEST(TangleOddities, WhatOthersCutIsRefusedFromThenOn) {
     const Refused refused = divide(host, contour(tangle, root, outer_borders(), 0.1f, 1));
     EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(refused.sentence.find("changed by others"), std::string::npos) << refused.sentence;
+    FlgSurfaceCurves borders{};
+    expect_failure(flgTangleBorders(host.context, tangle, &borders, nullptr), FLG_ERROR_INVALID_ARGUMENT,
+                   "changed by others");
 }
 
 TEST(TangleOddities, ACancelledStepIsNone) {
