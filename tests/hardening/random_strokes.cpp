@@ -13,7 +13,7 @@ void RandomHost::make_curves() {
     if (chance(30)) curves.offsets.back() = draw(5);
     FlgCurveSetView view = curves.view();
     odd(view);
-    if (chance(30)) view.column_count = draw(3);
+    if (chance(30)) view.column_count = draw(view.column_count + 1);
     if (chance(60)) view.curve_offsets = nullptr;
     returned(flgCurveSetCreate(at(), maybe(&view), out<FlgCurveSet>(curve_set)));
 }
