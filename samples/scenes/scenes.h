@@ -86,7 +86,7 @@ Mesh make_dish();
 // Cubes blown up, of six faces each whose seams are vertices no further apart than this: to be welded.
 constexpr float kFaceSeam = 1e-6f;
 Mesh make_ball_mesh();  // radius 0.5 m
-Mesh make_egg();   // a metre high, standing on its blunt end; 1.5 million triangles
+Mesh make_egg();        // a metre high, standing on its blunt end; 1.5 million triangles
 
 // A square metre of cloth in waves, as long on all four sides. Its outline begins in the front left corner.
 Mesh make_cloth();

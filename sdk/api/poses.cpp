@@ -7,10 +7,10 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
-#include "filigree/filigree_model.h"
-#include "skeletons/bone_tree.h"
 #include "bones/skin_deformation.h"
 #include "bones/skin_pose.h"
+#include "filigree/filigree_model.h"
+#include "skeletons/bone_tree.h"
 
 namespace flg {
 

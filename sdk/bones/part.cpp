@@ -3,8 +3,8 @@
 
 #include "bones/axis_branches.h"
 #include "bones/contour_sampling.h"
-#include "skeletons/plane.h"
 #include "skeletons/contour_repair.h"
+#include "skeletons/plane.h"
 #include "skeletons/straight_skeleton.h"
 
 namespace flg {

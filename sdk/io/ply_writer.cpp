@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstring>
 
+#include "io/column_names.h"
 #include "io/failure.h"
 #include "io/limits.h"
-#include "io/column_names.h"
 
 namespace flg::io {
 

@@ -13,9 +13,9 @@
 
 #include <span>
 
+#include "surfaces/bucket_queue.h"
 #include "surfaces/distance_field.h"
 #include "surfaces/geodesic_graph.h"
-#include "surfaces/bucket_queue.h"
 #include "surfaces/region_set.h"
 
 namespace flg {

@@ -17,7 +17,7 @@ void wave_step_portable(const WaveVertex* vertices, uint32_t count, const WaveSt
     portable::wave_steps(vertices, count, states, bend_max, labelled, step);
 }
 
-#ifdef __x86_64__
+#ifdef FLG_WAVE_STEP_DISPATCH
 
 #define FLG_MASK(lanes) static_cast<uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<Float8>(lanes)))
 

@@ -75,7 +75,11 @@ using WaveStepFunction = void (*)(const WaveVertex* vertices, uint32_t count, co
 
 void wave_step_portable(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,
                         bool labelled, WaveStep& step);
-#ifdef __x86_64__
+// GCC does not align its stack for vectors of 32 bytes on Windows.
+#if defined(__x86_64__) && !(defined(__MINGW32__) && !defined(__clang__))
+#define FLG_WAVE_STEP_DISPATCH
+#endif
+#ifdef FLG_WAVE_STEP_DISPATCH
 void wave_step_avx2(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max, bool labelled,
                     WaveStep& step);
 void wave_step_avx512(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,

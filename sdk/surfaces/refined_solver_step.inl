@@ -141,7 +141,7 @@ FLG_INLINE Floats load(const WaveVertex* const* vertices, T column) {
 // A value of their states, in all lanes of each.
 FLG_INLINE Floats load(const WaveVertex* const* vertices, float WaveState::*value) {
     const auto filled = [&](const WaveVertex& first, [[maybe_unused]] const WaveVertex& second)
-                            __attribute__((always_inline)) {
+        __attribute__((always_inline)) {
         const float x = first.state.*value;
         [[maybe_unused]] const float y = second.state.*value;
         return Register FLG_LANES_OF(x, y);

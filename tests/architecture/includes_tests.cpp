@@ -69,8 +69,9 @@ TEST(Architecture, TheCheckFindsWhatItLooksFor) {
 }
 
 TEST(Architecture, EveryRoomOfTheSdkIsCovered) {
+    const Rooms without_code = {"docs", "package"};
     for (const auto& entry : fs::directory_iterator(fs::path(FLG_SOURCE_DIR) / "sdk")) {
-        if (!entry.is_directory()) continue;
+        if (!entry.is_directory() || without_code.contains(entry.path().filename().string())) continue;
         EXPECT_TRUE(allowed.contains("sdk/" + entry.path().filename().string())) << entry.path();
     }
 }

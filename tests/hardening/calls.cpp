@@ -42,6 +42,7 @@ void Calls::returned(const char* name, FlgResult result) {
         EXPECT_EQ(*id != 0, result == FLG_OK) << name << ": " << flgResultName(result);
     }
     outs_.clear();
+    if (meddler) meddler->after(name, result);
     if (result == FLG_OK) return;
     EXPECT_STRNE(flgLastError(), "") << name;
     EXPECT_TRUE(allows(result)) << name << ": " << flgResultName(result) << ", " << flgLastError();

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <typeinfo>
 #include <vector>
 
 #include "api/surface_inputs.h"
@@ -21,6 +22,14 @@ struct Ended {};
 // The names of all functions that were called so far, by any thread.
 std::set<std::string> called_functions();
 
+// Sees each call before and after, and may change the descriptors it is made with.
+class Meddler {
+public:
+    virtual ~Meddler() = default;
+    virtual void before(const char* function, const std::type_info& descriptor, void* fields) = 0;
+    virtual void after(const char* function, FlgResult result) = 0;
+};
+
 class Calls {
 public:
     explicit Calls(FlgContext on) : context(on) {}
@@ -31,6 +40,7 @@ public:
     std::vector<FlgResult> allowed;                  // failures that may happen
     FlgContextDesc contexts = flgContextDefaults();  // for scenarios that make contexts of their own
     std::function<void()> before_tick;
+    Meddler* meddler = nullptr;
     uint32_t tick_budget_us = 0;
     uint32_t ticks = 0;
     bool ended = false;
@@ -47,6 +57,7 @@ public:
     template <class Result, class... Parameters, class... Arguments>
     Result value(const char* name, Result (*function)(Parameters...), Arguments&&... arguments) {
         note_call(name);
+        if (meddler) (meddle<Parameters>(name, arguments), ...);
         const InsideSdk inside;
         return function(std::forward<Arguments>(arguments)...);
     }
@@ -83,6 +94,14 @@ private:
     static constexpr uint64_t unwritten = 0xabadcafeabadcafe;
 
     static void note_call(const char* name);
+    template <class Parameter, class Argument>
+    void meddle(const char* name, Argument& argument) {
+        using Pointed = std::remove_pointer_t<std::decay_t<Argument>>;
+        if constexpr (std::is_same_v<Parameter, const Pointed*> &&
+                      requires(Pointed & fields) { fields.struct_size = 0; }) {
+            if (argument) meddler->before(name, typeid(Pointed), argument);
+        }
+    }
     void returned(const char* name, FlgResult result);
     bool allows(FlgResult result) const;
     [[noreturn]] void end();

@@ -81,7 +81,7 @@ struct Example {
 
 TEST(Synthesis, AStyleOnItsOwnGuideIsTheStyle) {
     Example example;
-    Style style(std::vector<Vec3>(Example::count));
+    Style style{std::vector<Vec3>(Example::count)};
     style.prepared.displacement = example.displacement();
     style.prepared.graph = test::graph_of(style.prepared.displacement, 10);
     std::vector<float> radius, user;

@@ -174,7 +174,7 @@ TEST(RefinedSolver, DoesNotDependOnSlicesOrRegisters) {
     EXPECT_EQ(sliced.distances({{7, 0, 0}}, {}, 1), whole);
 
     std::vector<WaveStepFunction> others = {choose_wave_step()};
-#ifdef __x86_64__
+#ifdef FLG_WAVE_STEP_DISPATCH
     if (__builtin_cpu_supports("avx2")) others.push_back(wave_step_avx2);
 #endif
     std::vector<WaveState> states(geodesics.blocks.rank_count());

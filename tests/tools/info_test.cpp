@@ -94,6 +94,8 @@ TEST_F(Info, BenchPrintsBarsAsJson) {
     ASSERT_FALSE(bars.empty());
     bool all_held = true;  // no test fails on a clock
     for (const nlohmann::json& bar : bars) {
+        EXPECT_EQ(bar.at("ability"), "stylization");
+        EXPECT_EQ(bar.at("group"), "prepare");
         EXPECT_FALSE(bar.at("name").get<std::string>().empty());
         EXPECT_GT(bar.at("figure").get<double>(), 0.0);
         EXPECT_FALSE(bar.at("bar").get<std::string>().empty());

@@ -27,6 +27,7 @@ Row at_least(std::string name, double figure, std::string unit, double bar, std:
 Row within(std::string name, double figure, std::string unit, double middle, double tolerance, std::string note = {});
 
 struct Group {
+    std::string ability;  // what its bars are about; groups of the same follow one another
     std::string name;
     std::vector<Row> (*run)();
 };

@@ -5,33 +5,39 @@ namespace flg::bench {
 
 const std::vector<Group>& groups() {
     static const std::vector<Group> list = {
-        {"thomas", run_thomas},
-        {"prepare", run_prepare},
-        {"patch_graph", run_patch_graph},
+        {"stylization", "thomas", run_thomas},
+        {"stylization", "prepare", run_prepare},
+        {"stylization", "patch_graph", run_patch_graph},
 #if defined(FLG_WITH_REFERENCE)
-        {"matching", run_matching},
-        {"geodesics", run_geodesics},
+        {"stylization", "matching", run_matching},
 #endif
-        {"ticks", run_ticks},
-        {"live", run_live},
-        {"live_style", run_live_style},
-        {"growth", run_growth},
-        {"analogies", run_analogies},
-        {"fig14", run_matching_kinds},
-        {"hair", run_hair},
-        {"ribbon", run_ribbon},
-        {"cutting", run_cutting},
-        {"inflation", run_inflation},
-        {"tangles", run_tangles},
-        {"skeletons", run_skeletons},
-        {"models", run_models},
-        {"splines", run_splines},
+        {"stylization", "growth", run_growth},
+        {"stylization", "analogies", run_analogies},
+        {"stylization", "fig14", run_matching_kinds},
+        {"stylization", "hair", run_hair},
+        {"stylization", "ribbon", run_ribbon},
+        {"runtime", "ticks", run_ticks},
+        {"live strokes", "live", run_live},
+        {"live strokes", "live_style", run_live_style},
+#if defined(FLG_WITH_REFERENCE)
+        {"surfaces", "geodesics", run_geodesics},
+#endif
+        {"surfaces", "cutting", run_cutting},
 #if defined(FLG_WITH_PICK)
-        {"picking", run_picking},
+        {"surfaces", "picking", run_picking},
 #endif
+        {"tangles", "tangles", run_tangles},
+        {"skeletons", "skeletons", run_skeletons},
+        {"skeletons", "inflation", run_inflation},
+        {"skeletons", "models", run_models},
+        {"splines", "splines", run_splines},
 #if defined(FLG_WITH_RENDERER)
-        {"magnitude", run_magnitude},
-        {"renderer", run_drawing},
+        {"renderer", "magnitude", run_magnitude},
+        {"renderer", "renderer", run_drawing},
+#endif
+        {"the whole", "library", run_library},
+#if defined(FLG_WITH_REFERENCE)
+        {"the whole", "soak", run_soak},
 #endif
     };
     return list;

@@ -23,6 +23,7 @@ std::vector<Row> run_tangles();
 std::vector<Row> run_skeletons();
 std::vector<Row> run_models();
 std::vector<Row> run_splines();
+std::vector<Row> run_library();
 #if defined(FLG_WITH_PICK)
 std::vector<Row> run_picking();
 #endif
@@ -34,6 +35,8 @@ std::vector<Row> run_drawing();
 // Against the literal versions, which are built with the tests.
 std::vector<Row> run_matching();
 std::vector<Row> run_geodesics();
+// A program of the tests.
+std::vector<Row> run_soak();
 #endif
 
 }  // namespace flg::bench

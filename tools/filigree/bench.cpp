@@ -15,17 +15,17 @@
 namespace flg::cli {
 namespace {
 
-nlohmann::ordered_json json_of(const std::vector<bench::Row>& rows) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+void append(nlohmann::ordered_json& list, const bench::Group& group, const std::vector<bench::Row>& rows) {
     for (const bench::Row& row : rows) {
-        list.push_back({{"name", row.name},
+        list.push_back({{"ability", group.ability},
+                        {"group", group.name},
+                        {"name", row.name},
                         {"figure", row.figure},
                         {"unit", row.unit},
                         {"bar", row.bar_text()},
                         {"held", row.held()},
                         {"note", row.note}});
     }
-    return list;
 }
 
 void print_row(const bench::Row& row) {
@@ -39,31 +39,33 @@ void run_bench(const std::string& filter, bool as_json, const CommonOptions& com
     require_writable(common.report);
     Report report("bench", common);
     report.parameters["filter"] = filter;
-    std::vector<bench::Row> rows;
+    nlohmann::ordered_json bars = nlohmann::ordered_json::array();
+    uint32_t held = 0;
+    std::string ability;
     const bool shows_progress = !common.quiet && isatty(STDERR_FILENO) != 0;
     for (const bench::Group& group : bench::groups()) {
         if (group.name.find(filter) == std::string::npos) continue;
         if (shows_progress) std::cerr << "\r\033[K" << group.name << " ..." << std::flush;
         const std::vector<bench::Row> added = group.run();
         if (shows_progress) std::cerr << "\r\033[K" << std::flush;
-        rows.insert(rows.end(), added.begin(), added.end());
-        if (!as_json) {
-            for (const bench::Row& row : added) print_row(row);
-        }
+        append(bars, group, added);
+        for (const bench::Row& row : added) held += row.held();
+        if (as_json) continue;
+        if (ability != group.ability) std::printf("%s%s\n", ability.empty() ? "" : "\n", group.ability.c_str());
+        ability = group.ability;
+        for (const bench::Row& row : added) print_row(row);
     }
-    if (rows.empty()) {
+    if (bars.empty()) {
         std::string names;
         for (const bench::Group& group : bench::groups()) names += (names.empty() ? "" : ", ") + group.name;
         throw UsageError("bench: nothing is called '" + filter + "'; there are " + names);
     }
-    uint32_t held = 0;
-    for (const bench::Row& row : rows) held += row.held();
-    report.counts = {{"bars", rows.size()}, {"held", held}};
-    report.quality["bars"] = json_of(rows);
-    if (as_json) std::cout << nlohmann::ordered_json({{"bars", json_of(rows)}}).dump(2) << "\n";
+    report.counts = {{"bars", bars.size()}, {"held", held}};
+    report.quality["bars"] = bars;
+    if (as_json) std::cout << nlohmann::ordered_json({{"bars", bars}}).dump(2) << "\n";
     report.write();
-    if (held < rows.size()) {
-        throw InputError("bench: " + std::to_string(rows.size() - held) + " of " + std::to_string(rows.size()) +
+    if (held < bars.size()) {
+        throw InputError("bench: " + std::to_string(bars.size() - held) + " of " + std::to_string(bars.size()) +
                          " bars are not held");
     }
 }

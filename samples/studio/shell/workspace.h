@@ -24,10 +24,10 @@ struct Desk {
     View& view;
     Jobs& jobs;
     Notices& notices;
-    float scale = 1.0f;    // pixels of the window to a unit of the layout: 1 or 2 and between
-    double seconds = 0.0;  // since the start; in scripts each frame takes 1/60 s
+    float scale = 1.0f;       // pixels of the window to a unit of the layout: 1 or 2 and between
+    double seconds = 0.0;     // since the start; in scripts each frame takes 1/60 s
     bool tells_times = true;  // how long something took is shown; not in scripts, whose pictures are compared
-    uint64_t changes = 0;  // of the document: count it up with each that would be a loss
+    uint64_t changes = 0;     // of the document: count it up with each that would be a loss
 };
 
 // A place of the mouse, and when it was there.
