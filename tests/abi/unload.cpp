@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A host that loads the library, works with it and unloads it, again and again: of the library nothing must be left, neither
-// mappings nor threads nor files, and the process must not grow. Not linked to it: arguments are the paths of filigree and
-// of what hosts may load beside it.
+// A host that loads the library, works with it and unloads it, again and again: of the library nothing must be left,
+// neither mappings nor threads nor files, and the process must not grow. Not linked to it: arguments are the paths of
+// filigree and of what hosts may load beside it.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <unistd.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Calls of the ABI that watch what comes of them: results, outputs on every path, jobs, bits. What a test lets happen to
-// them (memory that runs out, jobs that are cancelled) ends the scenario they are part of; anything else fails the test.
+// Calls of the ABI that watch what comes of them: results, outputs on every path, jobs, bits. What a test lets happen
+// to them (memory that runs out, jobs that are cancelled) ends the scenario they are part of; anything else fails the
+// test.
 #pragma once
 
 #include <deque>

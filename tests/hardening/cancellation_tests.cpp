@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every kind of job cancelled after any number of its pauses: it is published as cancelled, or had finished; what depends on
-// it fails; surfaces are as they were before or after a whole step; nothing is lost, and the context works as before.
+// Every kind of job cancelled after any number of its pauses: it is published as cancelled, or had finished; what
+// depends on it fails; surfaces are as they were before or after a whole step; nothing is lost, and the context works
+// as before.
 #include <algorithm>
 
 #include "hardening/ledger.h"
@@ -9,7 +10,8 @@
 namespace flg::test {
 namespace {
 
-// A clock that goes on by a tenth of a microsecond whenever it is looked at: ticks of one end after a few pauses of jobs.
+// A clock that goes on by a tenth of a microsecond whenever it is looked at: ticks of one end after a few pauses of
+// jobs.
 struct LookClock {
     std::atomic<uint64_t> ns{0};
     FlgClock hook() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// With a host's job system the SDK starts no thread, and all it does is done on the host's; with any of the three ways to
-// run, results are the same to the bit. Zones of the profiler are nested, by literals; the log has one line a message.
+// With a host's job system the SDK starts no thread, and all it does is done on the host's; with any of the three ways
+// to run, results are the same to the bit. Zones of the profiler are nested, by literals; the log has one line a
+// message.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An allocator hook that keeps a note with each block: whose it is, how large and how aligned. It counts, fails when asked
-// to, and knows when it is given back something else than it gave.
+// An allocator hook that keeps a note with each block: whose it is, how large and how aligned. It counts, fails when
+// asked to, and knows when it is given back something else than it gave.
 #pragma once
 
 #include <atomic>

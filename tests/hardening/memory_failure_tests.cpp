@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every entry point with an allocator that fails: at each allocation by itself, and at all from each one on. What needed the
-// memory says so, nothing else happens, nothing is lost, and the context works as before.
+// Every entry point with an allocator that fails: at each allocation by itself, and at all from each one on. What
+// needed the memory says so, nothing else happens, nothing is lost, and the context works as before.
 #include <algorithm>
 
 #include "hardening/ledger.h"
@@ -93,9 +93,9 @@ TEST_P(MemoryFailures, AreSaidAndLoseNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Of, MemoryFailures, testing::ValuesIn(scenarios), name_of);
 
-// Functions that have no context take the C++ runtime's memory. It fails in the same way. (Not here: files of JSON, whose
-// parser's values take memory to be destroyed and end the process where there is none, and picking, where Embree gives any
-// error then.)
+// Functions that have no context take the C++ runtime's memory. It fails in the same way. (Not here: files of JSON,
+// whose parser's values take memory to be destroyed and end the process where there is none, and picking, where Embree
+// gives any error then.)
 class HeapFailures : public testing::TestWithParam<Scenario> {};
 
 TEST_P(HeapFailures, AreSaidAndLoseNothing) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random sequences of calls, sound and not, end with documented results, and disturb nobody else's. FLG_RANDOM_SEEDS=N runs
-// N sequences in place of a few.
+// Random sequences of calls, sound and not, end with documented results, and disturb nobody else's. FLG_RANDOM_SEEDS=N
+// runs N sequences in place of a few.
 #include <cstdlib>
 
 #include "hardening/random_host.h"

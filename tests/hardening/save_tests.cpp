@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Documents survive a save that is cut short: by a disk that is full after any number of bytes, by a process that is killed at
-// any byte it writes, or at any of its system calls. What was there is there, whole, or what was to be; and the next save works.
+// Documents survive a save that is cut short: by a disk that is full after any number of bytes, by a process that is
+// killed at any byte it writes, or at any of its system calls. What was there is there, whole, or what was to be; and
+// the next save works.
 #ifdef FLG_WITH_IO
 #include <csignal>
 #include <functional>
@@ -115,7 +116,8 @@ int save_apart(const Document& document, const std::string& path, const std::fun
     return status;
 }
 
-// Likewise, killed as it enters or leaves a system call for the time number `at`, counted from 0; false: it was done before.
+// Likewise, killed as it enters or leaves a system call for the time number `at`, counted from 0; false: it was done
+// before.
 bool killed_at_call(const Document& document, const std::string& path, int at) {
     const pid_t child = fork();
     if (child == 0) {

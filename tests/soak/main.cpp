@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The soak: minutes of frames at 90 Hz with everything going on at once. Every two seconds all comes to rest; then the
-// memory in use must be what it was the last time, and in between it must not grow. Fails for errors and for memory, not for
-// time, which it prints.
+// memory in use must be what it was the last time, and in between it must not grow. Fails for errors and for memory,
+// not for time, which it prints.
 #include <time.h>
 #include <unistd.h>
 

@@ -27,7 +27,8 @@ public:
 
     // Anything but FLG_OK is an error; says whether it was.
     bool must(FlgResult result, const char* what);
-    // Whether a job is no longer under way; null ones are not. Then it is released, and `out_made` says whether it succeeded.
+    // Whether a job is no longer under way; null ones are not. Then it is released, and `out_made` says whether it
+    // succeeded.
     bool done(FlgJob& job, bool* out_made);
     // Now and then.
     void cancel_at_random(FlgJob job);
