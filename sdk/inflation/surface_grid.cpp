@@ -11,6 +11,7 @@ namespace flg {
 namespace {
 
 constexpr double most_blocks = 4e6;
+constexpr double least_spacing = 1e-7;           // of how far from the origin it is: vertices are floats
 constexpr double deep = 2 * SurfaceGrid::cells;  // in cells: what is so far inside of the union is not near its surface
 
 }  // namespace
@@ -22,6 +23,10 @@ SurfaceGrid::SurfaceGrid(const PartUnion& parts, double spacing, Memory* memory)
         low = low.cwiseMin(part.low());
         high = high.cwiseMax(part.high());
     }
+    const double farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+    if (!(spacing >= least_spacing * farthest))
+        throw Failure(FLG_ERROR_LIMIT, "parts: lie up to %.3g from the origin, too far for triangles of %.3g", farthest,
+                      spacing);
     middle_ = (low + high) / 2;
     double blocks = 1;
     for (uint32_t k = 0; k < 3; ++k) {

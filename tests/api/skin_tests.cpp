@@ -211,5 +211,28 @@ TEST(Skin, AThinPartNeedsMoreVerticesThanAllowed) {
     EXPECT_EQ(flgSkinGetView(host.context, skin, &view), FLG_ERROR_LIMIT) << flgLastError();
 }
 
+// Vertices are floats: far enough from the origin all would lie in one place, and the surface would leave its grid.
+TEST(Skin, ItsPartsMayNotBeTooFarFromTheOrigin) {
+    for (const auto& [place, expected] :
+         {std::pair(1e4, FLG_OK), std::pair(1e7, FLG_ERROR_LIMIT), std::pair(-1e30, FLG_ERROR_LIMIT)}) {
+        const SkinHost host;
+        FlgModelPart part = flgModelPartDefaults();
+        part.part = host.part(ellipse(0, 0, 2, 1));
+        part.placement[3] = place;
+        FlgModelDesc model_desc = flgModelDefaults();
+        model_desc.parts = &part;
+        model_desc.part_count = 1;
+        FlgSkinDesc desc = flgSkinDefaults();
+        ASSERT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
+        desc.vertex_count = 1000;
+        desc.most_vertices = 5000;
+        FlgSkin skin{};
+        ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
+        host.finish();
+        FlgSkinView view = flgSkinViewDefaults();
+        EXPECT_EQ(flgSkinGetView(host.context, skin, &view), expected) << place << ": " << flgLastError();
+    }
+}
+
 }  // namespace
 }  // namespace flg::test

@@ -11,6 +11,14 @@
 #include <typeindex>
 #include <vector>
 
+#include "filigree/filigree_live.h"
+#include "filigree/filigree_model.h"
+#include "filigree/filigree_motion.h"
+#include "filigree/filigree_project.h"
+#include "filigree/filigree_skeleton.h"
+#include "filigree/filigree_spline.h"
+#include "filigree/filigree_surface.h"
+#include "filigree/filigree_tangle.h"
 #include "fuzz/bounded_memory.h"
 #include "hardening/scenarios.h"
 

@@ -86,7 +86,7 @@ TEST(Contexts, EachThreadHasItsOwnLastError) {
                 ASSERT_EQ(flgResample(own.context, &wrong, &none, nullptr), FLG_ERROR_INVALID_ARGUMENT);
                 std::this_thread::yield();
                 const std::string sentence = flgLastError();
-                ASSERT_NE(sentence.find("-" + std::to_string(t)), sentence.npos) << sentence;
+                ASSERT_NE(sentence.find(std::string("-").append(std::to_string(t))), sentence.npos) << sentence;
             }
         });
     }

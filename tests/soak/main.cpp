@@ -5,6 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -21,8 +22,10 @@ using namespace flg::soak;
 using Clock = std::chrono::steady_clock;
 
 constexpr uint32_t frames_a_second = 90, frames_a_cycle = 180, budget_us = 2000;
-// At the first rests there are caches that fill.
-constexpr size_t rests_to_warm_up = 3;
+// At the first rests there are caches that fill: jobs decide when, not the clock, so later where they are slow.
+size_t rests_to_warm_up(size_t rests) {
+    return std::max<size_t>(3, rests / 2);
+}
 // What is in use at once varies by chance: of few cycles the peaks say nothing.
 constexpr size_t least_cycles = 50;
 constexpr double most_growth = 1.1;
@@ -98,7 +101,7 @@ private:
         outcome_.rest_bytes.push_back(stage_.live_bytes);
         stage_.most_live_bytes = stage_.live_bytes.load();
         outcome_.resident_last = resident_bytes();
-        if (outcome_.rest_bytes.size() == rests_to_warm_up) outcome_.resident_first = outcome_.resident_last;
+        if (outcome_.rest_bytes.size() == rests_to_warm_up(0)) outcome_.resident_first = outcome_.resident_last;
     }
 
     const uint64_t frames_;
@@ -118,11 +121,11 @@ int64_t most(const std::vector<int64_t>& values, size_t begin, size_t end) {
 // What is wrong with the memory, "" if nothing.
 std::string memory_fault(const Outcome& outcome) {
     const std::vector<int64_t>&rests = outcome.rest_bytes, &peaks = outcome.cycle_peaks;
-    if (rests.size() <= rests_to_warm_up) return "";
-    for (size_t i = rests_to_warm_up; i < rests.size(); ++i) {
-        if (rests[i] != rests[rests_to_warm_up - 1]) {
+    const size_t warm = rests_to_warm_up(rests.size());
+    for (size_t i = warm + 1; i < rests.size(); ++i) {
+        if (rests[i] != rests[warm]) {
             return "at rest " + std::to_string(i) + " there are " + std::to_string(rests[i]) + " bytes in use, not " +
-                   std::to_string(rests[rests_to_warm_up - 1]);
+                   std::to_string(rests[warm]);
         }
     }
     if (peaks.size() < least_cycles) return "";
