@@ -191,24 +191,29 @@ TEST(Skin, RefusesNumbersOutOfTheirRange) {
     }
 }
 
+// What becomes of a skin of some 1,000 vertices, and at most 5,000.
+FlgResult made_of(const SkinHost& host, const FlgModelPart* parts, uint32_t count) {
+    FlgModelDesc model_desc = flgModelDefaults();
+    model_desc.parts = parts;
+    model_desc.part_count = count;
+    FlgSkinDesc desc = flgSkinDefaults();
+    EXPECT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
+    desc.vertex_count = 1000;
+    desc.most_vertices = 5000;
+    FlgSkin skin{};
+    EXPECT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
+    host.finish();
+    FlgSkinView view = flgSkinViewDefaults();
+    return flgSkinGetView(host.context, skin, &view);
+}
+
 TEST(Skin, AThinPartNeedsMoreVerticesThanAllowed) {
     const SkinHost host;
     FlgModelPart parts[2] = {flgModelPartDefaults(), flgModelPartDefaults()};
     parts[0].part = host.part(ellipse(0, 0, 5, 5));
     parts[1].part = host.part(ellipse(5, 0, 3, 0.02));
     parts[1].name = "hair";
-    FlgModelDesc model_desc = flgModelDefaults();
-    model_desc.parts = parts;
-    model_desc.part_count = 2;
-    FlgSkinDesc desc = flgSkinDefaults();
-    ASSERT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
-    desc.vertex_count = 1000;
-    desc.most_vertices = 5000;
-    FlgSkin skin{};
-    ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
-    host.finish();
-    FlgSkinView view = flgSkinViewDefaults();
-    EXPECT_EQ(flgSkinGetView(host.context, skin, &view), FLG_ERROR_LIMIT) << flgLastError();
+    EXPECT_EQ(made_of(host, parts, 2), FLG_ERROR_LIMIT) << flgLastError();
 }
 
 // Vertices are floats: far enough from the origin all would lie in one place, and the surface would leave its grid.
@@ -219,18 +224,7 @@ TEST(Skin, ItsPartsMayNotBeTooFarFromTheOrigin) {
         FlgModelPart part = flgModelPartDefaults();
         part.part = host.part(ellipse(0, 0, 2, 1));
         part.placement[3] = place;
-        FlgModelDesc model_desc = flgModelDefaults();
-        model_desc.parts = &part;
-        model_desc.part_count = 1;
-        FlgSkinDesc desc = flgSkinDefaults();
-        ASSERT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
-        desc.vertex_count = 1000;
-        desc.most_vertices = 5000;
-        FlgSkin skin{};
-        ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
-        host.finish();
-        FlgSkinView view = flgSkinViewDefaults();
-        EXPECT_EQ(flgSkinGetView(host.context, skin, &view), expected) << place << ": " << flgLastError();
+        EXPECT_EQ(made_of(host, &part, 1), expected) << place << ": " << flgLastError();
     }
 }
 

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr uint32_t frames_a_second = 90, frames_a_cycle = 180, budget_us = 2000;
 // At the first rests there are caches that fill: jobs decide when, not the clock, so later where they are slow.
 size_t rests_to_warm_up(size_t rests) {
-    return std::max<size_t>(3, rests / 2);
+    return std::clamp<size_t>(rests / 2, 3, 10);
 }
 // What is in use at once varies by chance: of few cycles the peaks say nothing.
 constexpr size_t least_cycles = 50;
