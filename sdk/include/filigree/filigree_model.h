@@ -276,7 +276,8 @@ FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one closed surface of all parts of a model, a manifold however they meet, and binds it to the joints:
  * weights are smooth, 0 to 1, at most 4 a vertex, and a part moves with its own bones. Parts that meet no other stay pieces
- * of their own. FLG_ERROR_LIMIT if the thinnest part would need more than most_vertices. Cost: 15 us a vertex. */
+ * of their own. FLG_ERROR_LIMIT if the thinnest part would need more than most_vertices, or if a part lies further from the
+ * origin than 1e7 sides of the triangles that vertex_count asks for. Cost: 15 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
 /* The arrays live until the skin is released. FLG_NOT_READY before its job is published, its error if it failed. */

@@ -304,8 +304,7 @@ typedef struct FlgTangleRegion {
     uint32_t parent; /* FLG_NO_INDEX: the root */
     uint32_t group;  /* that it is of */
     uint32_t look; /* borders are seen where looks differ */
-    uint32_t
-        operation; /* the number of the operator that made it, counted from 1, a macro's each by itself; the root: 0 */
+    uint32_t operation; /* number of the operator that made it, from 1, a macro's each by itself; the root: 0 */
     uint32_t part; /* of that operator */
     uint32_t first_child; /* children have consecutive identifiers */
     uint32_t child_count;

@@ -140,7 +140,8 @@ namespace Filigree
         /// Starts a job that makes one closed surface of all parts of a model, a manifold however they meet, and binds
         /// it to the joints: weights are smooth, 0 to 1, at most 4 a vertex, and a part moves with its own bones. Parts
         /// that meet no other stay pieces of their own. FlgResult.ErrorLimit if the thinnest part would need more than
-        /// most_vertices. Cost: 15 us a vertex.
+        /// most_vertices, or if a part lies further from the origin than 1e7 sides of the triangles that vertex_count
+        /// asks for. Cost: 15 us a vertex.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinCreate(

@@ -257,9 +257,7 @@ namespace Filigree
         public uint group;
         /// <summary>borders are seen where looks differ</summary>
         public uint look;
-        /// <summary>
-        /// the number of the operator that made it, counted from 1, a macro's each by itself; the root: 0
-        /// </summary>
+        /// <summary>number of the operator that made it, from 1, a macro's each by itself; the root: 0</summary>
         public uint operation;
         /// <summary>of that operator</summary>
         public uint part;
