@@ -8,10 +8,11 @@ set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
 set(CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-# Nothing but the compiler's runtime: it comes along, so that a host ships one file.
-set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
+# Tests bring the compiler's runtime along, as the library does.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
 find_program(FLG_WINE NAMES wine64 wine PATHS /usr/lib/wine NO_CMAKE_FIND_ROOT_PATH)
 if(FLG_WINE)
-    set(CMAKE_CROSSCOMPILING_EMULATOR ${FLG_WINE})
+    # In a drive C: of the build's own, quiet, without a screen, .NET or a browser.
+    set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_COMMAND} -E env WINEPREFIX=${CMAKE_BINARY_DIR}/wine WINEDEBUG=-all
+        WINEDLLOVERRIDES=mscoree,mshtml,winemenubuilder.exe= DISPLAY= ${FLG_WINE})
 endif()

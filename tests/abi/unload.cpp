@@ -2,24 +2,19 @@
 // A host that loads the library, works with it and unloads it, again and again: of the library nothing must be left,
 // neither mappings nor threads nor files, and the process must not grow. Not linked to it: arguments are the paths of
 // filigree and of what hosts may load beside it.
-#include <dirent.h>
-#include <dlfcn.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "filigree/filigree_surface.h"
+#include "process.h"
 
 namespace {
 
 constexpr int rounds = 50, settled_round = 10;
 constexpr long most_growth = 2 << 20;  // bytes: less than one library that stays
 constexpr uint32_t across = 40;
-
-#define FAIL(...) (std::fprintf(stderr, __VA_ARGS__), std::fputc('\n', stderr), std::exit(1))
 
 // Function `name` of the library, as the headers declare it.
 #define LOOK_UP(library, name) const auto name##_ = look_up<decltype(&name)>(library, #name)
@@ -31,36 +26,7 @@ void must(FlgResult result, const char* what) {
 
 template <class Function>
 Function look_up(void* library, const char* name) {
-    void* const function = dlsym(library, name);
-    if (!function) FAIL("%s", dlerror());
-    return reinterpret_cast<Function>(function);
-}
-
-int entries(const char* path) {
-    DIR* const folder = opendir(path);
-    int count = 0;
-    if (!folder) FAIL("%s can't be read", path);
-    while (readdir(folder)) ++count;
-    closedir(folder);
-    return count;
-}
-
-bool is_mapped(const std::string& name) {
-    std::FILE* const maps = std::fopen("/proc/self/maps", "r");
-    if (!maps) FAIL("/proc/self/maps can't be read");
-    char line[4096];
-    bool found = false;
-    while (std::fgets(line, sizeof line, maps)) found = found || std::strstr(line, name.c_str()) != nullptr;
-    std::fclose(maps);
-    return found;
-}
-
-long resident_bytes() {
-    std::FILE* const file = std::fopen("/proc/self/statm", "r");
-    long whole = 0, resident = 0;
-    if (!file || std::fscanf(file, "%ld %ld", &whole, &resident) != 2) FAIL("/proc/self/statm can't be read");
-    std::fclose(file);
-    return resident * sysconf(_SC_PAGESIZE);
+    return reinterpret_cast<Function>(symbol(library, name));
 }
 
 // A plane with distances from its first vertex, made by workers; the farthest one.
@@ -143,22 +109,21 @@ void touch(void* library, const std::string& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const int threads = entries("/proc/self/task");
+    const int threads = thread_count();
     int files = 0;
     long settled = 0;
     for (int round = 0; round < rounds; ++round) {
         for (int i = 1; i < argc; ++i) {
-            const std::string path = argv[i], name = path.substr(path.rfind('/') + 1);
-            void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-            if (!library) FAIL("%s", dlerror());
-            if (!is_mapped(name)) FAIL("%s is not mapped, so that nothing can be said", name.c_str());
+            const std::string path = argv[i], name = path.substr(path.find_last_of("/\\") + 1);
+            void* const library = load(path);
+            if (!is_loaded(name)) FAIL("%s is not mapped, so that nothing can be said", name.c_str());
             touch(library, path);
-            if (dlclose(library) != 0) FAIL("%s", dlerror());
-            if (is_mapped(name)) FAIL("round %d: %s is still mapped", round, name.c_str());
+            unload(library);
+            if (is_loaded(name)) FAIL("round %d: %s is still mapped", round, name.c_str());
         }
-        if (round == 0) files = entries("/proc/self/fd");
-        if (entries("/proc/self/fd") != files) FAIL("round %d: files were left open", round);
-        if (entries("/proc/self/task") != threads) FAIL("round %d: threads were left", round);
+        if (round == 0) files = open_file_count();
+        if (open_file_count() != files) FAIL("round %d: files were left open", round);
+        if (thread_count() != threads) FAIL("round %d: threads were left", round);
         if (round == settled_round) settled = resident_bytes();
     }
     const long grown = resident_bytes() - settled;

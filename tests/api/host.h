@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,11 @@ struct HostAllocator {
                     auto& a = *static_cast<HostAllocator*>(self);
                     if (a.calls.fetch_add(1) == a.fail_at.load()) return nullptr;
                     a.live_bytes += static_cast<int64_t>(size);
-                    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+                    return ::operator new(size, std::align_val_t(alignment), std::nothrow);
                 },
-                [](void* self, void* memory, size_t size, size_t) {
+                [](void* self, void* memory, size_t size, size_t alignment) {
                     static_cast<HostAllocator*>(self)->live_bytes -= static_cast<int64_t>(size);
-                    std::free(memory);
+                    ::operator delete(memory, std::align_val_t(alignment));
                 }};
     }
 };
