@@ -13,6 +13,7 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
 find_program(FLG_WINE NAMES wine64 wine PATHS /usr/lib/wine NO_CMAKE_FIND_ROOT_PATH)
 if(FLG_WINE)
     # In a drive C: of the build's own, quiet, without a screen, .NET or a browser.
-    set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_COMMAND} -E env WINEPREFIX=${CMAKE_BINARY_DIR}/wine WINEDEBUG=-all
+    set(FLG_WINE_DRIVE ${CMAKE_BINARY_DIR}/wine CACHE PATH "Wine's drive C: and settings")
+    set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_COMMAND} -E env WINEPREFIX=${FLG_WINE_DRIVE} WINEDEBUG=-all
         WINEDLLOVERRIDES=mscoree,mshtml,winemenubuilder.exe= DISPLAY= ${FLG_WINE})
 endif()
