@@ -21,6 +21,7 @@ ShaderModule::ShaderModule(VkDevice device, std::span<const uint32_t> code) : de
 
 VkPipeline make_pipeline(VkDevice device, const PipelineDesc& desc) {
     std::vector<VkSpecializationMapEntry> entries;
+    entries.reserve(desc.constants.size());
     for (uint32_t i = 0; i < desc.constants.size(); ++i)
         entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
     const VkSpecializationInfo constants{static_cast<uint32_t>(entries.size()), entries.data(),

@@ -75,8 +75,7 @@ void check_ui(const UiFrame& ui, const TextureStore& textures) {
         const UiCommand& command = ui.commands[i];
         if (uint64_t{command.first_index} + command.index_count > ui.indices.size())
             fail("ui.commands[%zu] takes the indices %u to %llu; there are %zu.", i, command.first_index,
-                 static_cast<unsigned long long>(uint64_t{command.first_index} + command.index_count),
-                 ui.indices.size());
+                 static_cast<unsigned long long>(command.first_index) + command.index_count, ui.indices.size());
         if (command.clip.z < 0 || command.clip.w < 0)
             fail("ui.commands[%zu].clip is %d x %d pixels; neither may be negative.", i, command.clip.z,
                  command.clip.w);

@@ -156,6 +156,7 @@ void UploadRing::reuse(Block block) {
 
 void UploadRing::reuse_blocks() {
     std::vector<VkBuffer> sources;
+    sources.reserve(copies_.size() + image_copies_.size());
     for (const Copy& copy : copies_) sources.push_back(copy.source);
     for (const ImageCopy& copy : image_copies_) sources.push_back(copy.source);
     std::sort(sources.begin(), sources.end());

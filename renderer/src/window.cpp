@@ -19,18 +19,18 @@ constexpr float zoom_per_notch = 0.9f;
 // GLFW is one to a process: the first user starts it, the last one ends it. Main thread only, as all of GLFW.
 class Glfw {
 public:
-    Glfw() : started_(users_ > 0 || glfwInit() == GLFW_TRUE) {
-        if (started_) ++users_;
+    Glfw() : started_(users > 0 || glfwInit() == GLFW_TRUE) {
+        if (started_) ++users;
     }
     ~Glfw() {
-        if (started_ && --users_ == 0) glfwTerminate();
+        if (started_ && --users == 0) glfwTerminate();
     }
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
     bool started() const { return started_; }
 
 private:
-    static inline int users_ = 0;
+    static inline int users = 0;
     bool started_;
 };
 

@@ -114,8 +114,8 @@ public:
         if (job) dependencies_.push_back(std::move(job));
     }
     // Likewise, but that one may fail.
-    void wait_for_end_of(std::shared_ptr<Job> job) {
-        if (job) dependencies_.emplace_back(std::move(job), true);
+    void wait_for_end_of(const std::shared_ptr<Job>& job) {
+        if (job) dependencies_.emplace_back(job, true);
     }
     // The job waits for its turn on a surface, and for the job that makes it.
     void read_surface(const std::shared_ptr<Surface>& surface, const char* argument) {
@@ -128,7 +128,7 @@ public:
 
     // Queues the job. Writes handles for the output and, unless out_job is null, for the job.
     template <class T>
-    uint64_t commit(HandleTable<T>& table, std::shared_ptr<T> output, FlgJob* out_job) {
+    uint64_t commit(HandleTable<T>& table, const std::shared_ptr<T>& output, FlgJob* out_job) {
         return commit(table, output, output, out_job);
     }
 

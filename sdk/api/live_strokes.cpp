@@ -92,6 +92,7 @@ FlgCurveSetView empty_view() {
 class NewSets {
 public:
     explicit NewSets(Context& context) : context_(context) {}
+    // NOLINTNEXTLINE(bugprone-exception-escape): the table knows the handles that add() made.
     ~NewSets() {
         for (uint32_t i = 0; i < count_; ++i) context_.curve_sets.remove(out_[i]->id, "set");
         for (uint32_t i = 0; i < count_; ++i) *out_[i] = {};

@@ -36,21 +36,6 @@ FlgGridManifoldDesc default_grid_desc() {
     return desc;
 }
 
-Buffer<Position> read_positions(const float* from, uint32_t count, const char* argument, Memory* memory) {
-    Buffer<Position> out(count, memory);
-    for (uint32_t i = 0; i < count; ++i) {
-        for (uint32_t c = 0; c < 3; ++c) {
-            const float value = from[size_t{3} * i + c];
-            if (is_coordinate(value)) continue;
-            char name[48];
-            std::snprintf(name, sizeof name, "%s[%u]", argument, 3 * i + c);
-            check_range(false, name, value, "finite and at most 1e30 in size");
-        }
-        out[i] = {from[size_t{3} * i], from[size_t{3} * i + 1], from[size_t{3} * i + 2]};
-    }
-    return out;
-}
-
 GridInput read_grid(const FlgGridManifoldDesc& desc) {
     GridInput input;
     uint64_t all = 1;

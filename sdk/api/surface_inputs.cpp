@@ -135,4 +135,18 @@ Buffer<SurfacePoint> read_points(const FlgSurfacePoint* points, uint32_t count, 
     return copy;
 }
 
+Buffer<Position> read_positions(const float* positions, uint32_t count, const char* argument, Memory* memory) {
+    if (count > 0) require(positions, argument);
+    Buffer<Position> copy(count, memory);
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+            copy[i][k] = positions[3 * i + k];
+            if (is_coordinate(copy[i][k])) continue;
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%zu] is %g, must be finite and at most 1e30 in size",
+                          argument, 3 * i + k, static_cast<double>(copy[i][k]));
+        }
+    }
+    return copy;
+}
+
 }  // namespace flg

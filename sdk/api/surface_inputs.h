@@ -57,4 +57,7 @@ RegionSet read_regions(const uint32_t* regions, uint32_t count, Memory* memory);
 // A host's points, checked as far as the surface need not be known, weights clipped.
 Buffer<SurfacePoint> read_points(const FlgSurfacePoint* points, uint32_t count, const char* argument, Memory* memory);
 
+// A host's points, copied; coordinates are finite and at most 1e30 in size.
+Buffer<Position> read_positions(const float* positions, uint32_t count, const char* argument, Memory* memory);
+
 }  // namespace flg

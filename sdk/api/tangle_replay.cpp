@@ -6,6 +6,7 @@
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
+#include "api/surface_inputs.h"
 #include "api/tangle_change.h"
 #include "api/tangle_requests.h"
 
@@ -14,20 +15,6 @@ namespace flg {
 namespace {
 
 constexpr uint32_t flatten_chunk = 1u << 20;
-
-Buffer<Position> read_positions(const float* positions, uint32_t count, const char* argument, Memory* memory) {
-    if (count > 0) require(positions, argument);
-    Buffer<Position> copy(count, memory);
-    for (size_t i = 0; i < count; ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-            copy[i][k] = positions[3 * i + k];
-            if (is_coordinate(copy[i][k])) continue;
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%zu] is %g, must be finite and at most 1e30 in size",
-                          argument, 3 * i + k, static_cast<double>(copy[i][k]));
-        }
-    }
-    return copy;
-}
 
 // Lines of a history. Whether their triangles exist the job finds out.
 std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurvesView& view,

@@ -9,7 +9,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t batch = 16;
-constexpr double no_length = 1e-9;  // of a bone's length
+constexpr double at_an_end = 1e-9;  // of a bone's length
 constexpr double nearness = 1.1;    // of two balls' radii: balls are smaller than what they are in
 
 }  // namespace
@@ -167,9 +167,9 @@ void ConnectionKernel::connect(const Place& place) {
     if (place.bone != no_number) {
         const BoneGraph::Bone bone = graph_.bones()[place.bone];
         const BoneGraph::Joint &from = graph_.joints()[bone.joints[0]], &to = graph_.joints()[bone.joints[1]];
-        if (place.share <= no_length) {
+        if (place.share <= at_an_end) {
             out_.parent_joint = bone.joints[0];
-        } else if (place.share >= 1 - no_length) {
+        } else if (place.share >= 1 - at_an_end) {
             out_.parent_joint = bone.joints[1];
         } else {
             const Vec3 at = from.at + place.share * (to.at - from.at);

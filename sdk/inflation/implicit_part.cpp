@@ -12,7 +12,7 @@ namespace {
 
 constexpr double not_even = 1e-3;  // how far axes may be from right angles and one length
 
-struct Field {
+struct FieldSample {
     double value, x, y;
 };
 
@@ -29,7 +29,7 @@ void weights(double t, double (&value)[4], double (&slope)[4]) {
     slope[3] = 0.5 * (3 * t2 - 2 * t);
 }
 
-Field field(const PartRaster& raster, double u, double v) {
+FieldSample field(const PartRaster& raster, double u, double v) {
     // In cells; at the edge of the raster the last whole cell goes on.
     const double x = (u - raster.origin.x) / raster.spacing, y = (v - raster.origin.y) / raster.spacing;
     const double inner_x = std::clamp(x, 1.0, raster.width - 2.0), inner_y = std::clamp(y, 1.0, raster.height - 2.0);
@@ -38,7 +38,7 @@ Field field(const PartRaster& raster, double u, double v) {
     double wx[4], sx[4], wy[4], sy[4];
     weights(inner_x - column, wx, sx);
     weights(inner_y - row, wy, sy);
-    Field result{0, 0, 0};
+    FieldSample result{0, 0, 0};
     for (uint32_t j = 0; j < 4; ++j) {
         const double* values = &raster.values[size_t{raster.width} * (row + j - 1) + column - 1];
         const double along = (wx[0] * values[0] + wx[1] * values[1]) + (wx[2] * values[2] + wx[3] * values[3]);
@@ -95,7 +95,7 @@ ImplicitPart::ImplicitPart(const PlacedPart& placed, uint32_t number)
 
 ImplicitPart::Sample ImplicitPart::sample(const Vec3& p) const {
     const Vec3 local = inverse_ * (p - origin_);
-    const Field g = field(part_->raster, local.x(), local.y());
+    const FieldSample g = field(part_->raster, local.x(), local.y());
     const double squared = thickness_ * thickness_, w = local.z();
     const double value = squared * g.value - w * w;
     const Vec3 gradient(squared * g.x, squared * g.y, -2 * w);

@@ -154,8 +154,8 @@ void PartRasterKernel::begin_values() {
 }
 
 Point2 PartRasterKernel::place_of(uint32_t place) const {
-    return {raster_.origin.x + raster_.spacing * (place % raster_.width),
-            raster_.origin.y + raster_.spacing * (place / raster_.width)};
+    const uint32_t column = place % raster_.width, row = place / raster_.width;
+    return {raster_.origin.x + raster_.spacing * column, raster_.origin.y + raster_.spacing * row};
 }
 
 // The rows that a triangle reaches.

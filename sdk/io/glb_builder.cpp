@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/failure.h"
+#include "io/glb_layout.h"
 #include "io/json_text.h"
 #include "io/limits.h"
 
@@ -13,10 +14,6 @@ namespace {
 
 constexpr uint32_t target_vertices = 34962;
 constexpr uint32_t target_indices = 34963;
-constexpr uint32_t glb_magic = 0x46546c67;
-constexpr uint32_t glb_version = 2;
-constexpr uint32_t glb_json = 0x4e4f534a;
-constexpr uint32_t glb_binary = 0x004e4942;
 constexpr size_t glb_alignment = 4;
 
 void separate(std::string& list) {

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "io/byte_reader.h"
+#include "io/glb_layout.h"
 #include "io/json_value.h"
 #include "io/limits.h"
 
@@ -18,10 +19,6 @@ namespace flg::io {
 
 namespace {
 
-constexpr uint32_t glb_magic = 0x46546c67;   // "glTF"
-constexpr uint32_t glb_json = 0x4e4f534a;    // "JSON"
-constexpr uint32_t glb_binary = 0x004e4942;  // "BIN\0"
-constexpr uint32_t glb_version = 2;
 constexpr int max_depth = 128;
 // Parsed JSON takes an order of magnitude more memory than its text.
 constexpr uint64_t max_json = uint64_t{1} << 29;

@@ -221,7 +221,7 @@ std::array<float, 4> GltfVertices::color(uint32_t vertex) const {
 
 std::optional<GltfValues> read_index_values(const GltfDocument& document, const GltfPrimitive& primitive) {
     if (!primitive.json.contains("indices")) return {};
-    const GltfValues values =
+    GltfValues values =
         document.accessor(gltf_required(primitive.json, "indices", primitive.place), primitive.place + ".indices");
     if (values.components != 1 || values.component_type == gltf_float || values.component_type == gltf_byte ||
         values.component_type == gltf_short) {

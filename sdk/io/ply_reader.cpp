@@ -142,9 +142,11 @@ private:
         }
         data_.columns = columns_of_names(names);
         data_.check_room(element.count, 0, line_place(element.line));
+        if (element.count == 0) return;  // there is no place for a value
         data_.positions.resize(3 * element.count);
         for (VertexColumn& column : data_.columns) column.values.resize(column.components * element.count, 1.0f);
         std::vector<VertexTarget> targets;
+        targets.reserve(element.properties.size());
         for (const PlyProperty& property : element.properties) targets.push_back(target(property));
         for (uint64_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element);

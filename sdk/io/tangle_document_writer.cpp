@@ -9,7 +9,7 @@ namespace flg::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Longer arrays go into the side file.
 constexpr uint64_t longest_line = 12;  // numbers
@@ -23,7 +23,7 @@ double shortest(float value) {
     return static_cast<float>(number) == value ? number : double{value};
 }
 
-Json number(float value, const std::string& place) {
+OrderedJson number(float value, const std::string& place) {
     if (!(std::abs(value) <= max_coordinate)) {
         fail(FLG_ERROR_INVALID_ARGUMENT, place, "is %g, must be finite and at most 1e30 in size", double{value});
     }
@@ -38,14 +38,14 @@ std::string hex(uint64_t number) {
 
 class Writer {
 public:
-    Json step(const FlgTangleStep& step, std::string place);
+    OrderedJson step(const FlgTangleStep& step, const std::string& place);
 
     std::string arrays;
 
 private:
     // `count` items of `words` words each, at `data`; to_json makes a number of a word.
     template <class ToJson>
-    Json list(const void* data, uint64_t count, uint32_t words, const std::string& where, ToJson to_json) {
+    OrderedJson list(const void* data, uint64_t count, uint32_t words, const std::string& where, ToJson to_json) {
         if (count > 0 && !data) fail(FLG_ERROR_INVALID_ARGUMENT, where, "is null");
         const auto* const bytes = static_cast<const char*>(data);
         if (count * words > longest_line) {
@@ -55,18 +55,18 @@ private:
             arrays.append(bytes, count * words * 4);
             return {{"at", at}, {"count", count}};
         }
-        Json numbers = Json::array();
+        OrderedJson numbers = OrderedJson::array();
         for (uint64_t i = 0; i < count * words; ++i) numbers.push_back(to_json(bytes + 4 * i, i % words));
         return numbers;
     }
-    Json integers(const uint32_t* data, uint64_t count, const std::string& where) {
+    OrderedJson integers(const uint32_t* data, uint64_t count, const std::string& where) {
         return list(data, count, 1, where, [](const char* word, uint64_t) {
             uint32_t value;
             std::memcpy(&value, word, sizeof value);
-            return Json(value);
+            return OrderedJson(value);
         });
     }
-    Json floats(const float* data, uint64_t count, uint32_t words, const std::string& where) {
+    OrderedJson floats(const float* data, uint64_t count, uint32_t words, const std::string& where) {
         for (uint64_t i = 0; data && i < count * words; ++i) number(data[i], where);
         return list(data, count, words, where, [&](const char* word, uint64_t) {
             float value;
@@ -74,7 +74,7 @@ private:
             return number(value, where);
         });
     }
-    Json points(const FlgSurfacePoint* data, uint64_t count, const std::string& where) {
+    OrderedJson points(const FlgSurfacePoint* data, uint64_t count, const std::string& where) {
         for (uint64_t i = 0; data && i < count; ++i) {
             number(data[i].u, where);
             number(data[i].v, where);
@@ -84,14 +84,14 @@ private:
             float weight;
             std::memcpy(&index, word, sizeof index);
             std::memcpy(&weight, word, sizeof weight);
-            return k == 0 ? Json(index) : number(weight, where);
+            return k == 0 ? OrderedJson(index) : number(weight, where);
         });
     }
-    Json seeds(const FlgTangleSeeds& seeds, const std::string& place);
-    Json places(const FlgTangleSeedPlaces& places, const std::string& place);
-    void divide(Json& json, const FlgTangleDivideDesc& desc, const std::string& place);
-    void macro(Json& json, const FlgTangleMacroDesc& desc, const std::string& place);
-    void displace(Json& json, const FlgTangleDisplaceDesc& desc, const std::string& place);
+    OrderedJson seeds(const FlgTangleSeeds& seeds, const std::string& place);
+    OrderedJson places(const FlgTangleSeedPlaces& places, const std::string& place);
+    void divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const std::string& place);
+    void macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std::string& place);
+    void displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, const std::string& place);
 };
 
 // What a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
@@ -116,8 +116,8 @@ const T& need(const T* pointer, const std::string& place) {
     return *pointer;
 }
 
-Json Writer::seeds(const FlgTangleSeeds& seeds, const std::string& place) {
-    Json json = Json::object();
+OrderedJson Writer::seeds(const FlgTangleSeeds& seeds, const std::string& place) {
+    OrderedJson json = OrderedJson::object();
     if (number_of(seeds.borders) != FLG_TANGLE_BORDERS_NONE) {
         json["borders"] = word_of(border_words, number_of(seeds.borders), place + ".borders");
     }
@@ -137,8 +137,8 @@ Json Writer::seeds(const FlgTangleSeeds& seeds, const std::string& place) {
     return json;
 }
 
-Json Writer::places(const FlgTangleSeedPlaces& places, const std::string& place) {
-    Json json = Json::object();
+OrderedJson Writer::places(const FlgTangleSeedPlaces& places, const std::string& place) {
+    OrderedJson json = OrderedJson::object();
     if (places.point_count > 0) json["points"] = floats(places.points, places.point_count, 3, place + ".points");
     if (places.loop_count > 0) json["loops"] = floats(places.loops, places.loop_count, 3, place + ".loops");
     if (places.sample_count > 0) json["samples"] = floats(places.samples, places.sample_count, 3, place + ".samples");
@@ -157,11 +157,11 @@ Json Writer::places(const FlgTangleSeedPlaces& places, const std::string& place)
     return json;
 }
 
-void Writer::divide(Json& json, const FlgTangleDivideDesc& desc, const std::string& place) {
+void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const std::string& place) {
     json["op"] = word_of(operator_words, number_of(desc.kind), place + ".kind");
     json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
     json["from"] = seeds(desc.a, place + ".a");
-    Json to = seeds(desc.b, place + ".b");
+    OrderedJson to = seeds(desc.b, place + ".b");
     if (!to.empty()) json["to"] = std::move(to);
     json["delta"] = number(desc.delta, place + ".delta");
     json["count"] = desc.count;
@@ -176,7 +176,7 @@ void Writer::divide(Json& json, const FlgTangleDivideDesc& desc, const std::stri
     json["seed"] = desc.seed;
 }
 
-void Writer::macro(Json& json, const FlgTangleMacroDesc& desc, const std::string& place) {
+void Writer::macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std::string& place) {
     json["op"] = word_of(macro_words, number_of(desc.kind), place + ".kind");
     json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
     json["count"] = desc.count;
@@ -185,7 +185,7 @@ void Writer::macro(Json& json, const FlgTangleMacroDesc& desc, const std::string
     json["seed"] = desc.seed;
 }
 
-void Writer::displace(Json& json, const FlgTangleDisplaceDesc& desc, const std::string& place) {
+void Writer::displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, const std::string& place) {
     json["op"] = change_words[displace_word];
     json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
     json["amount"] = number(desc.amount, place + ".amount");
@@ -194,8 +194,8 @@ void Writer::displace(Json& json, const FlgTangleDisplaceDesc& desc, const std::
     json["reach"] = number(desc.reach, place + ".reach");
 }
 
-Json Writer::step(const FlgTangleStep& step, std::string place) {
-    Json json;
+OrderedJson Writer::step(const FlgTangleStep& step, const std::string& place) {
+    OrderedJson json;
     const int32_t kind = number_of(step.kind);
     switch (kind) {
         case FLG_TANGLE_STEP_DIVIDE: divide(json, need(step.divide, place + ".divide"), place + ".divide"); break;
@@ -250,7 +250,7 @@ TangleText write_tangle(const FlgTangleHistory& history, const std::string& file
         if (steps.size() > max_tangle_json) fail(FLG_ERROR_LIMIT, place, "makes the document too large");
     }
     TangleText text;
-    Json head;
+    OrderedJson head;
     head["filigree"] = "tangle";
     head["version"] = tangle_document_version;
     head["base"] = hex(history.base);

@@ -105,7 +105,8 @@ private:
         }
         data_.columns = columns_of_names(names);
         for (size_t i = 0; i < names.size(); ++i) {
-            if (std::find(names.begin(), names.begin() + i, names[i]) != names.begin() + i) {
+            const auto name = names.begin() + static_cast<std::ptrdiff_t>(i);
+            if (std::find(names.begin(), name, *name) != name) {
                 fail(FLG_ERROR_FORMAT, line_place(line), "`# columns` has twice %s", cited(names[i]).c_str());
             }
             if (i >= std::size(coordinates)) places_.push_back(place_of(names[i], line));

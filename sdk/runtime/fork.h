@@ -59,8 +59,8 @@ struct WaitForBranches {
     Fork& fork;
     bool await_ready() const noexcept { return false; }
     void await_suspend(std::coroutine_handle<> point) const noexcept {
-        pace.resume_point_ = point;
-        pace.fork_ = &fork;
+        pace.resume_point = point;
+        pace.forked = &fork;
     }
     void await_resume() const noexcept {}
 };

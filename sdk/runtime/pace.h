@@ -32,7 +32,7 @@ public:
 
     // Awaiting a pace ends the chunk; suspends when the slice's time is over or the job was cancelled.
     bool await_ready() noexcept;
-    void await_suspend(std::coroutine_handle<> point) noexcept { resume_point_ = point; }
+    void await_suspend(std::coroutine_handle<> point) noexcept { resume_point = point; }
     void await_resume() const noexcept {}
 
     // Begins a named stage of the job (a string literal); for the job's first strand only. At most 16 a job.
@@ -54,9 +54,9 @@ public:
     const Chunk& longest_chunk() const { return longest_; }
 
     // Where the strand goes on.
-    std::coroutine_handle<> resume_point_;
+    std::coroutine_handle<> resume_point;
     // Set when the strand has suspended to wait for the strands of a fork.
-    Fork* fork_ = nullptr;
+    Fork* forked = nullptr;
 
 private:
     void end_chunk(uint64_t now_ns) noexcept;

@@ -113,7 +113,7 @@ bool Scheduler::run_next(uint64_t deadline_ns) {
         strand->pace.begin_slice(host_.now_ns(), deadline_ns);
         const char* const stage = strand->job.stage.load(std::memory_order_relaxed);
         host_.zone_begin(*stage != '\0' ? stage : "filigree job");
-        strand->pace.resume_point_.resume();
+        strand->pace.resume_point.resume();
         host_.zone_end();
         strand->pace.end_slice(host_.now_ns());
     } else {
@@ -131,7 +131,7 @@ void Scheduler::end_slice(Strand& strand) {
     const bool done = given_up || strand.root.done();
     FlgResult result = FLG_OK;
     char error[sizeof job.error] = "";
-    if (first && done && !strand.pace.fork_) {
+    if (first && done && !strand.pace.forked) {
         // The outcome is read, and what the job holds is freed, before others hear of it and outside the mutex.
         if (given_up && !strand.root.done()) {
             result = FLG_ERROR_CANCELLED;
@@ -169,9 +169,9 @@ void Scheduler::end_slice(Strand& strand) {
             statistics_.longest = chunk;
             statistics_.longest_job = job.handle;
         }
-        if (Fork* fork = strand.pace.fork_) {
+        if (Fork* fork = strand.pace.forked) {
             // The branches start only now, when nothing refers to the parent's slice any more.
-            strand.pace.fork_ = nullptr;
+            strand.pace.forked = nullptr;
             for (Strand& branch : fork->branches) push_back(branch);
             woke = true;
         } else if (!done) {

@@ -13,7 +13,7 @@ struct Strand {
 
     void start(Task<void> task) {
         root = std::move(task);
-        pace.resume_point_ = root.handle();
+        pace.resume_point = root.handle();
     }
 
     Job& job;

@@ -115,8 +115,8 @@ private:
     void move_corners(const std::pmr::vector<uint32_t>& visits);
     [[noreturn]] void refuse() const;
 
-    static constexpr int64_t margin = 1 << 12;   // cells around the drawing, for corners that are moved
-    static constexpr int64_t origin_ = 1 << 26;  // of areas: about the middle
+    static constexpr int64_t margin = 1 << 12;       // cells around the drawing, for corners that are moved
+    static constexpr int64_t area_origin = 1 << 26;  // of areas: about the middle
 
     const Contour& input_;
     Memory* memory_;

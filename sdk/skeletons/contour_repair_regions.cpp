@@ -95,7 +95,7 @@ uint32_t ContourRepair::clockwise(uint32_t half) const {
 }
 
 uint64_t ContourRepair::twice_area_under(const Cell& a, const Cell& b) {
-    return static_cast<uint64_t>((a.x - origin_) * (b.y - origin_) - (b.x - origin_) * (a.y - origin_));
+    return static_cast<uint64_t>((a.x - area_origin) * (b.y - area_origin) - (b.x - area_origin) * (a.y - area_origin));
 }
 
 // Halves around a face, which is on their left. Outer cycles, around whole parts of the drawing, turn clockwise.

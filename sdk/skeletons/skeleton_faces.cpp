@@ -9,7 +9,7 @@ namespace flg {
 namespace {
 
 constexpr uint32_t none = ~0u;
-constexpr double no_length = 1e-9;  // arcs up to this share of the diagonal are contracted
+constexpr double contracted_length = 1e-9;  // arcs up to this share of the diagonal are contracted
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void SkeletonFaces::step() {
 void SkeletonFaces::join(const SkeletonArc& arc) {
     if (arc.a < points_.size() || arc.b < points_.size()) return;
     const SkeletonNode &from = nodes_[arc.a], &to = nodes_[arc.b];
-    if (std::fabs(from.at.x - to.at.x) + std::fabs(from.at.y - to.at.y) <= no_length * size_)
+    if (std::fabs(from.at.x - to.at.x) + std::fabs(from.at.y - to.at.y) <= contracted_length * size_)
         clusters_.join(arc.a, arc.b);
 }
 

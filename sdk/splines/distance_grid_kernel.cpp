@@ -103,7 +103,8 @@ void DistanceGridKernel::step(uint32_t axis) {
     }
     if (!back_ || index_ > 0) return;
     begin_lines();
-    if ((first_[0] += lanes) < input_.counts[side]) return;
+    first_[0] += lanes;
+    if (first_[0] < input_.counts[side]) return;
     first_[0] = 0;
     if (++first_[1] < input_.counts[other]) return;
     first_[1] = 0;

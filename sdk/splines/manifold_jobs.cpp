@@ -17,7 +17,7 @@ constexpr uint32_t cloud_chunk = 4;
 constexpr uint32_t grid_chunk = 150;
 
 template <class T>
-std::shared_ptr<const Manifold> keep(T&& manifold, Memory* memory) {
+std::shared_ptr<const Manifold> keep(T manifold, Memory* memory) {
     return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::move(manifold));
 }
 

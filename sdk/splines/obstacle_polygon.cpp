@@ -140,7 +140,8 @@ PolygonObstacle::Place PolygonObstacle::find_core() const {
         }
     }
     for (uint32_t k = 1; k < net * net; ++k) {
-        const double u = double(k % net) / net, v = double(k / net) / net;
+        const uint32_t column = k % net, row = k / net;
+        const double u = double(column) / net, v = double(row) / net;
         look(box().lower[0] + u * (box().upper[0] - box().lower[0]),
              box().lower[1] + v * (box().upper[1] - box().lower[1]));
     }

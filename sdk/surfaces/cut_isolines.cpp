@@ -10,7 +10,7 @@ namespace flg {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -28,8 +28,8 @@ IsolineCutter::IsolineCutter(Mesh& mesh, MeshColumns& columns, uint32_t field, c
       writer_(mesh, edit, slots_),
       strip_(memory),
       pieces_(memory),
-      low_(-infinity),
-      high_(levels.count() == 0 ? infinity : levels[0]),
+      low_(-infinite),
+      high_(levels.count() == 0 ? infinite : levels[0]),
       vertices_(mesh.vertex_count()),
       triangles_(mesh.triangle_count()) {
     edit.begin(mesh);
@@ -72,7 +72,7 @@ void IsolineCutter::insert_crossed(uint32_t triangle) {
 
 // True if a level passes; otherwise the triangle's interval is the current one from now on.
 bool IsolineCutter::scan_doubtful(uint32_t triangle) {
-    float low = infinity, high = -infinity;
+    float low = infinite, high = -infinite;
     bool finite = true;
     for (uint32_t vertex : mesh_.triangles[triangle]) {
         const float at = value(vertex);
@@ -85,8 +85,8 @@ bool IsolineCutter::scan_doubtful(uint32_t triangle) {
     }
     if (low <= high && levels_.below(low) != levels_.up_to(high)) return true;
     interval_ = finite ? levels_.up_to(low) : levels_.count();
-    low_ = interval_ == 0 ? -infinity : levels_[interval_ - 1];
-    high_ = interval_ == levels_.count() ? infinity : levels_[interval_];
+    low_ = interval_ == 0 ? -infinite : levels_[interval_ - 1];
+    high_ = interval_ == levels_.count() ? infinite : levels_[interval_];
     return false;
 }
 
@@ -109,8 +109,8 @@ void IsolineCutter::find_snaps(uint32_t triangle) {
     for (uint32_t k = 0; k < 3; ++k) {
         const float at = value(vertices[k]);
         const uint32_t above = levels_.up_to(at);
-        const double up = above < levels_.count() ? double{levels_[above]} - at : infinity;
-        const double down = above > 0 ? double{at} - levels_[above - 1] : infinity;
+        const double up = above < levels_.count() ? double{levels_[above]} - at : infinite;
+        const double down = above > 0 ? double{at} - levels_[above - 1] : infinite;
         if (down == 0) continue;
         const double steepest = std::max(std::abs(double{value(vertices[(k + 1) % 3])} - at),
                                          std::abs(double{value(vertices[(k + 2) % 3])} - at));

@@ -9,7 +9,7 @@ namespace flg {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -17,7 +17,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 uint32_t IsolineCutter::label_of(uint32_t triangle, const Triple& vertices) const {
     const RegionLevels* listed = levels_.find(mesh_.regions[triangle]);
     if (listed == nullptr) return mesh_.regions[triangle];
-    float low = infinity, high = -infinity;
+    float low = infinite, high = -infinite;
     for (uint32_t vertex : vertices) {
         if (!std::isfinite(value(vertex))) return listed->label_above(levels_.count());
         low = std::min(low, value(vertex));

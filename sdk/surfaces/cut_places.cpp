@@ -8,7 +8,7 @@ namespace flg {
 
 namespace {
 
-constexpr int32_t scale = CutTriangulation::scale, tolerance = CutTriangulation::tolerance;
+constexpr int32_t scale = CutTriangulation::scale, snapping = CutTriangulation::tolerance;
 
 }  // namespace
 
@@ -21,15 +21,15 @@ CutPlace place_of(const Mesh& mesh, const SurfacePoint& point) {
         return CutPlace{CutPlace::Kind::vertex, vertices[k % 3], {}, vertices[k % 3]};
     };
     const auto largest = static_cast<size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-    if (weights[largest] >= scale - tolerance) return at_vertex(largest);
+    if (weights[largest] >= scale - snapping) return at_vertex(largest);
     const auto least = static_cast<size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
-    if (weights[least] > tolerance) return {CutPlace::Kind::inside, point.triangle, {x, y}, no_index};
+    if (weights[least] > snapping) return {CutPlace::Kind::inside, point.triangle, {x, y}, no_index};
 
     const size_t k = (least + 1) % 3;
     const double end = weights[(k + 1) % 3], both = end + weights[k];
     auto along = static_cast<int32_t>(std::lround(scale * (end / both)));
-    if (along <= tolerance) return at_vertex(k);
-    if (along >= scale - tolerance) return at_vertex(k + 1);
+    if (along <= snapping) return at_vertex(k);
+    if (along >= scale - snapping) return at_vertex(k + 1);
     Corner edge = 3 * point.triangle + static_cast<uint32_t>(k);
     const Corner across = mesh.opposite(edge);
     if (across < edge) {

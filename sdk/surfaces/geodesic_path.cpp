@@ -38,10 +38,6 @@ IntegralCurveOptions descent_to(const Mesh& mesh, const SurfacePlace& to, std::a
     return options;
 }
 
-SurfacePlace place_of(const Mesh& mesh, const SurfacePoint& point) {
-    return place_in(mesh, point.triangle, weights_of(point));
-}
-
 }  // namespace
 
 GeodesicPathKernel::GeodesicPathKernel(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
@@ -50,8 +46,8 @@ GeodesicPathKernel::GeodesicPathKernel(const Mesh& mesh, const SurfacePoint& fro
     : mesh_(mesh),
       regions_(regions),
       start_(from),
-      from_(place_of(mesh, from)),
-      to_(place_of(mesh, to)),
+      from_(place_in(mesh, from)),
+      to_(place_in(mesh, to)),
       out_(out),
       traced_(memory),
       trace_(mesh, distances, regions, {&start_, 1}, descent_to(mesh, to_, targets_), traced_, memory),
@@ -96,7 +92,7 @@ void GeodesicPathKernel::begin_follow() {
 }
 
 void GeodesicPathKernel::follow_point() {
-    const SurfacePlace place = place_of(mesh_, traced_.points[at_]);
+    const SurfacePlace place = place_in(mesh_, traced_.points[at_]);
     const bool is_last = at_ + 1 == traced_.points.size();
     if (is_last || sleeve_->is_complete()) {
         follow_to_end(place);

@@ -42,7 +42,7 @@ public:
 
     // When done. False: `to` can't be reached, and nothing was appended.
     bool found() const { return found_; }
-    double length() const { return found_ ? length_ : unreachable; }  // metres
+    double length() const { return found_ ? length_ : double{unreachable}; }  // metres
     // Whether it is locally shortest: no more rounds were left to do.
     bool is_straight() const { return found_ && flips_.size() == 0; }
 

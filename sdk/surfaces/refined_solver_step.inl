@@ -19,7 +19,7 @@ constexpr uint32_t vertices_at_a_time = 2 * FLG_VERTICES;
 #define FLG_LANES_OF(x, y) \
     { x, x, x, x, x, x, x, x, y, y, y, y, y, y, y, y }
 #define FLG_SHUFFLE(a, b, c, d, e, f, g, h) \
-    a, b, c, d, e, f, g, h, a + 8, b + 8, c + 8, d + 8, e + 8, f + 8, g + 8, h + 8
+    a, b, c, d, e, f, g, h, (a) + 8, (b) + 8, (c) + 8, (d) + 8, (e) + 8, (f) + 8, (g) + 8, (h) + 8
 #else
 #define FLG_LANES_OF(x, y) \
     { x, x, x, x, x, x, x, x }

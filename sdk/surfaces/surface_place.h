@@ -27,6 +27,9 @@ constexpr double snap_weight = 1e-6;
 
 // `weights`: >= 0, sum 1, up to rounding.
 SurfacePlace place_in(const Mesh& mesh, uint32_t triangle, const Weights& weights);
+inline SurfacePlace place_in(const Mesh& mesh, const SurfacePoint& point) {
+    return place_in(mesh, point.triangle, weights_of(point));
+}
 
 // At `t` along the edge that starts at `corner`: one of its ends where t rounds to 0 or 1.
 SurfacePlace place_on_edge(const Mesh& mesh, Corner corner, double t);

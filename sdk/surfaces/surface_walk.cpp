@@ -7,10 +7,6 @@ namespace flg {
 
 namespace {
 
-SurfacePlace place_of(const Mesh& mesh, const SurfacePoint& point) {
-    return place_in(mesh, point.triangle, weights_of(point));
-}
-
 // A corner of a triangle that the place belongs to; of a vertex, the first of its fan.
 Corner corner_at(const Mesh& mesh, const SurfacePlace& place) {
     switch (place.on) {
@@ -30,7 +26,7 @@ Vec3 where(const Mesh& mesh, const SurfacePlace& place) {
 
 SurfaceWalkKernel::SurfaceWalkKernel(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
                                      SurfaceCurves& out)
-    : mesh_(mesh), points_{from, to}, from_(place_of(mesh, from)), to_(place_of(mesh, to)), out_(out), drawn_(from_) {}
+    : mesh_(mesh), points_{from, to}, from_(place_in(mesh, from)), to_(place_in(mesh, to)), out_(out), drawn_(from_) {}
 
 void SurfaceWalkKernel::begin() {
     start_ = where(mesh_, from_);

@@ -29,6 +29,8 @@ def flatten(struct, structs, abi, base=0):
         each = field["size"] // field["count"]
         for i in range(field["count"]):
             offset = base + field["offset"] + i * each
+            if field["name"] == "user_data":
+                continue  # whatever it is, it is for the host's functions, here the fuzzer's own
             if inner is None:
                 yield offset, each, kind_of(field, abi)
             else:

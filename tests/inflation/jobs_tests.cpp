@@ -19,7 +19,7 @@ void run_to_end(const Make& make, bool haltingly) {
     Task<void> task = make(pace);
     pace.begin_slice(host.now_ns(), haltingly ? 0 : std::numeric_limits<uint64_t>::max());
     task.handle().resume();
-    while (!task.done()) pace.resume_point_.resume();
+    while (!task.done()) pace.resume_point.resume();
     if (task.exception()) std::rethrow_exception(task.exception());
 }
 

@@ -72,7 +72,7 @@ std::shared_ptr<HeldMotion> make(const MotionInput& input, bool haltingly = fals
     const Task<void> task = make_motion(pace, motion);
     pace.begin_slice(host.now_ns(), haltingly ? 0 : std::numeric_limits<uint64_t>::max());
     task.handle().resume();
-    while (!task.done()) pace.resume_point_.resume();
+    while (!task.done()) pace.resume_point.resume();
     if (task.exception()) std::rethrow_exception(task.exception());
     motion->publish_complete();
     return motion;

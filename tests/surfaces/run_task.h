@@ -21,7 +21,7 @@ void run_task(const Make& make, bool haltingly = false) {
     const uint64_t deadline = haltingly ? 0 : std::numeric_limits<uint64_t>::max();
     pace.begin_slice(host.now_ns(), deadline);
     task.handle().resume();
-    while (!task.done()) pace.resume_point_.resume();
+    while (!task.done()) pace.resume_point.resume();
     if (task.exception()) std::rethrow_exception(task.exception());
 }
 
