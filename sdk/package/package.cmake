@@ -38,7 +38,9 @@ endfunction()
 function(flg_install_package)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/include/filigree DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development)
-    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+    # With the licence the list of what else is in the libraries, under which licences.
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/sdk/docs/dependencies.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
     configure_package_config_file(${PROJECT_SOURCE_DIR}/sdk/package/filigree-config.cmake.in
         ${PROJECT_BINARY_DIR}/filigree-config.cmake INSTALL_DESTINATION ${FLG_PACKAGE_DIR}
         NO_SET_AND_CHECK_MACRO)

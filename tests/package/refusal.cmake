@@ -11,4 +11,4 @@ endfunction()
 
 refused("compatible with requested[ \n]+version \"0\\.0\\.1\"" -DWANTED_VERSION=0.0.1)
 refused("compatible with requested[ \n]+version \"1\\.0\"" -DWANTED_VERSION=1.0)
-refused("filigree_FOUND to FALSE|missing[ \n]+components?: *embroidery|component[s]?: embroidery" -DMORE_COMPONENTS=embroidery)
+refused("has no component 'embroidery'" -DMORE_COMPONENTS=embroidery)
