@@ -16,6 +16,8 @@
 //   first guess decides.
 #pragma once
 
+#include <limits>
+
 #include "surfaces/distance_field.h"
 #include "surfaces/geodesic_funnel.h"
 #include "surfaces/integral_curves.h"
@@ -42,7 +44,7 @@ public:
 
     // When done. False: `to` can't be reached, and nothing was appended.
     bool found() const { return found_; }
-    double length() const { return found_ ? length_ : double{unreachable}; }  // metres
+    double length() const { return found_ ? length_ : std::numeric_limits<double>::infinity(); }  // metres
     // Whether it is locally shortest: no more rounds were left to do.
     bool is_straight() const { return found_ && flips_.size() == 0; }
 
