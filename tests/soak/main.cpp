@@ -22,9 +22,11 @@ using namespace flg::soak;
 using Clock = std::chrono::steady_clock;
 
 constexpr uint32_t frames_a_second = 90, frames_a_cycle = 180, budget_us = 2000;
-// A few caches fill when a job first needs them, jobs decide when: a slow machine may not be through with it after a short
-// run. Then memory may have grown at some rests, not at each; a long one must end with all of them the same.
-constexpr size_t first_rests = 3, rests_of_a_long_run = 50, rests_to_fill_caches = 10;
+// A few caches fill when a job first needs them, jobs decide when. From some rest on all must be the same; a run too short
+// for that on a slow machine may have grown at some of its rests after the first ones, not at each.
+constexpr size_t first_rests = 3, rests_to_fill_caches = 10;
+// What is in use at once varies by chance: of few cycles the peaks say nothing.
+constexpr size_t least_cycles = 50;
 constexpr double most_growth = 1.1;
 
 double thread_us() {
@@ -118,16 +120,18 @@ int64_t most(const std::vector<int64_t>& values, size_t begin, size_t end) {
 // What is wrong with the memory, "" if nothing.
 std::string memory_fault(const Outcome& outcome) {
     const std::vector<int64_t>&rests = outcome.rest_bytes, &peaks = outcome.cycle_peaks;
-    const bool is_long = rests.size() >= rests_of_a_long_run;
-    size_t growths = 0;
-    const size_t begin = is_long ? rests_to_fill_caches : first_rests;
-    for (size_t i = begin; i < rests.size(); ++i) growths += rests[i] > rests[i - 1];
-    if (growths > 0 && (is_long || begin + growths == rests.size())) {
-        return "at rest it grew " + std::to_string(growths) + " times of " + std::to_string(rests.size() - begin) +
-               ", from " + std::to_string(rests[begin - 1]) + " to " + std::to_string(rests.back()) + " bytes";
+    const bool is_short = rests.size() < 2 * rests_to_fill_caches;
+    const size_t begin = is_short ? first_rests : rests_to_fill_caches + 1;
+    size_t changes = 0;
+    for (size_t i = begin; i < rests.size(); ++i) {
+        changes += is_short ? rests[i] > rests[i - 1] : rests[i] != rests[rests_to_fill_caches];
     }
-    // What is in use at once varies by chance: of few cycles the peaks say nothing.
-    if (!is_long) return "";
+    if (changes > 0 && (!is_short || begin + changes == rests.size())) {
+        return "at " + std::to_string(changes) + " of the last " + std::to_string(rests.size() - begin) +
+               " rests it was another than before, from " + std::to_string(rests[begin - 1]) + " to " +
+               std::to_string(rests.back()) + " bytes";
+    }
+    if (peaks.size() < least_cycles) return "";
     const size_t half = peaks.size() / 2;
     const int64_t first = most(peaks, 0, half), last = most(peaks, half, peaks.size());
     if (static_cast<double>(last) <= most_growth * static_cast<double>(first)) return "";
