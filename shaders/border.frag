@@ -9,5 +9,5 @@ layout(location = 0) out vec4 out_color;
 
 void main() {
     // As if it were lit by the sky alone: lines read the same everywhere.
-    out_color = vec4(tone_map(color * view.sky_color.rgb), 1.0);
+    out_color = vec4(tone_map(color * view.sky_color.rgb), 0.0);
 }

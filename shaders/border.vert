@@ -3,10 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
 #include "packing.glsl"
+#include "surface_draw.glsl"
 
-// An edge as a line of a width in pixels that faces the camera: a strip with a tip at each end, so that lines join whatever
-// their angle. It is lifted towards the camera, which doesn't move it in the picture, so that the surface doesn't hide half
-// of it.
+// An edge as a line of a width in pixels that faces the camera: a strip with a tip at each end, so that lines join
+// whatever their angle. It is lifted towards the camera, which doesn't move it in the picture, so that the surface
+// doesn't hide half of it.
 
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
@@ -20,8 +21,8 @@ const float lift = 3.0;  // half-widths: clear of surfaces seen at up to 70 degr
 void main() {
     // Tip, two corners, two corners, tip: four triangles in a row.
     int corner = gl_VertexIndex / 3 + gl_VertexIndex % 3;
-    vec3 end = corner < 3 ? from : to;
-    vec3 along = normalize(to - from);
+    vec3 end = placed(corner < 3 ? from : to);
+    vec3 along = placed_direction(normalize(to - from));
     vec3 to_eye = view.eye.xyz - end;
     float away = length(to_eye);
     vec3 sideways = cross(along, to_eye / away);

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
 #include "lighting.glsl"
+#include "environment.glsl"
 
 layout(constant_id = 0) const uint shape = 0;
 const uint shape_ribbon = 0;
@@ -16,7 +17,12 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 albedo;
 layout(location = 3) in vec3 crown;  // of ribbons: outwards on both sides
+layout(location = 4) in vec3 ambient;  // light from all around
 layout(location = 0) out vec4 out_color;
+
+const float translucency = 0.22;  // of thin bands lit from behind
+const float rim_strength = 0.30;
+const float sky_share = 0.70;     // of the environment's light; the sun shows shapes better
 
 void main() {
     vec3 normal = smooth_normal * (gl_FrontFacing ? 1.0 : -1.0);
@@ -38,11 +44,11 @@ void main() {
     float fresnel = 0.04 + 0.96 * pow(1.0 - clamp(dot(to_eye, half_way), 0.0, 1.0), 5.0);
     float highlight = facing_sun > 0.0 ? fresnel * (shininess + 2.0) * 0.125 * pow(facing_half, shininess) : 0.0;
 
-    float rim = pow(1.0 - facing_eye, 4.0);
-    vec3 reflected = ambient_light(reflect(-to_eye, normal));
-    // What the sun doesn't reach is mostly hidden from some of the sky as well.
-    float open_sky = mix(shadowed_sky, 1.0, lit);
-    vec3 color = albedo * (inverse_pi * diffuse * lit * view.sun_color.rgb + sky_share * open_sky * ambient_light(normal));
-    color += draw.gloss * (lit * highlight * view.sun_color.rgb + (0.04 + rim_strength * rim) * reflected);
-    out_color = vec4(tone_map(color), 1.0);
+    // Without the lamps: fragments of curves are many.
+    float rim = 1.0 - facing_eye;
+    vec3 mirrored = (0.04 + rim_strength * rim * rim * rim * rim) * surroundings(reflect(-to_eye, normal).y, 0.5);
+    vec3 sun = (albedo * (inverse_pi * diffuse) + draw.gloss * highlight) * lit * view.sun_color.rgb;
+    vec3 around = sky_share * albedo * ambient + draw.gloss * mirrored;
+    out_color = shown(sun, around);
+    if (draw.in_front != 0u) out_color.a = 0.0;
 }

@@ -4,10 +4,11 @@
 #include "view.glsl"
 #include "packing.glsl"
 #include "curve_frame.glsl"
+#include "environment.glsl"
 
 // Expands ribbons, tubes and lines from points. An instance is a chunk of a curve, up to 64 segments of it; a vertex is
-// (ring, side), ring r lying at every stride-th point of the chunk. Where a ring lies and what plane it is in depends on its
-// point and the two next to it only, so that rings of neighbouring chunks agree whatever their strides.
+// (ring, side), ring r lying at every stride-th point of the chunk. Where a ring lies and what plane it is in depends
+// on its point and the two next to it only, so that rings of neighbouring chunks agree whatever their strides.
 
 const uint chunk_bits = 28u;
 const uint chunk_mask = (1u << chunk_bits) - 1u;
@@ -17,7 +18,8 @@ const uint part_begin_cap = 1;
 const uint part_end_cap = 2;
 
 const float longest_miter = 2.0;   // in radii; sharper corners are cut off
-const float least_width_px = 0.5;  // half-width, also of ribbons seen edge-on: thinner ones would drop out between samples
+// Half-width, also of ribbons seen edge-on: thinner ones would drop out between samples.
+const float least_width_px = 0.5;
 const float ribbon_crown = 0.35;   // how far a ribbon's shading normals lean outwards at its edges
 const float half_pi = 1.5707963;
 const float two_pi = 6.2831853;
@@ -28,10 +30,18 @@ layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_color;
 layout(location = 3) out vec3 out_crown;
+layout(location = 4) out vec3 out_ambient;
 
 // Metres that a pixel covers at the point.
 float pixel_size(vec3 position) {
     return view.eye.w * mix(1.0, length(position - view.eye.xyz), view.bounce_color.w);
+}
+
+// Light from all around at a ring's corner. It changes slowly: what lies between corners takes it from them. Of ribbons
+// and lines the side that is seen.
+vec3 ambient_on(vec3 normal, vec3 position) {
+    bool from_behind = shape != shape_tube && dot(normal, view.eye.xyz - position) < 0.0;
+    return diffuse_environment(from_behind ? -normal : normal);
 }
 
 void main() {
@@ -95,7 +105,8 @@ void main() {
         if (size > 1e-6 * length(to_viewer)) {
             sideways /= size;
             float seen = radius * dot(across, sideways);
-            float least = least_width_px * pixel * (side == 0u ? -1.0 : 1.0) * (dot(binormal, sideways) < 0.0 ? -1.0 : 1.0);
+            float least = least_width_px * pixel * (side == 0u ? -1.0 : 1.0) *
+                          (dot(binormal, sideways) < 0.0 ? -1.0 : 1.0);
             if (abs(seen) < abs(least)) widening = sideways * (least - seen);
         }
     }
@@ -119,6 +130,7 @@ void main() {
     out_position = position;
     out_normal = shading;
     out_crown = crown;
+    out_ambient = ambient_on(shading, position);
     out_color = linear_color(unpackUnorm4x8(attributes[here].y).rgb);
     gl_Position = view.clip_from_world * vec4(position, 1.0);
 }

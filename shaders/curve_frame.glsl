@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The points of curves where they are drawn, and the frame of a ring.
 //
-// Without a magnitude offset frames come with the points. With one, each point stands at position + offset * displacement,
-// and its frame follows from where its neighbours then stand: from the chunk's first ring on, over the rings drawn. Two
-// chunks meet in a ring that each draws for itself, so that their frames need not agree there: tubes are round, ribbons
-// have two sides.
+// Without a magnitude offset frames come with the points. With one, each point stands at position + offset *
+// displacement, and its frame follows from where its neighbours then stand: from the chunk's first ring on, over the
+// rings drawn. Two chunks meet in a ring that each draws for itself, so that their frames need not agree there: tubes
+// are round, ribbons have two sides.
 
 layout(constant_id = 0) const uint shape = 0;
 const uint shape_ribbon = 0;

@@ -4,9 +4,8 @@
 layout(constant_id = 0) const uint skinning = 0u;  // FlgSkinning
 const uint skinning_linear = 0u;
 
-layout(set = 1, binding = 0, std430) readonly buffer Joints { vec4 joints[]; };  // of all skins: three rows of a matrix, or a
-                                                                                // dual quaternion
-layout(push_constant) uniform Skin { layout(offset = 32) uint first; } skin;     // behind what surface_draw.glsl has
+// Of all skins: three rows of a matrix, or a dual quaternion.
+layout(set = 1, binding = 0, std430) readonly buffer Joints { vec4 joints[]; };
 
 layout(location = 5) in uvec4 vertex_joints;
 layout(location = 6) in vec4 vertex_weights;  // the largest first
@@ -19,7 +18,7 @@ struct Motion {
 Motion blend_matrices() {
     Motion motion = Motion(vec4(0), vec4(0), vec4(0));
     for (int k = 0; k < 4; ++k) {
-        uint row = skin.first + 3u * vertex_joints[k];
+        uint row = draw.first_joint + 3u * vertex_joints[k];
         motion.x += vertex_weights[k] * joints[row];
         motion.y += vertex_weights[k] * joints[row + 1u];
         motion.z += vertex_weights[k] * joints[row + 2u];
@@ -28,10 +27,10 @@ Motion blend_matrices() {
 }
 
 Motion blend_dual_quaternions() {
-    vec4 pivot = joints[skin.first + 2u * vertex_joints.x];
+    vec4 pivot = joints[draw.first_joint + 2u * vertex_joints.x];
     vec4 real = vec4(0), dual = vec4(0);
     for (int k = 0; k < 4; ++k) {
-        uint at = skin.first + 2u * vertex_joints[k];
+        uint at = draw.first_joint + 2u * vertex_joints[k];
         float weight = dot(joints[at], pivot) < 0.0 ? -vertex_weights[k] : vertex_weights[k];
         real += weight * joints[at];
         dual += weight * joints[at + 1u];

@@ -3,14 +3,15 @@
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
 #include "lighting.glsl"
+#include "environment.glsl"
 #include "field_color.glsl"
 #include "surface_draw.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
-layout(location = 2) in vec3 color;
-layout(location = 3) in vec3 material;  // metallic, roughness, whether the field is known
-layout(location = 4) in float field;
+layout(location = 2) in vec4 color_and_field;
+layout(location = 3) in vec4 material;  // metallic, roughness, whether the field is known, share of the triangle's part
+layout(location = 4) flat in vec3 other_color;  // of the other part
 layout(location = 0) out vec4 out_color;
 
 const vec3 unknown_color = vec3(0.25);
@@ -18,7 +19,7 @@ const float least_known = 0.999;        // less: a corner of the triangle has no
 const float line_strength = 0.85;       // of isolines over the colour
 const float closest_lines_px = 2.5;     // nearer than this isolines are a tint, from twice as far on lines
 const float least_roughness = 0.08;
-const float sky_fill = 0.82;            // share of the sky's light; more than on curves, whose shading is of their shape
+const float sky_share = 0.75;           // of the environment's light; the sun shows shapes better
 const float soft_spread = 3.2;          // texels of the shadow map that its edge is blurred over
 const float pi = 3.14159265;
 
@@ -29,7 +30,7 @@ vec3 flat_normal() {
 
 // How much of the pixel isolines cover. Within a triangle the field is linear: its derivatives are exact.
 float isolines() {
-    float level = field * draw.isolines_per_unit;
+    float level = color_and_field.w * draw.isolines_per_unit;
     float per_pixel = max(length(vec2(dFdx(level), dFdy(level))), 1e-12);
     float away_px = abs(fract(level + 0.5) - 0.5) / per_pixel;
     float line = clamp(draw.isoline_half_width_px + 0.5 - away_px, 0.0, 1.0);
@@ -40,18 +41,13 @@ float isolines() {
 
 vec3 surface_color() {
     bool known = material.z > least_known;
-    vec3 base = color;
+    // The border between two parts, sharp in each pixel.
+    float own = clamp((material.w - 0.5) / max(fwidth(material.w), 1e-6) + 0.5, 0.0, 1.0);
+    vec3 base = mix(other_color, color_and_field.rgb, own);
     if ((draw.flags & flag_shows_field) != 0u)
-        base = known ? field_color((field - draw.field_low) * draw.colors_per_unit) : unknown_color;
+        base = known ? field_color((color_and_field.w - draw.field_low) * draw.colors_per_unit) : unknown_color;
     float line = draw.isolines_per_unit > 0.0 && known ? isolines() : 0.0;
     return mix(base, draw.isoline_color, line_strength * line);
-}
-
-// Floor, horizon and sky in a mirror: the rougher it is, the more they run into each other.
-vec3 mirrored_light(vec3 direction, float roughness) {
-    float blur = mix(0.15, 1.0, roughness);
-    vec3 floor_and_horizon = mix(view.bounce_color.rgb, view.background_bottom.rgb, smoothstep(-blur, 0.1, direction.y));
-    return mix(floor_and_horizon, view.sky_color.rgb, smoothstep(0.0, 0.4 + blur, direction.y));
 }
 
 void main() {
@@ -80,10 +76,9 @@ void main() {
     vec3 fresnel = mirror + (1.0 - mirror) * pow(1.0 - clamp(dot(to_eye, half_way), 0.0, 1.0), 5.0);
 
     float lit = facing_sun > 0.0 ? soft_sunlight(position, normal, soft_spread) : 0.0;
-    float open_sky = mix(shadowed_sky, 1.0, lit);
-    vec3 light = (matte * inverse_pi + fresnel * (density * visibility)) * (sun * lit) * view.sun_color.rgb;
-    light += sky_fill * open_sky * matte * ambient_light(normal);
-    vec3 edge = max(vec3(1.0 - roughness), mirror) - mirror;
-    light += open_sky * (mirror + edge * pow(1.0 - facing_eye, 5.0)) * mirrored_light(reflect(-to_eye, normal), roughness);
-    out_color = vec4(tone_map(light), 1.0);
+    vec3 sunlit = (matte * inverse_pi + fresnel * (density * visibility)) * (sun * lit) * view.sun_color.rgb;
+    vec3 around = sky_share * matte * diffuse_environment(normal);
+    around += reflected_share(mirror, roughness, facing_eye) *
+              mirrored_environment(reflect(-to_eye, normal), roughness);
+    out_color = shown(sunlit, around);
 }

@@ -3,24 +3,27 @@
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
 #include "packing.glsl"
+#include "surface_draw.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 normal;
 layout(location = 2) in vec4 color;
-layout(location = 3) in vec4 material;  // metallic, roughness, whether the field is known
+layout(location = 3) in vec4 material;  // metallic, roughness, whether the field is known, 1
 layout(location = 4) in float field;
 
+// Five, not six: with six llvmpipe of Mesa 22.3 draws triangles of the second eye into the first one's picture
+// (multiview).
 layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
-layout(location = 2) out vec3 out_color;
-layout(location = 3) out vec3 out_material;
-layout(location = 4) out float out_field;
+layout(location = 2) out vec4 out_color_and_field;
+layout(location = 3) out vec4 out_material;
+layout(location = 4) flat out vec3 out_other_color;
 
 void main() {
-    out_position = position;
-    out_normal = octahedral_normal(normal);
-    out_color = linear_color(color.rgb);
-    out_material = material.xyz;
-    out_field = field;
-    gl_Position = view.clip_from_world * vec4(position, 1.0);
+    out_position = placed(position);
+    out_normal = placed_direction(octahedral_normal(normal));
+    out_color_and_field = vec4(linear_color(color.rgb), field);
+    out_material = material;
+    out_other_color = vec3(0.0);
+    gl_Position = view.clip_from_world * vec4(out_position, 1.0);
 }

@@ -58,7 +58,8 @@ int log2_of(float x) {
     return static_cast<int>(std::bit_cast<uint32_t>(x) >> mantissa_bits) - exponent_bias;
 }
 
-// How many times the steps between points may be doubled: until they are two pixels long, or further where nobody can see it.
+// How many times the steps between points may be doubled: until they are two pixels long, or further where nobody can
+// see it.
 uint32_t stride_for(const ChunkBounds& bounds, float pixel_m) {
     constexpr float tiny = std::numeric_limits<float>::min();
     const float steps_a_pixel = pixel_m / std::max(bounds.segment, tiny);

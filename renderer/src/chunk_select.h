@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chooses what of a set of curves is drawn in a view, or in several at once: chunks in sight of any, each with the coarsest
-// stride and the fewest sides that show in none. Equal choices are gathered into bins, one draw call each.
+// Chooses what of a set of curves is drawn in a view, or in several at once: chunks in sight of any, each with the
+// coarsest stride and the fewest sides that show in none. Equal choices are gathered into bins, one draw call each.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the renderer takes of curves, point by point. Values are those of the view, or the look's where it has none; only
-// positions are checked as they are read.
+// What the renderer takes of curves, point by point. Values are those of the view, or the look's where it has none;
+// only positions are checked as they are read.
 #pragma once
 
 #include "filigree_renderer/renderer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves as the device wants them: compact points, and chunks of up to chunk_segments segments that are culled and given
-// their level of detail one by one. Host only; no Vulkan here.
+// Curves as the device wants them: compact points, and chunks of up to chunk_segments segments that are culled and
+// given their level of detail one by one. Host only; no Vulkan here.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,9 @@ struct ChunkBounds {
     float extent;     // radius of a ball around all of it, metres
     float thickness;  // largest radius of the curve, metres
     float segment;    // mean length of a segment, metres
-    // Largest second differences of neighbouring points: across the curve, with that of a tube's radius, metres; and of a
-    // ribbon's normals. Where every s-th point is drawn, what is drawn strays from the curve by less than s * s / 8 of them.
+    // Largest second differences of neighbouring points: across the curve, with that of a tube's radius, metres; and of
+    // a ribbon's normals. Where every s-th point is drawn, what is drawn strays from the curve by less than s * s / 8
+    // of them.
     float bend;
     float turn;
 };

@@ -9,8 +9,8 @@ namespace {
 
 constexpr uint32_t most_columns = 32;
 constexpr float largest_magnitude_offset = 1e6f;
-// Depth is 1 near and 0 infinitely far: what is in front begins here, before all that is further away than a twentieth of the
-// way to the camera's target.
+// Depth is 1 near and 0 infinitely far: what is in front begins here, before all that is further away than a twentieth
+// of the way to the camera's target.
 constexpr float depth_in_front = 0.04f;
 
 void check_size(const Device& device, size_t points) {

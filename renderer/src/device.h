@@ -37,8 +37,9 @@ public:
     bool has_swapchain() const { return has_swapchain_; }
     // 0 where the queue writes no time stamps.
     uint32_t timestamp_bits() const { return timestamp_bits_; }
-    // The most samples, up to `wanted`, or of what suits the device if that is 0, that colour and depth images can have.
-    // llvmpipe of Mesa 22.3 draws triangles into the first view only where they cover whole tiles of 64 x 64 pixels.
+    // The most samples, up to `wanted`, or of what suits the device if that is 0, that colour and depth images can
+    // have. llvmpipe of Mesa 22.3 draws triangles into the first view only where they cover whole tiles of 64 x 64
+    // pixels.
     bool loses_views() const { return properties_.vendorID == VK_VENDOR_ID_MESA; }
     VkSampleCountFlagBits supported_samples(uint32_t wanted) const;
     // From the call after so many others on, calls that can find the device lost find it lost.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Things uploaded, by their numbers. What is replaced or removed stays until the device is done with it; what of it has not
-// been uploaded yet never is.
+// Things uploaded, by their numbers. What is replaced or removed stays until the device is done with it; what of it has
+// not been uploaded yet never is.
 #pragma once
 
 #include <cstdint>

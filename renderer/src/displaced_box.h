@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The box around curves at any magnitude offset, without looking at their points again. The furthest that points
-// p + offset * d reach along an axis is a convex function of the offset: boxes kept at a few offsets, and a straight line from
-// one to the next, never fall short, and are exact at those.
+// The box around curves at any magnitude offset, without looking at their points again. The furthest that points p +
+// offset * d reach along an axis is a convex function of the offset: boxes kept at a few offsets, and a straight line
+// from one to the next, never fall short, and are exact at those.
 #pragma once
 
 #include "filigree_renderer/camera.h"

@@ -58,7 +58,7 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
     uniforms_ = Buffer(memory_, view_sets * view_stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, DeviceMemory::Place::host,
                        MemoryUse::other);
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, view_sets},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, view_sets}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * view_sets}};
     VkDescriptorPoolCreateInfo descriptor_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     descriptor_info.maxSets = view_sets;
     descriptor_info.poolSizeCount = 2;
@@ -71,10 +71,10 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
     set_info.descriptorSetCount = view_sets;
     set_info.pSetLayouts = layouts;
     check(vkAllocateDescriptorSets(device_, &set_info, views_), "make descriptor sets");
-    const VkDescriptorImageInfo shadow = shadow_map.descriptor();
+    const VkDescriptorImageInfo shadow = shadow_map.descriptor(), shadow_depths = shadow_map.depth_descriptor();
     for (uint32_t i = 0; i < view_sets; ++i) {
         const VkDescriptorBufferInfo uniforms{uniforms_.handle(), i * view_stride_, view_bytes};
-        VkWriteDescriptorSet writes[2]{};
+        VkWriteDescriptorSet writes[3]{};
         for (auto& write : writes) {
             write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
             write.dstSet = views_[i];
@@ -85,7 +85,10 @@ void FrameSlot::create(const Pipelines& pipelines, const ShadowMap& shadow_map) 
         writes[1].dstBinding = 1;
         writes[1].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
         writes[1].pImageInfo = &shadow;
-        vkUpdateDescriptorSets(device_, 2, writes, 0, nullptr);
+        writes[2].dstBinding = 2;
+        writes[2].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        writes[2].pImageInfo = &shadow_depths;
+        vkUpdateDescriptorSets(device_, 3, writes, 0, nullptr);
     }
 }
 

@@ -38,10 +38,11 @@ enum class Moment : uint32_t {
     surfaces_done,
     curves_done,
     picture_done,
+    finish_done,
     ui_done,
     end
 };
-constexpr uint32_t moment_count = 8;
+constexpr uint32_t moment_count = 9;
 
 // Vertices from the beginning on, then indices.
 struct UiBuffers {

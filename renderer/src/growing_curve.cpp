@@ -8,7 +8,8 @@
 namespace flg::render {
 namespace {
 
-// A chunk's last point of its curve, where that is in another chunk: nobody asks for it, and it need not be kept up to date.
+// A chunk's last point of its curve, where that is in another chunk: nobody asks for it, and it need not be kept up to
+// date.
 constexpr uint32_t further_on = ~0u;
 
 // The chunk that holds a curve's point `i` as its last one, or the first.

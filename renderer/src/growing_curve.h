@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A curve that grows at its end: what prepare_curves makes of all of its points at once, made as they come, and which of it
-// the device does not have yet. Host only.
+// A curve that grows at its end: what prepare_curves makes of all of its points at once, made as they come, and which
+// of it the device does not have yet. Host only.
 #pragma once
 
 #include <vector>

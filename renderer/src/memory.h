@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Device memory in blocks, shared out first fit; buffers and images made of it. Buffers and images never share a block, so
-// that bufferImageGranularity need not be thought of. A released range may be given out again at once: release only what
-// the device has done with (frame.h keeps the rest until then).
+// Device memory in blocks, shared out first fit; buffers and images made of it. Buffers and images never share a block,
+// so that bufferImageGranularity need not be thought of. A released range may be given out again at once: release only
+// what the device has done with (frame.h keeps the rest until then).
 #pragma once
 
 #include <array>

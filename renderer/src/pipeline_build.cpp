@@ -63,16 +63,21 @@ VkPipeline make_pipeline(VkDevice device, const PipelineDesc& desc) {
     VkPipelineColorBlendAttachmentState color{};
     color.colorWriteMask =
         VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-    color.blendEnable = desc.blended;
+    color.blendEnable = desc.blending != Blending::none;
     color.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
     color.dstColorBlendFactor = color.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     color.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    if (desc.blending == Blending::by_constant) {
+        color.srcColorBlendFactor = color.srcAlphaBlendFactor = VK_BLEND_FACTOR_CONSTANT_COLOR;
+        color.dstColorBlendFactor = color.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_CONSTANT_COLOR;
+    }
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blend.attachmentCount = desc.fragment ? 1 : 0;
     blend.pAttachments = &color;
-    const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                             VK_DYNAMIC_STATE_BLEND_CONSTANTS};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-    dynamic.dynamicStateCount = 2;
+    dynamic.dynamicStateCount = desc.blending == Blending::by_constant ? 3 : 2;
     dynamic.pDynamicStates = dynamic_states;
 
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};

@@ -21,6 +21,12 @@ private:
     VkShaderModule module_ = VK_NULL_HANDLE;
 };
 
+enum class Blending {
+    none,
+    by_alpha,    // over what is there, straight alpha
+    by_constant  // the mean, this one by the blend constants, which are dynamic
+};
+
 struct PipelineDesc {
     VkShaderModule vertex = VK_NULL_HANDLE;
     VkShaderModule fragment = VK_NULL_HANDLE;  // null: depth only
@@ -31,7 +37,7 @@ struct PipelineDesc {
     VkCompareOp depth_test = VK_COMPARE_OP_GREATER;
     bool writes_depth = true;
     bool biased = false;
-    bool blended = false;  // over what is there, by straight alpha
+    Blending blending = Blending::none;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     VkRenderPass pass = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;

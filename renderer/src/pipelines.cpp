@@ -25,7 +25,8 @@ Pipelines::Pipelines(const Device& device, const Shaders& shaders, const RenderP
     const VkShaderStageFlags vertex = VK_SHADER_STAGE_VERTEX_BIT, fragment = VK_SHADER_STAGE_FRAGMENT_BIT;
     const VkDescriptorSetLayoutBinding view_bindings[] = {
         {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, vertex | fragment, nullptr},
-        {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, fragment, nullptr}};
+        {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, fragment, nullptr},
+        {2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, fragment, nullptr}};
     VkDescriptorSetLayoutBinding curve_bindings[curve_buffers];
     for (uint32_t i = 0; i < curve_buffers; ++i)
         curve_bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, vertex, nullptr};

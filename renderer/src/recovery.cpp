@@ -8,6 +8,7 @@ void Renderer::recover() {
     State& old = *state_;
     auto fresh = std::make_unique<State>(old.options, old.log);
     fresh->scene = old.scene;
+    fresh->environment = old.environment;
     fresh->frame = old.frame;
     fresh->curves.follow(old.curves);
     fresh->surfaces.follow(old.surfaces);

@@ -9,6 +9,7 @@ bool Renderer::reload_shaders() {
     auto shaders = std::make_unique<Shaders>(s.options.shader_folder);
     Pipelines pipelines(s.device, *shaders, s.render_passes());
     SurfacePipelines surface_pipelines(s.device, *shaders, s.render_passes(), pipelines.view_layout());
+    FinishPass finish_pass(s.device, *shaders, s.pipelines.view_layout(), s.samples);
     UiPass ui_pass(s.device, *shaders, s.texture_sampler.layout());
     if (s.pipelines.has_stereo()) {
         pipelines.need_stereo();
@@ -18,9 +19,10 @@ bool Renderer::reload_shaders() {
     for (const auto& slot : s.slots) slot->wait();
     s.pipelines.swap_pipelines(pipelines);
     s.surface_pipelines.swap_pipelines(surface_pipelines);
+    s.finish_pass.swap_pipelines(finish_pass);
     s.ui_pass.swap_pipelines(ui_pass);
     s.shaders = std::move(shaders);
-    s.shadow_is_current = false;
+    s.scene_changed();
     return true;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "filigree_renderer/renderer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "renderer_state.h"
@@ -42,6 +44,13 @@ VkRect2D picture_area(glm::ivec4 viewport, const TargetImage& image) {
     return {{from.x, from.y}, {size.x, size.y}};
 }
 
+VkExtent2D scaled(VkExtent2D extent, float scale) {
+    const auto part = [&](uint32_t size) {
+        return std::max(static_cast<uint32_t>(std::lround(scale * static_cast<float>(size))), 1u);
+    };
+    return {part(extent.width), part(extent.height)};
+}
+
 void bind_view(VkCommandBuffer commands, const Pipelines& pipelines, VkDescriptorSet set) {
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1, &set, 0, nullptr);
 }
@@ -62,6 +71,7 @@ Renderer::State::State(const Options& wanted, std::shared_ptr<MessageLog> messag
       pipelines(device, *shaders, render_passes()),
       surface_pipelines(device, *shaders, render_passes(), pipelines.view_layout()),
       texture_sampler(device),
+      finish_pass(device, *shaders, pipelines.view_layout(), samples),
       ui_pass(device, *shaders, texture_sampler.layout()),
       patterns(ring),
       curves(ring),
@@ -109,7 +119,8 @@ void Renderer::State::read_times(const FrameSlot& slot) {
     stats.gpu_surfaces_ms = slot.elapsed_ms(Moment::shadow_done, Moment::surfaces_done);
     stats.gpu_curves_ms = slot.elapsed_ms(Moment::surfaces_done, Moment::curves_done);
     stats.gpu_backdrop_ms = slot.elapsed_ms(Moment::curves_done, Moment::picture_done);
-    stats.gpu_ui_ms = slot.elapsed_ms(Moment::picture_done, Moment::ui_done);
+    stats.gpu_finish_ms = slot.elapsed_ms(Moment::picture_done, Moment::finish_done);
+    stats.gpu_ui_ms = slot.elapsed_ms(Moment::finish_done, Moment::ui_done);
 }
 
 Renderer::Renderer(const Options& options) : state_(std::make_unique<State>(options, std::make_shared<MessageLog>())) {}
@@ -120,7 +131,7 @@ CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
     auto curves = s.ring.all_or_nothing(
         [&] { return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look); });
-    s.shadow_is_current = false;
+    s.scene_changed();
     return {s.curves.add(std::move(curves))};
 }
 
@@ -132,7 +143,7 @@ void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook&
     curves->visible = visible;
     s.curves.replace(id.value, std::move(curves), s.frame);
     s.recycle();
-    s.shadow_is_current = false;
+    s.scene_changed();
 }
 
 CurvesId Renderer::begin_growing(const CurveLook& look, uint32_t capacity) {
@@ -142,56 +153,91 @@ CurvesId Renderer::begin_growing(const CurveLook& look, uint32_t capacity) {
 
 void Renderer::append(CurvesId id, const FlgCurveSetView& view) {
     state_->curves.growing(id).append(view);
-    state_->shadow_is_current = false;
+    state_->scene_changed();
 }
 
 void Renderer::truncate(CurvesId id, uint32_t points) {
     state_->curves.growing(id).truncate(points);
-    state_->shadow_is_current = false;
+    state_->scene_changed();
 }
 
 void Renderer::set_magnitude_offset(CurvesId id, float offset) {
     state_->curves.set_magnitude_offset(id, offset);
-    state_->shadow_is_current = false;
+    state_->scene_changed();
+}
+
+struct PreparedSurface::State {
+    SurfaceData data;
+    SurfaceLook look;
+};
+
+PreparedSurface::PreparedSurface(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field)
+    : state_(std::make_unique<State>(State{prepare_surface(mesh, look, field), look})) {}
+PreparedSurface::~PreparedSurface() = default;
+PreparedSurface::PreparedSurface(PreparedSurface&&) noexcept = default;
+PreparedSurface& PreparedSurface::operator=(PreparedSurface&&) noexcept = default;
+
+SurfaceId Renderer::upload(const PreparedSurface& prepared) {
+    State& s = *state_;
+    const PreparedSurface::State& p = *prepared.state_;
+    auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, p.data, p.look); });
+    s.scene_changed();
+    return {s.surfaces.add(std::move(surface))};
 }
 
 SurfaceId Renderer::upload(const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
     auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, mesh, look, field); });
-    s.shadow_is_current = false;
+    s.scene_changed();
     return {s.surfaces.add(std::move(surface))};
 }
 
 void Renderer::update(SurfaceId id, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field) {
     State& s = *state_;
-    const bool visible = s.surfaces.at(id.value).visible;
+    const DeviceSurface& before = s.surfaces.at(id.value);
     auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, mesh, look, field); });
-    surface->visible = visible;
+    surface->visible = before.visible;
+    surface->place(before.placement);
     s.surfaces.replace(id.value, std::move(surface), s.frame);
     s.recycle();
-    s.shadow_is_current = false;
+    s.scene_changed();
 }
 
 SurfaceId Renderer::upload(const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
     auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, skin, look); });
-    s.shadow_is_current = false;
+    s.scene_changed();
     return {s.surfaces.add(std::move(surface))};
 }
 
 void Renderer::update(SurfaceId id, const FlgSkinView& skin, const SurfaceLook& look) {
     State& s = *state_;
-    const bool visible = s.surfaces.at(id.value).visible;
+    const DeviceSurface& before = s.surfaces.at(id.value);
     auto surface = s.ring.all_or_nothing([&] { return std::make_unique<DeviceSurface>(s.ring, skin, look); });
-    surface->visible = visible;
+    surface->visible = before.visible;
+    surface->place(before.placement);
     s.surfaces.replace(id.value, std::move(surface), s.frame);
     s.recycle();
-    s.shadow_is_current = false;
+    s.scene_changed();
 }
 
 void Renderer::set_pose(SurfaceId id, FlgSkinning skinning, std::span<const float> transforms) {
     state_->surfaces.set_pose(id, skinning, transforms);
-    state_->shadow_is_current = false;
+    state_->scene_changed();
+}
+
+void Renderer::set_placement(SurfaceId id, const Placement& placement) {
+    const glm::quat& q = placement.turn;
+    const bool finite = std::isfinite(glm::dot(placement.at, placement.at)) && std::isfinite(placement.scale);
+    if (!finite || !(placement.scale > 0.0f) || !(std::abs(glm::dot(q, q) - 1.0f) < 1e-3f))
+        fail(
+            "A placement is at %g, %g, %g, scaled by %g, with a turn of length %g; it must be finite, with a scale > 0 "
+            "and a turn of length 1.",
+            placement.at.x, placement.at.y, placement.at.z, placement.scale, glm::length(q));
+    DeviceSurface& surface = state_->surfaces.at(id.value);
+    if (surface.placement == placement) return;
+    surface.place(placement);
+    state_->scene_changed();
 }
 
 TextureId Renderer::upload(const Image& image) {
@@ -212,13 +258,13 @@ void Renderer::update(TextureId id, const Image& image) {
 
 void Renderer::set_visible(CurvesId id, bool visible) {
     bool& is_visible = state_->curves.at(id.value).visible;
-    if (is_visible != visible) state_->shadow_is_current = false;
+    if (is_visible != visible) state_->scene_changed();
     is_visible = visible;
 }
 
 void Renderer::set_visible(SurfaceId id, bool visible) {
     bool& is_visible = state_->surfaces.at(id.value).visible;
-    if (is_visible != visible) state_->shadow_is_current = false;
+    if (is_visible != visible) state_->scene_changed();
     is_visible = visible;
 }
 
@@ -226,14 +272,14 @@ void Renderer::remove(CurvesId id) {
     if (id.value == 0) return;
     state_->curves.remove(id.value, state_->frame);
     state_->recycle();
-    state_->shadow_is_current = false;
+    state_->scene_changed();
 }
 
 void Renderer::remove(SurfaceId id) {
     if (id.value == 0) return;
     state_->surfaces.remove(id.value, state_->frame);
     state_->recycle();
-    state_->shadow_is_current = false;
+    state_->scene_changed();
 }
 
 void Renderer::remove(TextureId id) {
@@ -246,12 +292,17 @@ void Renderer::clear() {
     state_->curves.remove_all(state_->frame);
     state_->surfaces.remove_all(state_->frame);
     state_->recycle();
-    state_->shadow_is_current = false;
+    state_->scene_changed();
+}
+
+bool Renderer::changed() const {
+    return !state_->shadow_is_current || state_->ring.pending();
 }
 
 void Renderer::set_scene(const Scene& scene) {
     state_->scene = scene;
-    state_->shadow_is_current = false;
+    state_->environment = make_environment(scene);
+    state_->scene_changed();
 }
 
 const Scene& Renderer::scene() const {
@@ -279,6 +330,8 @@ const std::vector<std::string>& Renderer::messages() const {
 void Renderer::draw(Target& target, const Camera& camera, const DrawOptions& options) {
     if (&target.renderer_ != this) fail("The target belongs to another renderer.");
     check_viewport(options.viewport, target);
+    if (!(options.changing_scale >= 0.25f && options.changing_scale <= 1.0f))
+        fail("options.changing_scale is %g; it must be 0.25 to 1.", options.changing_scale);
     check_ui(options.ui, state_->textures);
     state_->draw({&target.image_, 1}, &target, {&camera, 1}, options);
 }
@@ -309,9 +362,13 @@ void Renderer::State::draw(std::span<const std::unique_ptr<TargetImage>> images,
     for (const auto& image : images)
         for (uint32_t layer = 0; layer < layers_of(image->eyes()); ++layer)
             submission.pictures[submission.picture_count++] = {image->color(), layer};
+    TargetImage& image = *images[0];
+    const PictureKey key{cameras[0], draw_options.viewport, draw_options.refines ? revision : 0};
+    const bool goes_on = draw_options.refines && image.drawn && key == image.key;
+    const uint32_t refined = goes_on ? std::min(image.refined + 1, most_refined + 1) : 0;
     SteadyClock::time_point submit_start;
     try {
-        record_frame(slot, submission, images, cameras, draw_options);
+        record_frame(slot, submission, images, cameras, draw_options, refined);
         if (around) around->end_frame(submission);
         slot.mark(Moment::end);
         submit_start = SteadyClock::now();
@@ -323,7 +380,9 @@ void Renderer::State::draw(std::span<const std::unique_ptr<TargetImage>> images,
     slot.frame = ++frame;
     ring.submitted(frame);
     shadow_is_current = true;
-    for (const auto& image : images) image->drawn = true;
+    for (const auto& drawn : images) drawn->drawn = true;
+    image.key = key;
+    image.refined = std::min(refined, most_refined);
     if (around) around->present(submission);
     stats.submit_ms = milliseconds_since(submit_start);
     stats.wait_ms = wait_ms;
@@ -333,13 +392,18 @@ void Renderer::State::draw(std::span<const std::unique_ptr<TargetImage>> images,
 
 void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
                                    std::span<const std::unique_ptr<TargetImage>> images,
-                                   std::span<const Camera> cameras, const DrawOptions& draw_options) {
+                                   std::span<const Camera> cameras, const DrawOptions& draw_options, uint32_t refined) {
     const Box box = bounds();
     const uint32_t shadow_size = options.shadow_size;
     const VkRect2D area = picture_area(draw_options.viewport, *images[0]);
+    const VkExtent2D drawn = refined ? area.extent : scaled(area.extent, draw_options.changing_scale);
+    const bool is_done = refined > most_refined;  // and shown again
     views.clear();
-    for (const Camera& camera : cameras)
-        views.push_back(camera_view(camera, scene, box, area.extent.width, area.extent.height, shadow_size));
+    for (const Camera& camera : cameras) {
+        views.push_back(camera_view(camera, scene, box, drawn.width, drawn.height, shadow_size));
+        views.back().environment = environment;
+        if (refined) vary(views.back(), refined);
+    }
     const ViewUniforms sun = sun_view(scene, box, shadow_size);
     const bool draw_shadow = !shadow_is_current;  // without shadows too: the map must be readable
     instances.clear();
@@ -373,12 +437,27 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     }
     slot.mark(Moment::shadow_done);
 
+    if (refined) images[0]->need_mean(memory, finish_pass);
     for (const auto& image : images) {
         const bool is_first = image == images.front(), is_last = image == images.back();
-        record_picture(commands, *image, {is_first ? slot.main_view() : slot.second_view(), joints_set, image->eyes()},
-                       instance_buffer, area, is_last ? &slot : nullptr);
+        const SurfaceSets sets{is_first ? slot.main_view() : slot.second_view(), joints_set, image->eyes()};
+        if (!is_done) record_picture(commands, *image, sets, instance_buffer, drawn, is_last ? &slot : nullptr);
     }
+    if (is_done) slot.mark(Moment::surfaces_done);
+    if (is_done) slot.mark(Moment::curves_done);
     slot.mark(Moment::picture_done);
+    if (refined) {
+        if (!is_done) finish_pass.record_mean(commands, slot.main_view(), *images[0], drawn, area, refined);
+        FinishPass::record_copy(commands, *images[0]);
+    } else {
+        for (const auto& image : images)
+            for (uint32_t layer = 0; layer < layers_of(image->eyes()); ++layer) {
+                const bool second = image != images.front() || layer > 0;
+                finish_pass.record(commands, second ? slot.second_view() : slot.main_view(), *image, layer, drawn,
+                                   area);
+            }
+    }
+    slot.mark(Moment::finish_done);
 
     if (has_ui)
         stats.draw_calls +=
@@ -387,23 +466,17 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
 }
 
 void Renderer::State::record_picture(VkCommandBuffer commands, const TargetImage& image, const SurfaceSets& sets,
-                                     VkBuffer instance_buffer, const VkRect2D& area, FrameSlot* marked) {
-    const VkExtent2D extent{image.width(), image.height()};
+                                     VkBuffer instance_buffer, VkExtent2D drawn, FrameSlot* marked) {
     VkClearValue clear[2]{};  // colour is not cleared; depth 0 is infinitely far
     VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
     info.renderPass = passes().main[static_cast<uint32_t>(image.eyes())];
     info.framebuffer = image.framebuffer();
-    info.renderArea.extent = extent;
+    info.renderArea.extent = drawn;
     info.clearValueCount = 2;
     info.pClearValues = clear;
     vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
-    if (area.extent.width != extent.width || area.extent.height != extent.height) {
-        const VkClearAttachment black{VK_IMAGE_ASPECT_COLOR_BIT, 0, {{{0, 0, 0, 1}}}};
-        const VkClearRect whole{{{0, 0}, extent}, 0, 1};
-        vkCmdClearAttachments(commands, 1, &black, 1, &whole);
-    }
-    const glm::vec2 corner(area.offset.x, area.offset.y), size(area.extent.width, area.extent.height);
-    const VkViewport viewport{corner.x, corner.y, size.x, size.y, 0, 1};
+    const VkRect2D area{{0, 0}, drawn};
+    const VkViewport viewport{0, 0, static_cast<float>(drawn.width), static_cast<float>(drawn.height), 0, 1};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &area);
     const SurfaceDraws surface_draws = record_surfaces(commands, surface_pipelines, sets, surfaces);
@@ -415,6 +488,9 @@ void Renderer::State::record_picture(VkCommandBuffer commands, const TargetImage
     if (marked) marked->mark(Moment::curves_done);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.backdrop(sets.eyes));
     vkCmdDraw(commands, 3, 1, 0, 0);
+    const SurfaceDraws borders = record_borders(commands, surface_pipelines, sets, surfaces);
+    stats.triangles += borders.triangles;
+    stats.draw_calls += borders.calls;
     vkCmdEndRenderPass(commands);
 }
 

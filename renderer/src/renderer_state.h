@@ -6,6 +6,7 @@
 
 #include "curve_store.h"
 #include "device.h"
+#include "finish_pass.h"
 #include "frame.h"
 #include "pipelines.h"
 #include "shaders.h"
@@ -37,22 +38,28 @@ struct Renderer::State {
     void reclaim();
     // Takes the times of a slot's frame, which must be finished, into `stats`.
     void read_times(const FrameSlot& slot);
-    // Draws a frame and submits it: as many cameras as the images have layers together. `around`: what a target adds to it.
+    // Draws a frame and submits it: as many cameras as the images have layers together. `around`: what a target adds to
+    // it.
     void draw(std::span<const std::unique_ptr<TargetImage>> images, Target* around, std::span<const Camera> cameras,
               const DrawOptions& draw_options);
     void record_frame(FrameSlot& slot, FrameSubmission& submission,
                       std::span<const std::unique_ptr<TargetImage>> images, std::span<const Camera> cameras,
-                      const DrawOptions& draw_options);
+                      const DrawOptions& draw_options, uint32_t refined);
     // The picture in an image, of what record_frame has chosen. Moments in between are marked if `marked` is not null.
     void record_picture(VkCommandBuffer commands, const TargetImage& image, const SurfaceSets& sets,
-                        VkBuffer instance_buffer, const VkRect2D& area, FrameSlot* marked);
+                        VkBuffer instance_buffer, VkExtent2D drawn, FrameSlot* marked);
     Image capture(const TargetImage& image, uint32_t layer);
     void need_stereo() {
         pipelines.need_stereo();
         surface_pipelines.need_stereo();
     }
     RenderPasses render_passes() const { return {{main_pass.handle, stereo_pass.handle}, samples, shadow_map.pass()}; }
-    TargetPasses passes() const { return {{main_pass.handle, stereo_pass.handle}, ui_pass.handle()}; }
+    TargetPasses passes() const { return {{main_pass.handle, stereo_pass.handle}, ui_pass.handle(), finish_pass}; }
+    // Whatever is drawn has become other than it was.
+    void scene_changed() {
+        shadow_is_current = false;
+        ++revision;
+    }
 
     // What draws into an image of its own, on this device.
     struct Entry {
@@ -72,6 +79,7 @@ struct Renderer::State {
     Pipelines pipelines;
     SurfacePipelines surface_pipelines;
     TextureSampler texture_sampler;
+    FinishPass finish_pass;
     UiPass ui_pass;
     IndexPatterns patterns;
     CurveStore curves;
@@ -81,9 +89,11 @@ struct Renderer::State {
 
     std::vector<Entry> targets;
     Scene scene;
+    EnvironmentUniforms environment = make_environment(scene);
     FrameStats stats;
     uint64_t frame = 0;  // the last submitted
     bool shadow_is_current = false;
+    uint64_t revision = 1;            // of what is drawn
     DrawList main_list, shadow_list;  // scratch of record_frame
     std::vector<ViewUniforms> views;
     std::vector<uint32_t> instances;

@@ -10,8 +10,8 @@
 
 namespace flg::render {
 
-// SPIR-V of the file `name` in `folder`, whose includes are found there too; `macros` are defined. Throws Error with what the
-// compiler says: file, line, reason.
+// SPIR-V of the file `name` in `folder`, whose includes are found there too; `macros` are defined. Throws Error with
+// what the compiler says: file, line, reason.
 [[gnu::weak]] std::vector<uint32_t> compile_shader(const std::string& folder, const std::string& name,
                                                    std::span<const std::string> macros);
 

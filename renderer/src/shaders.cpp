@@ -15,12 +15,12 @@ Shaders::Shaders(std::string folder) : folder_(std::move(folder)) {
 std::span<const uint32_t> Shaders::of(const std::string& file, std::span<const uint32_t> built_in,
                                       ShaderVariant variant) const {
     if (folder_.empty()) return built_in;
-    const std::string stereo = "STEREO";
-    const bool is_stereo = variant == ShaderVariant::stereo;
-    const std::string key = is_stereo ? file + " " + stereo : file;
+    const bool plain = variant == ShaderVariant::plain;
+    const std::string macro = variant == ShaderVariant::stereo ? "STEREO" : "MULTISAMPLED";
+    const std::string key = plain ? file : file + " " + macro;
     const auto found = compiled_.find(key);
     if (found != compiled_.end()) return found->second;
-    return compiled_[key] = compile_shader(folder_, file, {&stereo, is_stereo ? 1u : 0u});
+    return compiled_[key] = compile_shader(folder_, file, {&macro, plain ? 0u : 1u});
 }
 
 }  // namespace flg::render

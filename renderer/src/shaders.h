@@ -10,15 +10,15 @@
 
 namespace flg::render {
 
-enum class ShaderVariant { plain, stereo };
+enum class ShaderVariant { plain, stereo, multisampled };
 
 class Shaders {
 public:
     // Empty: those that the program was built with. Throws Error for a program that can't compile any.
     explicit Shaders(std::string folder);
 
-    // SPIR-V of a file of shaders/, `built_in` if there is no folder. Throws Error with what the compiler says. Stays as it
-    // is from the first time on.
+    // SPIR-V of a file of shaders/, `built_in` if there is no folder. Throws Error with what the compiler says. Stays
+    // as it is from the first time on.
     std::span<const uint32_t> of(const std::string& file, std::span<const uint32_t> built_in,
                                  ShaderVariant variant = ShaderVariant::plain) const;
 

@@ -75,9 +75,13 @@ ShadowMap::ShadowMap(DeviceMemory& memory, uint32_t size)
     sampler.compareEnable = VK_TRUE;
     sampler.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     check(vkCreateSampler(device_, &sampler, nullptr, &sampler_), "make a sampler");
+    sampler.magFilter = sampler.minFilter = VK_FILTER_NEAREST;
+    sampler.compareEnable = VK_FALSE;
+    check(vkCreateSampler(device_, &sampler, nullptr, &depth_sampler_), "make a sampler");
 }
 
 ShadowMap::~ShadowMap() {
+    vkDestroySampler(device_, depth_sampler_, nullptr);
     vkDestroySampler(device_, sampler_, nullptr);
     vkDestroyFramebuffer(device_, framebuffer_, nullptr);
     vkDestroyRenderPass(device_, pass_, nullptr);

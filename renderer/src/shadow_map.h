@@ -17,8 +17,12 @@ public:
     void begin(VkCommandBuffer commands) const;
     void end(VkCommandBuffer commands) const { vkCmdEndRenderPass(commands); }
     VkRenderPass pass() const { return pass_; }
+    // Of how much of the sun reaches a depth, and of the depths themselves.
     VkDescriptorImageInfo descriptor() const {
         return {sampler_, image_.view(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
+    }
+    VkDescriptorImageInfo depth_descriptor() const {
+        return {depth_sampler_, image_.view(), VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
     }
 
 private:
@@ -28,6 +32,7 @@ private:
     VkRenderPass pass_ = VK_NULL_HANDLE;
     VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
     VkSampler sampler_ = VK_NULL_HANDLE;
+    VkSampler depth_sampler_ = VK_NULL_HANDLE;
 };
 
 }  // namespace flg::render

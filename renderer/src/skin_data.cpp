@@ -73,6 +73,34 @@ std::vector<uint32_t> triangle_parts(const FlgSkinView& skin) {
     return parts;
 }
 
+// Triangles with corners of two parts get corners of their own, which say whose each is: the shader draws the border
+// between, through the middles of edges, rather than along them. Of three parts two are told apart.
+void mark_other_parts(SurfaceData& data, const FlgSkinView& skin, const SurfaceLook& look) {
+    const auto part_of = [&](uint32_t vertex) {
+        return skin.vertex_parts[vertex < skin.vertex_count ? vertex : data.copied[vertex - skin.vertex_count]];
+    };
+    for (size_t i = 0; i < data.indices.size(); i += 3) {
+        uint32_t* corners = &data.indices[i];
+        const uint32_t parts[3] = {part_of(corners[0]), part_of(corners[1]), part_of(corners[2])};
+        const uint32_t own = parts[1] == parts[2] ? parts[1] : parts[0];  // as triangle_parts() has it
+        const auto other = std::ranges::find_if(parts, [&](uint32_t part) { return part != own; });
+        if (other == std::end(parts)) continue;
+        const uint32_t other_color = pack_color(look.regions[*other % look.regions.size()].color);
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t from = corners[k];
+            SurfaceVertex vertex = data.vertices[from];
+            vertex.other_color = other_color;
+            if (parts[k] != own) vertex.material &= ~own_part;
+            if (data.positions.size() == most_vertices)
+                fail("The skin has more than %u vertices, those between parts counted once a triangle.", most_vertices);
+            corners[k] = static_cast<uint32_t>(data.positions.size());
+            data.copied.push_back(from < skin.vertex_count ? from : data.copied[from - skin.vertex_count]);
+            data.positions.push_back(glm::vec3(data.positions[from]));
+            data.vertices.push_back(vertex);
+        }
+    }
+}
+
 struct Rows {
     glm::vec4 row[3];
     glm::vec3 operator()(const glm::vec3& p) const {
@@ -165,6 +193,7 @@ SkinData prepare_skin(const FlgSkinView& skin, const SurfaceLook& look) {
     if (skin.vertex_parts && skin.triangles && look.regions.size() > 1) parts = triangle_parts(skin);
     mesh.regions = parts.empty() ? nullptr : parts.data();
     SkinData data{prepare_surface(mesh, look, {}), {}, SkinBounds(skin.joint_count)};
+    if (!parts.empty()) mark_other_parts(data.surface, skin, look);
     data.vertices.reserve(data.surface.positions.size());
     for (size_t v = 0; v < skin.vertex_count; ++v) {
         const uint16_t* joints = skin.vertex_joints + 4 * v;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a skinned surface has besides a surface: what moves each vertex, and where all of it may be in a pose. Host only.
+// What a skinned surface has besides a surface: what moves each vertex, and where all of it may be in a pose. Host
+// only.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +22,12 @@ struct SkinVertex {
 
 // A box around a skin in any pose, from some boxes at rest instead of all vertices.
 //
-// A vertex p with the weights w_i, the largest w_0, is moved to y. With x_i where joint i alone takes it, and D the largest of
-// |x_i - x_0|: by the mean of matrices |y - x_0| = |sum w_i (x_i - x_0)| <= (1 - w_0) D. By dual quaternions, seen from joint 0
-// and p (they do not depend on the frame): y - x_0 is the sum of w_i u_i q_i, times a conjugate, over the square of |sum w_i q_i|,
-// with u_i = x_i - x_0, unit q_i, and real parts >= 0 as signs are told by joint 0, whose q is 1. That length is w_0 or more, and so
-// |y - x_0| <= (1 - w_0) D / w_0. D is convex in p: the largest in a box is at a corner.
+// A vertex p with the weights w_i, the largest w_0, is moved to y. With x_i where joint i alone takes it, and D the
+// largest of |x_i - x_0|: by the mean of matrices |y - x_0| = |sum w_i (x_i - x_0)| <= (1 - w_0) D. By dual
+// quaternions, seen from joint 0 and p (they do not depend on the frame): y - x_0 is the sum of w_i u_i q_i, times a
+// conjugate, over the square of |sum w_i q_i|, with u_i = x_i - x_0, unit q_i, and real parts >= 0 as signs are told by
+// joint 0, whose q is 1. That length is w_0 or more, and so |y - x_0| <= (1 - w_0) D / w_0. D is convex in p: the
+// largest in a box is at a corner.
 class SkinBounds {
 public:
     explicit SkinBounds(uint32_t joint_count) : joints_(joint_count) {}

@@ -12,7 +12,6 @@
 namespace flg::render {
 namespace {
 
-constexpr uint32_t most_vertices = (1u << 24) - 1;  // indices of devices without fullDrawIndexUint32
 constexpr uint32_t most_triangles = 1u << 26;
 constexpr uint32_t field_known = 0xff0000u;  // in a material's bits
 
@@ -158,9 +157,10 @@ private:
             material.color = pack_color(color);
         }
         const bool known = data_.has_field && !std::isinf(field_[source]);
-        data_.vertices.push_back({pack_normal(normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : normal), material.color,
-                                  material.metallic_and_roughness | (known ? field_known : 0),
-                                  known ? field_[source] : 0.0f});
+        data_.vertices.push_back({pack_normal(normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : normal),
+                                  material.color,
+                                  material.metallic_and_roughness | (known ? field_known : 0) | own_part,
+                                  {.field = known ? field_[source] : 0.0f}});
     }
 
     const FlgMeshView& mesh_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A surface as the device wants it: vertices that carry all of their look, indices, and the edges between regions. A vertex
-// where several regions meet is there once a region, so that colours don't run into each other. Host only; no Vulkan here.
+// A surface as the device wants it: vertices that carry all of their look, indices, and the edges between regions. A
+// vertex where several regions meet is there once a region, so that colours don't run into each other. Host only; no
+// Vulkan here.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +15,18 @@ namespace flg::render {
 
 // Mirrors the vertex input of shaders/surface.vert; the position is apart, for the shadow map.
 struct SurfaceVertex {
-    uint32_t normal;    // octahedral, 2 x snorm16
-    uint32_t color;     // sRGB, 4 x unorm8
-    uint32_t material;  // 4 x unorm8: metallic, roughness, whether the field is known, unused
-    float field;        // 0 where it isn't
+    uint32_t normal;  // octahedral, 2 x snorm16
+    uint32_t color;   // sRGB, 4 x unorm8
+    uint32_t
+        material;  // 4 x unorm8: metallic, roughness, whether the field is known, whether it is of the triangle's part
+    union {
+        float field;           // 0 where it isn't
+        uint32_t other_color;  // of skins, which have no field: of the triangle's other part, as `color`
+    };
 };
+
+constexpr uint32_t most_vertices = (1u << 24) - 1;  // indices of devices without fullDrawIndexUint32
+constexpr uint32_t own_part = 0xff000000u;          // in a material's bits
 
 // Mirrors the vertex input of shaders/border.vert.
 struct BorderEdge {

@@ -9,8 +9,8 @@ namespace flg::render {
 namespace {
 
 constexpr float half_pi = 1.57079633f;
-// Cosines of the angle between a side's normal and that of all sides, about half the angle that the surface bends by: up to the
-// first it is smooth, from the second on a crease.
+// Cosines of the angle between a side's normal and that of all sides, about half the angle that the surface bends by:
+// up to the first it is smooth, from the second on a crease.
 constexpr float cosine_smooth = 0.985f, cosine_creased = 0.940f;
 
 // atan(q) of q in 0 to 1 within 1e-5: Abramowitz, Stegun, Handbook of Mathematical Functions, 4.4.49.

@@ -23,6 +23,7 @@
 namespace flg::render {
 namespace {
 
+constexpr uint32_t field_location = 4;
 constexpr VkVertexInputBindingDescription vertex_bindings[] = {{0, sizeof(glm::vec3), VK_VERTEX_INPUT_RATE_VERTEX},
                                                                {1, sizeof(SurfaceVertex), VK_VERTEX_INPUT_RATE_VERTEX}};
 constexpr VkVertexInputAttributeDescription vertex_attributes[] = {
@@ -30,7 +31,7 @@ constexpr VkVertexInputAttributeDescription vertex_attributes[] = {
     {1, 1, VK_FORMAT_R16G16_SNORM, offsetof(SurfaceVertex, normal)},
     {2, 1, VK_FORMAT_R8G8B8A8_UNORM, offsetof(SurfaceVertex, color)},
     {3, 1, VK_FORMAT_R8G8B8A8_UNORM, offsetof(SurfaceVertex, material)},
-    {4, 1, VK_FORMAT_R32_SFLOAT, offsetof(SurfaceVertex, field)}};
+    {field_location, 1, VK_FORMAT_R32_SFLOAT, offsetof(SurfaceVertex, field)}};
 
 constexpr VkVertexInputBindingDescription edge_binding[] = {{0, sizeof(BorderEdge), VK_VERTEX_INPUT_RATE_INSTANCE}};
 constexpr VkVertexInputAttributeDescription edge_attributes[] = {
@@ -65,7 +66,7 @@ void SurfacePipelines::make_layouts(VkDescriptorSetLayout view_layout) {
                                               nullptr};
     joints_layout_ = make_set_layout(device_, {&joints, 1});
     const VkDescriptorSetLayout sets[] = {view_layout, joints_layout_};
-    skinned_layout_ = make_pipeline_layout(device_, sets, sizeof(SkinnedPush));
+    skinned_layout_ = make_pipeline_layout(device_, sets, sizeof(SurfacePush));
 }
 
 void SurfacePipelines::need_stereo() {
@@ -99,6 +100,7 @@ void SurfacePipelines::make_main(Eyes eyes) {
     border.fragment = border_fragment.handle();
     border.bindings = edge_binding;
     border.attributes = edge_attributes;
+    border.writes_depth = false;  // it is as if on the surface
     made.border = make_pipeline(device_, border);
 
     PipelineDesc skinned = surface;
@@ -129,6 +131,8 @@ void SurfacePipelines::make_skinned(PipelineDesc desc, VkPipeline (&out_pipeline
     std::vector<VkVertexInputAttributeDescription> attributes(desc.attributes.begin(), desc.attributes.end());
     bindings.push_back(skin_binding);
     attributes.insert(attributes.end(), std::begin(skin_attributes), std::end(skin_attributes));
+    for (VkVertexInputAttributeDescription& attribute : attributes)
+        if (attribute.location == field_location) attribute.format = VK_FORMAT_R8G8B8A8_UNORM;  // the other colour
     desc.layout = skinned_layout_;
     desc.bindings = bindings;
     desc.attributes = attributes;

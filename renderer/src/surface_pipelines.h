@@ -20,15 +20,12 @@ struct SurfacePush {
     float colors_per_unit;    // 1 / what the map spans
     float isolines_per_unit;  // 0 = none
     uint32_t flags;
+    glm::vec4 turn;        // Placement
+    glm::vec4 at;          // w: scale
+    uint32_t first_joint;  // of the joints' vectors, of surfaces that follow some
 
     static constexpr uint32_t shows_field = 1;
     static constexpr uint32_t is_flat = 2;
-};
-
-// Mirrors the push constants of shaders/skin.glsl.
-struct SkinnedPush {
-    SurfacePush surface;
-    uint32_t first;  // of the joints' vectors
 };
 
 constexpr uint32_t border_vertices = 12;  // of a line: four triangles, mirrors shaders/border.vert

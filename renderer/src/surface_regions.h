@@ -14,7 +14,8 @@ struct SplitVertices {
     std::vector<uint32_t> label_of;  // of every vertex and copy; 0 for those without a triangle
 };
 
-// `labels`: one a triangle. The copies are in order of vertex, then label; the least label stays with the vertex itself.
+// `labels`: one a triangle. The copies are in order of vertex, then label; the least label stays with the vertex
+// itself.
 SplitVertices split_vertices(std::span<const uint32_t> triangles, std::span<const uint32_t> labels,
                              uint32_t vertex_count);
 

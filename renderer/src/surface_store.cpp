@@ -46,17 +46,19 @@ void bind_surface(VkCommandBuffer commands, const SurfacePipelines& pipelines, c
 
 constexpr VkShaderStageFlags both_stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
-void push_skin(VkCommandBuffer commands, const SurfacePipelines& pipelines, const DeviceSurface& surface) {
-    const SkinnedPush push{surface.push, surface.skin->first};
-    vkCmdPushConstants(commands, pipelines.skinned_layout(), both_stages, 0, sizeof push, &push);
+void push_surface(VkCommandBuffer commands, VkPipelineLayout layout, const DeviceSurface& surface) {
+    vkCmdPushConstants(commands, layout, both_stages, 0, sizeof surface.push, &surface.push);
 }
 
 }  // namespace
 
 DeviceSurface::DeviceSurface(UploadRing& ring, const FlgMeshView& mesh, const SurfaceLook& look,
                              std::span<const float> field)
+    : DeviceSurface(ring, prepare_surface(mesh, look, field), look) {}
+
+DeviceSurface::DeviceSurface(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look)
     : casts_shadow(look.casts_shadow) {
-    fill(ring, prepare_surface(mesh, look, field), look);
+    fill(ring, data, look);
 }
 
 DeviceSurface::DeviceSurface(UploadRing& ring, const FlgSkinView& view, const SurfaceLook& look)
@@ -72,6 +74,7 @@ DeviceSurface::DeviceSurface(UploadRing& ring, const FlgSkinView& view, const Su
 
 void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look) {
     push = push_of(data, look);
+    place(placement);
     box = data.box;
     index_count = static_cast<uint32_t>(data.indices.size());
     border_count = static_cast<uint32_t>(data.borders.size());
@@ -79,6 +82,12 @@ void DeviceSurface::fill(UploadRing& ring, const SurfaceData& data, const Surfac
     vertices = ring.make_filled(data.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
     indices = ring.make_filled(data.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, MemoryUse::surfaces);
     borders = ring.make_filled(data.borders, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::surfaces);
+}
+
+void DeviceSurface::place(const Placement& at) {
+    placement = at;
+    push.turn = {at.turn.x, at.turn.y, at.turn.z, at.turn.w};
+    push.at = glm::vec4(at.at, at.scale);
 }
 
 void DeviceSurface::add_targets(UploadTargets& targets) const {
@@ -90,7 +99,7 @@ void DeviceSurface::add_targets(UploadTargets& targets) const {
 Box SurfaceStore::bounds() const {
     Box box;
     for (const auto& [id, surface] : items())
-        if (surface->visible) box.add(surface->box);
+        if (surface->visible) box.add(surface->placement.box(surface->box));
     return box;
 }
 
@@ -109,7 +118,7 @@ void SurfaceStore::gather_joints(std::vector<float>& joints) {
     joints.clear();
     for (const auto& [id, surface] : items()) {
         if (!surface->visible || !surface->skin) continue;
-        surface->skin->first = static_cast<uint32_t>(joints.size() / vector_floats);
+        surface->push.first_joint = static_cast<uint32_t>(joints.size() / vector_floats);
         joints.insert(joints.end(), surface->skin->transforms.begin(), surface->skin->transforms.end());
     }
 }
@@ -121,28 +130,39 @@ SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& p
     bind_surface(commands, pipelines, sets);
     for (const auto& [id, surface] : store.items()) {
         if (!surface->visible || surface->skin) continue;
-        vkCmdPushConstants(commands, pipelines.layout(), both_stages, 0, sizeof surface->push, &surface->push);
+        push_surface(commands, pipelines.layout(), *surface);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.surface(sets.eyes));
         bind_vertices(commands, 0, surface->positions);
         bind_vertices(commands, 1, surface->vertices);
         draw_triangles(commands, *surface, draws);
-        if (surface->border_count == 0) continue;
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.border(sets.eyes));
-        bind_vertices(commands, 0, surface->borders);
-        vkCmdDraw(commands, border_vertices, surface->border_count, 0, 0);
-        draws.triangles += uint64_t{border_vertices / 3} * surface->border_count;
-        ++draws.calls;
     }
     if (!bind_skins(commands, pipelines, sets)) return draws;
     for (const auto& [id, surface] : store.items()) {
         if (!surface->visible || !surface->skin) continue;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                           pipelines.skinned(surface->skin->skinning, sets.eyes));
-        push_skin(commands, pipelines, *surface);
+        push_surface(commands, pipelines.skinned_layout(), *surface);
         bind_vertices(commands, 0, surface->positions);
         bind_vertices(commands, 1, surface->vertices);
         bind_vertices(commands, 2, surface->skin->vertices);
         draw_triangles(commands, *surface, draws);
+    }
+    return draws;
+}
+
+SurfaceDraws record_borders(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets,
+                            const SurfaceStore& store) {
+    SurfaceDraws draws;
+    for (const auto& [id, surface] : store.items()) {
+        if (!surface->visible || surface->border_count == 0) continue;
+        if (draws.calls == 0) {
+            bind_surface(commands, pipelines, sets);
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.border(sets.eyes));
+        }
+        bind_vertices(commands, 0, surface->borders);
+        vkCmdDraw(commands, border_vertices, surface->border_count, 0, 0);
+        draws.triangles += uint64_t{border_vertices / 3} * surface->border_count;
+        ++draws.calls;
     }
     return draws;
 }
@@ -155,6 +175,7 @@ SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipel
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.shadow());
     for (const auto& [id, surface] : store.items()) {
         if (!surface->visible || !surface->casts_shadow || surface->skin) continue;
+        push_surface(commands, pipelines.layout(), *surface);
         bind_vertices(commands, 0, surface->positions);
         draw_triangles(commands, *surface, draws);
     }
@@ -162,7 +183,7 @@ SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipel
     for (const auto& [id, surface] : store.items()) {
         if (!surface->visible || !surface->casts_shadow || !surface->skin) continue;
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.skinned_shadow(surface->skin->skinning));
-        push_skin(commands, pipelines, *surface);
+        push_surface(commands, pipelines.skinned_layout(), *surface);
         bind_vertices(commands, 0, surface->positions);
         bind_vertices(commands, 2, surface->skin->vertices);
         draw_triangles(commands, *surface, draws);

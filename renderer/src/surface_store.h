@@ -3,6 +3,7 @@
 #pragma once
 
 #include "device_store.h"
+#include "filigree_renderer/placement.h"
 #include "skin_data.h"
 #include "surface_data.h"
 #include "surface_pipelines.h"
@@ -17,23 +18,26 @@ struct DeviceSkin {
     uint32_t joint_count;
     FlgSkinning skinning;
     std::vector<float> transforms;
-    uint32_t first = 0;  // of the frame's joints
 };
 
 // One upload.
 struct DeviceSurface {
     DeviceSurface(UploadRing& ring, const FlgMeshView& mesh, const SurfaceLook& look, std::span<const float> field);
+    DeviceSurface(UploadRing& ring, const SurfaceData& data, const SurfaceLook& look);
     // At rest.
     DeviceSurface(UploadRing& ring, const FlgSkinView& skin, const SurfaceLook& look);
 
     bool casts_shadow;
     bool visible = true;
     SurfacePush push;
-    Box box;
+    Box box;  // of its own space
+    Placement placement;
     uint32_t index_count;
     uint32_t border_count;
     Buffer positions, vertices, indices, borders;
     std::unique_ptr<DeviceSkin> skin;  // null: it stays as it is
+
+    void place(const Placement& at);
 
     void add_targets(UploadTargets& targets) const;
 
@@ -65,6 +69,9 @@ struct SurfaceSets {
 // Record all of them into a render pass.
 SurfaceDraws record_surfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets,
                              const SurfaceStore& store);
+// The lines between regions, over a picture that is done otherwise.
+SurfaceDraws record_borders(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfaceSets& sets,
+                            const SurfaceStore& store);
 SurfaceDraws record_surface_shadows(VkCommandBuffer commands, const SurfacePipelines& pipelines,
                                     const SurfaceSets& sets, const SurfaceStore& store);
 

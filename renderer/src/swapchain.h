@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A window's images. Frames are drawn into the target's own image and copied here, so that windows and offscreen targets
-// share all code, and a window's picture can be read back.
+// A window's images. Frames are drawn into the target's own image and copied here, so that windows and offscreen
+// targets share all code, and a window's picture can be read back.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace flg::render {
 
 class Swapchain {
 public:
-    // Outdated: the images no longer fit the window; they are to be rebuilt. Lost: the surface is no longer the window's;
-    // all is to be made anew.
+    // Outdated: the images no longer fit the window; they are to be rebuilt. Lost: the surface is no longer the
+    // window's; all is to be made anew.
     enum class Fitness { good, outdated, lost };
 
     // Takes the surface over, also when it throws.

@@ -31,6 +31,9 @@ uint32_t Target::width() const {
 uint32_t Target::height() const {
     return image_->height();
 }
+uint32_t Target::refined() const {
+    return image_->refined;
+}
 bool Target::begin_frame(uint32_t) {
     return true;
 }

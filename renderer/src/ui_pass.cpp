@@ -101,7 +101,7 @@ UiPass::UiPass(const Device& device, const Shaders& shaders, VkDescriptorSetLayo
         desc.fragment = fragment.handle();
         desc.bindings = {&vertex_binding, 1};
         desc.attributes = vertex_attributes;
-        desc.blended = true;
+        desc.blending = Blending::by_alpha;
         desc.pass = pass_;
         desc.layout = layout_;
         pipeline_ = make_pipeline(device_, desc);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The user interface, drawn over a target's finished picture. The picture is seen as plain 8-bit values, so that blending is
-// of sRGB values.
+// The user interface, drawn over a target's finished picture. The picture is seen as plain 8-bit values, so that
+// blending is of sRGB values.
 #pragma once
 
 #include <utility>

@@ -51,10 +51,11 @@ public:
             throw;
         }
     }
+    bool pending() const { return !copies_.empty() || !image_copies_.empty(); }
     // Forgets what has not been recorded yet.
     void cancel(UploadTargets targets);
-    // Records all pending copies, and that shaders wait for them; returns how many bytes. They stay pending until the frame
-    // is known to be submitted.
+    // Records all pending copies, and that shaders wait for them; returns how many bytes. They stay pending until the
+    // frame is known to be submitted.
     VkDeviceSize record(VkCommandBuffer commands);
     void submitted(uint64_t frame);
     void recycle(uint64_t finished_frame);

@@ -30,6 +30,7 @@ glm::vec3 unit_sun(const Scene& scene) {
 struct SunMap {
     glm::mat4 clip_from_world;
     float texel_m;
+    float depth_m;
 };
 
 SunMap sun_map(glm::vec3 to_sun, const Box& box, uint32_t size) {
@@ -48,6 +49,7 @@ SunMap sun_map(glm::vec3 to_sun, const Box& box, uint32_t size) {
     SunMap map;
     map.clip_from_world = glm::transpose(glm::mat4(rows[0], rows[1], rows[2], glm::vec4(0, 0, 0, 1)));
     map.texel_m = 2.0f * std::max(x, y) / static_cast<float>(std::max(size, 1u));
+    map.depth_m = 2.0f * z;
     return map;
 }
 
@@ -77,11 +79,21 @@ Frustum frustum_of(const Camera& camera, uint32_t width, uint32_t height) {
     return {0.5f * (right - left), 0.5f * (up - down), 0.5f * (left + right), 0.5f * (down + up)};
 }
 
+float ground_height(const Scene& scene, const Box& box) {
+    return scene.ground_height.value_or(box.empty() ? 0.0f : box.min.y);
+}
+
+// The box down to the floor, which has to lie within the shadow map.
+Box down_to_ground(const Scene& scene, Box box) {
+    if (scene.ground && !box.empty()) box.min.y = std::min(box.min.y, ground_height(scene, box));
+    return box;
+}
+
 }  // namespace
 
 ViewUniforms sun_view(const Scene& scene, const Box& box, uint32_t shadow_size) {
     const glm::vec3 to_sun = unit_sun(scene);
-    const SunMap map = sun_map(to_sun, box, shadow_size);
+    const SunMap map = sun_map(to_sun, down_to_ground(scene, box), shadow_size);
     ViewUniforms view{};
     view.clip_from_world = map.clip_from_world;
     view.eye =
@@ -115,12 +127,12 @@ ViewUniforms camera_view(const Camera& camera, const Scene& scene, const Box& bo
                                glm::vec4(0, 0, 0, near_share * distance),
                                glm::vec4(forward, -glm::dot(forward, camera.eye))};
     const glm::vec3 to_sun = unit_sun(scene);
-    const SunMap map = sun_map(to_sun, box, shadow_size);
-    ViewUniforms view;
+    const SunMap map = sun_map(to_sun, down_to_ground(scene, box), shadow_size);
+    ViewUniforms view{};
     view.clip_from_world = glm::transpose(glm::mat4(rows[0], rows[1], rows[2], rows[3]));
     view.shadow_from_world = map.clip_from_world;
     view.eye = glm::vec4(camera.eye, 2.0f * tan_y / static_cast<float>(height));
-    view.ray_right = glm::vec4(right * tan_x, box.empty() ? 0.0f : box.min.y);
+    view.ray_right = glm::vec4(right * tan_x, ground_height(scene, box));
     view.ray_up = glm::vec4(up * tan_y, scene.ground && !box.empty() ? 1.0f : 0.0f);
     view.ray_forward = glm::vec4(middle, std::max(0.5f * box.diagonal(), least_radius_m));
     view.sun_direction = glm::vec4(to_sun, map.texel_m);
@@ -129,8 +141,25 @@ ViewUniforms camera_view(const Camera& camera, const Scene& scene, const Box& bo
     view.bounce_color = glm::vec4(scene.bounce_color, 1.0f);
     view.background_top = glm::vec4(scene.background_top, 2.0f / static_cast<float>(width));
     view.background_bottom = glm::vec4(scene.background_bottom, 2.0f / static_cast<float>(height));
-    view.scene_center = glm::vec4(box.empty() ? glm::vec3(0) : box.center(), 0.0f);
+    view.scene_center = glm::vec4(box.empty() ? glm::vec3(0) : box.center(), map.depth_m);
     return view;
+}
+
+void vary(ViewUniforms& view, uint32_t frame) {
+    // Halton's points: even over the pixel however many there are.
+    const auto radical_inverse = [](uint32_t i, uint32_t base) {
+        float value = 0.0f, digit = 1.0f / static_cast<float>(base);
+        for (; i > 0; i /= base, digit /= static_cast<float>(base)) value += digit * static_cast<float>(i % base);
+        return value;
+    };
+    const glm::vec2 pixels(radical_inverse(frame, 2) - 0.5f, radical_inverse(frame, 3) - 0.5f);
+    const glm::vec2 clip = pixels * glm::vec2(view.background_top.w, view.background_bottom.w);
+    for (int column = 0; column < 4; ++column) {
+        view.clip_from_world[column].x += clip.x * view.clip_from_world[column].w;
+        view.clip_from_world[column].y += clip.y * view.clip_from_world[column].w;
+    }
+    constexpr float golden_turn = 0.6180340f;
+    view.turn.x = std::fmod(golden_turn * static_cast<float>(frame), 1.0f);
 }
 
 }  // namespace flg::render

@@ -30,6 +30,8 @@ void take(Studio& gallery, const char* script, const char* shot, const char* nam
 
 std::span<const Picture> app_pictures() {
     static constexpr Picture kPictures[] = {
+        {"studio_scene", "A drawn animal beside a vase, with ornament, strokes and a curve on it", true,
+         [](Workshop&, Studio& gallery) { take(gallery, "scene", "scene_decorated", "studio_scene"); }},
         {"studio_strokes", "Strokes drawn on a vase in the studio, in styles built in and drawn by hand", true,
          [](Workshop&, Studio& gallery) { take(gallery, "strokes", "strokes_two", "studio_strokes"); }},
         {"studio_tangles", "A vase ornamented in the studio: bands, polka dots, a grid, painted in materials", true,

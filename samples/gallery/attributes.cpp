@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <numbers>
+#include <span>
 
 #include "gallery/looks.h"
 #include "gallery/marks.h"
@@ -50,17 +51,36 @@ struct Shown {
 
 // Sec. 5.1: the thickness belongs to the style.
 void attributes(Workshop& workshop, Studio& studio) {
-    const filigree::CurveSet target = workshop.curve(make_target("flourish"));
+    scenes::Curve flat = wave();  // fills the width of the picture
+    for (scenes::Point& p : flat.points) p.y *= 0.6f;
+    const filigree::CurveSet target = workshop.curve(flat);
     const FlgStyleAttribute kept[] = {{FLG_ATTRIBUTE_RADIUS, FLG_METRIC_AUTO, 1.0f, 0},
                                       {FLG_ATTRIBUTE_COLOR, FLG_METRIC_AUTO, 0.0f, 0}};
-    const filigree::Style plain = workshop.style(make_style("beads")),
-                          beads = workshop.style(workshop.curve(make_style("beads")), kept);
-    const filigree::CurveSet shape = workshop.stylize(plain, target), all = workshop.stylize(beads, target);
-    Panel panels[] = {panel_of(shape.view(), tube(kLeaf, 0.006f)), {}};
-    panels[1] = panels[0];
-    panels[1].layers = {{all.view(), tube()}};
-    aim_together(panels);
-    studio.take("attributes", panels, 2, kWidth, 300);
+    const filigree::CurveSet drawn = workshop.curve(make_style("beads"));
+    FlgStyleDesc prepare = flgStyleDefaults();
+    prepare.point_count = 600;
+    const filigree::Style plain = workshop.style(drawn, prepare);
+    prepare.attributes = kept;
+    prepare.attribute_count = 2;
+    const filigree::Style beads = workshop.style(drawn, prepare);
+    FlgStylizeDesc desc = flgStylizeDefaults();
+    desc.scale = 1.5f;
+    const filigree::CurveSet shape = workshop.stylize(plain, target, desc), all = workshop.stylize(beads, target, desc);
+    Panel panels[3];
+    panels[0].layers = {{drawn.view(), tube(kInk, 0.0f, 1.5f)}};
+    panels[0].title = "The example: a thread with beads";
+    panels[1] = panel_of(shape.view(), tube(kLeaf, 0.008f));
+    panels[1].title = "A result that takes its shape alone";
+    panels[2].layers = {{all.view(), tube(kInk, 0.0f, 1.5f)}};
+    panels[2].title = "A result that takes radius and colour as well";
+    for (Panel& panel : panels) {
+        panel.sight = {0.0f, -0.1f, -1.0f};
+        panel.ground = false;
+        panel.layers[0].look.sides = 32;  // round beads
+    }
+    aim_together(std::span(panels).last(2));
+    panels[0].aim = {{-0.02f, -0.08f, 0.0f}, {1.02f, 0.12f, 0.0f}};
+    studio.take("attributes", panels, 1, kWidth, 720);
 }
 
 Panel solid(const Sweep& sweep, glm::vec3 color) {
@@ -85,7 +105,8 @@ void ellipses(Workshop& workshop, Studio& studio) {
     const filigree::Style style = workshop.style(stem, radii);
     const Shown shown(workshop, style);
     const Sweep drawn = Sweep::ellipses(shown.drawn.view()), made = Sweep::ellipses(shown.result.view());
-    const Panel panels[] = {solid(drawn, kGrey), solid(made, kLeaf)};
+    Panel panels[] = {solid(drawn, kGrey), solid(made, kLeaf)};
+    entitle(panels, {"The example: leaves that turn", "Its result"});
     studio.take("ellipses", panels, 1, kTallWidth, kTallHeight);
 }
 
@@ -107,13 +128,30 @@ void ribbons(Workshop& workshop, Studio& studio) {
         panel.surfaces[0].look.regions = {{kRed, 0.0f, 0.4f}, {kGold, 0.0f, 0.4f}, {kInk, 0.0f, 0.5f}};
     }
     aim_together(panels);
+    entitle(panels, {"Two sides: red is joined to red", "One side: a piece may come turned over"});
+    panels[1].notes = {{{-0.28f, -0.25f, 0.0f}, "turned over here", {0.0f, 30.0f}}};
     studio.take("ribbons", panels, 1, kTallWidth, kTallHeight);
+}
+
+// With its corners cut, thrice (Chaikin): a broad pen shows them.
+scenes::Curve rounded(scenes::Curve curve) {
+    for (int pass = 0; pass < 3; ++pass) {
+        scenes::Curve finer;
+        for (size_t i = 0; i + 1 < curve.points.size(); ++i) {
+            const scenes::Point &p = curve.points[i], &q = curve.points[i + 1];
+            for (const float t : {0.25f, 0.75f}) {
+                finer.points.push_back({std::lerp(p.x, q.x, t), std::lerp(p.y, q.y, t), std::lerp(p.z, q.z, t)});
+            }
+        }
+        curve = std::move(finer);
+    }
+    return curve;
 }
 
 // Sec. 5.2: width, S1 x R+: a broad pen, its edge across the stroke.
 void width(Workshop& workshop, Studio& studio) {
     constexpr float kThickness = 0.003f;
-    scenes::Curve stroke = make_style("loops");
+    scenes::Curve stroke = rounded(make_style("loops"));
     stroke.angles.assign(stroke.points.size(), 0.25f * kTau);
     const filigree::CurveSet drawn =
         example<1>(workshop, stroke, FLG_ATTRIBUTE_WIDTH, [](float u) -> std::array<float, 1> {
@@ -131,6 +169,7 @@ void width(Workshop& workshop, Studio& studio) {
                                      [&](uint32_t point) { return 0.5f * *samples::value_at(column, point); }));
         panels.push_back(solid(bands.back(), set == &shown.drawn ? kGrey : kTeal));
     }
+    entitle(panels, {"The example: a broad pen", "Its result"});
     studio.take("width", panels, 1, kTallWidth, kTallHeight);
 }
 
@@ -169,6 +208,7 @@ void speed(Workshop& workshop, Studio& studio) {
         Panel& panel = panels.emplace_back(panel_of(set->view(), tube(kGrey, 0.0018f)));
         panel.layers.push_back(shape_of(dots.back().view(), tube(set == &shown.drawn ? kInk : kRed, 0.0065f)));
     }
+    entitle(panels, {"The example: dots at equal times", "Its result"});
     studio.take("speed", panels, 1, kTallWidth, kTallHeight);
 }
 

@@ -2,6 +2,7 @@
 // What an option does, side by side.
 #include <cmath>
 #include <deque>
+#include <tuple>
 
 #include "gallery/looks.h"
 #include "gallery/marks.h"
@@ -39,18 +40,28 @@ std::vector<scenes::Curve> runs_of(const FlgCurveSetView& result, uint32_t style
 // Fig. 5; below, as there, which point of the style each point copies.
 void temperature(Workshop& workshop, Studio& studio) {
     const filigree::CurveSet target = workshop.curve(make_target("s_curve"));
+    scenes::Curve axes;
+    axes.points = {{0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}};
+    const filigree::CurveSet corner = workshop.curve(axes);
     const filigree::Style style = workshop.style(make_style("knots"));
     std::deque<filigree::CurveSet> sets;
     std::vector<Panel> above, below;
-    for (float tau : {0.0f, 1.0f, 10.0f}) {
+    for (const auto& [tau, title, runs] : {std::tuple{0.0f, "Temperature 0", "copies long runs of the example"},
+                                           std::tuple{1.0f, "Temperature 1", "shorter runs: more variation"},
+                                           std::tuple{10.0f, "Temperature 10", "single points: noise"}}) {
         FlgStylizeDesc desc = sized(style, 0.040f);
         desc.temperature = tau;
         const filigree::CurveSet& result = sets.emplace_back(workshop.stylize(style, target, desc));
-        above.push_back(panel_of(result.view(), tube(kRed, 0.008f)));
+        above.push_back(panel_of(result.view(), tube(kRed, 0.010f)));
+        above.back().title = title;
         sets.push_back(workshop.curves(runs_of(result.view(), style.info().point_count)));
-        below.push_back(panel_of(sets.back().view(), tube(kInk, 0.006f), {0.0f, 0.0f, -1.0f}));
-        below.back().ground = false;
-        below.back().aim = {{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 0.0f}};
+        Panel& panel = below.emplace_back(panel_of(sets.back().view(), tube(kInk, 0.007f), {0.0f, 0.0f, -1.0f}));
+        panel.layers.push_back(shape_of(corner.view(), tube(kGrey, 0.003f)));
+        panel.title = runs;
+        panel.notes = {{{0.5f, 0.0f, 0.0f}, "along the result \u2192", {0.0f, 16.0f}, kInk, 14.0f},
+                       {{0.0f, 1.0f, 0.0f}, "along the example \u2191", {0.0f, -14.0f}, kInk, 14.0f, Align::left}};
+        panel.ground = false;
+        panel.aim = {{-0.02f, -0.12f, 0.0f}, {1.02f, 1.22f, 0.0f}};
     }
     aim_together(above);
     above.insert(above.end(), below.begin(), below.end());
@@ -74,6 +85,11 @@ void frames(Workshop& workshop, Studio& studio) {
         panel.layers.back().curves = panel.layers.back().curves.without(FLG_ATTRIBUTE_COLOR);
         panels.push_back(panel);
     }
+    entitle(panels, {"Frenet frames flip", "Rotation-minimizing frames do not"});
+    constexpr float kInflection = 0.5585f;  // of the wave, and of its mirror image, metres from its middle
+    panels[0].notes = {{{-kInflection, 0.0f, 0.0f}, "flip", {34.0f, -20.0f}},
+                       {{0.0f, 0.0f, 0.0f}, "flip", {-34.0f, -18.0f}},
+                       {{kInflection, 0.0f, 0.0f}, "flip", {38.0f, -18.0f}}};
     studio.take("frames", panels, 2, kWidth, kLowHeight);
 }
 
@@ -98,6 +114,7 @@ void planes(Workshop& workshop, Studio& studio) {
     all.sight = panels[0].sight;
     panels.push_back(all);
     aim_together(panels);
+    entitle(panels, {"A style in a plane", "turned by a third", "by two thirds", "all three"});
     studio.take("planes", panels, 4, kWidth, kLowHeight);
 }
 
@@ -122,10 +139,11 @@ void supplied(Workshop& workshop, Studio& studio) {
         desc.frame = frame;
         results.push_back(workshop.stylize(style, target, desc));
         panels.push_back(panel_of(results.back().view(), tube(frame == FLG_FRAME_SUPPLIED ? kTeal : kRed, 0.0016f),
-                                  {-0.2f, -0.2f, -1.0f}));
+                                  {-0.2f, -0.9f, -1.0f}));
         panels.back().layers.push_back({ball.view(), body()});
     }
     aim_together(panels);
+    entitle(panels, {"Rotation-minimizing frames: loops lean", "The normals of the ball: loops stand"});
     studio.take("supplied", panels, 2, kWidth, 480);
 }
 
@@ -135,7 +153,9 @@ void analogies(Workshop& workshop, Studio& studio) {
     constexpr struct {
         const char *style, *target;
         float scale, radius;
-    } kPairs[] = {{"loops", "s_curve", 0.8f, 0.006f}, {"zigzag", "flourish", 0.7f, 0.006f}};
+        glm::vec3 sight;
+    } kPairs[] = {{"loops", "s_curve", 0.8f, 0.006f, {-0.1f, -0.12f, -1.0f}},
+                  {"zigzag", "flourish", 0.7f, 0.006f, {-0.1f, -0.70f, -1.0f}}};
     std::deque<filigree::CurveSet> sets;
     std::vector<Panel> panels;
     for (const auto& pair : kPairs) {
@@ -147,13 +167,14 @@ void analogies(Workshop& workshop, Studio& studio) {
         };
         for (const auto* points : {&scene.theirs.points, &scene.ours.points}) {
             const bool ours = points == &scene.ours.points;
-            panels.push_back(
-                panel_of(line(*points).view(), tube(ours ? kTeal : kRed, pair.radius), {-0.1f, -0.12f, -1.0f}));
+            panels.push_back(panel_of(line(*points).view(), tube(ours ? kTeal : kRed, pair.radius), pair.sight));
             panels.back().layers.push_back(shape_of(line(scene.target).view(), tube(kGrey, 0.0022f)));
         }
         aim_together(std::span(panels).last(2));
     }
-    studio.take("analogies", panels, 2, kWidth, 800);
+    entitle(panels, {"Curve Analogies: loops lean over", "Filigree: loops keep to their plane",
+                     "Curve Analogies: the zigzag flattens where the line rises", "Filigree: it does not"});
+    studio.take("analogies", panels, 2, kWidth, 720);
 }
 #endif
 

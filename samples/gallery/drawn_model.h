@@ -2,10 +2,10 @@
 // Models of samples/models, in poses of their test motion, and their bones as strokes.
 #pragma once
 
+#include "documents/model_drawing.h"
+#include "documents/test_motion.h"
 #include "gallery/studio.h"
-#include "model_drawing.h"
 #include "scenes/scenes.h"
-#include "test_motion.h"
 
 namespace flg::gallery {
 

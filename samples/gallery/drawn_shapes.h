@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contours for pictures, and what the SDK makes of them: parts, bodies, models, straight skeletons. All live as long as the
-// workshop.
+// Contours for pictures, and what the SDK makes of them: parts, bodies, models, straight skeletons. All live as long
+// as the workshop.
 #pragma once
 
 #include "filigree/filigree_model.h"

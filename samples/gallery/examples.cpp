@@ -42,6 +42,7 @@ void several(Workshop& workshop, Studio& studio) {
     panels[0].sight = {-0.1f, -0.1f, -1.0f};
     panels[1].layers = {{painted.columns(), tube(kInk, 0.007f)}};
     panels[1].sight = {-0.3f, -0.55f, -1.0f};
+    entitle(panels, {"Three strokes, one style", "The result, in the colours of what it copies"});
     studio.take("several", panels, 2, kWidth, 420);
 }
 
@@ -67,34 +68,48 @@ filigree::CurveSet curly_waves(Workshop& workshop) {
 // Sec. 4.5.4: small patches, large ones, both. The colour says where on the style a point comes from.
 void multiresolution(Workshop& workshop, Studio& studio) {
     constexpr FlgPatchSize kSmall[] = {{3, 1.0f}}, kLarge[] = {{60, 1.0f}}, kBoth[] = {{3, 1.0f}, {60, 0.3f}};
+    const struct {
+        std::span<const FlgPatchSize> sizes;
+        const char* title;
+    } kResults[] = {{kSmall, "Small patches: curls go on, waves break off"},
+                    {kLarge, "Large patches: waves go on"},
+                    {kBoth, "Both sizes: waves and curls go on"}};
     const filigree::CurveSet drawn = curly_waves(workshop), target = workshop.curve(line([](float u) {
         return scenes::Point{2.0f * kWavesLength * u, 0.0f, 0.0f};
     }));
     std::deque<filigree::CurveSet> results;
     std::deque<Painted> painted;
     std::vector<Panel> panels;
-    for (const auto sizes : std::initializer_list<std::span<const FlgPatchSize>>{kSmall, kLarge, kBoth}) {
-        FlgStyleDesc prepare = flgStyleDefaults();
-        prepare.patch_sizes = sizes.data();
-        prepare.patch_size_count = static_cast<uint32_t>(sizes.size());
-        const filigree::Style style = workshop.style(drawn, prepare);
-        FlgStylizeDesc desc = flgStylizeDefaults();
-        desc.start = FLG_START_RANDOM;
-        desc.temperature = 0.5f;
-        results.push_back(workshop.stylize(style, target, desc));
+    const auto show = [&](const filigree::Style& style, filigree::CurveSet curves, const char* title) {
+        results.push_back(std::move(curves));
         const auto count = static_cast<float>(style.info().point_count);
         painted.emplace_back(results.back().view(), FLG_ATTRIBUTE_STYLE_INDEX,
                              [=](const float* index) { return render::field_color(*index / count); });
-        panels.emplace_back().layers = {{painted.back().columns(), tube(kInk, 0.006f)}};
-        panels.back().sight = {0.0f, -0.1f, -1.0f};
-        panels.back().ground = false;
+        Panel& panel = panels.emplace_back();
+        panel.layers = {{painted.back().columns().without(FLG_ATTRIBUTE_RADIUS), tube(kInk, 0.0085f)}};
+        panel.sight = {0.0f, -0.1f, -1.0f};
+        panel.ground = false;
+        panel.title = title;
+    };
+    for (const auto& result : kResults) {
+        FlgStyleDesc prepare = flgStyleDefaults();
+        prepare.patch_sizes = result.sizes.data();
+        prepare.patch_size_count = static_cast<uint32_t>(result.sizes.size());
+        const filigree::Style style = workshop.style(drawn, prepare);
+        if (panels.empty()) {
+            show(style, workshop.stylize(style, style.guide()), "The example: curls along waves");
+        }
+        FlgStylizeDesc desc = flgStylizeDefaults();
+        desc.start = FLG_START_RANDOM;
+        desc.temperature = 0.5f;
+        show(style, workshop.stylize(style, target, desc), result.title);
     }
     aim_together(panels);
-    studio.take("multiresolution", panels, 1, kWidth, 480);
+    panels[0].notes = {{{2.5f, 0.0f, 0.0f}, "Colours below say which part of it is copied", {}, kInk, 14.0f}};
+    studio.take("multiresolution", panels, 1, kWidth, 560);
 }
 
-// Algorithm 1: a guide of the user's own says what belongs to the style. Above, the style (grey) and its guide; below, the
-// result.
+// Algorithm 1: a guide of the user's own says what belongs to the style.
 void guide(Workshop& workshop, Studio& studio) {
     const filigree::CurveSet drawn = curly_waves(workshop), own = workshop.curve(waves()),
                              target = workshop.curve(line([](float u) {
@@ -109,14 +124,21 @@ void guide(Workshop& workshop, Studio& studio) {
         if (given) prepare.guide = own.get();
         const filigree::Style style = workshop.style(drawn, prepare);
         sets.push_back(style.guide());
-        above.push_back(panel_of(drawn.view(), tube(kGrey, 0.005f), {-0.05f, -0.1f, -1.0f}));
-        above.back().layers.push_back(shape_of(sets.back().view(), tube(color, 0.009f)));
+        above.push_back(panel_of(drawn.view(), tube(kGrey, 0.007f), {-0.05f, -0.1f, -1.0f}));
+        above.back().layers.push_back(shape_of(sets.back().view(), tube(color, 0.011f)));
+        above.back().layers.back().look.in_front = true;
+        above.back().aim = points_of(above.back());
+        above.back().aim.emplace_back(0.5f * kWavesLength, 0.40f, 0.0f);  // room for the key
+        above.back().title = given ? "A guide that you draw" : "The guide that is found";
+        above.back().keys = {{kGrey, "example"}, {color, given ? "guide, along the waves" : "guide, straight"}};
         sets.push_back(workshop.stylize(style, target));
-        below.push_back(panel_of(sets.back().view(), tube(color, 0.007f), {-0.05f, -0.1f, -1.0f}));
+        below.push_back(panel_of(sets.back().view(), tube(color, 0.009f), {-0.05f, -0.1f, -1.0f}));
+        below.back().title = given ? "Its result on an arch: curls alone" : "Its result on an arch: waves and curls";
     }
     aim_together(below);
     above.insert(above.end(), below.begin(), below.end());
-    studio.take("guide", above, 2, kWidth, 420);
+    for (Panel& panel : above) panel.ground = false, panel.margin = 1.04f;
+    studio.take("guide", above, 2, kWidth, 460);
 }
 
 // Sec. 4.5.1, the inset: a closed curve, its result stylized again and that once more stays closed.
@@ -139,6 +161,7 @@ void fractal(Workshop& workshop, Studio& studio) {
         panels.push_back(panel_of(rings[i].view(), tube(kColors[i], kRadii[i]), {-0.1f, -1.4f, -1.0f}));
     }
     aim_together(panels);
+    entitle(panels, {"A closed curve", "in a style", "and in it once more"});
     studio.take("fractal", panels, 3, kWidth, 320);
 }
 

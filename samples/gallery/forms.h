@@ -11,12 +11,13 @@ namespace flg::gallery {
 
 filigree::Surface surface_of(Workshop& workshop, const scenes::Mesh& mesh, float weld_distance = 0.0f);
 
-// The figure of the scenes, made round by Loop's subdivision: 4 levels are 88 thousand triangles, each further one four times
-// as many.
+// The figure of the scenes, made round by Loop's subdivision: 4 levels are 88 thousand triangles, each further one
+// four times as many.
 filigree::Surface cat(Workshop& workshop, uint32_t levels = 4);
 constexpr uint32_t kFineCat = 5;
 
-// Turned about the y axis, open above and below, of so many vertices around. The border below is loop 0, that above loop 1.
+// Turned about the y axis, open above and below, of so many vertices around. The border below is loop 0, that above
+// loop 1.
 filigree::Surface vase(Workshop& workshop, uint32_t columns = 640);
 constexpr uint32_t kFineVase = 960;
 

@@ -59,10 +59,13 @@ void live(Workshop& workshop, Studio& studio) {
         sets.push_back(workshop.curves(hand));
         Panel& panel = panels.emplace_back();
         panel.layers = drawn;
-        panel.layers.push_back(shape_of(sets.back().view(), tube(kInk, 0.0095f)));
+        panel.layers.push_back(shape_of(sets.back().view(), tube(kInk, 0.0080f)));
+        panel.layers.back().look.in_front = true;  // curls would hide them
         panel.sight = {-0.05f, -0.1f, -1.0f};
     }
     aim_together(panels);
+    panels[0].keys = {{kInk, "samples"}, {kTeal, "made by one push"}, {kGold, "by the next"}};
+    entitle(panels, {"After a third of the samples", "Two thirds: what is there stays", "All of them"});
     studio.take("live", panels, 1, 720, 860);
 }
 

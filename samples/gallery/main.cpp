@@ -16,9 +16,10 @@ using namespace flg::gallery;
 
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
-    for (const auto pictures : {showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(),
-                                steps(), live_pictures(), surface_pictures(), tangle_pictures(), skeleton_pictures(),
-                                bone_pictures(), spline_pictures(), obstacle_pictures(), motion_pictures()}) {
+    for (const auto pictures :
+         {front_pictures(), showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(), steps(),
+          live_pictures(), surface_pictures(), tangle_pictures(), tangle_comparisons(), skeleton_pictures(),
+          bone_pictures(), spline_pictures(), footpoint_pictures(), obstacle_pictures(), motion_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
 #if defined(FLG_WITH_SCRIPTS)
@@ -32,7 +33,12 @@ std::vector<Picture> all_pictures() {
     return list;
 }
 
-void run(const std::vector<std::string>& names, const std::string& folder, bool readme) {
+// A sketch of the user's for the picture `sketch`.
+struct SketchFile {
+    std::string file, credit;
+};
+
+void run(const std::vector<std::string>& names, const std::string& folder, bool readme, const SketchFile& sketch) {
     const std::vector<Picture> pictures = all_pictures();
     for (const std::string& name : names) {
         if (std::none_of(pictures.begin(), pictures.end(), [&](const Picture& p) { return name == p.name; })) {
@@ -43,6 +49,10 @@ void run(const std::vector<std::string>& names, const std::string& folder, bool 
     flg::samples::calm_vulkan_loader();
     Workshop workshop;
     Studio studio(folder);
+    if (!sketch.file.empty()) {
+        before_and_after(sketch.file, sketch.credit, workshop, studio);
+        return;
+    }
     for (const Picture& picture : pictures) {
         const bool named = std::find(names.begin(), names.end(), picture.name) != names.end();
         if (names.empty() ? !readme || picture.in_readme : named) picture.make(workshop, studio);
@@ -54,10 +64,14 @@ void run(const std::vector<std::string>& names, const std::string& folder, bool 
 int main(int argc, char** argv) {
     std::vector<std::string> names;
     std::string folder = "out/gallery", forms;
+    SketchFile sketch;
     bool readme = false, list = false;
     CLI::App program("Remakes the gallery's pictures, offscreen.", "gallery");
     program.add_option("NAME", names, "Pictures to make; none = all");
     program.add_option("--out", folder, "Folder for the pictures")->capture_default_str();
+    program.add_option("--sketch", sketch.file,
+                       "Make only the picture `sketch`: this file's strokes (.tilt) before and after");
+    program.add_option("--credit", sketch.credit, "Written below that picture");
     program.add_option("--forms", forms,
                        "Write the meshes that scripts of samples/tangles decorate to a folder, no pictures");
     program.add_flag("--readme", readme, "Make those that READMEs show, into the repository");
@@ -73,7 +87,7 @@ int main(int argc, char** argv) {
             write_forms(workshop, forms);
             return 0;
         }
-        run(names, readme ? FLG_README_PICTURES : folder, readme);
+        run(names, readme ? FLG_README_PICTURES : folder, readme, sketch);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "gallery: %s\n", error.what());
         return 1;

@@ -27,7 +27,7 @@ struct Model {
 };
 
 constexpr Model kBird = {"bird", {-0.45f, -0.30f, -1.0f}, 0.50f, "wave", 0.45f, 0.05f, kCream},
-                kCat = {"cat", {-0.5f, -0.25f, -1.0f}, 0.50f, "loops", 0.55f, 0.05f, kInk},
+                kCat = {"cat", {-0.5f, -0.25f, -1.0f}, 0.50f, "loops", 0.55f, 0.10f, kInk},
                 kCrab = {"crab", {-0.2f, -0.45f, -1.0f}, 0.50f, "knit", 0.45f, 0.05f, kCream},
                 kDeer = {"deer", {-0.5f, -0.22f, -1.0f}, 0.50f, "wave", 0.45f, 0.05f, kCream},
                 kTree = {"tree", {-0.3f, -0.20f, -1.0f}, 0.50f, "knit", 0.50f, 0.05f, kCream},
@@ -49,6 +49,33 @@ public:
     explicit Shelf(Workshop& workshop) : workshop_(workshop) {}
 
     DrawnModel& model(const cli::ModelDrawing& drawing) { return models_.emplace_back(drawing, kVertices); }
+
+    // The lines that were drawn, where they are in space; those of mirrored parts once.
+    Panel outlines(const cli::ModelDrawing& drawing, const glm::vec3& sight) {
+        constexpr float kLine = 0.0035f;  // of the drawing's size
+        std::vector<scenes::Curve> curves;
+        glm::vec3 low(1e9f), high(-1e9f);
+        for (const cli::DrawnPart& part : drawing.parts) {
+            const auto& m = part.placement;
+            const std::vector<uint32_t>& offsets = part.contour.offsets;
+            for (size_t ring = 0; ring + 1 < offsets.size(); ++ring) {
+                scenes::Curve& curve = curves.emplace_back();
+                curve.closed = true;
+                for (size_t i = offsets[ring]; i < offsets[ring + 1]; ++i) {
+                    const double x = part.contour.points[2 * i], y = part.contour.points[2 * i + 1];
+                    const glm::vec3 p(m[0] * x + m[1] * y + m[3], m[4] * x + m[5] * y + m[7],
+                                      m[8] * x + m[9] * y + m[11]);
+                    low = glm::min(low, p), high = glm::max(high, p);
+                    curve.points.push_back(to_point(p));
+                }
+            }
+        }
+        sets_.push_back(workshop_.curves(curves));
+        Panel panel = panel_of(sets_.back().view(), tube(kInk, kLine * glm::distance(low, high)), sight);
+        panel.ground = false;
+        panel.margin = 1.05f;
+        return panel;
+    }
 
     // At rest, with bones and joints seen through it.
     Panel with_bones(DrawnModel& model, const glm::vec3& sight) {
@@ -109,6 +136,7 @@ void show(const char* name, std::initializer_list<Model> models, Workshop& works
     for (const Model& one : models) {
         DrawnModel& model = shelf.model(drawing_of(one.name));
         panels.push_back(shelf.with_bones(model, one.sight));
+        panels.back().title = one.name;
         poses.push_back(shelf.with_strokes(model, one));
     }
     panels.insert(panels.end(), poses.begin(), poses.end());
@@ -134,13 +162,14 @@ void refinement(Workshop& workshop, Studio& studio) {
         std::printf("a bird of %u joints\n", model.bones().joint_count);
         panels.push_back(shelf.with_bones(model, {-0.35f, -1.1f, -1.0f}));
     }
+    entitle(panels, {"Small thresholds", "As drawn", "Large thresholds"});
     studio.take("skeleton_refinement", panels, 3, kWidth, 330);
 }
 
 // Fig. 11: junctions where legs and tail meet the body, and one in their place.
 void merging(Workshop& workshop, Studio& studio) {
-    constexpr glm::vec3 kHips = {-2.3f, -0.2f, 0.0f};
-    constexpr float kReach = 1.05f;
+    constexpr glm::vec3 kHips = {-2.75f, -0.2f, 0.22f};  // and room for titles
+    constexpr float kReach = 1.12f;
     Shelf shelf(workshop);
     std::vector<Panel> panels;
     for (const bool merged : {false, true}) {
@@ -151,16 +180,51 @@ void merging(Workshop& workshop, Studio& studio) {
         panel.aim = around(kHips, kReach);
         panel.margin = 1.0f;
     }
+    entitle(panels, {"Separate junctions", "Merged into one"});
     studio.take("skeleton_merging", panels, 2, kWidth, 400);
+}
+
+// Fig. 1: one part; more parts, each hung on what was there; bones refined.
+void overview(Workshop& workshop, Studio& studio) {
+    constexpr glm::vec3 kSight = {-0.5f, -0.25f, -1.0f};
+    constexpr size_t kFirst = 1, kSome = 6;
+    const cli::ModelDrawing all = drawing_of("cat");
+    const auto first_parts = [&](size_t count) {
+        cli::ModelDrawing some = all;
+        some.parts.resize(count);
+        return some;
+    };
+    const FlgBoneThresholds coarse = {.simplify = 0.03f, .merge = 0.06f, .prune = 0.09f, .collapse = 0.05f};
+    Shelf shelf(workshop);
+    std::vector<Panel> panels;
+    const auto add = [&](Panel panel, const char* title) {
+        panel.title = title;
+        panels.push_back(std::move(panel));
+    };
+    add(shelf.outlines(first_parts(kFirst), kSight), "Draw an outline:");
+    add(shelf.with_bones(shelf.model(first_parts(kFirst)), kSight), "a body with bones comes of it");
+    add(shelf.with_bones(shelf.model(first_parts(kSome)), kSight), "Draw parts: bones connect");
+    add(shelf.with_bones(shelf.model(all), kSight), "All parts: one skeleton");
+    add(shelf.with_bones(shelf.model(with_thresholds(all, coarse)), kSight), "Refine it: fewer bones");
+    add(shelf.with_strokes(shelf.model(all), kCat), "and move it");
+    studio.take("skeleton_overview", panels, 3, kWidth, 600);
 }
 
 void front_page(Workshop& workshop, Studio& studio) {
     Shelf shelf(workshop);
-    std::vector<Panel> panels;
-    for (const Model& one : {kCat, kDragon, kOctopus}) {
-        panels.push_back(shelf.with_strokes(shelf.model(drawing_of(one.name)), one));
+    std::vector<Panel> drawings, panels;
+    for (const Model& one : {kCat, kDragon, kCrab}) {
+        const cli::ModelDrawing drawing = drawing_of(one.name);
+        drawings.push_back(shelf.outlines(drawing, one.sight));
+        char words[80];
+        std::snprintf(words, sizeof words, "%s: %zu drawn outlines", one.name, drawing.parts.size());
+        drawings.back().title = words;
+        panels.push_back(shelf.with_strokes(shelf.model(drawing), one));
     }
-    studio.take("models", panels, 3, kWidth, 320);
+    panels[0].title = "the model, in a pose";
+    panels[1].title = "strokes lie along its bones";
+    drawings.insert(drawings.end(), panels.begin(), panels.end());
+    studio.take("models", drawings, 3, kWidth, 600);
 }
 
 constexpr Picture kPictures[] = {
@@ -177,6 +241,8 @@ constexpr Picture kPictures[] = {
      [](Workshop& workshop, Studio& studio) {
          show("models_3", {kOctopus, kDragon, kHand}, workshop, studio);
      }},
+    {"skeleton_overview", "Fig. 1: a drawn outline becomes a body with bones, parts are added, bones refined", true,
+     overview},
     {"skeleton_refinement", "Fig. 10: a bird's bones at three settings", true, refinement},
     {"skeleton_merging", "Fig. 11: a cat's hips before and after merging", true, merging},
 };

@@ -7,13 +7,15 @@
 #include <random>
 
 #include "filigree/filigree_motion.h"
-#include "gallery/bodies.h"
 #include "gallery/looks.h"
 #include "gallery/marks.h"
 #include "gallery/pictures.h"
+#include "support/bodies.h"
 
 namespace flg::gallery {
 namespace {
+
+using samples::Body, samples::Copies, samples::moved_by;
 
 constexpr glm::vec3 kPale = {0.78f, 0.74f, 0.66f}, kBlue = {0.03f, 0.13f, 0.50f}, kStone = {0.33f, 0.36f, 0.38f};
 
@@ -118,7 +120,7 @@ std::vector<Panel> panels_of(std::deque<Show>& shows, bool together = true) {
 // Fig. 9: between two positions, the free motion of the body, and a turn about one axis at constant speed.
 void shortest(Workshop& workshop, Studio& studio) {
     constexpr uint32_t kPositions = 161, kEvery = 16;
-    const Body body = oar();
+    const Body body = samples::oar();
     const glm::dvec3 from(-0.9, 0.0, 0.0), to(0.9, 0.0, 0.0), tip = 1.1 * glm::dvec3(1.0, 0.0, 0.0);
     const glm::dquat first = about({0, 0, 1}, 130.0), last = about({0, 0, 1}, 50.0) * about({1, 0, 0}, 170.0);
     Keys keys{{pose_of(from, first), pose_of(to, last)}};
@@ -142,13 +144,15 @@ void shortest(Workshop& workshop, Studio& studio) {
             std::printf("blade: %.2f m by the metric of the body, %.2f m by quaternions\n", lengths[0], lengths[1]);
         show.panel().sight = {0.55f, -0.75f, -1.0f};
     }
-    studio.take("motion_shortest", panels_of(shows), 2, kWidth, 400);
+    std::vector<Panel> panels = panels_of(shows);
+    entitle(panels, {"By how far its points go", "Turned about one axis"});
+    studio.take("motion_shortest", panels, 2, kWidth, 400);
 }
 
 // Fig. 10: one body through the same four positions and back, by three energies.
 void cyclic(Workshop& workshop, Studio& studio) {
-    constexpr uint32_t kPositions = 240, kEvery = 8;
-    const Body body = hammer();
+    constexpr uint32_t kPositions = 240, kEvery = 15;
+    const Body body = samples::hammer();
     Keys keys;
     for (int i = 0; i < 4; ++i) {
         const double a = 90.0 * i, r = 1.6;
@@ -159,23 +163,27 @@ void cyclic(Workshop& workshop, Studio& studio) {
     keys.desc.closed = 1;
     keys.desc.tension = 60.0;
     std::deque<Show> shows;
-    for (const FlgSplineEnergy energy : {FLG_SPLINE_E2, FLG_SPLINE_ET, FLG_SPLINE_E1}) {
+    for (const auto& [energy, title] :
+         {std::pair{FLG_SPLINE_E2, "E2: bends least"}, std::pair{FLG_SPLINE_ET, "E2 + 60 E1: tighter"},
+          std::pair{FLG_SPLINE_E1, "E1: shortest, flies freely between"}}) {
         keys.desc.energy = energy;
         const std::vector<Pose> poses = poses_of(motion_of(workshop, body, keys, kPositions));
         Show& show = shows.emplace_back(workshop);
         show.copies(body, keys.poses, 0.0f);
         show.copies(body, every(poses, kEvery), 0.6f);
-        show.path(poses, {0.0, -0.62, 0.0}, kBlue, 0.02f, true);
+        show.path(poses, {0.0, -0.62, 0.0}, kBlue, 0.03f, true);
         show.panel().sight = {-0.15f, -1.3f, -0.9f};
-        show.panel().margin = 1.03f;
+        show.panel().margin = 1.05f;
+        show.panel().title = title;
     }
-    studio.take("motion_cyclic", panels_of(shows), 3, kWidth, 330);
+    shows[0].panel().keys = {{kRed, "four given positions"}, {kBlue, "way of the handle's end"}};
+    studio.take("motion_cyclic", panels_of(shows), 3, kWidth, 400);
 }
 
 // Fig. 11: a motion as it was measured, and the smooth one near it.
 void smoothed(Workshop& workshop, Studio& studio) {
     constexpr uint32_t kKeys = 30;
-    const Body body = glider();
+    const Body body = samples::glider();
     std::mt19937 random(11);
     std::normal_distribution<double> noise;
     Keys keys;
@@ -205,13 +213,15 @@ void smoothed(Workshop& workshop, Studio& studio) {
         show.panel().sight = {0.0f, -1.0f, -0.75f};
         show.panel().margin = 1.03f;
     }
-    studio.take("motion_smoothed", panels_of(shows), 1, kWidth, 480);
+    std::vector<Panel> panels = panels_of(shows);
+    entitle(panels, {"As measured", "Smoothed"});
+    studio.take("motion_smoothed", panels, 1, kWidth, 480);
 }
 
 // Fig. 16: a motion as it would be, and one that keeps out of five obstacles, twice.
 void obstacles(Workshop& workshop, Studio& studio) {
-    constexpr uint32_t kPositions = 271, kEvery = 15;
-    const Body body = top();
+    constexpr uint32_t kPositions = 271, kEvery = 18;
+    const Body body = samples::top();
     Keys keys{{pose_of({-1.9, -0.8, 0.3}, about({0, 0, 1}, 0.0)), pose_of({-0.8, 0.9, -0.9}, about({1, 1, 0}, 100.0)),
                pose_of({0.8, -0.9, 0.9}, about({0, 1, 1}, 170.0)), pose_of({2.1, 0.7, -0.2}, about({1, 0, 1}, 80.0))}};
     const filigree::Motion unconstrained = motion_of(workshop, body, keys, kPositions);
@@ -248,12 +258,13 @@ void obstacles(Workshop& workshop, Studio& studio) {
     keys.desc.obstacles = all.get();
     const std::vector<Pose> around = poses_of(motion_of(workshop, body, keys, kPositions));
     std::deque<Show> shows;
-    for (int i = 0; i < 3; ++i) {
-        const std::vector<Pose>& poses = i == 0 ? straight : around;
+    for (int i = 0; i < 4; ++i) {
+        const bool free = i % 2 == 0;
+        const std::vector<Pose>& poses = free ? straight : around;
         Show& show = shows.emplace_back(workshop);
         show.copies(body, keys.poses, 0.0f);
         show.copies(body, every(poses, kEvery), 0.5f);
-        show.path(poses, {0.0, 0.0, 0.0}, i == 0 ? kGold : kBlue, 0.028f, false);
+        show.path(poses, {0.0, 0.0, 0.0}, free ? kGold : kBlue, 0.028f, false);
         for (const FlgObstacle& obstacle : solids) {
             scenes::Curve curve = dot(glm::vec3(obstacle.centre[0], obstacle.centre[1], obstacle.centre[2]));
             if (obstacle.kind == FLG_OBSTACLE_CAPSULE)
@@ -261,12 +272,15 @@ void obstacles(Workshop& workshop, Studio& studio) {
                                 to_point({obstacle.to[0], obstacle.to[1], obstacle.to[2]})};
             show.add({curve}, kStone, static_cast<float>(obstacle.radius));
         }
-        show.panel().margin = 1.03f;
+        show.panel().margin = 1.06f;
         show.panel().sight = i < 2 ? glm::vec3(0.25f, -0.45f, -1.0f) : glm::vec3(-0.5f, -1.2f, -0.6f);
     }
     std::vector<Panel> panels = panels_of(shows, false);
     aim_together({panels.data(), 2});
-    studio.take("motion_obstacles", panels, 3, kWidth, 300);
+    aim_together({panels.data() + 2, 2});
+    entitle(panels, {"As if nothing were there", "Around five obstacles", "the same, from above"});
+    panels[0].keys = {{kRed, "given positions of the top"}, {kGold, "way of its middle"}, {kStone, "obstacles"}};
+    studio.take("motion_obstacles", panels, 2, kWidth, 760);
 }
 
 constexpr Picture kPictures[] = {

@@ -211,6 +211,7 @@ void barriers(Workshop& workshop, Studio& studio) {
     flat.panel.ground = false;
     std::vector<Panel> panels;
     for (const Stage& stage : stages) panels.push_back(stage.panel);
+    entitle(panels, {"A wide barrier", "A narrower one", "Narrower still", "The plane that is left"});
     studio.take("spline_barriers", panels, 2, kWidth, 640);
 }
 
@@ -272,6 +273,7 @@ void first_curves(Workshop& workshop, Studio& studio) {
     for (const FlgObstacle& obstacle : blocks) stand(workshop, right, obstacle, 0.03, kSlate);
     std::vector<Panel> panels = {left.panel, right.panel};
     for (Panel& panel : panels) panel.ground = false, panel.margin = 1.02f;
+    entitle(panels, {"Distances, the first curve, the spline", "Through the tunnel, or over the block"});
     studio.take("spline_ways", panels, 2, kWidth, 410);
 }
 

@@ -33,6 +33,12 @@ Moment::Moment(const FlgMeshView& mesh, std::vector<uint32_t> labels, render::Su
         const float* const p = samples::value_at(mesh.columns[0], v);
         positions_.insert(positions_.end(), p, p + 3);
     }
+    for (uint32_t c = 0; c < mesh.column_count; ++c) {
+        if (mesh.columns[c].attribute != FLG_ATTRIBUTE_USER) continue;
+        for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
+            positions_[3 * size_t{v} + 1] += *samples::value_at(mesh.columns[c], v);
+        }
+    }
     column_ = {FLG_ATTRIBUTE_POSITION, 3, positions_.data(), 0, 0};
 }
 

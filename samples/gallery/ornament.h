@@ -11,6 +11,13 @@ namespace flg::gallery {
 
 using Regions = std::vector<uint32_t>;
 
+constexpr float kBorder = 2.5f;  // pixels, of the larger picture it is averaged from
+
+// A potter's glazes.
+constexpr render::Material kCream = {{0.62f, 0.53f, 0.39f}, 0.0f, 0.42f},
+                           kCobalt = {{0.008f, 0.028f, 0.150f}, 0.0f, 0.30f},
+                           kRust = {{0.36f, 0.055f, 0.018f}, 0.0f, 0.36f}, kSage = {{0.13f, 0.20f, 0.11f}, 0.0f, 0.42f};
+
 // What an operator begins at, see FlgTangleSeeds.
 struct Seeds {
     FlgTangleBorders borders = FLG_TANGLE_BORDERS_NONE;
@@ -35,7 +42,8 @@ struct Seeds {
 // A moment of an ornament.
 class Moment {
 public:
-    // Triangles have the labels `labels`, whose colours are `look.regions`.
+    // Triangles have the labels `labels`, whose colours are `look.regions`. A column USER is how much higher vertices
+    // are shown than they were when the surface was divided.
     Moment(const FlgMeshView& mesh, std::vector<uint32_t> labels, render::SurfaceLook look);
 
     Moment(Moment&&) = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns that a host computes itself from a result's: positions at a magnitude that changes from place to place, colours by
-// any attribute.
+// Columns that a host computes itself from a result's: positions at a magnitude that changes from place to place,
+// colours by any attribute.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ private:
     Columns columns_;
 };
 
-// Magnitude that changes long after the curves were stylized: what a vertex shader does with a result's DISPLACEMENT column.
+// Magnitude that changes long after the curves were stylized: what a vertex shader does with a result's DISPLACEMENT
+// column.
 class Ramp {
 public:
     // `view`: a result with keep_displacement, made at magnitude 1. `magnitude` of a position.

@@ -41,8 +41,7 @@ Box measured(const std::vector<Entry>& entries, size_t first, size_t last) {
 
 }  // namespace
 
-Indexed with_palette(const render::Image& image) {
-    constexpr size_t kColors = 256;
+Indexed with_palette(const render::Image& image, size_t colors) {
     std::map<std::array<uint8_t, 3>, uint32_t> numbers;
     for (size_t i = 0; i < image.pixels.size(); i += 4) {
         ++numbers[{image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]}];
@@ -50,7 +49,7 @@ Indexed with_palette(const render::Image& image) {
     std::vector<Entry> entries;
     for (const auto& [color, pixels] : numbers) entries.push_back({color, pixels});
     std::vector<Box> boxes = {measured(entries, 0, entries.size())};
-    while (boxes.size() < kColors) {
+    while (boxes.size() < colors) {
         const auto largest = std::max_element(boxes.begin(), boxes.end(),
                                               [](const Box& a, const Box& b) { return a.weight < b.weight; });
         if (largest->weight == 0.0) break;

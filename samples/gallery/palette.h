@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// 256 colours for a picture: busy ones pack into a third of the bytes then.
+// A few colours for a picture: busy ones pack into a third of the bytes then.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,11 +11,12 @@
 namespace flg::gallery {
 
 struct Indexed {
-    std::vector<uint8_t> palette;  // RGB, at most 256 colours
+    std::vector<uint8_t> palette;  // RGB
     std::vector<uint8_t> pixels;   // a number each
 };
 
-// Median cut (Heckbert 1982): the box of colours with the largest spread times pixels is halved at its median until there are 256.
-Indexed with_palette(const render::Image& image);
+// Median cut (Heckbert 1982): the box of colours with the largest spread times pixels is halved at its median until
+// there are `colors`, at most 256.
+Indexed with_palette(const render::Image& image, size_t colors = 256);
 
 }  // namespace flg::gallery

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "gallery/studio.h"
 #include "gallery/workshop.h"
@@ -16,7 +17,8 @@ struct Picture {
     void (*make)(Workshop& workshop, Studio& studio);
 };
 
-std::span<const Picture> showpieces();          // what a README opens with
+std::span<const Picture> front_pictures();      // what the project's README opens with
+std::span<const Picture> showpieces();          // strokes before and after, large targets
 std::span<const Picture> scene_pictures();      // each built-in scene, stylized
 std::span<const Picture> examples();            // what a style may be made of, and put on
 std::span<const Picture> attribute_pictures();  // what a style carries besides its shape
@@ -29,6 +31,8 @@ std::span<const Picture> skeleton_pictures();   // from a drawn line to bones
 std::span<const Picture> bone_pictures();       // joints, and parts that are connected
 std::span<const Picture> spline_pictures();     // curves that stay on surfaces
 std::span<const Picture> obstacle_pictures();   // and out of solids
+std::span<const Picture> footpoint_pictures();  // how splines are found
+std::span<const Picture> tangle_comparisons();  // ornament by distances on the surface, and by flat patterns
 std::span<const Picture> motion_pictures();     // rigid bodies on their way
 #if defined(FLG_WITH_SCRIPTS)
 std::span<const Picture> piece_pictures();  // finished pieces, by scripts
@@ -37,5 +41,9 @@ std::span<const Picture> model_pictures();  // models, by drawings
 #if defined(FLG_WITH_STUDIO)
 std::span<const Picture> app_pictures();  // the studio's window
 #endif
+
+// A sketch of the user's before and after, as `sketch`; its file is named on the command line. `credit` is written
+// below.
+void before_and_after(const std::string& file, const std::string& credit, Workshop& workshop, Studio& studio);
 
 }  // namespace flg::gallery

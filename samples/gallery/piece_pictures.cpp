@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Finished pieces: scripts of samples/tangles on forms made here, run as `filigree tangle` runs them.
 #include <algorithm>
+#include <cstdio>
 #include <deque>
 #include <filesystem>
 #include <set>
 #include <thread>
 
+#include "documents/tangle_script.h"
 #include "gallery/forms.h"
+#include "gallery/looks.h"
+#include "gallery/marks.h"
 #include "gallery/pictures.h"
-#include "tangle_script.h"
+#include "support/curve_source.h"
 
 namespace flg::gallery {
 namespace {
@@ -135,7 +139,94 @@ void explained(Workshop& workshop, Studio& studio) {
         stages.emplace_back(form.name(), first_operations(script, count), file);
         panels.push_back(panel_of(stages.back(), {-0.3f, -0.35f, -1.0f}));
     }
+    entitle(panels, {"1 contour: bands", "2 contour: dots", "3 displace: dots"});
     studio.take("tangle_script", panels, static_cast<uint32_t>(panels.size()), 960, 320);
+}
+
+// The script `waves` with the borders as they come, and as it redraws them after a stroke.
+void waves(Workshop& workshop, Studio& studio) {
+    constexpr glm::vec3 kSight = {-0.15f, -1.0f, -0.75f};
+    const TemporaryFile form("filigree_gallery_waves.ply");
+    write_form(dish(workshop), form.name());
+    const std::string file = script_file("waves");
+    const nlohmann::json script = cli::JsonPlace::read(file);
+    nlohmann::json plain = script;
+    plain["operations"].erase(1);
+    plain["operations"][1]["on"] = "islands.foreground";
+    const samples::CurveSource stroke(std::string(FLG_TANGLE_SCRIPTS) + "/waves.xyz");
+    const Decorated before(form.name(), plain, file), after(form.name(), script, file);
+    std::vector<Panel> panels = {panel_of(before, kSight), gallery::panel_of(stroke.view(), tube(kInk, 0.08f)),
+                                 panel_of(after, kSight)};
+    panels[0].title = "Borders as they are cut";
+    panels[1].title = "a drawn stroke";
+    panels[1].sight = {0.0f, 0.0f, -1.0f};
+    panels[1].ground = false;
+    panels[2].title = "borders redrawn in its style";
+    for (Panel& panel : panels) panel.margin = 1.06f;
+    studio.take("waves", panels, 3, kWidth, 320);
+}
+
+// Forms as they are made, and decorated by their scripts.
+void before_and_after(Workshop& workshop, Studio& studio) {
+    const struct {
+        const char* name;
+        filigree::Surface (*form)(Workshop& workshop);
+        glm::vec3 sight;
+    } kPieces[] = {{"vase", [](Workshop& w) { return vase(w, kFineVase); }, {-0.25f, -0.22f, -1.0f}},
+                   {"cat", [](Workshop& w) { return cat(w, kFineCat); }, {-0.55f, -0.25f, -1.0f}}};
+    std::deque<filigree::Surface> forms;
+    std::deque<Decorated> decorated;
+    std::vector<Panel> panels;
+    for (const auto& piece : kPieces) {
+        const TemporaryFile form((std::string("filigree_gallery_before_") + piece.name + ".ply").c_str());
+        forms.push_back(piece.form(workshop));
+        write_form(forms.back(), form.name());
+        const std::string file = script_file(piece.name);
+        decorated.emplace_back(form.name(), cli::JsonPlace::read(file), file);
+        Panel& before = panels.emplace_back();
+        before.surfaces = {{forms.back().view().mesh, {}}};
+        before.surfaces[0].look.material = {glm::vec3(0.55f), 0.0f, 0.6f};
+        before.sight = piece.sight;
+        before.margin = 1.05f;
+        const uint32_t triangles = before.surfaces[0].mesh.triangle_count;
+        char words[40];
+        std::snprintf(words, sizeof words, "%u,%03u triangles", triangles / 1000, triangles % 1000);
+        before.title = words;
+        Panel& after = panels.emplace_back(panel_of(decorated.back(), piece.sight));
+        after.margin = 1.05f;
+        after.title = std::string("decorated by ") + piece.name + ".json";
+    }
+    studio.take("tangle_models", panels, 4, 1200, 380);
+}
+
+// The script of the cat, from the bare form through its first eleven operations.
+void eleven_steps(Workshop& workshop, Studio& studio) {
+    constexpr size_t kSteps = 11;
+    const TemporaryFile form("filigree_gallery_steps.ply");
+    write_form(cat(workshop), form.name());
+    const std::string file = script_file("cat");
+    nlohmann::json script = cli::JsonPlace::read(file);
+    // What later operations paint over.
+    script["materials"].insert(script["materials"].begin() + 1,
+                               {{{"on", "spots.foreground"}, {"name", "spots"}, {"color", "#c9803a"}},
+                                {{"on", "rims.background"}, {"name", "inside"}, {"color", "#f7e8cf"}},
+                                {{"on", "hearts.foreground"}, {"name", "hearts"}, {"color", "#e2553d"}}});
+    std::deque<Decorated> stages;
+    std::vector<Panel> panels;
+    for (size_t count = 0; count <= kSteps; ++count) {
+        stages.emplace_back(form.name(), first_operations(script, count), file);
+        Panel& panel = panels.emplace_back(panel_of(stages.back(), {-0.55f, -0.25f, -1.0f}));
+        panel.aim = around({0.262f, 0.36f, 0.198f}, 0.13f);  // no tail behind titles
+        if (count == 0) {
+            panel.title = "The form";
+            continue;
+        }
+        const nlohmann::json& operation = script.at("operations").at(count - 1);
+        const std::string on = operation.at("on").get<std::string>();
+        panel.title = std::to_string(count) + " " + operation.at("op").get<std::string>() + ": " +
+                      operation.value("name", on.substr(0, on.find('.')));
+    }
+    studio.take("tangle_steps", panels, 4, 1200, 900);
 }
 
 constexpr Piece kEgg = {"egg", egg, {-0.30f, -0.26f, -1.0f}, 480, 592};
@@ -145,7 +236,6 @@ constexpr Piece kCat = {
     "cat", [](Workshop& workshop) { return cat(workshop, kFineCat); }, {-0.55f, -0.25f, -1.0f}, 720, 576};
 
 constexpr Piece kClovers = {"clovers", dish, {-0.2f, -0.62f, -1.0f}, 640, 448};
-constexpr Piece kWaves = {"waves", dish, {-0.2f, -0.62f, -1.0f}, 640, 448};
 
 constexpr Picture kPictures[] = {
     {"tangle_script", "A script of three operations, one after the other", true, explained},
@@ -155,8 +245,9 @@ constexpr Picture kPictures[] = {
      [](Workshop& workshop, Studio& studio) { draw(kVase, workshop, studio); }},
     {"clovers", "A drawing in every cell", true,
      [](Workshop& workshop, Studio& studio) { draw(kClovers, workshop, studio); }},
-    {"waves", "Borders redrawn after a stroke", true,
-     [](Workshop& workshop, Studio& studio) { draw(kWaves, workshop, studio); }},
+    {"tangle_models", "Fig. 1: forms as they are made, and decorated", true, before_and_after},
+    {"tangle_steps", "Fig. 4: eleven operations, one after the other", true, eleven_steps},
+    {"waves", "Borders redrawn after a stroke", true, waves},
     {"cat", "A cat for a feast", true, [](Workshop& workshop, Studio& studio) { draw(kCat, workshop, studio); }},
 };
 

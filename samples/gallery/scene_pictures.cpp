@@ -46,6 +46,7 @@ void hair(Workshop& workshop, Studio& studio) {
         panel.margin = 1.03f;
     }
     aim_together(panels);
+    entitle(panels, {"Magnitude 0: combed", "Magnitude 0.5", "Magnitude 1"});
     studio.take("hair", panels, 3, kWidth, 400);
 }
 
@@ -58,6 +59,7 @@ void tree(Workshop& workshop, Studio& studio) {
     panels[1].layers = {{result.view(), tube()}};
     for (Panel& panel : panels) panel.sight = {-0.6f, -0.12f, -1.0f}, panel.margin = 1.06f;
     aim_together(panels);
+    entitle(panels, {"Straight branches", "Knots along each; forks stay where they were"});
     studio.take("tree", panels, 2, kWidth, 500);
 }
 
@@ -101,6 +103,7 @@ void icosahedron(Workshop& workshop, Studio& studio) {
         whole.layers.push_back(shape_of(joints.view(), tube(kGold, 0.011f)));
     }
     aim_together({&panels[0], 3});
+    entitle(panels, {"A network", "Loose ends miss the joints", "Pinned ends meet in them"});
     studio.take("icosahedron", panels, 3, kWidth, 600);
 }
 
@@ -121,11 +124,11 @@ void tower(Workshop& workshop, Studio& studio) {
 
 // Fig. 10.
 void flow(Workshop& workshop, Studio& studio) {
-    constexpr uint32_t kLines = 70;
+    constexpr uint32_t kLines = 48;
     const filigree::CurveSet target = workshop.curves(make_scene("flow", kLines).curves),
                              ball = workshop.curve(scenes::make_ball());
     const filigree::Style style = workshop.style(make_style("curls"));
-    FlgStylizeDesc desc = sized(style, 0.026f);
+    FlgStylizeDesc desc = sized(style, 0.022f);
     desc.keep_displacement = 1;
     desc.temperature = 0.5f;
     const filigree::CurveSet result = workshop.stylize(style, target, desc);
@@ -136,14 +139,16 @@ void flow(Workshop& workshop, Studio& studio) {
         return static_cast<float>(inside * scenes::smooth_step((p.x + 0.02) / 0.9) * (0.5 + 0.5 * double{p.x}));
     });
     Panel panels[2];
-    panels[0].layers = {{ball.view(), body()}, {target.view(), tube()}};
-    panels[1].layers = {{ball.view(), body()}, {ramp.columns(), tube()}};
+    panels[0].layers = {{ball.view(), body()}, {target.view(), tube(kInk, 0.005f, 1.8f)}};
+    panels[1].layers = {{ball.view(), body()}, {ramp.columns(), tube(kInk, 0.005f, 1.8f)}};
     for (Panel& panel : panels) {
         panel.sight = {-0.15f, -0.22f, -1.0f};
         panel.aim = {{-0.5f, -0.36f, 0.0f}, {1.35f, -0.36f, 0.0f}, {-0.5f, 0.36f, 0.0f}, {1.35f, 0.36f, 0.0f}};
         panel.margin = 1.04f;
         panel.ground = false;
     }
+    panels[0].title = "Flow lines around a ball, red near its axis";
+    panels[1].title = "Stylized: magnitude grows in the ball's wake";
     studio.take("flow", panels, 1, kWidth, 600);
 }
 
@@ -170,6 +175,7 @@ void vine(Workshop& workshop, Studio& studio) {
     }
     for (Panel& panel : panels) panel.sight = {-0.25f, -0.2f, -1.0f}, panel.margin = 1.06f;
     aim_together(panels);
+    entitle(panels, {"One closed curve", "Stylized five times"});
     studio.take("vine", panels, 2, kWidth, 480);
 }
 
@@ -212,6 +218,7 @@ void coaster(Workshop& workshop, Studio& studio) {
                 rolled = Sweep::bands(result.view(), kThickness, width);
     Panel panels[] = {track_of(bare, below), track_of(rolled, below_result)};
     aim_together(panels);
+    entitle(panels, {"Banked, as the camera path is", "Rolling over, as the style does"});
     studio.take("coaster", panels, 1, 720, 720);
 }
 

@@ -76,6 +76,8 @@ void steps_to_bones(Workshop& workshop, Studio& studio) {
     }
     std::vector<Panel> panels;
     for (const Sketch& sketch : sketches) panels.push_back(sketch.panel());
+    entitle(panels, {"A drawn line", "Its outline", "Straight skeleton", "Inner arcs", "Branches", "Slices", "Bones",
+                     "A body"});
     studio.take("skeleton_steps", panels, 4, kWidth, 700);
 }
 
@@ -143,11 +145,95 @@ void events(Workshop& workshop, Studio& studio) {
         sketch.dots(split, kRed, 6.5);
         panels.push_back(sketch.panel());
     }
+    panels[0].keys = {{kTeal, "edges move inwards"}, {kGold, "an edge vanishes"}, {kRed, "a corner splits the front"}};
+    for (Panel& panel : panels) panel.aim = {{-3.3f, -2.1f, 0.0f}, {3.4f, 2.9f, 0.0f}};
     studio.take("skeleton_events", panels, 2, kWidth, 330);
+}
+
+// ---- Fig. 3
+
+// The border of a repaired contour, ring by ring as nodes of its skeleton come.
+Line repaired(Workshop& workshop, const Line& line) {
+    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
+    desc.contour = contour_of(line);
+    desc.repair = 1;
+    FlgStraightSkeleton skeleton = {};
+    filigree::check(flgStraightSkeletonCreate(workshop.context().get(), &desc, &skeleton, nullptr));
+    workshop.context().finish();
+    FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
+    filigree::check(flgStraightSkeletonGetView(workshop.context().get(), skeleton, &view));
+    Line border;
+    for (uint32_t i = 0; i < view.contour_count; ++i) border.emplace_back(view.nodes[3 * i], view.nodes[3 * i + 1]);
+    return border;
+}
+
+void polygons(Workshop& workshop, Studio& studio) {
+    constexpr double kUnit = 0.03;
+    const Line simple = {{-1.6, -0.9}, {-0.6, -1.2}, {0.1, -0.5}, {0.9, -1.25}, {1.7, -0.6}, {1.3, 0.2},
+                         {1.7, 1.0},   {0.5, 1.2},   {0.1, 0.6},  {-0.9, 1.2},  {-1.8, 0.5}, {-1.1, 0.0}},
+               crossing = {{-1.7, -0.8}, {-0.5, -1.2}, {0.6, -0.7}, {1.6, 0.9},  {0.9, 1.25}, {0.7, 0.3},
+                           {1.75, -0.9}, {1.1, -1.2},  {0.1, 0.3},  {-0.5, 1.1}, {-1.6, 0.9}, {-1.2, 0.1}};
+    const Line mended = repaired(workshop, crossing);
+    const struct {
+        const Line& line;
+        glm::vec3 color;
+        const char* title;
+    } kShapes[] = {{simple, kTeal, "Simple: no side meets another"},
+                   {crossing, kRed, "Not simple: sides cross"},
+                   {mended, kTeal, "Repaired: simple again"}};
+    std::deque<Sketch> sketches;
+    std::vector<Panel> panels;
+    for (const auto& shape : kShapes) {
+        Sketch& sketch = sketches.emplace_back(workshop, kUnit);
+        if (shape.color == kTeal) sketch.fill(body_of(workshop, make_part(workshop, shape.line)), kPaper);
+        sketch.ring(shape.line, kInk, 2.2);
+        sketch.dots(shape.line, shape.color, 5.5);
+        panels.push_back(sketch.panel());
+        panels.back().title = shape.title;
+        panels.back().aim = {{-1.85f, -1.35f, 0.0f}, {1.85f, 1.35f, 0.0f}};
+    }
+    studio.take("skeleton_polygon", panels, 3, kWidth, 290);
+}
+
+// ---- Fig. 6
+
+void anatomy(Workshop& workshop, Studio& studio) {
+    constexpr double kUnit = 0.03;
+    constexpr glm::vec3 kBlue = {0.012f, 0.085f, 0.42f};
+    const Line shape = {{-3.4, -0.3}, {-2.6, -1.0}, {-1.0, -1.2}, {0.4, -0.9}, {1.5, -1.7}, {2.5, -2.0},
+                        {2.9, -1.5},  {2.1, -0.7},  {1.9, 0.0},   {3.2, 0.7},  {3.3, 1.4},  {2.4, 1.5},
+                        {1.0, 0.9},   {-0.6, 1.3},  {-1.6, 2.0},  {-2.3, 1.9}, {-2.2, 1.1}, {-3.2, 0.5}};
+    const FlgStraightSkeletonView skeleton = straight_skeleton(workshop, contour_of(shape));
+    std::vector<Line> outer, inner;
+    for (size_t a = 0; a < skeleton.arc_count; ++a) {
+        const uint32_t from = skeleton.arcs[4 * a], to = skeleton.arcs[4 * a + 1];
+        const double *p = skeleton.nodes + 3 * from, *q = skeleton.nodes + 3 * to;
+        (from < skeleton.contour_count ? outer : inner).push_back({{p[0], p[1]}, {q[0], q[1]}});
+    }
+    Line border, within;
+    for (size_t n = 0; n < skeleton.node_count; ++n) {
+        (n < skeleton.contour_count ? border : within).emplace_back(skeleton.nodes[3 * n], skeleton.nodes[3 * n + 1]);
+    }
+    Sketch sketch(workshop, kUnit);
+    sketch.ring(shape, kInk, 2.4);
+    sketch.lines(outer, kLeaf, 1.8);
+    sketch.lines(inner, kRed, 3.0);
+    sketch.dots(border, kRed, 6.0);
+    sketch.dots(within, kBlue, 6.0);
+    Panel panel = sketch.panel();
+    panel.title = "The parts of a straight skeleton";
+    panel.keys = {{kRed, "vertices of the border; edges of the skeleton"},
+                  {kBlue, "vertices of the skeleton"},
+                  {kInk, "edges of the border"},
+                  {kLeaf, "edges between them, left out of the bones"}};
+    panel.aim = {{-5.2f, -2.2f, 0.0f}, {3.5f, 2.6f, 0.0f}};
+    studio.take("skeleton_anatomy", {&panel, 1}, 1, kWidth, 420);
 }
 
 constexpr Picture kPictures[] = {
     {"skeleton_steps", "Fig. 2: from a drawn line to bones, and to a body", true, steps_to_bones},
+    {"skeleton_polygon", "Fig. 3: a simple polygon, one that isn't, and what repair makes of it", true, polygons},
+    {"skeleton_anatomy", "Fig. 6: vertices and edges of a straight skeleton", true, anatomy},
     {"skeleton_events", "Fig. 4: the straight skeletons of two polygons, with the front at several times", true,
      events},
 };

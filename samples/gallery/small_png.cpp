@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: MIT
-// PNG (ISO/IEC 15948), 8 bits of RGB, one filter for all rows, whichever packs best; with a palette where that is large.
+// PNG (ISO/IEC 15948), 8 bits of RGB, one filter for all rows, whichever packs best; with a palette where that is
+// large.
 #include "gallery/small_png.h"
 
-#include <zlib.h>
-
-#include <fstream>
-#include <stdexcept>
-#include <vector>
-
 #include "gallery/palette.h"
+#include "gallery/png_chunks.h"
 
 namespace flg::gallery {
 namespace {
 
-using Bytes = std::vector<uint8_t>;
-
 constexpr uint32_t kChannels = 3;
 // None, left, above.
 constexpr uint8_t kFilters[] = {0, 1, 2};
-
-void append_number(Bytes& to, uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) to.push_back(static_cast<uint8_t>(value >> shift));
-}
-
-void append_chunk(Bytes& to, const char* type, const Bytes& data) {
-    append_number(to, static_cast<uint32_t>(data.size()));
-    const size_t start = to.size();
-    to.insert(to.end(), type, type + 4);
-    to.insert(to.end(), data.begin(), data.end());
-    append_number(to, static_cast<uint32_t>(crc32(0, to.data() + start, static_cast<uInt>(to.size() - start))));
-}
 
 Bytes filtered(const render::Image& image, uint8_t filter) {
     Bytes rows;
@@ -47,21 +29,11 @@ Bytes filtered(const render::Image& image, uint8_t filter) {
     return rows;
 }
 
-Bytes packed(const Bytes& bytes) {
-    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-    Bytes result(size);
-    if (compress2(result.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK) {
-        throw std::runtime_error("out of memory");
-    }
-    result.resize(size);
-    return result;
-}
-
 }  // namespace
 
 void write_small_png(const render::Image& image, const std::string& path) {
     // More than this, and the picture gets a palette.
-    constexpr size_t kLarge = 290'000;
+    constexpr size_t kLarge = 420'000;
     Bytes smallest, palette;
     for (const uint8_t filter : kFilters) {
         Bytes bytes = packed(filtered(image, filter));
@@ -78,20 +50,10 @@ void write_small_png(const render::Image& image, const std::string& path) {
         smallest = packed(rows);
         palette = std::move(indexed.palette);
     }
-    Bytes header;
-    append_number(header, image.width);
-    append_number(header, image.height);
-    // Bits, RGB or palette, deflate, filters, not interlaced.
-    header.insert(header.end(), {8, static_cast<uint8_t>(palette.empty() ? 2 : 3), 0, 0, 0});
-    Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    append_chunk(file, "IHDR", header);
-    if (!palette.empty()) append_chunk(file, "PLTE", palette);
-    append_chunk(file, "IDAT", smallest);
-    append_chunk(file, "IEND", {});
-    std::ofstream out(path, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
-    out.flush();
-    if (!out) throw std::runtime_error(path + ": can't be written");
+    PngChunks file(image.width, image.height, !palette.empty());
+    if (!palette.empty()) file.append("PLTE", palette);
+    file.append("IDAT", smallest);
+    file.write(path);
 }
 
 }  // namespace flg::gallery

@@ -7,8 +7,8 @@
 
 namespace flg::gallery {
 
-// Writes a PNG without alpha, packed as tightly as zlib can: about half the size of render::write_png's, for ten times its
-// time. Throws std::runtime_error.
+// Writes a PNG without alpha, packed as tightly as zlib can: about half the size of render::write_png's, for ten
+// times its time. Throws std::runtime_error.
 void write_small_png(const render::Image& image, const std::string& path);
 
 }  // namespace flg::gallery

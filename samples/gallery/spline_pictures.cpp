@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines on surfaces, after figures 1, 2, 7, 8 and 17 of Hofer, Pottmann: Energy-minimizing splines in manifolds (2004),
-// on shapes made here.
+// Splines on surfaces, after figures 1, 2, 7, 8 and 17 of Hofer, Pottmann: Energy-minimizing splines in manifolds
+// (2004), on shapes made here.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,7 +68,8 @@ void meshes(Workshop& workshop, Studio& studio) {
                           on_band(0.62, 0.93), on_band(0.8, 0.07), on_band(0.97, 0.6)};
     show(open, spline(workshop, waves, desc), kGold, 0.010f);
     open.surface(std::move(band), kSlate);
-    const std::vector<Panel> panels = {whole.panel, open.panel};
+    std::vector<Panel> panels = {whole.panel, open.panel};
+    entitle(panels, {"On a closed mesh", "On a mesh with borders"});
     studio.take("spline_meshes", panels, 2, kWidth, 440);
 }
 
@@ -143,6 +144,7 @@ void energies(Workshop& workshop, Studio& studio) {
     const Points wide = {Jar::at(-0.50, 0.30), Jar::at(-0.30, 0.62), Jar::at(-0.12, 0.36), Jar::at(0.05, 0.72)};
     const filigree::Spline first = spline(workshop, wide, desc);
     fourth_derivatives(forces, first);
+    for (Layer& layer : forces.panel.layers) layer.look.casts_shadow = false;  // arrows would streak the jar
     show(forces, first, kRed, 0.010f);
     const Points zigzag = {Jar::at(-0.42, 0.22), Jar::at(-0.36, 0.66), Jar::at(-0.22, 0.70),
                            Jar::at(-0.19, 0.28), Jar::at(-0.07, 0.24), Jar::at(-0.01, 0.72)};
@@ -159,6 +161,10 @@ void energies(Workshop& workshop, Studio& studio) {
     for (Stage* stage : {&forces, &compared}) stage->surface(jar_surface(workshop), kSand);
     std::vector<Panel> panels = {forces.panel, compared.panel};
     aim_together(panels);
+    for (Panel& panel : panels) panel.margin = 1.20f;  // below the keys
+    panels[0].keys = {{kRed, "spline"}, {kYellow, "normals of the surface"}, {kBlue, "fourth derivative"}};
+    entitle(panels, {"Least E2: its fourth derivative is normal", "Three energies, the same points"});
+    panels[1].keys = {{kBlue, "least E2"}, {kRed, "least Et"}, {kGreen, "least E1"}};
     studio.take("spline_energies", panels, 2, kWidth, 560);
 }
 
@@ -206,6 +212,7 @@ void smoothing(Workshop& workshop, Studio& studio) {
     }
     std::vector<Panel> panels;
     for (const Stage& stage : stages) panels.push_back(stage.panel);
+    entitle(panels, {"As drawn", "Smoothed a little", "Smoothed more"});
     studio.take("spline_smoothing", panels, 3, kWidth, 400);
 }
 
@@ -265,7 +272,8 @@ void implicit_and_cloud(Workshop& workshop, Studio& studio) {
     }
     show(right, spline(workshop, upright, desc), kGold, 0.011f, 0.005);
     right.dots(places, kSlate, 0.0052f);
-    const std::vector<Panel> panels = {left.panel, right.panel};
+    std::vector<Panel> panels = {left.panel, right.panel};
+    entitle(panels, {"On an implicit surface", "On a cloud of points"});
     studio.take("spline_implicit", panels, 2, kWidth, 480);
 }
 
@@ -295,6 +303,7 @@ void features(Workshop& workshop, Studio& studio) {
     desc.manifold = sensitive.get();
     show(stage, spline(workshop, points, desc), kRed, 0.009f);
     stage.surface(std::move(terrace), kSand);
+    stage.panel.keys = {{kBlue, "ignores the edge"}, {kRed, "follows the edge"}};
     studio.take("spline_features", {&stage.panel, 1}, 1, kWidth, 500);
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 // Pictures are drawn so many times larger each way.
 constexpr uint32_t kOversampling = 2;
+// What titles have above the picture proper, pixels.
+constexpr uint32_t kTitleStrip = 28;
 // Between panels, pixels, white.
 constexpr uint32_t kGap = 4;
 
@@ -93,6 +95,48 @@ void add_points(const Layer& layer, std::vector<glm::vec3>& points) {
     }
 }
 
+// Where a picture of this size shows a place, pixels from its upper left corner. `strip` rows above are beyond the
+// camera's own height of view.
+glm::vec2 seen_at(const render::Camera& camera, const glm::vec3& place, uint32_t width, uint32_t height,
+                  uint32_t strip) {
+    const glm::vec3 forward = glm::normalize(camera.target - camera.eye),
+                    right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward),
+                    from = place - camera.eye;
+    const float scale =
+        0.5f * static_cast<float>(height - strip) / (std::tan(0.5f * camera.fov_y_rad) * glm::dot(from, forward));
+    return {0.5f * static_cast<float>(width) + scale * glm::dot(from, right),
+            0.5f * static_cast<float>(height + strip) - scale * glm::dot(from, up)};
+}
+
+void letter(render::Image& image, const Panel& panel, const render::Camera& camera, uint32_t strip) {
+    constexpr float kTitle = 17.0f, kSmall = 14.0f, kCredit = 12.0f, kLine = 21.0f, kDot = 5.5f;  // pixels
+    constexpr glm::vec3 kLetters = glm::vec3(0.012f);
+    glm::vec2 corner(12.0f, 18.0f);
+    if (!panel.title.empty()) {
+        const float room = static_cast<float>(image.width) - 2.0f * corner.x;
+        write_words(image, panel.title, corner, kTitle * std::min(1.0f, room / width_of(panel.title, kTitle)),
+                    kLetters);
+        corner.y += 1.1f * kLine;
+    }
+    for (const Key& key : panel.keys) {
+        draw_dot(image, corner + glm::vec2(kDot, 0.0f), kDot, key.color);
+        write_words(image, key.text, corner + glm::vec2(3.0f * kDot, 0.0f), kSmall, kLetters);
+        corner.y += kLine;
+    }
+    if (!panel.credit.empty()) {
+        write_words(image, panel.credit, {12.0f, static_cast<float>(image.height) - 14.0f}, kCredit, kLetters);
+    }
+    for (const Note& note : panel.notes) {
+        write_words(image, note.text, seen_at(camera, note.at, image.width, image.height, strip) + note.by, note.size,
+                    note.color, note.align);
+    }
+}
+
+void say_written(const std::string& path) {
+    std::printf("wrote %s\n", path.c_str());
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 Layer shape_of(const FlgCurveSetView& curves, const render::CurveLook& look) {
@@ -124,6 +168,11 @@ std::vector<glm::vec3> points_of(const Panel& panel) {
     return points;
 }
 
+void entitle(std::span<Panel> panels, std::initializer_list<const char*> titles) {
+    size_t i = 0;
+    for (const char* const title : titles) panels[i++].title = title;
+}
+
 void aim_together(std::span<Panel> panels) {
     std::vector<glm::vec3> all;
     for (const Panel& panel : panels) {
@@ -133,7 +182,7 @@ void aim_together(std::span<Panel> panels) {
     for (Panel& panel : panels) panel.aim = all;
 }
 
-render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) {
+render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height, uint32_t strip) {
     renderer_.clear();
     for (const Layer& layer : panel.layers) {
         const render::CurvesId id = renderer_.upload(layer.curves.view(), layer.look);
@@ -149,8 +198,16 @@ render::Image Studio::draw(const Panel& panel, uint32_t width, uint32_t height) 
     renderer_.set_scene(scene);
     render::Target target(renderer_, width * kOversampling, height * kOversampling);
     const std::vector<glm::vec3> aim = panel.aim.empty() ? points_of(panel) : panel.aim;
-    renderer_.draw(target, render::frame_points(aim, panel.sight, target.aspect(), panel.margin));
-    return averaged_down(renderer_.capture(target));
+    // The picture proper is below the strip, and the view goes on into it.
+    const auto below = static_cast<float>(height - strip);
+    render::Camera camera = render::frame_points(aim, panel.sight, static_cast<float>(width) / below, panel.margin);
+    const float half = std::tan(0.5f * camera.fov_y_rad), aside = std::atan(half * static_cast<float>(width) / below);
+    camera.field = render::FieldOfView{
+        -aside, aside, std::atan(half * (1.0f + 2.0f * static_cast<float>(strip) / below)), -std::atan(half)};
+    renderer_.draw(target, camera);
+    render::Image image = averaged_down(renderer_.capture(target));
+    letter(image, panel, camera, strip);
+    return image;
 }
 
 void Studio::take(const std::string& name, std::span<const Panel> panels, uint32_t columns, uint32_t width,
@@ -160,17 +217,24 @@ void Studio::take(const std::string& name, std::span<const Panel> panels, uint32
                    panel_height = (height - (rows - 1) * kGap) / rows;
     render::Image picture{width, height, std::vector<uint8_t>(size_t{4} * width * height, 255)};
     for (uint32_t i = 0; i < panels.size(); ++i) {
-        paste(draw(panels[i], panel_width, panel_height), picture, (i % columns) * (panel_width + kGap),
-              (i / columns) * (panel_height + kGap));
+        // Panels of a row stay level.
+        const auto row =
+            panels.subspan(i / columns * columns, std::min<size_t>(columns, panels.size() - i / columns * columns));
+        const bool titled = std::any_of(row.begin(), row.end(), [](const Panel& p) { return !p.title.empty(); });
+        paste(draw(panels[i], panel_width, panel_height, titled ? kTitleStrip : 0), picture,
+              (i % columns) * (panel_width + kGap), (i / columns) * (panel_height + kGap));
     }
     keep(name, picture);
 }
 
 void Studio::keep(const std::string& name, const render::Image& image) {
-    const std::string path = folder_ + "/" + name + ".png";
-    write_small_png(image, path);
-    std::printf("wrote %s\n", path.c_str());
-    std::fflush(stdout);
+    write_small_png(image, path_of(name));
+    say_written(path_of(name));
+}
+
+void Studio::keep(const std::string& name, std::span<const Frame> frames) {
+    write_animated_png(frames, path_of(name));
+    say_written(path_of(name));
 }
 
 }  // namespace flg::gallery

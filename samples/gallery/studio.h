@@ -2,12 +2,15 @@
 // Takes the pictures: panels side by side, each with its curves, surfaces and camera, drawn larger and averaged down.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "filigree_renderer/renderer.h"
+#include "gallery/animated_png.h"
 #include "gallery/columns.h"
+#include "gallery/lettering.h"
 
 namespace flg::gallery {
 
@@ -31,7 +34,27 @@ struct SkinLayer {
     std::vector<float> dual_quaternions;  // 8 a joint
 };
 
+// Words at a place of the scene, `by` pixels from where the picture shows it.
+struct Note {
+    glm::vec3 at;
+    std::string text;
+    glm::vec2 by{0.0f};
+    glm::vec3 color{0.012f};
+    float size = 15.0f;  // pixels
+    Align align = Align::center;
+};
+
+// What a colour means.
+struct Key {
+    glm::vec3 color;
+    std::string text;
+};
+
 struct Panel {
+    std::string title;      // in the upper left corner,
+    std::vector<Key> keys;  // with these below it
+    std::string credit;     // in the lower left corner, small
+    std::vector<Note> notes;
     std::vector<Layer> layers;
     std::vector<SurfaceLayer> surfaces;
     std::vector<SkinLayer> skins;
@@ -46,6 +69,9 @@ struct Panel {
 Layer shape_of(const FlgCurveSetView& curves, const render::CurveLook& look);
 
 Panel panel_of(const FlgCurveSetView& curves, const render::CurveLook& look, glm::vec3 sight = {-0.2f, -0.12f, -1.0f});
+
+// Titles of the first panels, in order.
+void entitle(std::span<Panel> panels, std::initializer_list<const char*> titles);
 
 // What the panel shows, radii included.
 std::vector<glm::vec3> points_of(const Panel& panel);
@@ -62,11 +88,15 @@ public:
     void take(const std::string& name, std::span<const Panel> panels, uint32_t columns, uint32_t width,
               uint32_t height);
 
-    // A picture that was taken elsewhere, as it is.
+    // A panel by itself. What it is aimed at keeps out of a strip above, so many pixels high.
+    render::Image draw(const Panel& panel, uint32_t width, uint32_t height, uint32_t strip = 0);
+
+    // A picture, or an animation, as it is.
     void keep(const std::string& name, const render::Image& image);
+    void keep(const std::string& name, std::span<const Frame> frames);
 
 private:
-    render::Image draw(const Panel& panel, uint32_t width, uint32_t height);
+    std::string path_of(const std::string& name) const { return folder_ + "/" + name + ".png"; }
 
     std::string folder_;
     render::Renderer renderer_;

@@ -109,10 +109,10 @@ filigree::CurveSet stylized_rings(Workshop& workshop, const filigree::Field& fie
     const filigree::SurfaceCurves rings = workshop.context().isolines(desc);
     FlgLiftDesc lift = flgLiftDefaults();
     lift.curves = rings.get();
-    lift.height = 0.006f;
+    lift.height = 0.009f;
     const filigree::CurveSet lifted = workshop.finished(workshop.context().lift(lift));
     const filigree::Style style = workshop.style(scenes::make_style("knit"));
-    FlgStylizeDesc stylize = sized(style, 0.017f);
+    FlgStylizeDesc stylize = sized(style, 0.012f);
     stylize.frame = FLG_FRAME_SUPPLIED;
     // The style's plane is the surface's.
     const float basis[9] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};
@@ -134,9 +134,13 @@ void surface(Workshop& workshop, Studio& studio) {
     const FlgFieldView values = field.view();
     std::vector<Panel> panels = {panel_with(whole, mapped, {values.values, values.vertex_count}),
                                  panel_with(pieces, chequered), panel_with(whole, clay), panel_with(whole, clay)};
-    panels[2].layers = {shape_of(geodesics.view(), tube(kRed, 0.0035f))};
-    panels[3].layers = {shape_of(rings.view(), tube(kInk, 0.0035f))};
-    studio.take("surface", panels, 2, 800, 720);
+    panels[2].layers = {shape_of(geodesics.view(), tube(kRed, 0.0055f))};
+    panels[3].layers = {shape_of(rings.view(), tube(kInk, 0.0040f))};
+    panels[0].title = "Distance from the tail's tip, a line every 5 cm";
+    panels[1].title = "Regions cut between lines of two distances";
+    panels[2].title = "Shortest paths from the tail's tip";
+    panels[3].title = "Lines of equal distance, in a style";
+    studio.take("surface", panels, 2, kWidth, 820);
 }
 
 constexpr Picture kPictures[] = {

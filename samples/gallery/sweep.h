@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes of cross-sections swept along curves: what a host does with attributes that the renderer's tubes and ribbons don't
-// draw.
+// Meshes of cross-sections swept along curves: what a host does with attributes that the renderer's tubes and ribbons
+// don't draw.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tangles: operators, seeds, grouping, scaffolds, perturbation, displacement and macros, after Fig. 5 and 7 to 13 of Nazzaro, Puppo,
-// Pellacini: geoTangle (2021).
+// Tangles: operators, seeds, grouping, scaffolds, perturbation, displacement and macros, after Fig. 5 and 7 to 13 of
+// Nazzaro, Puppo, Pellacini: geoTangle (2021).
 #include <cmath>
 #include <deque>
 
@@ -12,12 +12,7 @@
 namespace flg::gallery {
 namespace {
 
-constexpr float kBorder = 2.5f;  // pixels, of the larger picture it is averaged from
-
-// Two palettes: glazes of a potter, and enamel.
-constexpr render::Material kCream = {{0.62f, 0.53f, 0.39f}, 0.0f, 0.42f},
-                           kCobalt = {{0.008f, 0.028f, 0.150f}, 0.0f, 0.30f},
-                           kRust = {{0.36f, 0.055f, 0.018f}, 0.0f, 0.36f}, kSage = {{0.13f, 0.20f, 0.11f}, 0.0f, 0.42f};
+// Enamel.
 constexpr render::Material kIvory = {{0.66f, 0.62f, 0.54f}, 0.0f, 0.35f},
                            kPetrol = {{0.006f, 0.085f, 0.100f}, 0.0f, 0.28f},
                            kAmber = {{0.62f, 0.22f, 0.020f}, 0.0f, 0.32f},
@@ -37,7 +32,9 @@ public:
     explicit Sequence(const glm::vec3& sight) : sight_(sight) {}
 
     void add(Moment moment) { panels_.push_back(panel_with(moments_.emplace_back(std::move(moment)), sight_)); }
-    void take(Studio& studio, const char* name, uint32_t columns, uint32_t width, uint32_t height) {
+    void take(Studio& studio, const char* name, uint32_t columns, uint32_t width, uint32_t height,
+              std::initializer_list<const char*> titles) {
+        entitle(panels_, titles);
         studio.take(name, panels_, columns, width, height);
     }
 
@@ -102,7 +99,8 @@ void patterns(Workshop& workshop, Studio& studio) {
         const Regions rays = ornament.divide(stream(0.0236f), ornament.odd(around), Seeds::loop(1));
         paint_by_turns(ornament, rays, odd, kCream);
     });
-    sequence.take(studio, "tangle_patterns", 6, 1440, 250);
+    sequence.take(studio, "tangle_patterns", 6, 1440, 250,
+                  {"Outline", "Hatch", "Grid", "Polka dots", "Voronoi", "Radial"});
 }
 
 // ---- Fig. 7
@@ -163,7 +161,10 @@ void operators(Workshop& workshop, Studio& studio) {
     const std::vector<FlgSurfacePoint> across = {on_rim(-0.5f, 0.0f, 0.0f), on_rim(-0.2f, 0.23f, 0.2f),
                                                  on_rim(0.25f, 0.22f, 0.22f), on_rim(0.46f, 0.0f, -0.2f)};
     sequence.add(on_dish(workshop, polyline(false), Seeds::at(across), {}, kAmber, kPlum));
-    sequence.take(studio, "tangle_operators", 4, 1280, 720);
+    sequence.take(studio, "tangle_operators", 4, 1280, 720,
+                  {"Contour: once from the hole", "Four times from the hole", "From hole to rim", "Around samples",
+                   "From side to side", "and across", "Stream from the hole", "Stream, hole to rim", "Cells of samples",
+                   "Cells of picked points", "Polyline: closed", "Polyline: rim to rim"});
 }
 
 // ---- Fig. 8
@@ -194,7 +195,8 @@ void grouping(Workshop& workshop, Studio& studio) {
         together.paint({dot}, on_rust ? kCream : kCobalt);
     }
     sequence.add(together.moment(kBorder));
-    sequence.take(studio, "tangle_grouping", 3, 1080, 480);
+    sequence.take(studio, "tangle_grouping", 3, 1080, 480,
+                  {"Stripes", "Dots in each light stripe", "Dots on all together"});
 }
 
 // ---- Fig. 9
@@ -219,7 +221,8 @@ void scaffold(Workshop& workshop, Studio& studio) {
     ornament.paint(ornament.even(dots), kPlum);
     sequence.add(ornament.moment(kBorder, true));
     sequence.add(ornament.moment(kBorder));
-    sequence.take(studio, "tangle_scaffold", 3, 1080, 480);
+    sequence.take(studio, "tangle_scaffold", 3, 1080, 480,
+                  {"A grid as a scaffold", "Dots in its dark cells", "The scaffold is not seen"});
 }
 
 // ---- Fig. 10
@@ -237,7 +240,7 @@ void perturbation(Workshop& workshop, Studio& studio) {
         ornament.paint(ornament.even(spots), kRust);
         sequence.add(ornament.moment(kBorder));
     }
-    sequence.take(studio, "tangle_perturbation", 3, 1080, 480);
+    sequence.take(studio, "tangle_perturbation", 3, 1080, 480, {"No noise", "Noise of 3 cm", "Noise of 8 cm"});
 }
 
 // ---- Fig. 11
@@ -269,7 +272,7 @@ void displacement(Workshop& workshop, Studio& studio) {
     sequence.add(displaced(workshop, 0.09f, 0.85f, 0.5f));
     sequence.add(displaced(workshop, 0.24f, 0.22f, 0.5f));
     sequence.add(displaced(workshop, 0.12f, 0.5f, 0.12f));
-    sequence.take(studio, "tangle_displacement", 4, 1280, 340);
+    sequence.take(studio, "tangle_displacement", 4, 1280, 340, {"Straight", "Bias 0.85", "Bias 0.22", "Gain 0.12"});
 }
 
 // ---- Fig. 12
@@ -352,6 +355,8 @@ void recursion(Workshop& workshop, Studio& studio) {
     moments.push_back(by_parity(workshop));
     std::vector<Panel> panels = {panel_with(moments[0], kFromTheSide), panel_with(moments[1], kFromAbove),
                                  panel_with(moments[2], kFromTheSide)};
+    entitle(panels,
+            {"Stripes and a grid carry dots and frames", "Cells, raised", "Regions in the colour of their group"});
     studio.take("tangle_recursion", panels, 3, 1260, 480);
 }
 
@@ -413,7 +418,8 @@ void macros(Workshop& workshop, Studio& studio) {
     Sequence sequence(kFromAbove);
     sunburst_to_flower(workshop, sequence);
     grid_to_cells(workshop, sequence);
-    sequence.take(studio, "tangle_macros", 4, 1600, 760);
+    sequence.take(studio, "tangle_macros", 4, 1600, 760,
+                  {"Sunburst", "Polka dots", "Frames", "Flower", "Grid", "Outline", "Lace", "Cells"});
 }
 
 constexpr Picture kPictures[] = {

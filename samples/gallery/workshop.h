@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The SDK as the gallery uses it: everything at once and to the end. How a host spreads the same calls over its frames is
-// what samples/strokes shows.
+// The SDK as the gallery uses it: everything at once and to the end. How a host spreads the same calls over its
+// frames is what samples/strokes shows.
 #pragma once
 
 #include <span>

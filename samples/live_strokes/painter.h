@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws with a controller: while its trigger is pressed samples go to a live stroke, and the points that each makes to a curve
-// that grows in the renderer.
+// Draws with a controller: while its trigger is pressed samples go to a live stroke, and the points that each makes to
+// a curve that grows in the renderer.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ struct Added {
 
 class Painter {
 public:
-    // Makes the context and prepares the style, whose displacement will be `displacement` metres; returns when it is ready.
-    // Throws std::runtime_error.
+    // Makes the context and prepares the style, whose displacement will be `displacement` metres; returns when it is
+    // ready. Throws std::runtime_error.
     Painter(render::Renderer& renderer, const CurveSource& style, float displacement);
     ~Painter();
     Painter(const Painter&) = delete;

@@ -13,12 +13,13 @@ namespace flg::samples {
 class Recording {
 public:
     // "builtin:session": made here; else a file of curves or builtin:NAME, as CurveSource reads it: TIME, PRESSURE and
-    // ORIENTATION where there are, else drawn at an even speed and full pressure. What is larger than an arm reaches, or far
-    // from the hand, is brought there. Throws SourceError.
+    // ORIENTATION where there are, else drawn at an even speed and full pressure. What is larger than an arm reaches,
+    // or far from the hand, is brought there. Throws SourceError.
     explicit Recording(const std::string& name);
 
     double end_s() const { return strokes_.back().back().time; }
-    // Where the controller is: on a stroke with its trigger pressed, or on its way to the next. It starts over at the end.
+    // Where the controller is: on a stroke with its trigger pressed, or on its way to the next. It starts over at the
+    // end.
     XrController at(double time_s) const;
 
 private:

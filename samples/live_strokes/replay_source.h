@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A session without a headset: a recording holds the controller, the head moves slowly, and displays come at an even rate.
+// A session without a headset: a recording holds the controller, the head moves slowly, and displays come at an even
+// rate.
 #pragma once
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a headset's poses come from and its frames go: what OpenXR gives, without OpenXR. README.md says function by function
-// how a session takes the place of the replay. Metres, seconds, right-handed, y up; poses look along -z.
+// Where a headset's poses come from and its frames go: what OpenXR gives, without OpenXR. README.md says function by
+// function how a session takes the place of the replay. Metres, seconds, right-handed, y up; poses look along -z.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -12,20 +12,6 @@ static FlgResult check(FlgResult result) {
     exit(1);
 }
 
-/* One curve through points of three floats each. The SDK copies them. */
-static FlgCurveSet curve(FlgContext context, const float* points, uint32_t count) {
-    const uint32_t offsets[] = {0, count};
-    const FlgColumn positions = {.attribute = FLG_ATTRIBUTE_POSITION, .components = 3, .data = points};
-    FlgCurveSetView view = flgCurveSetViewDefaults();
-    FlgCurveSet set;
-    view.curve_count = 1;
-    view.curve_offsets = offsets;
-    view.columns = &positions;
-    view.column_count = 1;
-    check(flgCurveSetCreate(context, &view, &set));
-    return set;
-}
-
 int main(void) {
     static const float zigzag[7][3] = {{0, 0, 0}, {1, 1, 0}, {2, -1, 0}, {3, 1, 0}, {4, -1, 0}, {5, 1, 0}, {6, 0, 0}};
     static const float line[2][3] = {{0, 0, 0}, {30, 0, 0}};
@@ -36,8 +22,8 @@ int main(void) {
     FlgStyleDesc style = flgStyleDefaults();
     FlgStylizeDesc stylize = flgStylizeDefaults();
     FlgCurveSet result;
-    style.style = curve(context, zigzag[0], 7);
-    stylize.target = curve(context, line[0], 2);
+    check(flgCurveSetCreateFromPoints(context, zigzag[0], 7, 0, &style.style)); /* the SDK copies points */
+    check(flgCurveSetCreateFromPoints(context, line[0], 2, 0, &stylize.target));
     check(flgStyleCreate(context, &style, &stylize.style, NULL));
     check(flgStylize(context, &stylize, &result, NULL));
 

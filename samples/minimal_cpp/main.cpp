@@ -10,18 +10,6 @@
 
 namespace {
 
-// One curve through points of three floats each. The SDK copies them.
-filigree::CurveSet curve(filigree::Context& context, const std::vector<float>& points) {
-    const uint32_t offsets[] = {0, static_cast<uint32_t>(points.size() / 3)};
-    const FlgColumn positions{FLG_ATTRIBUTE_POSITION, 3, points.data(), 0, 0};
-    FlgCurveSetView view = flgCurveSetViewDefaults();
-    view.curve_count = 1;
-    view.curve_offsets = offsets;
-    view.columns = &positions;
-    view.column_count = 1;
-    return context.curves(view);
-}
-
 // How far a curve goes off the x axis. The view shows the SDK's own arrays: draw from them, or upload them.
 float farthest(const FlgCurveSetView& view) {
     float distance = 0;
@@ -32,11 +20,8 @@ float farthest(const FlgCurveSetView& view) {
 
 // A line becomes a zigzag, as a job while frames go by.
 void stylize_line(filigree::Context& context, const filigree::Style& style) {
-    const filigree::CurveSet line = curve(context, {0, 0, 0, 30, 0, 0});
-    FlgStylizeDesc desc = flgStylizeDefaults();
-    desc.style = style.get();
-    desc.target = line.get();
-    const filigree::CurveSet zigzag = context.stylize(desc);
+    const filigree::CurveSet line = context.curve({0, 0, 0, 30, 0, 0});  // the SDK copies points
+    const filigree::CurveSet zigzag = context.stylize(style, line);
     while (!zigzag.ready()) {
         context.tick(2000);                    // once a frame, for at most 2 ms
         flgContextWait(context.get(), 11000);  // a game draws its frame here
@@ -75,7 +60,7 @@ int main() {
     try {
         filigree::Context context;
         const filigree::CurveSet zigzag =
-            curve(context, {0, 0, 0, 1, 1, 0, 2, -1, 0, 3, 1, 0, 4, -1, 0, 5, 1, 0, 6, 0, 0});
+            context.curve({0, 0, 0, 1, 1, 0, 2, -1, 0, 3, 1, 0, 4, -1, 0, 5, 1, 0, 6, 0, 0});
         const filigree::Style style = context.style(zigzag);
         stylize_line(context, style);
         draw_live(context, style);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Lorenz attractor (Lorenz 1963; sigma = 10, rho = 28, beta = 8/3) and Thomas' cyclically symmetric attractor (Thomas
-// 1999; b = 0.208186), integrated by the classical Runge-Kutta method in double precision.
+// The Lorenz attractor (Lorenz 1963; sigma = 10, rho = 28, beta = 8/3) and Thomas' cyclically symmetric attractor
+// (Thomas 1999; b = 0.208186), integrated by the classical Runge-Kutta method in double precision.
 #include "attractors.h"
 
 #include <cmath>

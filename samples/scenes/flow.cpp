@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Laminar flow around a ball: streamlines of the potential flow with the velocity
-//     u = U (1 - a^3 (3 cos^2 t - 1) / (2 r^3))  along the stream,   -U 3 a^3 cos t sin t / (2 r^3)  away from its axis,
+//     u = U (1 - a^3 (3 cos^2 t - 1) / (2 r^3))  along the stream,
+//         -U 3 a^3 cos t sin t / (2 r^3)         away from its axis,
 // (Milne-Thomson, Theoretical Hydrodynamics, 15.30), integrated by the classical Runge-Kutta method.
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces of 70 thousand to 1.5 million triangles, made here: turned on a lathe, blown up from a cube, hung as a cloth.
+// Surfaces of 70 thousand to 1.5 million triangles, made here: turned on a lathe, blown up from a cube, hung as a
+// cloth.
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>
@@ -12,8 +13,8 @@ namespace {
 
 using Triangle = std::array<uint32_t, 3>;
 
-// Squares between `width` vertices in a row, the last row of vertices being there; diagonals change from one to the next. The
-// right neighbour of the last vertex of a row is the first one if `around`.
+// Squares between `width` vertices in a row, the last row of vertices being there; diagonals change from one to the
+// next. The right neighbour of the last vertex of a row is the first one if `around`.
 void add_squares(Mesh& mesh, uint32_t first, uint32_t width, uint32_t height, bool around) {
     for (uint32_t row = 0; row + 1 < height; ++row) {
         for (uint32_t i = 0; i + (around ? 0 : 1) < width; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The built-in scene, shared by command line, benchmarks, tests and samples: style strokes with character and targets to
-// put them on, all made here. Plain C++ without the SDK, so that a sample shows what a host would write itself.
+// The built-in scene, shared by command line, benchmarks, tests and samples: style strokes with character and targets
+// to put them on, all made here. Plain C++ without the SDK, so that a sample shows what a host would write itself.
 //
 // Everything is a function of its arguments: same name and count, same bits. Metres, right-handed, y up.
 #pragma once
@@ -30,8 +30,8 @@ struct Curve {
     bool closed = false;
 };
 
-// loops, zigzag, curls, knots, tremor, braid; wave and knit, drawn in the plane z = 0; and with attributes: beads (radius,
-// colour), twist (angle of a ribbon, radius, colour).
+// loops, zigzag, curls, knots, tremor, braid; wave and knit, drawn in the plane z = 0; and with attributes: beads
+// (radius, colour), twist (angle of a ribbon, radius, colour).
 const std::vector<std::string>& style_names();
 
 // An open stroke of about a metre that looks drawn by hand: 150 to 600 points, with radii. Empty for an unknown name.
@@ -54,8 +54,8 @@ struct Scene {
 // bouquet, hair, tree (network), icosahedron (network), tower (network), flow.
 const std::vector<std::string>& scene_names();
 
-// `count` is the number of hairs or flow lines, at most 100,000; 0 = the usual number; the other scenes have but one size.
-// No curves for an unknown name.
+// `count` is the number of hairs or flow lines, at most 100,000; 0 = the usual number; the other scenes have but one
+// size. No curves for an unknown name.
 Scene make_scene(std::string_view name, uint32_t count = 0);
 
 // A picture's worth of strokes: a bouquet of stems that end in volutes, with radii and colours.
@@ -77,7 +77,8 @@ Curve make_head();
 // The ball that the flow parts around, as such a tube.
 Curve make_ball();
 
-// Turned about the y axis, open above and below, of so many vertices around. The border below is loop 0, that above loop 1.
+// Turned about the y axis, open above and below, of so many vertices around. The border below is loop 0, that above
+// loop 1.
 Mesh make_vase(uint32_t columns = 640);
 
 // A shallow dish of five lobes, hollow side down, with a hole in its middle. Its rim is loop 0, the hole loop 1.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An architect's wireframe: a chapel with a steep roof and pointed windows beside a bell tower. Lines end where they meet others, at
-// the very same points.
+// An architect's wireframe: a chapel with a steep roof and pointed windows beside a bell tower. Lines end where they
+// meet others, at the very same points.
 #include <cmath>
 
 #include "scene_makers.h"

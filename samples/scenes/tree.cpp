@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A tree by a parametric L-system: Prusinkiewicz and Lindenmayer, The Algorithmic Beauty of Plants (1990), Fig. 2.8,
 //     A -> !(vr) F(50) [&(a) F(50) A] /(d1) [&(a) F(50) A] /(d2) [&(a) F(50) A],   F(l) -> F(l lr),   !(w) -> !(w vr)
-// with its tropism, which bends branches downwards. Each F is a curve, a straight one; it begins at the very point that the one
-// before it ends at. Departure: the angles vary a little from branch to branch.
+// with its tropism, which bends branches downwards. Each F is a curve, a straight one; it begins at the very point that
+// the one before it ends at. Departure: the angles vary a little from branch to branch.
 #include <cmath>
 #include <numbers>
 

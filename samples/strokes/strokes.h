@@ -36,8 +36,8 @@ struct StrokeGroup {
     StrokeSet strokes;   // radii thinned for the styled result
 };
 
-// All strokes of the sources, in groups of a factor of two in size, the largest first. A stroke's size is its own radius where it
-// has one (the style shall be a small multiple of it), its length otherwise.
+// All strokes of the sources, in groups of a factor of two in size, the largest first. A stroke's size is its own
+// radius where it has one (the style shall be a small multiple of it), its length otherwise.
 std::vector<StrokeGroup> group_by_size(const std::vector<CurveSource>& sources);
 
 }  // namespace flg::samples

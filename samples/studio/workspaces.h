@@ -9,11 +9,11 @@
 
 namespace flg::studio {
 
-std::unique_ptr<Workspace> make_strokes(Desk& desk);
-std::unique_ptr<Workspace> make_tangles(Desk& desk);
-std::unique_ptr<Workspace> make_skeletons(Desk& desk);
-std::unique_ptr<Workspace> make_splines(Desk& desk);
+std::unique_ptr<Workspace> make_strokes(AppContext& app);
+std::unique_ptr<Workspace> make_tangles(AppContext& app);
+std::unique_ptr<Workspace> make_skeletons(AppContext& app);
+std::unique_ptr<Workspace> make_splines(AppContext& app);
 
-std::vector<std::unique_ptr<Workspace>> make_workspaces(Desk& desk);
+std::vector<std::unique_ptr<Workspace>> make_workspaces(AppContext& app);
 
 }  // namespace flg::studio

@@ -111,4 +111,12 @@ BadValue copy_column(const FlgColumn& column, uint32_t first, uint32_t end, floa
     return {};
 }
 
+const FlgColumn* find_column(const FlgColumn* columns, uint32_t count, FlgAttribute attribute) {
+    if (!columns) return nullptr;
+    const FlgColumn* const end = columns + count;
+    const FlgColumn* const found =
+        std::find_if(columns, end, [&](const FlgColumn& column) { return column.attribute == attribute; });
+    return found != end ? found : nullptr;
+}
+
 }  // namespace flg

@@ -24,4 +24,7 @@ struct BadValue {
 // value that can't be.
 BadValue copy_column(const FlgColumn& column, uint32_t first, uint32_t end, float* out);
 
+// Null if there is none.
+const FlgColumn* find_column(const FlgColumn* columns, uint32_t count, FlgAttribute attribute);
+
 }  // namespace flg

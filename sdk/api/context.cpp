@@ -2,7 +2,9 @@
 // Contexts: made, ticked, waited for, destroyed.
 #include "api/context.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <new>
 
@@ -17,9 +19,10 @@ namespace flg {
 namespace {
 
 constexpr uint32_t max_threads = 256;
+constexpr double run_tick_us = 10'000;  // of flgContextRun
 
-// Counts contexts, so that handles of one that is gone don't fit the next at the same address. The one thing that contexts
-// share; what it counts to shows nowhere else.
+// Counts contexts, so that handles of one that is gone don't fit the next at the same address. The one thing that
+// contexts share; what it counts to shows nowhere else.
 std::atomic<uint32_t> contexts_made{0};
 
 FlgContextDesc default_context_desc() {
@@ -160,6 +163,43 @@ FlgResult flgContextWait(FlgContext context, uint32_t timeout_us) {
         Context& self = get_context(context);
         refuse_inside_callback(self, "flgContextWait");
         return self.runtime.wait(timeout_us) ? FLG_OK : FLG_NOT_READY;
+    });
+}
+
+FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t count, double seconds) {
+    return guarded([&] {
+        Context& self = get_context(context);
+        refuse_inside_callback(self, "flgContextRun");
+        refuse_after_destroy(self);
+        if (count > 0) require(jobs, "jobs");
+        if (!(seconds >= 0 && seconds <= 1e9)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "seconds is %g, must be 0 to 1e9", seconds);
+        }
+        for (uint32_t i = 0; i < count; ++i) self.jobs.get(jobs[i].id, "jobs");
+        using Clock = std::chrono::steady_clock;
+        const auto end = Clock::now() + std::chrono::duration<double, std::micro>(seconds * 1e6);
+        for (bool first = true;; first = false) {
+            bool finished = count > 0;
+            for (uint32_t i = 0; i < count; ++i) {
+                const Job& job = *self.jobs.get(jobs[i].id, "jobs");  // a callback may have released it
+                finished = finished && job.status.state == FLG_JOB_FINISHED;
+            }
+            if (finished) break;
+            const double left_us = std::chrono::duration<double, std::micro>(end - Clock::now()).count();
+            if (left_us <= 0 && !first) return FLG_NOT_READY;
+            const auto budget_us = static_cast<uint32_t>(std::clamp(left_us, 1.0, run_tick_us));
+            {
+                const Ticking ticking(self);
+                const FlgFrameReport report = self.runtime.tick(budget_us);
+                if (count == 0 && report.jobs_pending == 0) return FLG_OK;
+            }
+            self.runtime.wait(budget_us);
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            const Job& job = *self.jobs.get(jobs[i].id, "jobs");
+            if (job.status.result != FLG_OK) return set_last_error(job.status.result, job.status.error);
+        }
+        return FLG_OK;
     });
 }
 

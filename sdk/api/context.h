@@ -19,10 +19,10 @@ class HeldPart;
 class HeldPartMesh;
 class HeldModel;
 class HeldSkin;
-class HeldManifold;
-class HeldObstacles;
-class HeldSpline;
-class HeldMotion;
+class ManifoldProduct;
+class Obstacles;
+class Spline;
+class Motion;
 }  // namespace flg
 
 // In the global namespace because the C header declares it.
@@ -66,10 +66,10 @@ struct FlgContextT {
     flg::HandleTable<flg::HeldPartMesh> part_meshes;
     flg::HandleTable<flg::HeldModel> models;
     flg::HandleTable<flg::HeldSkin> skins;
-    flg::HandleTable<flg::HeldManifold> manifolds;
-    flg::HandleTable<flg::HeldObstacles> obstacles;
-    flg::HandleTable<flg::HeldSpline> splines;
-    flg::HandleTable<flg::HeldMotion> motions;
+    flg::HandleTable<flg::ManifoldProduct> manifolds;
+    flg::HandleTable<flg::Obstacles> obstacles;
+    flg::HandleTable<flg::Spline> splines;
+    flg::HandleTable<flg::Motion> motions;
     flg::Runtime runtime;
     bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
 };

@@ -96,6 +96,39 @@ FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, Flg
     });
 }
 
+FlgResult flgCurveSetCreateFromPoints(FlgContext context, const float* points, uint32_t count, uint8_t flags,
+                                      FlgCurveSet* out_set) {
+    return guarded([&] {
+        require(out_set, "out_set") = {};
+        Context& self = get_context(context);
+        require(points, "points");
+        if (count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "count is 0, must be at least 1");
+        if ((flags & ~FLG_CURVE_CLOSED) != 0)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "flags is %u, must be 0 or FLG_CURVE_CLOSED", flags);
+
+        const auto set = make_object<CurveSet>(self, &self.memory);
+        set->allocate_curves(1);
+        set->offsets()[0] = 0;
+        set->offsets()[1] = count;
+        set->begin_curve(0, flags);
+        const std::pmr::vector<CurveSet::ColumnLayout> layout({{FLG_ATTRIBUTE_POSITION, 3}}, &self.memory);
+        set->allocate_columns(layout);
+        const BadValue bad =
+            copy_column({FLG_ATTRIBUTE_POSITION, 3, points, 0, 0}, 0, count, set->columns()[0].values.data());
+        if (bad.rule) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "points holds %g at point %u, %s", static_cast<double>(bad.value),
+                          bad.row, bad.rule);
+        }
+        set->publish_complete();
+        *out_set = {self.curve_sets.add(set)};
+        return FLG_OK;
+    });
+}
+
+const FlgColumn* flgCurveSetViewColumn(const FlgCurveSetView* view, FlgAttribute attribute) {
+    return view ? find_column(view->columns, view->column_count, attribute) : nullptr;
+}
+
 FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view) {
     return guarded([&] {
         write_struct(out_view, default_view(), "out_view");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sized structs at the ABI: the host's struct may be smaller than ours (an older header); what it lacks takes its default.
+// Sized structs at the ABI: the host's struct may be smaller than ours (an older header); what it lacks takes its
+// default.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 
 namespace flg {
 
-// The size a struct had in its first release; smaller is not a size that any host can have. Structs that grow later get a
-// specialization here.
+// The size a struct had in its first release; smaller is not a size that any host can have. Structs that grow later get
+// a specialization here.
 template <class T>
 inline constexpr uint32_t first_size = sizeof(T);
 
@@ -42,8 +43,8 @@ void write_struct(T* out, const T& value, const char* name) {
     out->struct_size = struct_size;
 }
 
-// The host's defaults. Its struct may be larger than ours, of a newer header: the rest becomes zero, and flgContextCreate
-// tells the host that the versions do not fit.
+// The host's defaults. Its struct may be larger than ours, of a newer header: the rest becomes zero, and
+// flgContextCreate tells the host that the versions do not fit.
 template <class T>
 void init_struct(T* out, uint32_t struct_size, const T& defaults, const char* name) {
     if (!out) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);

@@ -36,7 +36,6 @@ FlgBlendDesc default_blend_desc() {
 }
 
 void check(const FlgGeodesicDesc& desc) {
-    check_enum(desc.accuracy, FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH, "desc.accuracy", "FLG_ACCURACY_");
     check_range(desc.max_distance > 0, "desc.max_distance", desc.max_distance, "above 0");
     check_range(desc.perturbation >= 0 && std::isfinite(desc.perturbation), "desc.perturbation", desc.perturbation,
                 "finite and at least 0");
@@ -60,7 +59,6 @@ GeodesicRequest read_request(Context& context, const FlgGeodesicDesc& desc, Subm
     Buffer<uint32_t> targets = read_indices(desc.targets, desc.target_count, "desc.targets", memory);
     auto out = make_object<Field>(context, surface, memory);
     GeodesicRequest request{.surface = surface,
-                            .accuracy = desc.accuracy,
                             .sources = std::move(sources),
                             .regions = std::move(regions),
                             .max_distance = desc.max_distance,
@@ -116,10 +114,7 @@ FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField*
         GeodesicRequest request = read_request(self, read, submission);
         const auto out = request.out;
         // In a perturbed metric the solver builds its own.
-        if (read.perturbation == 0) {
-            submission.wait_for(read.accuracy == FLG_ACCURACY_GRAPH ? start_graph(self, request.surface)
-                                                                    : start_blocks(self, request.surface));
-        }
+        if (read.perturbation == 0) submission.wait_for(start_blocks(self, request.surface));
         submission.read_surface(request.surface, "desc.surface");
         submission.job().strand.start(solve_geodesic(submission.pace(), std::move(request)));
         *out_field = {submission.commit(self.fields, out, out_job)};

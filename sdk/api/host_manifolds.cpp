@@ -6,7 +6,7 @@
 
 #include "api/descriptors.h"
 #include "api/error.h"
-#include "splines/host_manifold.h"
+#include "splines/manifolds/host_manifold.h"
 
 namespace flg {
 
@@ -59,7 +59,7 @@ void try_patch(const HostPatch& patch) {
 void try_functions(const HostManifold& manifold, const double* point_near) {
     const uint32_t n = manifold.ambient(), k = manifold.dimension();
     double x[Manifold::max_ambient], basis[Manifold::max_ambient * Manifold::max_dimension] = {},
-                                                                   memory[Manifold::max_memory] = {};
+                                                                   memory[Manifold::max_hint] = {};
     std::copy_n(point_near, n, x);
     for (uint32_t c = 0; c < n; ++c) check_range(std::isfinite(x[c]), "point_near", x[c], "finite");
     if (!manifold.project(x, memory))
@@ -105,13 +105,13 @@ FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* 
                     "2 to 12");
         check_range(read.dimension >= 1 && read.dimension <= read.ambient, "functions.dimension", read.dimension,
                     "1 to functions.ambient");
-        check_range(read.memory_size <= Manifold::max_memory, "functions.memory_size", read.memory_size, "at most 256");
+        check_range(read.memory_size <= Manifold::max_hint, "functions.memory_size", read.memory_size, "at most 256");
         check_length(read.size, "functions.size");
         if (!read.project) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.project is null");
         if (!read.tangent_basis) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.tangent_basis is null");
         const auto manifold = make_object<HostManifold>(self, read);
         try_functions(*manifold, point_near);
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->manifold = manifold;
         *out_manifold = publish_at_once(self, held);
         return FLG_OK;
@@ -134,7 +134,7 @@ FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* fu
         check_patch(read);
         const auto patch = make_object<HostPatch>(self, read, &self.memory);
         try_patch(*patch);
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->manifold = patch;
         *out_manifold = publish_at_once(self, held);
         return FLG_OK;

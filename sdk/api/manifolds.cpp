@@ -7,9 +7,9 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/products.h"
-#include "splines/image_manifold.h"
-#include "splines/implicit_surfaces.h"
-#include "splines/space_manifold.h"
+#include "splines/manifolds/image_manifold.h"
+#include "splines/manifolds/implicit_surfaces.h"
+#include "splines/manifolds/space_manifold.h"
 
 namespace flg {
 
@@ -78,7 +78,7 @@ FlgResult flgManifoldCreateShape(FlgContext context, const FlgShapeDesc* desc, F
         Context& self = get_context(context);
         refuse_after_destroy(self);
         const FlgShapeDesc read = read_struct(desc, default_shape_desc(), "desc");
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->manifold = make_shape(self, read);
         held->kind = read.shape == FLG_SHAPE_SPACE ? ManifoldKind::space : ManifoldKind::hypersurface;
         *out_manifold = publish_at_once(self, held);
@@ -97,7 +97,7 @@ FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double we
         if (surface->kind != ManifoldKind::hypersurface)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "base is not a surface in R^3");
         check_range(weight > 0 && weight <= largest_length, "weight", weight, "above 0, at most 1e6");
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->base = surface;
         held->manifold =
             make_manifold<ImageManifold>(self, static_cast<const Hypersurface&>(*surface->manifold), weight);
@@ -126,13 +126,13 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
                              double* out_distances) {
     return guarded([&] {
         Context& self = get_context(context);
-        const HeldManifold& held = *self.manifolds.get(manifold.id, "manifold");
+        const ManifoldProduct& held = *self.manifolds.get(manifold.id, "manifold");
         const FlgResult result = held.visible_result();
         if (result != FLG_OK) return result < 0 ? set_last_error(result, held.error()) : result;
         check_range(point_count <= most_projected, "point_count", point_count, "at most 64");
         if (point_count > 0) require(points, "points");
         const uint32_t shown = held.given_ambient, n = held.manifold->ambient();
-        double memory[Manifold::max_memory];
+        double memory[Manifold::max_hint];
         for (uint32_t i = 0; i < point_count; ++i) {
             double* const given = points + size_t{i} * shown;
             double x[Manifold::max_ambient] = {};
@@ -142,7 +142,7 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
                 x[c] = given[c];
             }
             std::fill_n(x + shown, n - shown, 0.0);
-            std::fill_n(memory, held.manifold->memory_size(), 0.0);
+            std::fill_n(memory, held.manifold->hint_size(), 0.0);
             double square = HUGE_VAL;
             if (held.manifold->project(x, memory)) {
                 square = 0;

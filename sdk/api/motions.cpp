@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Motions of rigid bodies: made, shown, released.
-#include "splines/motion.h"
+#include "splines/motion/motion.h"
 
 #include <algorithm>
 
@@ -150,7 +150,7 @@ FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMoti
         Submission submission(self, read.job);
         MotionInput input = read_input(read, &self.memory);
         read_obstacles(self, read, input, submission);
-        const auto out = make_object<HeldMotion>(self, std::move(input), &self.memory);
+        const auto out = make_object<Motion>(self, std::move(input), &self.memory);
         submission.job().strand.start(make_motion(submission.pace(), out));
         *out_motion = {submission.commit(self.motions, out, out_job)};
         return FLG_OK;

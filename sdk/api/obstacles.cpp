@@ -6,10 +6,10 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
-#include "splines/held_obstacles.h"
-#include "splines/mesh_distance.h"
-#include "splines/obstacle_polygon.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/mesh_distance.h"
+#include "splines/obstacles/obstacle_polygon.h"
+#include "splines/obstacles/obstacle_shapes.h"
+#include "splines/obstacles/obstacles.h"
 
 namespace flg {
 
@@ -73,12 +73,11 @@ std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacl
 }
 
 // What the job makes of a mesh.
-void read_mesh(Context& context, const FlgObstacle& in, uint32_t number, HeldObstacles& out, Submission& submission) {
+void read_mesh(Context& context, const FlgObstacle& in, uint32_t number, Obstacles& out, Submission& submission) {
     if (out.dimension != 3)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is that of a mesh, which is for space, dimension 3");
     const auto surface = context.surfaces.get(in.surface.id, "surface");
-    check_range(in.cells >= MeshDistanceKernel::least_cells && in.cells <= MeshDistanceKernel::most_cells, "cells",
-                in.cells, "8 to 192");
+    check_range(in.cells >= min_distance_cells && in.cells <= max_distance_cells, "cells", in.cells, "8 to 192");
     const bool is_layer = in.kind == FLG_OBSTACLE_LAYER;
     if (is_layer) check_range(in.radius > 0 && in.radius <= 1e30, "radius", in.radius, "above 0");
     submission.read_surface(surface, "surface");
@@ -117,7 +116,7 @@ FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, F
         require(read.obstacles, "desc.obstacles");
         check_range(read.clearance >= 0 && read.clearance <= 1e30, "desc.clearance", read.clearance, "0 to 1e30");
         Submission submission(self, read.job);
-        const auto held = make_object<HeldObstacles>(self, read.dimension, &self.memory);
+        const auto held = make_object<Obstacles>(self, read.dimension, &self.memory);
         held->clearance = read.clearance;
         for (uint32_t i = 0; i < read.obstacle_count; ++i) {
             try {

@@ -7,7 +7,6 @@
 #include "api/descriptors.h"
 #include "api/error.h"
 #include "api/inputs.h"
-#include "bones/skin_deformation.h"
 #include "bones/skin_pose.h"
 #include "filigree/filigree_model.h"
 #include "skeletons/bone_tree.h"

@@ -75,7 +75,7 @@ FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifold
         Context& self = get_context(context);
         const FlgMeshManifoldDesc read = read_struct(desc, default_mesh_desc(), "desc");
         Submission submission(self, read.job);
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->kind = ManifoldKind::hypersurface;
         held->surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(held->surface, "desc.surface");
@@ -106,7 +106,7 @@ FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifold
         Submission submission(self, read.job);
         Buffer<Position> points = read_positions(read.points, read.point_count, "desc.points", &self.memory), normals;
         if (read.normals) normals = read_positions(read.normals, read.point_count, "desc.normals", &self.memory);
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->kind = ManifoldKind::hypersurface;
         submission.job().strand.start(
             make_cloud_manifold(submission.pace(), std::move(points), std::move(normals), read.neighbours, held));
@@ -138,7 +138,7 @@ FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDes
                         "finite and at most 1e30 in size");
             values[i] = read.values[i];
         }
-        const auto held = make_object<HeldManifold>(self);
+        const auto held = make_object<ManifoldProduct>(self);
         held->kind = ManifoldKind::hypersurface;
         submission.job().strand.start(make_grid_manifold(submission.pace(), std::move(values), input, held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};

@@ -16,8 +16,6 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t offset_chunk = 1000;
-
 FlgStraightSkeletonDesc default_straight_skeleton_desc() {
     FlgStraightSkeletonDesc desc{};
     desc.struct_size = sizeof desc;
@@ -112,8 +110,7 @@ FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skel
         if (result != FLG_OK) return result < 0 ? set_last_error(result, held.error()) : result;
         check_range(distance >= 0 && std::isfinite(distance), "distance", distance, "finite and at least 0");
         OffsetRings rings(&self.memory);
-        OffsetPolygons kernel(held.skeleton, distance, rings, &self.memory);
-        while (!kernel.run(offset_chunk)) continue;
+        offset_polygons(held.skeleton, distance, rings, &self.memory);
         write_offset(rings, out);
         write_struct(polygons, out, "polygons");
         return FLG_OK;

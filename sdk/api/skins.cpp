@@ -105,7 +105,7 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
         const auto out = make_object<HeldSkin>(self, &self.memory);
         out->model = self.models.get(read.model.id, "desc.model");
         out->options.vertices = read.vertex_count;
-        out->options.most_vertices = read.most_vertices;
+        out->options.max_vertices = read.most_vertices;
         out->options.blend = read.blend;
         Submission submission(self, read.job);
         submission.read(*out->model, "desc.model");

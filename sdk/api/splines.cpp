@@ -52,7 +52,6 @@ Buffer<double> read_numbers(const double* from, size_t count, const char* argume
 
 void read_energy(const FlgSplineDesc& desc, SplineProblem& problem) {
     check_enum(desc.energy, FLG_SPLINE_E2, FLG_SPLINE_ET, "desc.energy", "FLG_SPLINE_E");
-    check_enum(desc.method, FLG_SPLINE_NEWTON, FLG_SPLINE_FOOTPOINT_CONE, "desc.method", "FLG_SPLINE_");
     problem.bending = desc.energy == FLG_SPLINE_E1 ? 0 : 1;
     if (desc.energy == FLG_SPLINE_ET) {
         check_range(desc.tension > 0 && desc.tension <= 1e12, "desc.tension", desc.tension, "above 0, at most 1e12");
@@ -69,7 +68,6 @@ void read_energy(const FlgSplineDesc& desc, SplineProblem& problem) {
     check_range(desc.tolerance >= 1e-12 && desc.tolerance <= 1, "desc.tolerance", desc.tolerance, "1e-12 to 1");
     problem.max_rounds = desc.max_rounds;
     problem.tolerance = desc.tolerance;
-    problem.method = desc.method == FLG_SPLINE_NEWTON ? SplineMethod::newton : SplineMethod::footpoint_cone;
 }
 
 void read_parameters(const FlgSplineDesc& desc, SplineProblem& problem, Memory* memory) {
@@ -122,8 +120,8 @@ void read_curve(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& requ
     request.curve = read_numbers(desc.curve, size_t{desc.curve_count} * ambient, "desc.curve", memory);
 }
 
-void read_obstacles(Context& context, const FlgSplineDesc& desc, const HeldManifold& manifold, SplineRequest& request,
-                    Submission& submission) {
+void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldProduct& manifold,
+                    SplineRequest& request, Submission& submission) {
     if (desc.obstacles.id == 0) return;
     request.obstacles = context.obstacles.get(desc.obstacles.id, "desc.obstacles");
     submission.read(*request.obstacles, "desc.obstacles");
@@ -209,7 +207,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
             submission.wait_for(start_blocks(self, manifold->surface));
             submission.read_surface(manifold->surface, "the surface of desc.manifold");
         }
-        const auto out = make_object<HeldSpline>(self, manifold);
+        const auto out = make_object<Spline>(self, manifold);
         request.out = out;
         submission.job().strand.start(make_spline(submission.pace(), std::move(request)));
         *out_spline = {submission.commit(self.splines, out, out_job)};

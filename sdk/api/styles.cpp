@@ -5,7 +5,6 @@
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "api/styles.h"
-#include "stylization/guide_discrete_matching.h"
 #include "stylization/prepare_style.h"
 
 namespace flg {
@@ -36,11 +35,6 @@ void check(const FlgStyleDesc& desc) {
                 "finite and above 0");
     check_range(desc.beta > 0 && desc.beta < 1, "desc.beta", desc.beta, "above 0 and below 1");
     check_range(desc.patch >= 1 && desc.patch <= max_patch, "desc.patch", desc.patch, "1 to 1024");
-    check_enum(desc.matching, FLG_MATCHING_SEMI_DISCRETE, FLG_MATCHING_DISCRETE, "desc.matching", "FLG_MATCHING_");
-    if (desc.matching == FLG_MATCHING_DISCRETE && desc.point_count > DiscreteMatching::points_max) {
-        throw Failure(FLG_ERROR_LIMIT, "desc.point_count is %u, discrete matching takes at most %u", desc.point_count,
-                      DiscreteMatching::points_max);
-    }
 }
 
 void check_patch_size(const FlgPatchSize& size, uint32_t index) {
@@ -131,7 +125,6 @@ FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle*
         request.smoothing = read.smoothing;
         request.beta = read.beta;
         request.patch = read.patch;
-        request.matching = read.matching;
         read_arrays(read, request);
         Submission submission(self, read.job);
         request.example = self.curve_sets.get(read.style.id, "desc.style");

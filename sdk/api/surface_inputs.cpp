@@ -23,33 +23,22 @@ void check_labels(const uint32_t* labels, uint32_t count, const char* argument) 
     }
 }
 
-using Builder = Task<void> (*)(Pace&, std::shared_ptr<Surface>);
-
-// Its job is hidden from the host. The next one that asks starts another if it made nothing for want of memory,
-// or if what it made was lost since.
-std::shared_ptr<Job> start_build(Context& context, const std::shared_ptr<Surface>& surface, Builder build,
-                                 const std::atomic<bool>& present, std::shared_ptr<SolverBuild>& made) {
-    if (made && made->visible_result() == FLG_OK && present) return nullptr;
-    if (made && made->visible_result() == FLG_NOT_READY) return made->producer.lock();
-    auto product = make_object<SolverBuild>(context);
-    Submission submission(context, default_job_options());
-    submission.read_surface(surface, "desc.surface");
-    submission.job().priority = FLG_PRIORITY_HIGH;
-    submission.job().strand.start(build(submission.pace(), surface));
-    product->producer = submission.job().shared_from_this();
-    submission.commit(product, nullptr);
-    made = product;
-    return product->producer.lock();
-}
-
 }  // namespace
 
 std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surface>& surface) {
-    return start_build(context, surface, build_blocks, surface->solvers.has_blocks, surface->solvers.blocks_build);
-}
-
-std::shared_ptr<Job> start_graph(Context& context, const std::shared_ptr<Surface>& surface) {
-    return start_build(context, surface, build_graph, surface->solvers.has_graph, surface->solvers.graph_build);
+    GeodesicSolvers& solvers = surface->solvers;
+    const SolverBuild* last = solvers.blocks_build.get();
+    if (last && last->visible_result() == FLG_OK && solvers.has_blocks) return nullptr;
+    if (last && last->visible_result() == FLG_NOT_READY) return last->producer.lock();
+    auto build = make_object<SolverBuild>(context);
+    Submission submission(context, default_job_options());
+    submission.read_surface(surface, "desc.surface");
+    submission.job().priority = FLG_PRIORITY_HIGH;
+    submission.job().strand.start(build_blocks(submission.pace(), surface));
+    build->producer = submission.job().shared_from_this();
+    submission.commit(build, nullptr);
+    solvers.blocks_build = build;
+    return build->producer.lock();
 }
 
 Buffer<uint32_t> read_border_regions(const FlgGeodesicDesc& desc, Memory* memory) {

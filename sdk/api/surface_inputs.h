@@ -5,12 +5,13 @@
 #include "api/context.h"
 #include "api/error.h"
 #include "surfaces/field_levels.h"
-#include "surfaces/region_set.h"
+#include "surfaces/mesh/region_set.h"
 #include "surfaces/traced_curves.h"
 
 namespace flg {
 
-// Whether the surface's arrays can be seen now: FLG_NOT_READY while it is made or changed, its job's error if that failed.
+// Whether the surface's arrays can be seen now: FLG_NOT_READY while it is made or changed, its job's error if that
+// failed.
 inline FlgResult visible_result_now(const Surface& surface) {
     const FlgResult result = surface.visible_result();
     if (result < 0) return set_last_error(result, surface.error());
@@ -38,9 +39,9 @@ void check_same_surface(const T& product, const U& other, const char* argument) 
     }
 }
 
-// What solvers need on a surface: starts the job that builds it, once; returns that job, or null if it is done.
+// What solvers need on a surface: starts the job that builds it, hidden from the host, once; returns that job, or null
+// if it is done. Starts another if it made nothing for want of memory, or if what it made was lost since.
 std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surface>& surface);
-std::shared_ptr<Job> start_graph(Context& context, const std::shared_ptr<Surface>& surface);
 
 Buffer<uint32_t> read_indices(const uint32_t* indices, uint32_t count, const char* argument, Memory* memory);
 

@@ -56,8 +56,10 @@ Buffer<uint32_t> copy_words(const uint32_t* words, size_t count, Memory* memory)
     return copy;
 }
 
-// The host's arrays, checked as far as one pass can and packed. The job checks indices and positions.
-std::shared_ptr<MeshInput> copy_mesh(Context& context, const FlgMeshView& mesh) {
+// The host's arrays, checked as far as one pass can and packed; refuse(column, bad) throws. The job checks indices and
+// positions.
+template <class Refuse>
+std::shared_ptr<MeshInput> copy_mesh(Context& context, const FlgMeshView& mesh, const Refuse& refuse) {
     if (mesh.triangle_count > 0) require(mesh.triangles, "desc.mesh.triangles");
     check_columns(mesh.columns, mesh.column_count, "desc.mesh");
     Memory* memory = &context.memory;
@@ -78,10 +80,7 @@ std::shared_ptr<MeshInput> copy_mesh(Context& context, const FlgMeshView& mesh) 
         FlgColumn column = mesh.columns[c];
         input->values.emplace_back(size_t{mesh.vertex_count} * column.components, memory);
         const BadValue bad = copy_column(column, 0, mesh.vertex_count, input->values.back().data());
-        if (bad.rule) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.columns[%u] holds %g at vertex %u, %s", c,
-                          static_cast<double>(bad.value), bad.row, bad.rule);
-        }
+        if (bad.rule) refuse(c, bad);
         column.data = input->values.back().data();
         column.stride = 0;
         input->columns.push_back(column);
@@ -134,12 +133,50 @@ FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSu
         const FlgSurfaceDesc read = read_struct(desc, default_surface_desc(), "desc");
         check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
         Submission submission(self, read.job);
-        auto input = copy_mesh(self, read_struct(&read.mesh, default_mesh_view(), "desc.mesh"));
+        auto input = copy_mesh(
+            self, read_struct(&read.mesh, default_mesh_view(), "desc.mesh"), [](uint32_t column, const BadValue& bad) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.columns[%u] holds %g at vertex %u, %s", column,
+                              static_cast<double>(bad.value), bad.row, bad.rule);
+            });
         const auto surface = make_object<Surface>(self, &self.memory);
         submission.job().strand.start(make_surface(submission.pace(), surface, std::move(input), read.weld_distance));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
         return FLG_OK;
     });
+}
+
+FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positions, uint32_t vertex_count,
+                                        const uint32_t* triangles, uint32_t triangle_count, FlgSurface* out_surface,
+                                        FlgJob* out_job) {
+    return guarded([&] {
+        if (out_job) *out_job = {};
+        require(out_surface, "out_surface") = {};
+        Context& self = get_context(context);
+        require(positions, "positions");
+        require(triangles, "triangles");
+        const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, positions, 0, 0};
+        FlgMeshView mesh = default_mesh_view();
+        mesh.vertex_count = vertex_count;
+        mesh.triangle_count = triangle_count;
+        mesh.columns = &column;
+        mesh.column_count = 1;
+        mesh.triangles = triangles;
+        const FlgSurfaceDesc defaults = default_surface_desc();
+        Submission submission(self, defaults.job);
+        auto input = copy_mesh(self, mesh, [](uint32_t, const BadValue& bad) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "positions holds %g at vertex %u, %s",
+                          static_cast<double>(bad.value), bad.row, bad.rule);
+        });
+        const auto surface = make_object<Surface>(self, &self.memory);
+        submission.job().strand.start(
+            make_surface(submission.pace(), surface, std::move(input), defaults.weld_distance));
+        *out_surface = {submission.commit(self.surfaces, surface, out_job)};
+        return FLG_OK;
+    });
+}
+
+const FlgColumn* flgMeshViewColumn(const FlgMeshView* view, FlgAttribute attribute) {
+    return view ? find_column(view->columns, view->column_count, attribute) : nullptr;
 }
 
 FlgResult flgSurfaceRefine(FlgContext context, const FlgRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {

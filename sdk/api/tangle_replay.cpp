@@ -9,12 +9,11 @@
 #include "api/surface_inputs.h"
 #include "api/tangle_change.h"
 #include "api/tangle_requests.h"
+#include "runtime/run_now.h"
 
 namespace flg {
 
 namespace {
-
-constexpr uint32_t flatten_chunk = 1u << 20;
 
 // Lines of a history. Whether their triangles exist the job finds out.
 std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurvesView& view,
@@ -43,8 +42,7 @@ std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurve
     const Buffer<SurfacePoint> points =
         read_points(view.points, offsets[view.curve_count], "curves.points", &context.memory);
     lines->curves.points.assign(points.begin(), points.end());
-    FlattenCurvesKernel flatten_curves(*lines, &context.memory);
-    while (!flatten_curves.run(flatten_chunk)) {}
+    run_now(&context.memory, [&](Pace& pace) { return flatten_curves(pace, *lines); });
     return lines;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Isolines, streams and paths on surfaces; curves on surfaces shown, lifted into space and released; curves in space laid onto
-// surfaces.
+// Isolines, streams and paths on surfaces; curves on surfaces shown, lifted into space and released; curves in space
+// laid onto surfaces.
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bones/bone_graph.h"
 
+#include "runtime/each.h"
+
 namespace flg {
 
 uint32_t BoneGraph::heir(uint32_t joint) const {
@@ -64,16 +66,63 @@ void BoneGraph::cut_off(uint32_t joint) {
     joints_[joint].heir = rest;
 }
 
-BoneGraph::Walk BoneGraph::walk(uint32_t joint, uint32_t bone) const {
-    Walk walk{other(bone, joint), bone, bones_[bone].part, length(bone)};
-    while (joints_[walk.joint].degree == 2) {
-        const uint32_t first = first_end(walk.joint);
-        walk.bone = bone_of(bone_of(first) == walk.bone ? next_end(first) : first);
-        walk.joint = other(walk.bone, walk.joint);
-        walk.length += length(walk.bone);
-        if (bones_[walk.bone].part != walk.part) walk.part = no_number;
-    }
-    return walk;
+BoneGraph::Walk BoneGraph::begin_walk(uint32_t joint, uint32_t bone) const {
+    return {other(bone, joint), bone, bones_[bone].part, length(bone)};
+}
+
+bool BoneGraph::go_on(Walk& walk) const {
+    if (joints_[walk.joint].degree != 2) return false;
+    const uint32_t first = first_end(walk.joint);
+    walk.bone = bone_of(bone_of(first) == walk.bone ? next_end(first) : first);
+    walk.joint = other(walk.bone, walk.joint);
+    walk.length += length(walk.bone);
+    if (bones_[walk.bone].part != walk.part) walk.part = no_number;
+    return true;
+}
+
+namespace {
+
+// A joint on the way from the root, and the end of its bones that is looked at next.
+struct Step {
+    uint32_t joint, end;
+};
+
+}  // namespace
+
+Task<OrderedBones> order_bones(Pace& pace, const BoneGraph& graph, std::span<const uint32_t> roots) {
+    const auto& joints = graph.joints();
+    OrderedBones out{BoneTree(pace.memory()), Buffer<uint32_t>(joints.size(), pace.memory())};
+    uint32_t count = 0;
+    co_await each(pace, joints.size(), Cost::some_ns, [&](uint32_t j) {
+        out.number[j] = no_joint;
+        count += graph.is_there(j);
+    });
+    out.tree.joints.reserve(count);
+    std::pmr::vector<Step> way(pace.memory());
+    const auto visit = [&](uint32_t joint, uint32_t parent) {
+        const BoneGraph::Joint& from = joints[joint];
+        out.number[joint] = static_cast<uint32_t>(out.tree.joints.size());
+        out.tree.joints.push_back({from.at, from.radius, parent, from.part});
+        way.push_back({joint, graph.first_end(joint)});
+    };
+    size_t root = 0;
+    co_await repeat(pace, Cost::tens_of_ns, [&] {
+        if (way.empty()) {
+            if (root == roots.size()) return false;
+            visit(roots[root++], no_joint);
+            return true;
+        }
+        const Step step = way.back();
+        if (step.end == no_number) {
+            way.pop_back();
+            return true;
+        }
+        way.back().end = graph.next_end(step.end);
+        const uint32_t child = graph.other(BoneGraph::bone_of(step.end), step.joint);
+        if (out.number[child] == no_joint) visit(child, out.number[step.joint]);
+        return true;
+    });
+    co_return out;
 }
 
 }  // namespace flg

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The bones of a model while they are put together: joints and bones without a direction, that can be split, contracted
 // and removed. Always a forest.
+//
+// Directions for bones: joints numbered from the roots on, parents first, each branch in one piece.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/memory.h"
 #include "core/vec.h"
+#include "runtime/task.h"
+#include "skeletons/bone_tree.h"
 
 namespace flg {
 
@@ -56,6 +61,8 @@ public:
     // What comes after an end of the joint's list that is there; begin with first_end.
     uint32_t first_end(uint32_t joint) const { return skip(joints_[joint].first); }
     uint32_t next_end(uint32_t end) const { return skip(ends_[end]); }
+    // The same with those that are gone, which may be many; begin with the joint's first.
+    uint32_t next_listed(uint32_t end) const { return ends_[end]; }
     static uint32_t bone_of(uint32_t end) { return end / 2; }
 
     // From a joint along a bone over joints of two bones to the first one that is none: that joint, the last bone, the
@@ -64,7 +71,9 @@ public:
         uint32_t joint, bone, part;
         double length;
     };
-    Walk walk(uint32_t joint, uint32_t bone) const;
+    Walk begin_walk(uint32_t joint, uint32_t bone) const;
+    // One bone further; false at the end.
+    bool go_on(Walk& walk) const;
 
 private:
     uint32_t skip(uint32_t end) const {
@@ -77,5 +86,13 @@ private:
     std::pmr::vector<Bone> bones_;
     std::pmr::vector<uint32_t> ends_;  // two a bone: the next end at the same joint
 };
+
+struct OrderedBones {
+    BoneTree tree;
+    Buffer<uint32_t> number;  // in the tree, by joint of the graph; no_joint: it is gone
+};
+
+// A tree for each root, which is a joint that is there. Takes about 0.1 us a joint.
+Task<OrderedBones> order_bones(Pace& pace, const BoneGraph& graph, std::span<const uint32_t> roots);
 
 }  // namespace flg

@@ -13,9 +13,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "bones/bone_graph.h"
+#include "runtime/task.h"
 
 namespace flg {
 
@@ -28,47 +28,15 @@ struct PartLink {
     uint32_t parent_joint = no_number;  // that the new bone comes from
 };
 
-class ConnectionKernel {
-public:
-    // Connects the joints from `first_joint` on, all of the part `part`, with those before; never with those of `twin`.
-    // `outline`: points around the part. All outlive the kernel; the graph and `out` are complete when run() returns
-    // true.
-    ConnectionKernel(BoneGraph& graph, uint32_t part, uint32_t twin, uint32_t first_joint, uint32_t first_bone,
-                     std::span<const Vec3> outline, PartLink& out, Memory* memory);
-
-    // A unit is a joint held against 16 bones or joints: about 0.3 us.
-    bool run(uint32_t count);
-
-private:
-    enum class Pass { box, list, joints, outline, nearest };
-    struct Place {
-        double distance;
-        uint32_t child, bone, joint;  // nearest to a bone, or to a joint that has none
-        double share;                 // along the bone, in [0, 1]
-    };
-
-    bool step();
-    void enter(Pass pass);
-    void widen(const Vec3& at, double radius);
-    void list(uint32_t number);
-    bool compare();
-    // The bone or joint without a bone that is number `number`, from a point; a place at infinity if it doesn't count.
-    Place from(const Vec3& point, uint32_t child, uint32_t number, double& radius, uint32_t& part) const;
-    void look(const Vec3& point, uint32_t child, uint32_t number);
-    void connect(const Place& place);
-
-    BoneGraph& graph_;
-    uint32_t twin_, first_joint_, first_bone_;
-    uint32_t last_joint_;  // one beyond the part's
-    std::span<const Vec3> outline_;
-    PartLink& out_;
-    Place inside_, near_, nearest_;
-    std::pmr::vector<bool> meets_;             // by part, that a point of the outline is in
-    Vec3 low_, high_;                          // of what may be near the new part
-    std::pmr::vector<uint32_t> near_numbers_;  // bones, then joints, that are there
-    Pass pass_ = Pass::box;
-    uint32_t point_ = 0;  // the joint or point of the outline that is held against the others
-    uint32_t at_ = 0;
+// A part whose joints and bones are the graph's last ones, from these on.
+struct NewPart {
+    uint32_t number;
+    uint32_t twin;  // a part that it is never connected with; no_number: none
+    uint32_t first_joint, first_bone;
+    std::span<const Vec3> outline;  // points around it
 };
+
+// Connects a part with those before. The graph outlives the task.
+Task<PartLink> connect_part(Pace& pace, BoneGraph& graph, NewPart part);
 
 }  // namespace flg

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "bones/bone_graph.h"
 #include "bones/bounded_dp.h"
+#include "bones/refinement.h"
+#include "runtime/each.h"
 #include "skeletons/plane.h"
 
 namespace flg {
 namespace {
 
-constexpr uint32_t chunk = 32;  // about 10 us
 constexpr size_t most_joints = 65535;
 
 // The joints of a part: of the ends of its branches, and where BoundedDP bends them.
@@ -19,7 +21,8 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
     const PartSkeleton& skeleton = placed.part->skeleton;
     // What is measured across the axis in the plane, and through the part at right angles to it, on the average.
     const double radius_scale = placed.scale * 0.5 * (1 + placed.thickness);
-    std::pmr::vector<uint32_t> joint_of(skeleton.graph.nodes.size(), no_number, pace.memory());
+    Buffer<uint32_t> joint_of(skeleton.graph.nodes.size(), pace.memory());
+    co_await each(pace, joint_of.size(), Cost::some_ns, [&](uint32_t node) { joint_of[node] = no_number; });
     const auto end_joint = [&](uint32_t node) {
         const AxisNode& n = skeleton.graph.nodes[node];
         if (joint_of[node] == no_number)
@@ -30,15 +33,14 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
     if (!placed.branch_simplify.empty() && placed.branch_simplify.size() != skeleton.branches.size())
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].branch_count is %zu; the part has %zu branches",
                       placed.source, placed.branch_simplify.size(), skeleton.branches.size());
-    std::pmr::vector<uint32_t> kept(pace.memory());
+    Slice slice(Cost::tens_of_ns);
     for (size_t b = 0; b < skeleton.branches.size(); ++b) {
         const AxisBranch& branch = skeleton.branches[b];
         const std::span<const AxisSample> samples(skeleton.samples.data() + branch.begin, branch.end - branch.begin);
         double share = placed.thresholds.simplify;
         if (!placed.branch_simplify.empty() && placed.branch_simplify[b] >= 0) share = placed.branch_simplify[b];
-        BoundedDpKernel kernel(placed.part->outline, samples, share * model.size / placed.scale, model.shape_weight,
-                               kept, pace.memory());
-        while (!kernel.run(chunk)) co_await pace;
+        const auto kept = co_await bounded_dp(pace, placed.part->outline, samples, share * model.size / placed.scale,
+                                              model.shape_weight);
         uint32_t before = end_joint(branch.from);
         for (size_t i = 1; i < kept.size(); ++i) {
             const AxisSample& sample = samples[kept[i]];
@@ -48,6 +50,7 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
                                                          0.5 * (sample.left + sample.right) * radius_scale, number);
             graph.add_bone(before, joint, number);
             before = joint;
+            if (slice.is_over()) co_await pace;
         }
         if (graph.joints().size() > most_joints)
             throw Failure(FLG_ERROR_LIMIT, "desc.parts have more than %zu joints; larger thresholds make fewer",
@@ -60,36 +63,43 @@ Task<void> place_outline(Pace& pace, const ModelPart& part, std::pmr::vector<Vec
     const Contour& contour = part.part->outline;
     out.clear();
     out.reserve(2 * contour.size());
-    for (uint32_t i = 0; i < contour.size(); ++i) {
+    co_await each(pace, contour.size(), Cost::tens_of_ns, [&](uint32_t i) {
         out.push_back(part.place(contour.points[i]));
         out.push_back(part.place(mix(contour.points[i], contour.points[contour.next(i)], 0.5)));
-        if (i % chunk == 0) co_await pace;
-    }
+    });
 }
 
 // Which of two twins is the left one: on the side of the mirror's normal, by the middle of its axis.
-void name_twins(HeldModel& model) {
+Task<void> name_twins(Pace& pace, HeldModel& model) {
     for (ModelPart& part : model.parts) {
         if (part.twin == no_number) continue;
+        const auto& nodes = part.part->skeleton.graph.nodes;
         double sum = 0;
-        for (const AxisNode& node : part.part->skeleton.graph.nodes)
-            sum += part.place(node.at).dot(model.mirror_normal) - model.mirror_offset;
+        co_await each(pace, nodes.size(), Cost::tens_of_ns, [&](uint32_t i) {
+            sum += part.place(nodes[i].at).dot(model.mirror_normal) - model.mirror_offset;
+        });
         part.suffix = sum > 0 || (sum == 0 && !part.is_mirrored) ? ".L" : ".R";
     }
 }
 
 // By part that hangs on none, its widest joint.
-void find_roots(const HeldModel& model, const BoneGraph& graph, std::span<const uint32_t> first_joints,
-                std::pmr::vector<uint32_t>& roots) {
-    for (uint32_t p = 0; p < model.parts.size(); ++p) {
-        if (model.links[p].event != PartLink::Event::root) continue;
-        uint32_t root = graph.heir(first_joints[p]);
-        for (uint32_t j = first_joints[p]; j < first_joints[p + 1]; ++j)
-            if (graph.is_there(j) && graph.joints()[j].part == p &&
-                (graph.joints()[root].part != p || graph.joints()[j].radius > graph.joints()[root].radius))
-                root = j;
-        roots.push_back(root);
-    }
+Task<std::pmr::vector<uint32_t>> find_roots(Pace& pace, const HeldModel& model, const BoneGraph& graph,
+                                            std::span<const uint32_t> first_joints) {
+    std::pmr::vector<uint32_t> roots(pace.memory());
+    const auto& joints = graph.joints();
+    uint32_t next_part = 0;
+    bool is_root = false;
+    co_await each(pace, joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
+        if (next_part < first_joints.size() && j == first_joints[next_part]) {
+            is_root = model.links[next_part++].event == PartLink::Event::root;
+            if (is_root) roots.push_back(graph.heir(j));
+        }
+        const uint32_t part = next_part - 1;
+        if (!is_root || !graph.is_there(j) || joints[j].part != part) return;
+        uint32_t& root = roots.back();
+        if (joints[root].part != part || joints[j].radius > joints[root].radius) root = j;
+    });
+    co_return roots;
 }
 
 }  // namespace
@@ -132,7 +142,7 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
     HeldModel& m = *model;
     Memory* memory = pace.memory();
     for (const ModelPart& part : m.parts) m.size = std::max(m.size, part.part->length * part.scale);
-    name_twins(m);
+    co_await name_twins(pace, m);
     pace.stage("connect");
     BoneGraph graph(memory);
     std::pmr::vector<uint32_t> first_joints(memory);  // by part, before what others put on its bones
@@ -147,35 +157,28 @@ Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {
         first_joints.push_back(first_joint);
         co_await add_part(pace, m, p, graph);
         co_await place_outline(pace, m.parts[p], outline);
-        m.links.emplace_back();
-        ConnectionKernel connection(graph, p, m.parts[p].twin, first_joint, first_bone, outline, m.links.back(),
-                                    memory);
-        while (!connection.run(chunk)) co_await pace;
+        const NewPart part{p, m.parts[p].twin, first_joint, first_bone, outline};
+        const PartLink link = co_await connect_part(pace, graph, part);
+        m.links.push_back(link);
         thresholds.push_back(in_space(m.parts[p].thresholds));
-        co_await pace;
     }
-    first_joints.push_back(static_cast<uint32_t>(graph.joints().size()));
     thresholds.push_back(in_space(m.thresholds));
     pace.stage("refine");
-    RefinementKernel refinement(graph, thresholds, memory);
-    while (!refinement.run(chunk)) co_await pace;
-    std::pmr::vector<uint32_t> roots(memory), number(memory);
-    find_roots(m, graph, first_joints, roots);
-    BoneOrderKernel order(graph, roots, m.tree, number, memory);
-    while (!order.run(chunk)) co_await pace;
+    co_await refine(pace, graph, thresholds);
+    const std::pmr::vector<uint32_t> roots = co_await find_roots(pace, m, graph, first_joints);
+    OrderedBones ordered = co_await order_bones(pace, graph, roots);
+    m.tree = std::move(ordered.tree);
     m.part_joints.assign(m.parts.size(), no_number);
-    for (uint32_t j = 0; j < m.tree.joints.size(); ++j) {
+    co_await each(pace, m.tree.joints.size(), Cost::hundreds_of_ns, [&](uint32_t j) {
         uint32_t& topmost = m.part_joints[m.tree.joints[j].part];
         topmost = std::min(topmost, j);
         m.show_joint(m.tree.joints[j]);
-        co_await pace;
-    }
-    for (uint32_t p = 0; p < m.parts.size(); ++p) {
+    });
+    co_await each(pace, m.parts.size(), Cost::tens_of_ns, [&](uint32_t p) {
         // Where a part's joints all became others', the one that its first became.
-        if (m.part_joints[p] == no_number) m.part_joints[p] = number[graph.heir(first_joints[p])];
+        if (m.part_joints[p] == no_number) m.part_joints[p] = ordered.number[graph.heir(first_joints[p])];
         m.show_part(p);
-        co_await pace;
-    }
+    });
 }
 
 }  // namespace flg

@@ -5,10 +5,9 @@
 #include <deque>
 #include <string>
 
-#include "bones/bone_order.h"
 #include "bones/connection.h"
 #include "bones/part.h"
-#include "bones/refinement.h"
+#include "skeletons/bone_tree.h"
 
 namespace flg {
 

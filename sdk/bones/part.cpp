@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "bones/part.h"
 
-#include "bones/axis_branches.h"
+#include <algorithm>
+
+#include "bones/axis.h"
 #include "bones/contour_sampling.h"
+#include "runtime/each.h"
 #include "skeletons/contour_repair.h"
 #include "skeletons/plane.h"
 #include "skeletons/straight_skeleton.h"
@@ -10,8 +13,7 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t chunk = 32;  // about 10 us
-constexpr double longest = 3;   // lengths of parts, by the diagonal of their boxes
+constexpr double longest = 3;  // lengths of parts, by the diagonal of their boxes
 
 // Hosts see all of it as plain numbers.
 static_assert(sizeof(Point2) == 2 * sizeof(double) && sizeof(AxisNode) == 3 * sizeof(double));
@@ -27,26 +29,29 @@ struct Attempt {
 constexpr Attempt attempts[] = {{true, 1},  {true, 0.25},  {true, 0.0625}, {true, 0},
                                 {false, 1}, {false, 0.25}, {false, 0}};
 
-Task<void> make_outline(Pace& pace, HeldPart& part, const Attempt& attempt) {
-    const Contour& line = attempt.is_even ? part.line() : part.drawn;
-    part.outline = Contour(pace.memory());
-    SimplifiedContour kernel(line, attempt.tolerance * part.tolerance * part.length, part.outline, pace.memory());
-    while (!kernel.run(16 * chunk)) co_await pace;
+// The length of ring 0, closed, but not of a line that is all wrinkles.
+Task<double> length_of(Pace& pace, const Contour& drawn) {
+    const uint32_t end = drawn.offsets[1];
+    double length = 0;
+    Point2 low = drawn.points[0], high = low;
+    co_await each(pace, drawn.size(), Cost::some_ns, [&](uint32_t i) {
+        const Point2& at = drawn.points[i];
+        if (i < end) length += distance(drawn.points[i == 0 ? end - 1 : i - 1], at);
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    });
+    co_return std::min(length, longest * distance(low, high));
 }
 
 // Whether the outline has a skeleton; where it has none, the last attempt fails with what is wrong.
 Task<bool> make_skeleton(Pace& pace, const Contour& outline, StraightSkeleton& skeleton, bool is_last) {
-    StraightSkeletonKernel kernel(outline, skeleton, pace.memory());
-    for (bool is_done = false; !is_done;) {
-        try {
-            is_done = kernel.run(chunk);
-        } catch (const Failure& failure) {
-            const bool is_drawing =
-                failure.result() == FLG_ERROR_INVALID_ARGUMENT || failure.result() == FLG_ERROR_INTERNAL;
-            if (is_last || !is_drawing) throw;
-            co_return false;
-        }
-        if (!is_done) co_await pace;
+    try {
+        co_await straight_skeleton(pace, outline, skeleton);
+    } catch (const Failure& failure) {
+        const bool is_drawing =
+            failure.result() == FLG_ERROR_INVALID_ARGUMENT || failure.result() == FLG_ERROR_INTERNAL;
+        if (is_last || !is_drawing) throw;
+        co_return false;
     }
     co_return true;
 }
@@ -72,40 +77,23 @@ void HeldPart::show() noexcept {
 Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
     pace.stage("contour");
     HeldPart& p = *part;
-    if (p.repair) {
-        ContourRepair repaired(p.drawn, pace.memory());
-        while (!repaired.run(chunk)) co_await pace;
-        p.drawn = repaired.take_contour();
-    }
-    RingLength length(p.drawn, 0);
-    while (!length.run(64 * chunk)) co_await pace;
-    Point2 low = p.drawn.points[0], high = low;
-    for (uint32_t i = 0; i < p.drawn.size(); ++i) {
-        const Point2& at = p.drawn.points[i];
-        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-        if (i % (64 * chunk) == 0) co_await pace;
-    }
-    p.length = std::min(length.length(), longest * distance(low, high));
-    if (p.spacing > 0) {
-        EvenContour kernel(p.drawn, p.spacing * p.length, p.even);
-        while (!kernel.run(16 * chunk)) co_await pace;
-    }
+    if (p.repair) p.drawn = co_await repair_contour(pace, p.drawn);
+    p.length = co_await length_of(pace, p.drawn);
+    if (p.spacing > 0) p.even = co_await even_contour(pace, p.drawn, p.spacing * p.length);
     StraightSkeleton skeleton(pace.memory());
     bool is_found = false;
     for (const Attempt& attempt : attempts) {
         if (is_found) break;
-        co_await make_outline(pace, p, attempt);
+        const Contour& line = attempt.is_even ? p.line() : p.drawn;
+        p.outline = co_await simplified_contour(pace, line, attempt.tolerance * p.tolerance * p.length);
         pace.stage("straight_skeleton");
         skeleton = StraightSkeleton(pace.memory());
         is_found = co_await make_skeleton(pace, p.outline, skeleton, &attempt == std::end(attempts) - 1);
     }
     pace.stage("axis");
-    AxisGraphKernel graph(p.outline, skeleton, p.collapse, p.skeleton.graph, pace.memory());
-    while (!graph.run(chunk)) co_await pace;
+    AxisGraph graph = co_await axis_graph(pace, p.outline, skeleton, p.collapse);
     const double spacing = (p.spacing > 0 ? p.spacing : default_spacing) * p.length;
-    AxisBranchesKernel branches(p.outline, spacing, p.skeleton, pace.memory());
-    while (!branches.run(chunk)) co_await pace;
+    p.skeleton = co_await axis_branches(pace, p.outline, std::move(graph), spacing);
 }
 
 }  // namespace flg

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "bones/part_skeleton.h"
+#include "bones/axis.h"
 #include "filigree/filigree_model.h"
 #include "runtime/pace.h"
 #include "runtime/product.h"

@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include "runtime/each.h"
+
 namespace flg {
 namespace {
 
 static_assert(sizeof(TriangleVertices) == 3 * sizeof(uint32_t));
 
-constexpr uint32_t batch = 64;
 constexpr double finest = 1e-4;  // edges of a mesh that is asked for, by the part's length
 
 // By a power of two, so that nothing is rounded that was not before.
@@ -22,18 +23,20 @@ Task<void> copy_contour(Pace& pace, const Contour& from, PartBody& out) {
     to = Contour(pace.memory());
     to.points.reserve(from.size());
     to.input_points.reserve(from.size());
-    to.offsets.assign(from.offsets.begin(), from.offsets.end());
-    for (uint32_t i = 0; i < from.size(); ++i) {
+    to.offsets.reserve(from.offsets.size());
+    co_await each(pace, from.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        if (i == from.offsets[to.offsets.size()]) to.offsets.push_back(i);
         const Point2& at = from.points[i];
         to.points.push_back({(at.x - out.origin.x) / out.scale, (at.y - out.origin.y) / out.scale});
         to.input_points.push_back(from.input_points[i]);
-        if (i % batch == 0) co_await pace;
-    }
+    });
+    to.offsets.push_back(from.size());
 }
 
 }  // namespace
 
 void HeldPartMesh::show_vertex(const Vec3& at) {
+    if (positions_.empty()) positions_.reserve(3 * surface.positions.size());
     for (int i = 0; i < 3; ++i) positions_.push_back(static_cast<float>(at[i]));
 }
 
@@ -70,11 +73,10 @@ Task<void> make_part_mesh(Pace& pace, std::shared_ptr<HeldPartMesh> mesh) {
                       mesh->options.spacing, finest, length);
     PartBody body(pace.memory());
     co_await inflate(pace, *mesh->part, mesh->options, body);
-    co_await make_part_surface(pace, body.inflated, mesh->surface);
-    for (size_t v = 0; v < mesh->surface.positions.size(); ++v) {
+    mesh->surface = co_await two_sided_mesh(pace, body.inflated);
+    co_await each(pace, mesh->surface.positions.size(), Cost::tens_of_ns, [&](uint32_t v) {
         mesh->show_vertex(body.scale * mesh->surface.positions[v] + Vec3(body.origin.x, body.origin.y, 0));
-        if (v % batch == 0) co_await pace;
-    }
+    });
 }
 
 }  // namespace flg

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bones/part.h"
-#include "inflation/inflation_jobs.h"
+#include "inflation/inflate_part.h"
 
 namespace flg {
 

@@ -2,141 +2,185 @@
 #include "bones/refinement.h"
 
 #include <algorithm>
+#include <queue>
+#include <vector>
+
+#include "runtime/each.h"
 
 namespace flg {
+namespace {
 
-RefinementKernel::RefinementKernel(BoneGraph& graph, std::span<const RefinementThresholds> thresholds, Memory* memory)
-    : graph_(graph),
-      thresholds_(thresholds),
-      junctions_(memory),
-      junction_of_(graph.joints().size(), no_number, memory),
-      branches_(memory),
-      queue_(std::less<RankedBone>(), std::pmr::vector<RankedBone>(memory)) {}
+constexpr uint32_t contraction_work = 8;  // by a look at a bone
 
-bool RefinementKernel::run(uint32_t count) {
-    for (; count > 0 && pass_ != Pass::done; --count) step();
-    return pass_ == Pass::done;
+// By part, the last ones the model's.
+using Thresholds = std::span<const RefinementThresholds>;
+
+const RefinementThresholds& of(Thresholds thresholds, uint32_t part) {
+    return part == no_number ? thresholds.back() : thresholds[part];
 }
 
-void RefinementKernel::step() {
-    const auto joint_count = static_cast<uint32_t>(graph_.joints().size());
-    const auto junction_count = static_cast<uint32_t>(junctions_.size());
-    switch (pass_) {
-        case Pass::find:
-            if (at_ == joint_count) return enter(Pass::merge);
-            if (graph_.is_there(at_) && is_junction(at_)) {
-                junction_of_[at_] = junction_count;
-                junctions_.push_back({at_, junction_count, junction_count});
+bool is_junction(const BoneGraph& graph, uint32_t joint) {
+    return graph.joints()[joint].degree >= 3;
+}
+
+// A branch that becomes nothing.
+struct Branch {
+    uint32_t joint;  // one of its ends
+    uint32_t way;    // its first bone; where it is pruned its other end
+};
+
+struct Junction {
+    uint32_t joint;
+    uint32_t cluster;  // another one that it becomes one with, itself: none
+    uint32_t widest;   // of the cluster's, at the one that stands for it
+};
+
+struct Junctions {
+    Junctions(size_t joints, Memory* memory) : all(memory), number_of(joints, memory), branches(memory) {}
+
+    uint32_t cluster(uint32_t junction) {
+        while (all[junction].cluster != junction) junction = all[junction].cluster = all[all[junction].cluster].cluster;
+        return junction;
+    }
+    void unite(uint32_t first, uint32_t second) {
+        const uint32_t a = cluster(first), b = cluster(second);
+        all[std::max(a, b)].cluster = std::min(a, b);
+    }
+
+    std::pmr::vector<Junction> all;
+    Buffer<uint32_t> number_of;         // by joint
+    std::pmr::vector<Branch> branches;  // between two of a cluster
+};
+
+// Junctions, each with those at the other ends of its branches that are short.
+Task<void> find_clusters(Pace& pace, const BoneGraph& graph, Thresholds thresholds, Junctions& junctions) {
+    co_await each(pace, graph.joints().size(), Cost::some_ns, [&](uint32_t j) {
+        if (!graph.is_there(j) || !is_junction(graph, j)) return;
+        const auto number = static_cast<uint32_t>(junctions.all.size());
+        junctions.number_of[j] = number;
+        junctions.all.push_back({j, number, number});
+    });
+    Slice slice(Cost::tens_of_ns);
+    for (uint32_t i = 0; i < junctions.all.size(); ++i) {
+        const uint32_t joint = junctions.all[i].joint;
+        for (uint32_t end = graph.first_end(joint); end != no_number; end = graph.next_end(end)) {
+            const uint32_t bone = BoneGraph::bone_of(end);
+            BoneGraph::Walk walk = graph.begin_walk(joint, bone);
+            do {
+                if (slice.is_over()) co_await pace;
+            } while (graph.go_on(walk));
+            if (walk.joint < joint || !is_junction(graph, walk.joint)) continue;
+            if (walk.length >= of(thresholds, walk.part).merge) continue;
+            junctions.branches.push_back({joint, bone});
+            junctions.unite(i, junctions.number_of[walk.joint]);
+        }
+    }
+}
+
+Task<void> merge_junctions(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
+    Junctions junctions(graph.joints().size(), pace.memory());
+    co_await find_clusters(pace, graph, thresholds, junctions);
+    if (junctions.branches.empty()) co_return;
+    const auto radius = [&](uint32_t i) { return graph.joints()[junctions.all[i].joint].radius; };
+    co_await each(pace, junctions.all.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        uint32_t& widest = junctions.all[junctions.cluster(i)].widest;
+        if (radius(i) > radius(widest)) widest = i;
+    });
+    Slice slice(Cost::tens_of_ns);
+    for (const Branch& branch : junctions.branches) {
+        const uint32_t kept = graph.heir(branch.joint);
+        for (uint32_t bone = branch.way; bone != no_number;) {
+            const uint32_t dropped = graph.other(bone, kept), degree = graph.joints()[dropped].degree;
+            uint32_t next = no_number;
+            if (degree == 2) {
+                const uint32_t first = graph.first_end(dropped);
+                next = BoneGraph::bone_of(BoneGraph::bone_of(first) == bone ? graph.next_end(first) : first);
             }
-            ++at_;
-            return;
-        case Pass::merge:
-            if (at_ == junction_count) return enter(Pass::choose);
-            return merge(at_++);
-        case Pass::choose: {
-            if (at_ == junction_count) return enter(Pass::contract);
-            uint32_t& widest = junctions_[cluster(at_)].widest;
-            const auto radius = [&](uint32_t junction) { return graph_.joints()[junctions_[junction].joint].radius; };
-            if (radius(at_) > radius(widest)) widest = at_;
-            ++at_;
-            return;
+            graph.contract(bone, kept);
+            bone = next;
+            if (slice.is_over(degree)) co_await pace;
         }
-        case Pass::contract:
-            if (at_ == branches_.size()) return enter(Pass::place);
-            return contract(branches_[at_++]);
-        case Pass::place: {  // joints that were contracted still know where they were
-            if (at_ == junction_count) {
-                branches_.clear();
-                return enter(Pass::find_ends);
-            }
-            const Junction& all = junctions_[at_];
-            BoneGraph::Joint& joint = graph_.joints()[graph_.heir(all.joint)];
-            const BoneGraph::Joint& widest = graph_.joints()[junctions_[all.widest].joint];
-            if (all.cluster == at_++) joint.at = widest.at, joint.radius = widest.radius, joint.part = widest.part;
-            return;
+    }
+    // Joints that were contracted still know where they were.
+    co_await each(pace, junctions.all.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Junction& junction = junctions.all[i];
+        if (junction.cluster != i) return;
+        BoneGraph::Joint& joint = graph.joints()[graph.heir(junction.joint)];
+        const BoneGraph::Joint& widest = graph.joints()[junctions.all[junction.widest].joint];
+        joint.at = widest.at, joint.radius = widest.radius, joint.part = widest.part;
+    });
+}
+
+Task<void> prune(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
+    std::pmr::vector<Branch> branches(pace.memory());
+    Slice slice(Cost::tens_of_ns);
+    for (uint32_t joint = 0; joint < graph.joints().size(); ++joint) {
+        if (slice.is_over()) co_await pace;
+        if (!graph.is_there(joint) || graph.joints()[joint].degree != 1) continue;
+        BoneGraph::Walk walk = graph.begin_walk(joint, BoneGraph::bone_of(graph.first_end(joint)));
+        while (graph.go_on(walk))
+            if (slice.is_over()) co_await pace;
+        if (is_junction(graph, walk.joint) && walk.length < of(thresholds, walk.part).prune)
+            branches.push_back({joint, walk.joint});
+    }
+    for (const Branch& branch : branches) {
+        for (uint32_t joint = branch.joint; joint != branch.way;) {
+            const uint32_t next = graph.other(BoneGraph::bone_of(graph.first_end(joint)), joint);
+            graph.cut_off(joint);
+            joint = next;
+            if (slice.is_over()) co_await pace;
         }
-        case Pass::find_ends:
-            if (at_ == joint_count) return enter(Pass::prune);
-            return look_at_end(at_++);
-        case Pass::prune:
-            if (at_ == branches_.size()) return enter(Pass::collapse_queue);
-            return prune(branches_[at_++]);
-        case Pass::collapse_queue:
-            if (at_ == graph_.bones().size()) return enter(Pass::collapse);
-            return queue_bone(at_++);
-        case Pass::collapse: return collapse();
-        case Pass::done: return;
     }
 }
 
-uint32_t RefinementKernel::cluster(uint32_t junction) {
-    while (junctions_[junction].cluster != junction)
-        junction = junctions_[junction].cluster = junctions_[junctions_[junction].cluster].cluster;
-    return junction;
-}
-
-// A junction with those at the other ends of its branches.
-void RefinementKernel::merge(uint32_t junction) {
-    const uint32_t joint = junctions_[junction].joint;
-    for (uint32_t end = graph_.first_end(joint); end != no_number; end = graph_.next_end(end)) {
-        const uint32_t bone = BoneGraph::bone_of(end);
-        const BoneGraph::Walk walk = graph_.walk(joint, bone);
-        if (walk.joint < joint || !is_junction(walk.joint) || walk.length >= of(walk.part).merge) continue;
-        branches_.push_back({joint, bone});
-        const uint32_t a = cluster(junction), b = cluster(junction_of_[walk.joint]);
-        junctions_[std::max(a, b)].cluster = std::min(a, b);
+// A bone and its length. In a queue the shortest comes first; then that with the lowest number.
+struct RankedBone {
+    double length;
+    uint32_t bone;
+    bool operator<(const RankedBone& other) const {
+        return length != other.length ? length > other.length : bone > other.bone;
     }
-}
+};
 
-void RefinementKernel::contract(const Branch& branch) {
-    const uint32_t kept = graph_.heir(branch.joint);
-    for (uint32_t bone = branch.way; bone != no_number;) {
-        const uint32_t dropped = graph_.other(bone, kept);
-        uint32_t next = no_number;
-        if (graph_.joints()[dropped].degree == 2) {
-            const uint32_t first = graph_.first_end(dropped);
-            next = BoneGraph::bone_of(BoneGraph::bone_of(first) == bone ? graph_.next_end(first) : first);
+Task<void> collapse(Pace& pace, Thresholds thresholds, BoneGraph& graph) {
+    std::priority_queue<RankedBone, std::pmr::vector<RankedBone>> queue(std::less<RankedBone>(),
+                                                                        std::pmr::vector<RankedBone>(pace.memory()));
+    const auto add = [&](uint32_t bone) {
+        const BoneGraph::Bone& b = graph.bones()[bone];
+        if (b.gone || graph.joints()[b.joints[0]].degree < 2 || graph.joints()[b.joints[1]].degree < 2) return;
+        const double length = graph.length(bone);
+        if (length < of(thresholds, b.part).collapse) queue.push({length, bone});
+    };
+    co_await each(pace, graph.bones().size(), Cost::tens_of_ns, add);
+    Slice slice(Cost::tens_of_ns);
+    while (!queue.empty()) {
+        if (slice.is_over(contraction_work)) co_await pace;
+        const RankedBone top = queue.top();
+        queue.pop();
+        const BoneGraph::Bone bone = graph.bones()[top.bone];
+        if (bone.gone) continue;
+        if (graph.length(top.bone) != top.length) {
+            add(top.bone);
+            continue;
         }
-        graph_.contract(bone, kept);
-        bone = next;
+        const uint32_t a = bone.joints[0], b = bone.joints[1];
+        bool keep_a = graph.joints()[a].radius >= graph.joints()[b].radius;
+        if (is_junction(graph, a) != is_junction(graph, b)) keep_a = is_junction(graph, a);
+        const uint32_t kept = keep_a ? a : b;
+        graph.contract(top.bone, kept);
+        for (uint32_t end = graph.joints()[kept].first; end != no_number; end = graph.next_listed(end)) {
+            add(BoneGraph::bone_of(end));
+            if (slice.is_over()) co_await pace;
+        }
     }
 }
 
-void RefinementKernel::look_at_end(uint32_t joint) {
-    if (!graph_.is_there(joint) || graph_.joints()[joint].degree != 1) return;
-    const BoneGraph::Walk walk = graph_.walk(joint, BoneGraph::bone_of(graph_.first_end(joint)));
-    if (is_junction(walk.joint) && walk.length < of(walk.part).prune) branches_.push_back({joint, walk.joint});
-}
+}  // namespace
 
-void RefinementKernel::prune(const Branch& branch) {
-    for (uint32_t joint = branch.joint; joint != branch.way;) {
-        const uint32_t next = graph_.other(BoneGraph::bone_of(graph_.first_end(joint)), joint);
-        graph_.cut_off(joint);
-        joint = next;
-    }
-}
-
-void RefinementKernel::queue_bone(uint32_t bone) {
-    const BoneGraph::Bone& b = graph_.bones()[bone];
-    if (b.gone || graph_.joints()[b.joints[0]].degree < 2 || graph_.joints()[b.joints[1]].degree < 2) return;
-    const double length = graph_.length(bone);
-    if (length < of(b.part).collapse) queue_.push({length, bone});
-}
-
-void RefinementKernel::collapse() {
-    if (queue_.empty()) return enter(Pass::done);
-    const RankedBone top = queue_.top();
-    queue_.pop();
-    const BoneGraph::Bone& bone = graph_.bones()[top.bone];
-    if (bone.gone) return;
-    if (graph_.length(top.bone) != top.length) return queue_bone(top.bone);
-    const uint32_t a = bone.joints[0], b = bone.joints[1];
-    bool keep_a = graph_.joints()[a].radius >= graph_.joints()[b].radius;
-    if (is_junction(a) != is_junction(b)) keep_a = is_junction(a);
-    const uint32_t kept = keep_a ? a : b;
-    graph_.contract(top.bone, kept);
-    for (uint32_t end = graph_.first_end(kept); end != no_number; end = graph_.next_end(end))
-        queue_bone(BoneGraph::bone_of(end));
+Task<void> refine(Pace& pace, BoneGraph& graph, std::span<const RefinementThresholds> thresholds) {
+    co_await merge_junctions(pace, thresholds, graph);
+    co_await prune(pace, thresholds, graph);
+    co_await collapse(pace, thresholds, graph);
 }
 
 }  // namespace flg

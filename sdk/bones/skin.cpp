@@ -3,13 +3,11 @@
 
 #include <deque>
 
-#include "bones/bone_segments.h"
 #include "bones/part_body.h"
+#include "runtime/each.h"
 
 namespace flg {
 namespace {
-
-constexpr uint32_t batch = 32;
 
 static_assert(sizeof(std::array<uint16_t, 4>) == 4 * sizeof(uint16_t));
 static_assert(sizeof(std::array<float, 4>) == 4 * sizeof(float));
@@ -36,9 +34,37 @@ Task<void> inflate_parts(Pace& pace, const HeldModel& model, std::pmr::deque<Par
     }
 }
 
+// A bone from each joint's parent to it, with the joint it turns with. A part that no bone begins in (its joints are
+// ends, or became those of other parts) gets one that is a point: that of its joint in `part_joints`.
+Task<std::pmr::vector<BoneSegment>> bone_segments(Pace& pace, const BoneTree& tree,
+                                                  std::span<const uint32_t> part_joints) {
+    std::pmr::vector<BoneSegment> segments(pace.memory());
+    segments.reserve(tree.joints.size() + part_joints.size());
+    std::pmr::vector<bool> has_bone(part_joints.size(), false, pace.memory());
+    co_await each(pace, tree.joints.size(), Cost::tens_of_ns, [&](uint32_t j) {
+        const BoneJoint& joint = tree.joints[j];
+        if (joint.parent == no_joint) return;
+        const BoneJoint& parent = tree.joints[joint.parent];
+        // A bone into another part lies in this one, however thin the other is.
+        const double radius = joint.part == parent.part ? joint.radius : parent.radius;
+        segments.push_back({parent.at, joint.at, parent.radius, radius, joint.parent, parent.part});
+        has_bone[parent.part] = true;
+    });
+    co_await each(pace, part_joints.size(), Cost::tens_of_ns, [&](uint32_t p) {
+        if (has_bone[p]) return;
+        const BoneJoint& joint = tree.joints[part_joints[p]];
+        segments.push_back({joint.at, joint.at, joint.radius, joint.radius, part_joints[p], p});
+    });
+    co_return segments;
+}
+
 }  // namespace
 
 void HeldSkin::show_vertex(size_t vertex) {
+    if (columns_.positions.empty()) {
+        columns_.positions.reserve(3 * mesh.positions.size());
+        columns_.normals.reserve(3 * mesh.positions.size());
+    }
     for (int i = 0; i < 3; ++i) {
         columns_.positions.push_back(static_cast<float>(mesh.positions[vertex][i]));
         columns_.normals.push_back(static_cast<float>(mesh.normals[vertex][i]));
@@ -67,13 +93,12 @@ Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {
     std::pmr::deque<PartBody> bodies(pace.memory());
     std::pmr::vector<PlacedPart> placed(pace.memory());
     co_await inflate_parts(pace, model, bodies, placed);
-    co_await merge_parts(pace, placed, skin->options, skin->mesh);
-    const std::pmr::vector<BoneSegment> bones = bone_segments(model.tree, model.part_joints, pace.memory());
-    co_await weigh_bones(pace, skin->mesh, bones, BoneWeightOptions(), skin->weights);
-    for (size_t v = 0; v < skin->mesh.positions.size(); ++v) {
-        skin->show_vertex(v);
-        if (v % batch == 0) co_await pace;
-    }
+    skin->mesh = co_await merge_parts(pace, placed, skin->options);
+    // One by one: all at once they would take longer to be given back than a slice may.
+    for (; !bodies.empty(); bodies.pop_back()) co_await pace;
+    const std::pmr::vector<BoneSegment> bones = co_await bone_segments(pace, model.tree, model.part_joints);
+    skin->weights = co_await bone_weights(pace, skin->mesh, bones, BoneWeightOptions());
+    co_await each(pace, skin->mesh.positions.size(), Cost::tens_of_ns, [&](uint32_t v) { skin->show_vertex(v); });
 }
 
 }  // namespace flg

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "bones/model.h"
-#include "inflation/inflation_jobs.h"
+#include "inflation/bone_weights.h"
+#include "inflation/merge_parts.h"
 
 namespace flg {
 

@@ -13,8 +13,8 @@ namespace flg {
 using Memory = std::pmr::memory_resource;
 
 // A fixed-size array that is not initialized when made: its pages are touched only by whoever fills it, chunk by chunk.
-// (A std::vector would clear megabytes in one go, longer than any frame allows.) Elements are never destroyed; those that
-// are not plain numbers are made with std::construct_at.
+// (A std::vector would clear megabytes in one go, longer than any frame allows.) Elements are never destroyed; those
+// that are not plain numbers are made with std::construct_at.
 template <class T>
 class Buffer {
     static_assert(std::is_trivially_destructible_v<T>);

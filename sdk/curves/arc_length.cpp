@@ -4,7 +4,50 @@
 #include <algorithm>
 #include <limits>
 
+#include "runtime/pace.h"
+
 namespace flg {
+
+namespace {
+
+constexpr uint32_t points_at_once = 400;  // about 10 us
+
+struct CurveMeasuring {
+    explicit CurveMeasuring(const CurveView& curve) : stream(curve), first(curve.point(0)) {
+        measure.extent = first.cwiseAbs().maxCoeff();
+    }
+    // Up to `points` points; true at the end.
+    bool run(uint32_t points) {
+        for (; points > 0 && !stream.done(); --points)
+            if (stream.advance()) add(stream.segment());
+        if (!stream.done()) return false;
+        if (measure.length > 0) measure.mean = moment / measure.length;
+        return true;
+    }
+    void add(const Segment& segment) {
+        if (measure.length == 0) measure.tangent = segment.tangent_start();
+        measure.length += segment.length();
+        const Vec3 deviation = segment.end() - first;
+        moment += (0.5 * segment.length()) * (segment.start() - first + deviation);
+        measure.extent = std::max(measure.extent, segment.end().cwiseAbs().maxCoeff());
+        const Vec3 across = deviation - deviation.dot(measure.tangent) * measure.tangent;
+        const double across_sq = across.squaredNorm();
+        // Of deviations that are equal but for rounding the first counts, however the curve is turned.
+        constexpr double clearly = 1.0 + 1e-6;
+        if (across_sq > farthest_sq * clearly) {
+            farthest_sq = across_sq;
+            measure.farthest = across;
+        }
+    }
+
+    SegmentStream stream;
+    CurveMeasure measure;
+    Vec3 first;
+    Vec3 moment = Vec3::Zero();
+    double farthest_sq = 0;
+};
+
+}  // namespace
 
 double CurveMeasure::resolution() const {
     constexpr double float_steps = 4.0;
@@ -36,33 +79,10 @@ double even_step_count(double length, double spacing, bool closed) {
     return std::clamp(std::floor(length / spacing + 0.5), closed ? 3.0 : 1.0, most);
 }
 
-ArcLengthKernel::ArcLengthKernel(const CurveView& curve) : stream_(curve), first_(curve.point(0)) {
-    measure_.extent = first_.cwiseAbs().maxCoeff();
-}
-
-bool ArcLengthKernel::run(uint32_t n) {
-    while (n-- > 0 && !stream_.done()) {
-        if (stream_.advance()) add(stream_.segment());
-    }
-    if (!stream_.done()) return false;
-    if (measure_.length > 0) measure_.mean = moment_ / measure_.length;
-    return true;
-}
-
-void ArcLengthKernel::add(const Segment& segment) {
-    if (measure_.length == 0) measure_.tangent = segment.tangent_start();
-    measure_.length += segment.length();
-    const Vec3 deviation = segment.end() - first_;
-    moment_ += (0.5 * segment.length()) * (segment.start() - first_ + deviation);
-    measure_.extent = std::max(measure_.extent, segment.end().cwiseAbs().maxCoeff());
-    const Vec3 across = deviation - deviation.dot(measure_.tangent) * measure_.tangent;
-    const double across_sq = across.squaredNorm();
-    // Of deviations that are equal but for rounding the first counts, however the curve is turned.
-    constexpr double clearly = 1.0 + 1e-6;
-    if (across_sq > farthest_sq_ * clearly) {
-        farthest_sq_ = across_sq;
-        measure_.farthest = across;
-    }
+Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve) {
+    CurveMeasuring measuring(curve);
+    while (!measuring.run(points_at_once)) co_await pace;
+    co_return measuring.measure;
 }
 
 }  // namespace flg

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "curves/segment_stream.h"
+#include "runtime/task.h"
 
 namespace flg {
 
@@ -26,22 +27,7 @@ struct CurveMeasure {
 // As a double, since it may be beyond any integer; at most 2^53.
 double even_step_count(double length, double spacing, bool closed);
 
-// A unit is a point of the input, about 25 ns.
-class ArcLengthKernel {
-public:
-    explicit ArcLengthKernel(const CurveView& curve);
-    bool run(uint32_t n);
-    // After run() returned true.
-    const CurveMeasure& measure() const { return measure_; }
-
-private:
-    void add(const Segment& segment);
-
-    SegmentStream stream_;
-    CurveMeasure measure_;
-    Vec3 first_;
-    Vec3 moment_ = Vec3::Zero();
-    double farthest_sq_ = 0;
-};
+// About 25 ns a point. The curve outlives the task.
+Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve);
 
 }  // namespace flg

@@ -19,16 +19,16 @@ struct Column {
     Buffer<float> values;
 };
 
-// A set never changes once it is complete; until then only the job that makes it touches its data, and curve by curve it
-// says what is complete. What the host sees of it (view) changes on the host's thread only.
+// A set never changes once it is complete; until then only the job that makes it touches its data, and curve by curve
+// it says what is complete. What the host sees of it (view) changes on the host's thread only.
 class CurveSet final : public Product {
 public:
     explicit CurveSet(Memory* memory) : memory_(memory), columns_(memory), view_columns_(memory) {}
 
     // ---- making one ----
 
-    // Takes memory for the curves' structure; offsets (curve_count + 1) are to be filled in, and every curve to be begun
-    // before there are columns.
+    // Takes memory for the curves' structure; offsets (curve_count + 1) are to be filled in, and every curve to be
+    // begun before there are columns.
     void allocate_curves(uint32_t curve_count);
     // Curve `curve` has these flags, and is not complete.
     void begin_curve(uint32_t curve, uint8_t flags) {

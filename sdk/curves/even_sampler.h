@@ -16,7 +16,7 @@ struct CurveSample {
 
 class EvenSampler {
 public:
-    // `length` as ArcLengthKernel measured it; `steps` >= 1, or 0 for a curve without length.
+    // `length` as measure_curve() finds it; `steps` >= 1, or 0 for a curve without length.
     EvenSampler(const CurveView& curve, double length, uint32_t steps);
 
     // The next of steps + 1 samples; the first and the last are the curve's ends exactly. Takes one of `units` for it

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Even samples of a curve with a moving frame: the stream that resampling and synthesis are made of.
 //
-// The Frenet normal is the direction in which the tangent turns between the two neighbouring samples. A supplied normal is
-// interpolated between the curve's points and made perpendicular to the tangent. Where the tangent doesn't turn, or a
-// supplied normal points along it, the last normal is carried on (at the start: the initial normal).
+// The Frenet normal is the direction in which the tangent turns between the two neighbouring samples. A supplied normal
+// is interpolated between the curve's points and made perpendicular to the tangent. Where the tangent doesn't turn, or
+// a supplied normal points along it, the last normal is carried on (at the start: the initial normal).
 //
-// Closed curves are gone around twice, so that where they begin makes no difference: Frenet and supplied normals are carried
-// on over the first point; the rotation-minimizing frame comes back turned by an angle, and each sample's normal is turned
-// back by its share. So it is where no sample has a normal of its own.
+// Closed curves are gone around twice, so that where they begin makes no difference: Frenet and supplied normals are
+// carried on over the first point; the rotation-minimizing frame comes back turned by an angle, and each sample's
+// normal is turned back by its share. So it is where no sample has a normal of its own.
 #pragma once
 
 #include "curves/arc_length.h"

@@ -2,10 +2,10 @@
 // Moving frames, carried from sample to sample.
 //
 // Double reflection (Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, 2008): fourth order, and
-// needs the past only. The two reflections are put together into r' = r - a v1 - b v2, with both dot products of r taken
-// at once, so that the chain from one normal to the next is short. Departure: where the step has no length or runs across
-// the tangent (a corner, a reversal), the chord is replaced by the sum of the tangents, which gives the smallest rotation
-// from one to the other; on an exact reversal the normal stays.
+// needs the past only. The two reflections are put together into r' = r - a v1 - b v2, with both dot products of r
+// taken at once, so that the chain from one normal to the next is short. Departure: where the step has no length or
+// runs across the tangent (a corner, a reversal), the chord is replaced by the sum of the tangents, which gives the
+// smallest rotation from one to the other; on an exact reversal the normal stays.
 #pragma once
 
 #include "core/vec.h"

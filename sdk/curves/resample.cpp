@@ -3,9 +3,13 @@
 
 #include <array>
 
+#include "runtime/pace.h"
+
 namespace flg {
 
 namespace {
+
+constexpr uint32_t samples_at_once = 200;  // about 10 us
 
 void interpolate_orientation(const float* a, const float* b, float t, float* out) {
     const Eigen::Vector4d from = Eigen::Map<const Eigen::Vector4f>(a).cast<double>();
@@ -18,6 +22,36 @@ void interpolate_orientation(const float* a, const float* b, float t, float* out
     Eigen::Map<Eigen::Vector4f> result(out);
     result = q.cast<float>();
 }
+
+struct Resampling {
+    // True at the end.
+    bool run(uint32_t units) {
+        std::array<FramedSample, sample_block> samples;
+        std::array<SamplePlace, sample_block> places;
+        while (units > 0 && written < count) {
+            const uint32_t filled = sampler.next(samples.data(), sample_block, units);
+            for (uint32_t k = 0; k < filled; ++k) {
+                const FramedSample& sample = samples[k];
+                const size_t at = 3 * static_cast<size_t>(written + k);
+                store_vec3(sample.position, out.positions + at);
+                store_vec3(sample.tangent, out.tangents + at);
+                store_vec3(sample.normal, out.normals + at);
+                places[k] = {sample.segment, sample.t};
+            }
+            for (const ColumnPair& column : columns)
+                interpolate_column(column, curve, {places.data(), filled}, written);
+            written += filled;
+        }
+        return written == count;
+    }
+
+    FramedSampler sampler;
+    CurveView curve;
+    FrameColumns out;
+    std::span<const ColumnPair> columns;
+    uint32_t count;
+    uint32_t written = 0;
+};
 
 }  // namespace
 
@@ -39,28 +73,15 @@ void interpolate_column(const ColumnPair& column, const CurveView& curve, std::s
     }
 }
 
-ResampleKernel::ResampleKernel(const SamplingPlan& plan, const FrameColumns& out, std::span<const ColumnPair> columns)
-    : sampler_(plan), curve_(plan.curve), out_(out), columns_(columns), count_(plan.sample_count()) {}
-
-bool ResampleKernel::run(uint32_t n) {
-    std::array<FramedSample, sample_block> samples;
-    std::array<SamplePlace, sample_block> places;
-    while (n > 0 && written_ < count_) {
-        const uint32_t filled = sampler_.next(samples.data(), sample_block, n);
-        for (uint32_t k = 0; k < filled; ++k) {
-            const FramedSample& sample = samples[k];
-            const size_t at = 3 * static_cast<size_t>(written_ + k);
-            store_vec3(sample.position, out_.positions + at);
-            store_vec3(sample.tangent, out_.tangents + at);
-            store_vec3(sample.normal, out_.normals + at);
-            places[k] = {sample.segment, sample.t};
-        }
-        for (const ColumnPair& column : columns_) {
-            interpolate_column(column, curve_, {places.data(), filled}, written_);
-        }
-        written_ += filled;
+Task<void> resample_curve(Pace& pace, SamplingPlan plan, FrameColumns out, std::span<const ColumnPair> columns,
+                          uint32_t progress) {
+    Resampling resampling{FramedSampler(plan), plan.curve, out, columns, plan.sample_count()};
+    for (bool done = false; !done;) {
+        const uint32_t before = resampling.written;
+        done = resampling.run(samples_at_once);
+        pace.advance(uint64_t{progress} * (resampling.written - before));
+        if (!done) co_await pace;
     }
-    return written_ == count_;
 }
 
 }  // namespace flg

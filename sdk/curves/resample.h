@@ -5,11 +5,12 @@
 #include <span>
 
 #include "curves/framed_sampler.h"
+#include "runtime/task.h"
 
 namespace flg {
 
-// A column that follows the points, interpolated linearly. `in` is at the curve's first point, `out` at its first sample;
-// both tightly packed.
+// A column that follows the points, interpolated linearly. `in` is at the curve's first point, `out` at its first
+// sample; both tightly packed.
 struct ColumnPair {
     const float* in = nullptr;
     float* out = nullptr;
@@ -34,23 +35,9 @@ struct SamplePlace {
 void interpolate_column(const ColumnPair& column, const CurveView& curve, std::span<const SamplePlace> places,
                         uint32_t first);
 
-// A unit is a sample or a point of the input, about 50 ns. On closed curves with a rotation-minimizing frame there are
-// twice as many.
-class ResampleKernel {
-public:
-    // The columns outlive the kernel.
-    ResampleKernel(const SamplingPlan& plan, const FrameColumns& out, std::span<const ColumnPair> columns);
-    bool run(uint32_t n);
-    // Samples written so far.
-    uint32_t written() const { return written_; }
-
-private:
-    FramedSampler sampler_;
-    CurveView curve_;
-    FrameColumns out_;
-    std::span<const ColumnPair> columns_;
-    uint32_t count_;
-    uint32_t written_ = 0;
-};
+// About 50 ns a sample and a point of the input; twice that on closed curves with a rotation-minimizing frame. The
+// columns outlive the task. Reports `progress` units a sample.
+Task<void> resample_curve(Pace& pace, SamplingPlan plan, FrameColumns out, std::span<const ColumnPair> columns,
+                          uint32_t progress);
 
 }  // namespace flg

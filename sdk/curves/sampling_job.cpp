@@ -11,9 +11,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t measure_chunk = 400;   // points, about 10 us
-constexpr uint32_t resample_chunk = 200;  // samples, about 10 us
-constexpr uint32_t layout_chunk = 2500;   // curves, about 10 us
+constexpr uint32_t layout_chunk = 2500;  // curves, about 10 us
 
 // What a result may have, and how a sentence says so.
 struct PointLimit {
@@ -39,9 +37,7 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     const CurveRange range = curves_of_batch(sampling.in, batch);
     for (uint32_t c = range.first; c < range.last; ++c) {
         const CurveView curve = curve_view(sampling.in, c);
-        ArcLengthKernel kernel(curve);
-        while (!kernel.run(measure_chunk)) co_await pace;
-        const CurveMeasure& measure = kernel.measure();
+        const CurveMeasure measure = co_await measure_curve(pace, curve);
         const double steps = even_step_count(measure.length, sampling.spacing, curve.closed);
         if (const PointLimit limit(sampling); steps >= limit.points) {
             throw Failure(FLG_ERROR_LIMIT, "curve %u is %g m long and would get %.0f points %g m apart; %s", c,
@@ -103,14 +99,7 @@ Task<void> resample_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     std::pmr::vector<ColumnPair> pairs(pace.memory());
     for (uint32_t c = range.first; c < range.last; ++c) {
         column_pairs(sampling, c, pairs);
-        ResampleKernel kernel(sampling.plans[c], frame_columns(sampling, c), pairs);
-        uint32_t written = 0;
-        while (!kernel.run(resample_chunk)) {
-            pace.advance(kernel.written() - written);
-            written = kernel.written();
-            co_await pace;
-        }
-        pace.advance(kernel.written() - written);
+        co_await resample_curve(pace, sampling.plans[c], frame_columns(sampling, c), pairs, 1);
         sampling.out.complete_curve(c);
         co_await pace;
     }

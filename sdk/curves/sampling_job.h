@@ -44,9 +44,9 @@ struct Sampling {
     std::pmr::vector<Carried> carried;
 };
 
-// Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, then the `added`
-// ones, then those of `in` that are none of these. Throws FLG_ERROR_LIMIT if the result would have more points than it may,
-// FLG_ERROR_INVALID_ARGUMENT if frames are to be supplied and `in` has none.
+// Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, then the
+// `added` ones, then those of `in` that are none of these. Throws FLG_ERROR_LIMIT if the result would have more points
+// than it may, FLG_ERROR_INVALID_ARGUMENT if frames are to be supplied and `in` has none.
 Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added);
 
 // Where the samples of a curve of `out` go.

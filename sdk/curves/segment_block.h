@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Cubics of the smooth curve through a polyline's points, with their arc lengths, a block at a time.
 //
-// The derivative's size at both ends is m = 2 chord / (1 + cos a), a being the angle between tangent and chord: with it a
-// cubic follows a circular arc to fourth order (m = 4 R tan(turn / 4)); with tangents along the chord it is the chord's
-// length, and the segment is straight and run through evenly. Arc length is Gauss-Legendre quadrature with three points;
-// its inverse starts from the parabola through the three speeds, and is made exact by Newton steps only where the speed
-// is uneven. The two end derivatives being equally long, their sum and difference are at right angles, and the three
-// speeds follow from three dot products.
-// A block is structure of arrays, so that compilers vectorize its making, and the roots and divisions of one segment do
-// not wait for those of another. All in double: coordinates of 1e30 give squares of 1e60.
+// The derivative's size at both ends is m = 2 chord / (1 + cos a), a being the angle between tangent and chord: with it
+// a cubic follows a circular arc to fourth order (m = 4 R tan(turn / 4)); with tangents along the chord it is the
+// chord's length, and the segment is straight and run through evenly. Arc length is Gauss-Legendre quadrature with
+// three points; its inverse starts from the parabola through the three speeds, and is made exact by Newton steps only
+// where the speed is uneven. The two end derivatives being equally long, their sum and difference are at right angles,
+// and the three speeds follow from three dot products. A block is structure of arrays, so that compilers vectorize its
+// making, and the roots and divisions of one segment do not wait for those of another. All in double: coordinates of
+// 1e30 give squares of 1e60.
 #pragma once
 
 #include <cmath>
@@ -70,8 +70,8 @@ public:
     // Unit.
     Vec3 tangent(double t) const {
         const Vec3 d = derivative(t);
-        // In units of the chord nearly all derivatives are next to 1 long. A root and a division there would be half the
-        // cost of a sample; the series is exact to 1e-13.
+        // In units of the chord nearly all derivatives are next to 1 long. A root and a division there would be half
+        // the cost of a sample; the series is exact to 1e-13.
         constexpr double near_one = 1e-2;
         const double e = d.squaredNorm() - 1.0;
         if (std::abs(e) >= near_one) return d * (1.0 / std::sqrt(1.0 + e));

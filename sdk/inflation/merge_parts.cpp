@@ -3,131 +3,268 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "core/failure.h"
+#include "inflation/surface_extraction.h"
+#include "runtime/each.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t batch = 16, blocks_a_unit = 4;
+// ---- Makes the triangles of a surface even: vertices move towards the mean of their neighbours, along the surface,
+// and back onto it (Newton's method along the gradient); sides are flipped towards Delaunay where that keeps the
+// surface and the manifold.
+
+constexpr uint32_t rounds = 6;               // of smoothing
+constexpr uint32_t flips_before[] = {1, 3};  // rounds that flips come before
+constexpr uint32_t max_flip_rounds = 4;
+constexpr uint32_t max_newton_steps = 5;  // one or two as a rule
+constexpr double near_enough = 1e-3;      // by the spacing
+constexpr double max_step = 0.5;          // onto the surface, by the spacing
+constexpr double min_turn = 0.3;          // cosine between triangles whose side may be flipped
+constexpr double noise = 1e-9;
+
+// The triangle across each side of a triangle: side k is opposite to corner k.
+using Across = std::array<uint32_t, 3>;
+
+Task<Buffer<Across>> triangles_across(Pace& pace, uint32_t vertices, std::span<const TriangleVertices> triangles) {
+    // Side k of a triangle begins at the corner after k.
+    const Groups sides = co_await group_by(pace, 3 * triangles.size(), vertices,
+                                           [=](uint32_t i) { return triangles[i / 3][(i + 1) % 3]; });
+    Buffer<Across> across(triangles.size(), pace.memory());
+    co_await each(pace, triangles.size(), Cost::tens_of_ns, [&](uint32_t triangle) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t from = triangles[triangle][(k + 1) % 3], to = triangles[triangle][(k + 2) % 3];
+            for (const uint32_t side : sides.of(to))
+                if (triangles[side / 3][(side + 2) % 3] == from) across[triangle][k] = side / 3;
+        }
+    });
+    co_return across;
+}
+
+struct Improvement {
+    // Onto the surface, along the gradient.
+    void land(uint32_t vertex) {
+        Vec3& p = positions[vertex];
+        PartUnion::Sample sample = parts.sample(p);
+        double share = 1;
+        for (uint32_t i = 0; i < max_newton_steps; ++i) {
+            const double steep = sample.gradient.squaredNorm();
+            if (steep < noise || std::fabs(sample.value) < near_enough * spacing) break;
+            const double along = std::clamp(sample.value / std::sqrt(steep), -max_step * spacing, max_step * spacing);
+            const Vec3 next = p - share * along / std::sqrt(steep) * sample.gradient;
+            const PartUnion::Sample there = parts.sample(next);
+            if (std::fabs(there.value) >= std::fabs(sample.value)) {
+                // Too far, next to an edge of the surface.
+                share /= 2;
+                continue;
+            }
+            p = next;
+            sample = there;
+        }
+        std::construct_at(&samples[vertex], sample);
+    }
+
+    void move(uint32_t vertex) {
+        Vec3 step = sums[vertex] / counts[vertex] - positions[vertex];
+        const Vec3& normal = samples[vertex].gradient;
+        const double steep = normal.squaredNorm();
+        if (steep > noise) step -= normal * (normal.dot(step) / steep);
+        positions[vertex] += step;
+        land(vertex);
+    }
+
+    // Whether a vertex is next to the vertex at a corner of a triangle.
+    bool joined(uint32_t triangle, uint32_t corner, uint32_t vertex) const {
+        const uint32_t centre = triangles[triangle][corner];
+        uint32_t here = triangle, k = corner;
+        do {
+            if (triangles[here][(k + 1) % 3] == vertex) return true;
+            here = across[here][(k + 1) % 3];
+            const TriangleVertices& t = triangles[here];
+            k = t[0] == centre ? 0 : t[1] == centre ? 1 : 2;
+        } while (here != triangle);
+        return false;
+    }
+
+    bool improves(uint32_t triangle, uint32_t side, uint32_t other, uint32_t other_side) const {
+        const TriangleVertices &t = triangles[triangle], &o = triangles[other];
+        const uint32_t a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3], d = o[other_side];
+        const Vec3 &pa = positions[a], &pb = positions[b], &pc = positions[c], &pd = positions[d];
+        const Vec3 first = (pb - pa).cross(pc - pa), second = (pc - pd).cross(pb - pd);
+        const double lengths = first.norm() * second.norm();
+        // The cotangents at a and d: their sum is below 0 if the angles are more than half a turn.
+        const double cosine_a = (pb - pa).dot(pc - pa), cosine_d = (pc - pd).dot(pb - pd);
+        if (cosine_a * second.norm() + cosine_d * first.norm() >= -noise * lengths) return false;
+        if (first.dot(second) < min_turn * lengths) return false;
+        const Vec3 made = (pb - pa).cross(pd - pa), made_too = (pd - pa).cross(pc - pa), both = first + second;
+        if (made.dot(both) <= min_turn * made.norm() * both.norm() ||
+            made_too.dot(both) <= min_turn * made_too.norm() * both.norm())
+            return false;
+        return !joined(triangle, side, d);
+    }
+
+    // Of triangles (a, b, c) and (d, c, b) makes (a, b, d) and (a, d, c).
+    void flip(uint32_t triangle) {
+        for (uint32_t side = 0; side < 3; ++side) {
+            const uint32_t other = across[triangle][side];
+            const TriangleVertices t = triangles[triangle], o = triangles[other];
+            const uint32_t a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
+            const uint32_t j = o[0] != b && o[0] != c ? 0 : o[1] != b && o[1] != c ? 1 : 2;
+            const uint32_t d = o[j];
+            if (a == d || !improves(triangle, side, other, j)) continue;
+            const uint32_t beyond_ab = across[triangle][(side + 2) % 3], beyond_ca = across[triangle][(side + 1) % 3];
+            const uint32_t beyond_bd = across[other][(j + 1) % 3], beyond_dc = across[other][(j + 2) % 3];
+            triangles[triangle] = {a, b, d};
+            across[triangle] = {beyond_bd, other, beyond_ab};
+            triangles[other] = {a, d, c};
+            across[other] = {beyond_dc, beyond_ca, triangle};
+            for (uint32_t& beyond : across[beyond_bd])
+                if (beyond == other) beyond = triangle;
+            for (uint32_t& beyond : across[beyond_ca])
+                if (beyond == triangle) beyond = other;
+            ++flips;
+            return;
+        }
+    }
+
+    const PartUnion& parts;
+    double spacing;
+    std::span<Vec3> positions;
+    std::span<TriangleVertices> triangles;
+    Buffer<PartUnion::Sample> samples;
+    Buffer<Vec3> sums;  // of neighbours
+    Buffer<uint32_t> counts;
+    Buffer<Across> across;
+    uint32_t flips = 0;
+};
+
+Task<void> flip_sides(Pace& pace, Improvement& mesh) {
+    for (uint32_t round = 0; round < max_flip_rounds; ++round) {
+        mesh.flips = 0;
+        co_await each(pace, mesh.triangles.size(), Cost::hundreds_of_ns, [&](uint32_t t) { mesh.flip(t); });
+        if (mesh.flips == 0) break;
+    }
+}
+
+Task<void> smooth(Pace& pace, Improvement& mesh) {
+    const size_t vertices = mesh.positions.size();
+    co_await each(pace, vertices, Cost::some_ns, [&](uint32_t v) {
+        std::construct_at(&mesh.sums[v], Vec3::Zero());
+        mesh.counts[v] = 0;
+    });
+    co_await each(pace, mesh.triangles.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        const TriangleVertices& t = mesh.triangles[i];
+        for (uint32_t k = 0; k < 3; ++k) {
+            mesh.sums[t[k]] += mesh.positions[t[(k + 1) % 3]];
+            ++mesh.counts[t[k]];
+        }
+    });
+    co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) { mesh.move(v); });
+}
+
+// Of a closed manifold near the surface of the union, with sides of about `spacing`. Returns what the union is at each
+// vertex. All outlive the task. Takes about 5 us a vertex.
+Task<Buffer<PartUnion::Sample>> improve_mesh(Pace& pace, const PartUnion& parts, double spacing,
+                                             std::span<Vec3> positions, std::span<TriangleVertices> triangles) {
+    Memory* memory = pace.memory();
+    const auto vertices = static_cast<uint32_t>(positions.size());
+    Improvement mesh{.parts = parts,
+                     .spacing = spacing,
+                     .positions = positions,
+                     .triangles = triangles,
+                     .samples = Buffer<PartUnion::Sample>(vertices, memory),
+                     .sums = Buffer<Vec3>(vertices, memory),
+                     .counts = Buffer<uint32_t>(vertices, memory),
+                     .across = {}};
+    co_await each(pace, vertices, Cost::hundreds_of_ns, [&](uint32_t v) { mesh.land(v); });
+    mesh.across = co_await triangles_across(pace, vertices, triangles);
+    for (uint32_t round = 0; round < rounds; ++round) {
+        if (std::find(std::begin(flips_before), std::end(flips_before), round) != std::end(flips_before))
+            co_await flip_sides(pace, mesh);
+        co_await smooth(pace, mesh);
+    }
+    co_return std::move(mesh.samples);
+}
+
 // A plane that is turned anyhow goes through 1.5 cells an area of one face, in the mean.
 constexpr double cells_by_area = 1.5;
 constexpr double surface_by_shape = 3;  // of a part, by the area of its contour, about
 constexpr double coarser = 2;           // the lattice that the surface is measured on
 // Of the radius of the thinnest part: lattice points are so near to each other that none falls between them.
-constexpr double most_spacing = 0.8;
-constexpr uint32_t least_vertices = 100;
+constexpr double max_spacing = 0.8;
+constexpr uint32_t min_vertices = 100;
 
-}  // namespace
-
-MergeParts::MergeParts(std::span<const PlacedPart> parts, const MergeOptions& options, MergedMesh& out, Memory* memory)
-    : options_(options),
-      out_(out),
-      memory_(memory),
-      parts_(parts, options.blend, memory),
-      positions_(memory),
-      triangles_(memory) {
-    if (parts.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: there are no parts");
-    if (options_.vertices < least_vertices)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: %u vertices asked for; a surface has %u or more",
-                      options_.vertices, least_vertices);
-}
-
-bool MergeParts::run(uint32_t count) {
-    for (; count > 0 && pass_ != Pass::done; --count) step();
-    return pass_ == Pass::done;
-}
-
-void MergeParts::step() {
-    switch (pass_) {
-        case Pass::prepare:
-            if (parts_.run(1)) begin_measure();
-            break;
-        case Pass::measure:
-            if (grid_->run(1)) {
-                counted_ = std::max(grid_->vertex_count(), 1u);
-                pass_ = Pass::begin;
-            }
-            break;
-        case Pass::begin:
-            if (grid_->release(blocks_a_unit)) begin_grid();
-            break;
-        case Pass::grid:
-            if (!grid_->run(1)) break;
-            extraction_.emplace(*grid_, positions_, triangles_, memory_);
-            pass_ = Pass::extract;
-            break;
-        case Pass::extract:
-            if (!extraction_->run(1)) break;
-            extraction_.reset();
-            pass_ = Pass::release;
-            break;
-        case Pass::release:
-            if (!grid_->release(blocks_a_unit)) break;
-            grid_.reset();
-            improvement_.emplace(parts_, spacing_, positions_, triangles_, memory_);
-            pass_ = Pass::improve;
-            break;
-        case Pass::improve:
-            if (!improvement_->run(1)) break;
-            out_.positions = Buffer<Vec3>(positions_.size(), memory_);
-            out_.normals = Buffer<Vec3>(positions_.size(), memory_);
-            out_.parts = Buffer<uint32_t>(positions_.size(), memory_);
-            out_.triangles = Buffer<TriangleVertices>(triangles_.size(), memory_);
-            out_.spacing = spacing_;
-            pass_ = Pass::write;
-            break;
-        case Pass::write: write(); break;
-        case Pass::done: break;
-    }
-}
-
-void MergeParts::begin_measure() {
+// A lattice that gives about a fourth of the vertices.
+double coarse_spacing(const PartUnion& parts, uint32_t vertices) {
     double area = 0;
-    for (const ImplicitPart& part : parts_.parts())
+    for (const ImplicitPart& part : parts.parts())
         area += surface_by_shape * part.part().area * part.scale() * part.scale();
-    spacing_ = coarser * std::sqrt(cells_by_area * area / options_.vertices);
-    grid_.emplace(parts_, spacing_, memory_);
-    pass_ = Pass::measure;
+    return coarser * std::sqrt(cells_by_area * area / vertices);
 }
 
-// From how many vertices the coarse lattice gives: the spacing that gives as many as asked for, or what the thinnest part needs.
-void MergeParts::begin_grid() {
-    const double wanted = spacing_ * std::sqrt(counted_ / options_.vertices);
+// From how many vertices the coarse lattice gives: the spacing that gives as many as asked for, or what the thinnest
+// part needs.
+double fine_spacing(const PartUnion& parts, double coarse, double counted, const MergeOptions& options) {
+    const double wanted = coarse * std::sqrt(counted / options.vertices);
     uint32_t thinnest = 0;
-    for (uint32_t i = 1; i < parts_.parts().size(); ++i)
-        if (parts_.parts()[i].radius() < parts_.parts()[thinnest].radius()) thinnest = i;
-    const double needed = most_spacing * parts_.parts()[thinnest].radius();
-    const double vertices = counted_ * (spacing_ / needed) * (spacing_ / needed);
-    if (needed < wanted && !(vertices <= options_.most_vertices))
+    for (uint32_t i = 1; i < parts.parts().size(); ++i)
+        if (parts.parts()[i].radius() < parts.parts()[thinnest].radius()) thinnest = i;
+    const double needed = max_spacing * parts.parts()[thinnest].radius();
+    const double vertices = counted * (coarse / needed) * (coarse / needed);
+    if (needed < wanted && !(vertices <= options.max_vertices))
         throw Failure(
             FLG_ERROR_LIMIT,
             "merge: part %u is so thin, %.3g, that the surface would need about %.3g vertices; the limit is %u",
-            thinnest, parts_.parts()[thinnest].radius(), vertices, options_.most_vertices);
-    spacing_ = std::min(wanted, needed);
-    grid_.emplace(parts_, spacing_, memory_);
-    pass_ = Pass::grid;
+            thinnest, parts.parts()[thinnest].radius(), vertices, options.max_vertices);
+    return std::min(wanted, needed);
 }
 
-void MergeParts::write() {
-    const auto vertices = static_cast<uint32_t>(positions_.size());
-    const uint32_t all = vertices + static_cast<uint32_t>(triangles_.size());
-    for (const uint32_t stop = std::min(all, at_ + batch); at_ < stop; ++at_) {
-        if (at_ >= vertices) {
-            out_.triangles[at_ - vertices] = triangles_[at_ - vertices];
-            continue;
-        }
-        const PartUnion::Sample& sample = improvement_->samples()[at_];
-        const double steep = sample.gradient.norm();
-        std::construct_at(&out_.positions[at_], positions_[at_]);
-        std::construct_at(&out_.normals[at_], steep > 0 ? Vec3(-sample.gradient / steep) : Vec3(Vec3::UnitZ()));
-        out_.parts[at_] = sample.part;
-    }
-    if (at_ == all) {
-        improvement_.reset();
-        pass_ = Pass::done;
-    }
+Task<uint32_t> count_vertices(Pace& pace, const PartUnion& parts, double spacing) {
+    SurfaceGrid grid = co_await SurfaceGrid::make(pace, parts, spacing);
+    co_await SurfaceGrid::clear(pace, grid);
+    co_return std::max(grid.vertex_count(), 1u);
+}
+
+Task<DualSurface> surface_on_lattice(Pace& pace, const PartUnion& parts, double spacing) {
+    SurfaceGrid grid = co_await SurfaceGrid::make(pace, parts, spacing);
+    DualSurface surface = co_await extract_surface(pace, grid);
+    co_await SurfaceGrid::clear(pace, grid);
+    co_return surface;
+}
+
+}  // namespace
+
+Task<MergedMesh> merge_parts(Pace& pace, std::span<const PlacedPart> placed, MergeOptions options) {
+    pace.stage("merge");
+    if (placed.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: there are no parts");
+    if (options.vertices < min_vertices)
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "merge: %u vertices asked for; a surface has %u or more",
+                      options.vertices, min_vertices);
+    const PartUnion parts = co_await PartUnion::make(pace, placed, options.blend);
+    const double coarse = coarse_spacing(parts, options.vertices);
+    const uint32_t counted = co_await count_vertices(pace, parts, coarse);
+    const double spacing = fine_spacing(parts, coarse, counted, options);
+    DualSurface surface = co_await surface_on_lattice(pace, parts, spacing);
+    const Buffer<PartUnion::Sample> samples =
+        co_await improve_mesh(pace, parts, spacing, surface.positions, surface.triangles);
+
+    Memory* memory = pace.memory();
+    const size_t vertices = surface.positions.size(), triangles = surface.triangles.size();
+    MergedMesh mesh{Buffer<Vec3>(vertices, memory), Buffer<Vec3>(vertices, memory),
+                    Buffer<TriangleVertices>(triangles, memory), Buffer<uint32_t>(vertices, memory), spacing};
+    co_await each(pace, vertices, Cost::tens_of_ns, [&](uint32_t v) {
+        const Vec3& gradient = samples[v].gradient;
+        const double steep = gradient.norm();
+        std::construct_at(&mesh.positions[v], surface.positions[v]);
+        std::construct_at(&mesh.normals[v], steep > 0 ? Vec3(-gradient / steep) : Vec3(Vec3::UnitZ()));
+        mesh.parts[v] = samples[v].part;
+    });
+    co_await each(pace, triangles, Cost::some_ns, [&](uint32_t t) { mesh.triangles[t] = surface.triangles[t]; });
+    co_return mesh;
 }
 
 }  // namespace flg

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The Laplacian of a triangle mesh by linear elements, as a matrix to solve with: positive semidefinite (it is -div grad), rows
-// sum to zero but for Dirichlet vertices and masses. The weight of an edge is half the sum of the cotangents across from it
-// (Pinkall, Polthier: Computing discrete minimal surfaces, 1993).
+// The Laplacian of a triangle mesh by linear elements, as a matrix to solve with: positive semidefinite (it is -div
+// grad), rows sum to zero but for Dirichlet vertices and masses. The weight of an edge is half the sum of the
+// cotangents across from it (Pinkall, Polthier: Computing discrete minimal surfaces, 1993).
 //
 //     A_ij = - s_ij w_ij       A_ii = m_i + sum over all neighbours j of s_ij w_ij       s_ij = (s_i + s_j) / 2
 #pragma once
@@ -9,7 +9,8 @@
 #include <array>
 #include <span>
 
-#include "inflation/symmetric_matrix.h"
+#include "core/vec.h"
+#include "linear/sparse_cholesky.h"
 
 namespace flg {
 
@@ -24,40 +25,15 @@ struct LaplacianInput {
     uint32_t row_count = 0;
     std::span<const double> mass = {};   // a row; empty: 0
     std::span<const double> scale = {};  // s, a row; empty: 1
-    // Weights are made at least this: above zero A is an M-matrix, whose inverse has no negative entries. Left as they are with
-    // the default.
+    // Weights are made at least this: above zero A is an M-matrix, whose inverse has no negative entries. The default
+    // leaves them as they are.
     double least_weight = -1e300;
 };
 
-class MeshLaplacian {
-public:
-    // What the spans show outlives the kernel, and `out` too. Memory is taken at once: about 24 bytes a corner.
-    MeshLaplacian(const LaplacianInput& input, SymmetricMatrix& out, Memory* memory);
+// Takes about 0.2 us and 48 bytes a corner.
+Task<SymmetricMatrix> mesh_laplacian(Pace& pace, LaplacianInput input);
 
-    // A unit is about 0.2 us: 16 corners, or a row.
-    bool run(uint32_t count);
-
-private:
-    enum class Pass { clear, count, sum, scatter, row, done };
-    struct Entry {
-        uint32_t vertex;
-        double weight;
-    };
-
-    uint32_t row_of(uint32_t vertex) const {
-        return input_.row_of_vertex.empty() ? vertex : input_.row_of_vertex[vertex];
-    }
-    template <class Action>
-    void each_edge(uint32_t triangle, const Action& action) const;
-    void finish_row();
-
-    LaplacianInput input_;
-    SymmetricMatrix& out_;
-    Buffer<uint32_t> offsets_;
-    Buffer<Entry> entries_;
-    uint32_t written_ = 0;
-    Pass pass_ = Pass::clear;
-    uint32_t at_ = 0;
-};
+// The factor of that matrix, to solve with. `places`: one a row. Takes about 1.3 us a row of a mesh of 10,000 vertices.
+Task<CholeskyFactor> factorize_laplacian(Pace& pace, LaplacianInput input, std::span<const Vec3> places);
 
 }  // namespace flg

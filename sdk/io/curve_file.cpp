@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: MIT
 // The C ABI of curve files, translated onto this room.
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <string>
 
 #include "filigree/filigree_io.h"
-#include "io/atomic_file.h"
-#include "io/curve_data.h"
-#include "io/curve_measures.h"
-#include "io/entry_point.h"
-#include "io/file_bytes.h"
-#include "io/gltf_reader.h"
-#include "io/gltf_writer.h"
-#include "io/limits.h"
-#include "io/obj_lines.h"
-#include "io/svg_reader.h"
-#include "io/tilt_reader.h"
-#include "io/xyz_format.h"
+#include "io/base/curve_data.h"
+#include "io/base/entry_point.h"
+#include "io/base/files.h"
+#include "io/base/limits.h"
+#include "io/gltf/gltf_curves.h"
+#include "io/svg/svg.h"
+#include "io/text/obj.h"
+#include "io/text/xyz.h"
+#include "io/tilt/tilt.h"
+
+namespace flg::io {
+
+// What all formats' curves are asked: extent, length, and repeated points.
+struct CurveMeasures {
+    float box_min[3] = {0, 0, 0};
+    float box_max[3] = {0, 0, 0};
+    float total_length = 0;
+};
+
+}  // namespace flg::io
 
 struct FlgCurveFileT {
     flg::io::CurveData data;
@@ -28,6 +38,54 @@ struct FlgCurveFileT {
 namespace flg::io {
 
 namespace {
+
+// Adds warnings to `data` for what it finds odd.
+CurveMeasures measure(CurveData& data) {
+    CurveMeasures result;
+    if (data.point_count() == 0) return result;
+    const float* points = data.positions.data();
+    std::copy_n(points, 3, result.box_min);
+    std::copy_n(points, 3, result.box_max);
+    for (size_t i = 0; i < data.positions.size(); ++i) {
+        result.box_min[i % 3] = std::min(result.box_min[i % 3], points[i]);
+        result.box_max[i % 3] = std::max(result.box_max[i % 3], points[i]);
+    }
+
+    const auto distance = [&](size_t a, size_t b) {
+        const double x = double{points[3 * a]} - points[3 * b];
+        const double y = double{points[3 * a + 1]} - points[3 * b + 1];
+        const double z = double{points[3 * a + 2]} - points[3 * b + 2];
+        return std::sqrt(x * x + y * y + z * z);
+    };
+    Tally repeated;
+    Tally no_length;
+    Tally lone;
+    double total = 0;
+    for (size_t c = 0; c < data.curve_count(); ++c) {
+        const size_t begin = data.offsets[c];
+        const size_t end = data.offsets[c + 1];
+        double length = 0;
+        bool repeats = false;
+        for (size_t i = begin + 1; i < end; ++i) {
+            const double step = distance(i - 1, i);
+            repeats |= step == 0;
+            length += step;
+        }
+        if (data.flags[c] & FLG_CURVE_CLOSED) length += distance(end - 1, begin);
+        total += length;
+        if (end - begin == 1)
+            lone.add(c);
+        else if (length == 0)
+            no_length.add(c);
+        else if (repeats)
+            repeated.add(c);
+    }
+    result.total_length = static_cast<float>(total);
+    data.warn(lone, "curve", "of a single point");
+    data.warn(no_length, "curve", "of zero length");
+    data.warn(repeated, "curve", "has points repeated in a row");
+    return result;
+}
 
 constexpr uint32_t default_sides = 8;
 constexpr uint32_t least_sides = 3;
@@ -61,11 +119,20 @@ FlgCurveWriteDesc write_defaults() {
     return desc;
 }
 
-FlgCurveWriteDesc checked_desc(const FlgCurveWriteDesc* given) {
+// What hosts knew before there was more.
+constexpr uint32_t first_version_size = offsetof(FlgCurveWriteDesc, tolerance);
+
+void check_desc_size(uint32_t struct_size) {
+    if (struct_size >= first_version_size) return;
+    fail(FLG_ERROR_INVALID_ARGUMENT, "desc", "has the struct_size %u, must be at least %u", struct_size,
+         first_version_size);
+}
+
+FlgCurveWriteDesc checked_desc(const FlgCurveWriteDesc* given, const CheckedView& curves) {
     if (!given) return write_defaults();
-    check_size<FlgCurveWriteDesc>(given->struct_size, "desc");
-    FlgCurveWriteDesc desc;
-    std::memcpy(&desc, given, sizeof desc);
+    check_desc_size(given->struct_size);
+    FlgCurveWriteDesc desc = write_defaults();
+    std::memcpy(&desc, given, std::min<size_t>(given->struct_size, sizeof desc));
     if (desc.geometry < FLG_GEOMETRY_LINES || desc.geometry > FLG_GEOMETRY_TUBE) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.geometry", "is %d, must be 0 to 2", desc.geometry);
     }
@@ -76,6 +143,15 @@ FlgCurveWriteDesc checked_desc(const FlgCurveWriteDesc* given) {
     if (desc.tube_sides < least_sides || desc.tube_sides > most_sides) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.tube_sides", "is %u, must be %u to %u", desc.tube_sides, least_sides,
              most_sides);
+    }
+    if (!(desc.tolerance >= 0) || !(desc.tolerance <= max_coordinate)) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.tolerance", "is %g, must be 0 to 1e30", double{desc.tolerance});
+    }
+    for (uint32_t c = 0; desc.geometries && c < curves.curve_count(); ++c) {
+        const uint8_t geometry = desc.geometries[c];
+        if (geometry == FLG_GEOMETRY_RIBBON || geometry == FLG_GEOMETRY_TUBE) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.geometries[" + std::to_string(c) + "]",
+             "is %u, must be FLG_GEOMETRY_RIBBON or FLG_GEOMETRY_TUBE", unsigned{geometry});
     }
     return desc;
 }
@@ -164,7 +240,7 @@ void flgCurveFileRelease(FlgCurveFile file) {
 FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct_size) {
     return guarded("flgCurveWriteDescInit", [&] {
         check_argument(desc, "desc");
-        check_size<FlgCurveWriteDesc>(struct_size, "desc");
+        check_desc_size(struct_size);
         std::memset(desc, 0, struct_size);
         hand_out(write_defaults(), desc, struct_size);
     });
@@ -173,10 +249,10 @@ FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct_size) {
 FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveWriteDesc* desc) {
     return guarded(path ? path : "flgCurveFileWrite", [&] {
         check_argument(path, "path");
-        const FlgCurveWriteDesc checked = checked_desc(desc);
         const std::filesystem::path target = to_path(path);
         const std::string extension = extension_of(target);
         const CheckedView curves(view);
+        const FlgCurveWriteDesc checked = checked_desc(desc, curves);
         std::string content;
         if (extension == ".xyz" || extension == ".txt") {
             content = write_xyz(curves, checked);

@@ -4,19 +4,26 @@
 #include <memory>
 
 #include "filigree/filigree_io.h"
-#include "io/atomic_file.h"
-#include "io/checked_mesh.h"
-#include "io/entry_point.h"
-#include "io/file_bytes.h"
-#include "io/gltf_materials.h"
-#include "io/gltf_mesh_reader.h"
-#include "io/gltf_mesh_writer.h"
-#include "io/mesh_measures.h"
-#include "io/obj_mesh.h"
-#include "io/off_format.h"
-#include "io/ply_reader.h"
-#include "io/ply_writer.h"
-#include "io/polygons.h"
+#include "io/base/checked_views.h"
+#include "io/base/entry_point.h"
+#include "io/base/files.h"
+#include "io/gltf/gltf_materials.h"
+#include "io/gltf/gltf_mesh.h"
+#include "io/text/obj.h"
+#include "io/text/off.h"
+#include "io/text/ply.h"
+#include "io/text/polygons.h"
+
+namespace flg::io {
+
+// What all formats' meshes are asked: extent, number of regions, and oddities.
+struct MeshMeasures {
+    float box_min[3] = {0, 0, 0};
+    float box_max[3] = {0, 0, 0};
+    uint32_t region_count = 1;
+};
+
+}  // namespace flg::io
 
 struct FlgMeshFileT {
     flg::io::MeshData data;
@@ -30,6 +37,44 @@ struct FlgMeshFileT {
 namespace flg::io {
 
 namespace {
+
+uint32_t count_different(const std::vector<uint32_t>& labels) {
+    // Neighbours mostly share their label: only where one changes it is kept.
+    std::vector<uint32_t> changes;
+    for (uint32_t label : labels) {
+        if (changes.empty() || changes.back() != label) changes.push_back(label);
+    }
+    std::sort(changes.begin(), changes.end());
+    return static_cast<uint32_t>(std::unique(changes.begin(), changes.end()) - changes.begin());
+}
+
+// Adds warnings to `data` for what it finds odd.
+MeshMeasures measure(MeshData& data) {
+    MeshMeasures result;
+    std::copy_n(data.positions.data(), 3, result.box_min);
+    std::copy_n(data.positions.data(), 3, result.box_max);
+    for (size_t i = 0; i < data.positions.size(); i += 3) {
+        for (size_t k = 0; k < 3; ++k) {
+            result.box_min[k] = std::min(result.box_min[k], data.positions[i + k]);
+            result.box_max[k] = std::max(result.box_max[k], data.positions[i + k]);
+        }
+    }
+    if (!data.regions.empty()) result.region_count = count_different(data.regions);
+
+    std::vector<uint8_t> used(data.vertex_count());
+    Tally repeats, unused;
+    for (size_t i = 0; i < data.triangles.size(); i += 3) {
+        const uint32_t a = data.triangles[i], b = data.triangles[i + 1], c = data.triangles[i + 2];
+        if (a == b || b == c || c == a) repeats.add(i / 3);
+        used[a] = used[b] = used[c] = 1;
+    }
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) unused.add(i);
+    }
+    data.warn(repeats, "triangle", "names a vertex twice");
+    data.warn(unused, "vertex", "in no triangle");
+    return result;
+}
 
 MeshData read_mesh(const std::filesystem::path& path) {
     const std::string extension = extension_of(path);

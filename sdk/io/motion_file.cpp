@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The C ABI of files with motions, translated onto this room.
 #include "filigree/filigree_io.h"
-#include "io/atomic_file.h"
-#include "io/entry_point.h"
-#include "io/gltf_motion_writer.h"
+#include "io/base/entry_point.h"
+#include "io/base/files.h"
+#include "io/gltf/gltf_motion_writer.h"
 
 using namespace flg::io;
 

@@ -4,12 +4,11 @@
 #include <memory>
 
 #include "filigree/filigree_io.h"
-#include "io/atomic_file.h"
-#include "io/checked_skin.h"
-#include "io/entry_point.h"
-#include "io/gltf_materials.h"
-#include "io/gltf_skin_reader.h"
-#include "io/gltf_skin_writer.h"
+#include "io/base/checked_views.h"
+#include "io/base/entry_point.h"
+#include "io/base/files.h"
+#include "io/gltf/gltf_materials.h"
+#include "io/gltf/gltf_skin.h"
 
 struct FlgSkinFileT {
     flg::io::SkinData data;

@@ -14,7 +14,8 @@ function(flg_package target name)
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     get_target_property(type ${target} TYPE)
     if(type STREQUAL "SHARED_LIBRARY")
-        set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+        set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+            SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
         target_link_options(${target} PRIVATE ${FLG_EXPORTS_ONLY})
         if(WIN32)
             set_target_properties(${target} PROPERTIES PREFIX "")  # filigree.dll, as bindings ask for it
@@ -22,13 +23,19 @@ function(flg_package target name)
     else()
         target_compile_definitions(${target} INTERFACE FLG_STATIC)
     endif()
-    install(TARGETS ${target} EXPORT filigree-${name}
-        RUNTIME COMPONENT runtime LIBRARY COMPONENT runtime NAMELINK_COMPONENT development ARCHIVE COMPONENT development)
+    if(NOT FLG_INSTALL)
+        return()
+    endif()
+    install(TARGETS ${target} EXPORT filigree-${name} RUNTIME COMPONENT runtime LIBRARY COMPONENT runtime
+        NAMELINK_COMPONENT development ARCHIVE COMPONENT development)
     install(EXPORT filigree-${name} NAMESPACE filigree:: DESTINATION ${FLG_PACKAGE_DIR} COMPONENT development)
 endfunction()
 
 # flg_pkg_config(<name> <description> <requires.private> <libs.private>): <name>.pc for lib<name>.
 function(flg_pkg_config name description requires libs)
+    if(NOT FLG_INSTALL)
+        return()
+    endif()
     file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
     string(REGEX REPLACE "/$" "" up "${up}")
     configure_file(${PROJECT_SOURCE_DIR}/sdk/package/filigree.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
@@ -36,6 +43,9 @@ function(flg_pkg_config name description requires libs)
 endfunction()
 
 function(flg_install_package)
+    if(NOT FLG_INSTALL)
+        return()
+    endif()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/include/filigree DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development)
     # With the licence the list of what else is in the libraries, under which licences.

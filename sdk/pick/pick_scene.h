@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A scene that can be picked in: the host's objects by number, over one Embree scene of two levels, so that one object's
-// change leaves the structures of the others.
+// A scene that can be picked in: the host's objects by number, over one Embree scene of two levels, so that one
+// object's change leaves the structures of the others.
 //
-// What lives in this room: surfaces and curves in Embree, rays and nearest points. What does not: contexts, jobs; it sees
-// the public headers and core only.
+// What lives in this room: surfaces and curves in Embree, rays and nearest points. What does not: contexts, jobs; it
+// sees the public headers and core only.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <vector>
 
-#include "pick/pick_target.h"
-#include "pick/surface_target.h"
+#include "pick/targets.h"
 
 namespace flg::pick {
 

@@ -3,9 +3,9 @@
 //
 //     co_await fork(pace, count, body, context);
 //
-// runs body(pace, context, i) for every i in [0, count), on as many strands as the context has threads, and goes on when
-// all are done. Which strand takes which i is left to chance, so bodies must write only what belongs to i.
-// If bodies throw, the exception of the smallest i is thrown here, after all others have run. Only a job's first strand
+// runs body(pace, context, i) for every i in [0, count), on as many strands as the context has threads, and goes on
+// when all are done. Which strand takes which i is left to chance, so bodies must write only what belongs to i. If
+// bodies throw, the exception of the smallest i is thrown here, after all others have run. Only a job's first strand
 // forks; branches don't.
 #pragma once
 

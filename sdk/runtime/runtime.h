@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The frame-budgeted runtime of one context (design, section 2): jobs are coroutines over sliced kernels; the host calls
-// tick once a frame, and all it can observe changes in there.
+// The frame-budgeted runtime of one context (design, section 2): jobs are coroutines over sliced kernels; the host
+// calls tick once a frame, and all it can observe changes in there.
 //
 // What lives in this room: tasks and their pace, forks, jobs, the scheduler, workers, the host's hooks, handles.
 // What does not: anything that knows what the jobs compute.

@@ -5,8 +5,8 @@
 //
 // Strands are run by whoever calls run_next: the tick itself, built-in workers or tasks in the host's job system (see
 // workers.h). Ready strands run by priority, then in order of arrival; one whose slice is over goes back to the front.
-// One mutex guards the queues; it is held for some tens of instructions and never while work, a callback or the allocator
-// runs (but to free a cancelled job that another one still listed).
+// One mutex guards the queues; it is held for some tens of instructions and never while work, a callback or the
+// allocator runs (but to free a cancelled job that another one still listed).
 #pragma once
 
 #include <array>
@@ -69,8 +69,8 @@ public:
     uint32_t threads() const { return threads_; }
     uint64_t worker_budget_ns() const { return worker_budget_ns_; }
 
-    // Told, outside the mutex, when more strands became ready than the thread that made them so will run itself. Set once,
-    // before the first job.
+    // Told, outside the mutex, when more strands became ready than the thread that made them so will run itself. Set
+    // once, before the first job.
     void set_wake(void (*function)(void* context), void* context) {
         wake_ = function;
         wake_context_ = context;

@@ -100,6 +100,11 @@ public:
     std::coroutine_handle<> handle() const { return handle_; }
     // What it threw, once it is done.
     std::exception_ptr exception() const { return handle_.promise().exception; }
+    // What it returned, once it is done; throws what it threw.
+    T result() {
+        if (exception()) std::rethrow_exception(exception());
+        return handle_.promise().take();
+    }
 
     auto operator co_await() && noexcept {
         struct Awaiter {

@@ -70,7 +70,7 @@ void Workers::work() {
     }
 }
 
-// ---- the host's job system -------------------------------------------------------------------------------------------
+// ---- the host's job system ----
 
 HostTasks::HostTasks(Scheduler& scheduler, const FlgJobSystem& system) : scheduler_(scheduler), system_(system) {
     scheduler.set_wake([](void* self) { static_cast<HostTasks*>(self)->hand_over(); }, this);

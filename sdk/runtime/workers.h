@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Who runs strands besides the tick: threads of our own, or tasks in the host's job system. Both keep to the budget that
-// workers have between two ticks.
+// Who runs strands besides the tick: threads of our own, or tasks in the host's job system. Both keep to the budget
+// that workers have between two ticks.
 #pragma once
 
 #include <condition_variable>

@@ -26,8 +26,8 @@ struct BoneTree {
     std::pmr::vector<BoneJoint> joints;
 };
 
-// What moves with a joint: the bone from it to one of its children, which may be of another part. A joint without children
-// moves nothing, unless it is the only one of its part: then the bone is the point itself.
+// What moves with a joint: the bone from it to one of its children, which may be of another part. A joint without
+// children moves nothing, unless it is the only one of its part: then the bone is the point itself.
 struct BoneSegment {
     Vec3 from, to;
     double from_radius, to_radius;

@@ -2,12 +2,11 @@
 #include "skeletons/skeleton_jobs.h"
 
 #include "skeletons/contour_repair.h"
+#include "skeletons/straight_skeleton.h"
 
 namespace flg {
 
 namespace {
-
-constexpr uint32_t chunk = 25;  // about 10 us
 
 // Hosts see nodes and arcs as plain numbers.
 static_assert(sizeof(SkeletonNode) == 3 * sizeof(double) && sizeof(SkeletonArc) == 4 * sizeof(uint32_t));
@@ -31,14 +30,11 @@ void HeldStraightSkeleton::show() noexcept {
 Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkeleton> out, bool repair) {
     if (repair) {
         pace.stage("contour_repair");
-        ContourRepair repaired(out->contour, pace.memory());
-        while (!repaired.run(chunk)) co_await pace;
-        out->contour = repaired.take_contour();
+        out->contour = co_await repair_contour(pace, out->contour);
         co_await pace;
     }
     pace.stage("straight_skeleton");
-    StraightSkeletonKernel kernel(out->contour, out->skeleton, pace.memory());
-    while (!kernel.run(chunk)) co_await pace;
+    co_await straight_skeleton(pace, out->contour, out->skeleton);
 }
 
 }  // namespace flg

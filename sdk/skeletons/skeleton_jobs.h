@@ -7,7 +7,8 @@
 #include "filigree/filigree_skeleton.h"
 #include "runtime/pace.h"
 #include "runtime/product.h"
-#include "skeletons/straight_skeleton.h"
+#include "skeletons/contour.h"
+#include "skeletons/skeleton_graph.h"
 
 namespace flg {
 

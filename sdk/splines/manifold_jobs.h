@@ -2,19 +2,19 @@
 // The jobs that make manifolds.
 #pragma once
 
-#include "splines/distance_grid.h"
-#include "splines/held_manifold.h"
+#include "splines/manifolds/manifold_product.h"
+#include "splines/obstacles/distance_grid.h"
 
 namespace flg {
 
 // The whole of flgManifoldCreateFromSurface: of out->surface.
-Task<void> make_mesh_manifold(Pace& pace, std::shared_ptr<HeldManifold> out);
+Task<void> make_mesh_manifold(Pace& pace, std::shared_ptr<ManifoldProduct> out);
 
 // The whole of flgManifoldCreateFromPoints; normals may be empty.
 Task<void> make_cloud_manifold(Pace& pace, Buffer<Position> points, Buffer<Position> normals, uint32_t neighbours,
-                               std::shared_ptr<HeldManifold> out);
+                               std::shared_ptr<ManifoldProduct> out);
 
 // The whole of flgManifoldCreateFromGrid; input.values are those.
-Task<void> make_grid_manifold(Pace& pace, Buffer<float> values, GridInput input, std::shared_ptr<HeldManifold> out);
+Task<void> make_grid_manifold(Pace& pace, Buffer<float> values, GridInput input, std::shared_ptr<ManifoldProduct> out);
 
 }  // namespace flg

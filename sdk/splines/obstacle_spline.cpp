@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "splines/obstacle_spline.h"
-
+// Splines of R^d among obstacles (Hofer, Pottmann 2004, sec. 5): minimizers on barriers around them whose radius
+// shrinks.
 #include <cmath>
 
 #include "core/failure.h"
-#include "splines/coordinates.h"
-#include "splines/obstacle_path.h"
-#include "splines/surface_barrier.h"
+#include "splines/manifolds/coordinates.h"
+#include "splines/obstacles/obstacle_path.h"
+#include "splines/obstacles/surface_barrier.h"
+#include "splines/spline.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t path_chunk = 10;
-constexpr uint32_t copy_chunk = 1000;
-constexpr uint32_t lift_chunk = 2;
+constexpr uint32_t lift_work = 4;      // of Cost::microseconds: two a slice
 constexpr double first_radius = 0.05;  // of the scene's size
 constexpr double shrink = 0.35;        // of the radius, from one solve to the next
-constexpr uint32_t most_refinement = 16;
+constexpr uint32_t max_refinement = 16;
 constexpr double rough = 1e-2;  // the tolerance before the last one
 
 // The diameter of all that there is.
@@ -43,7 +42,7 @@ double scene_size(const ObstacleSet& set, const Buffer<double>& points) {
 // Over free space or over a surface.
 class Barrier {
 public:
-    Barrier(const HeldManifold& held, const ObstacleSet& set, double radius, double size) {
+    Barrier(const ManifoldProduct& held, const ObstacleSet& set, double radius, double size) {
         if (held.kind == ManifoldKind::space) {
             space_.emplace(set, radius, size);
         } else {
@@ -52,9 +51,9 @@ public:
     }
     const Manifold& manifold() const { return space_ ? static_cast<const Manifold&>(*space_) : *surface_; }
     void set_radius(double radius) { space_ ? space_->set_radius(radius) : surface_->set_radius(radius); }
-    // memory: of the manifold, zeros.
-    bool lift(const double* point, double* memory, double* x) const {
-        return space_ ? space_->lift(point, x) : surface_->lift(point, memory, x);
+    // hint: of the manifold, zeros.
+    bool lift(const double* point, double* hint, double* x) const {
+        return space_ ? space_->lift(point, x) : surface_->lift(point, hint, x);
     }
 
 private:
@@ -67,40 +66,39 @@ Task<void> lift_chain(Pace& pace, const Barrier& barrier, const Buffer<double>& 
                       SplineProblem& problem) {
     const uint32_t n = barrier.manifold().ambient(), d = n - 1;
     const size_t nodes = flat.size() / d;
-    std::pmr::vector<double> memory(barrier.manifold().memory_size(), 0.0, pace.memory());
+    std::pmr::vector<double> hint(barrier.manifold().hint_size(), 0.0, pace.memory());
     problem.points = Buffer<double>(nodes * n, pace.memory());
-    for (size_t i = 0; i < nodes; ++i) {
-        std::fill(memory.begin(), memory.end(), 0.0);
-        barrier.lift(&flat[i * d], memory.data(), &problem.points[i * n]);
-        if (i % lift_chunk == 0) co_await pace;
-    }
+    co_await each_by_work(pace, nodes, Cost::microseconds, [&](size_t i) {
+        std::fill(hint.begin(), hint.end(), 0.0);
+        barrier.lift(&flat[i * d], hint.data(), &problem.points[i * n]);
+        return lift_work;
+    });
     problem.given = Buffer<double>(given.size() / d * n, pace.memory());
-    for (size_t k = 0; k < given.size() / d; ++k) {
-        std::fill(memory.begin(), memory.end(), 0.0);
-        if (!barrier.lift(&given[k * d], memory.data(), &problem.given[k * n])) {
+    co_await each_by_work(pace, given.size() / d, Cost::microseconds, [&](size_t k) {
+        std::fill(hint.begin(), hint.end(), 0.0);
+        if (!barrier.lift(&given[k * d], hint.data(), &problem.given[k * n])) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.points: point %zu is in an obstacle or nearer than the clearance", k);
         }
-        if (k % lift_chunk == 0) co_await pace;
-    }
+        return lift_work;
+    });
 }
 
 // In space around the obstacles, on a surface as if there were none.
 Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints given, FirstCurve& first) {
-    const HeldManifold& held = *request.out->manifold;
+    const ManifoldProduct& held = *request.out->manifold;
     if (held.kind != ManifoldKind::space) {
         co_await find_first_curve(pace, held, given, first);
         co_return;
     }
-    ObstaclePath path(pace.memory());
-    ObstaclePathKernel finding(*request.obstacles->set, given.values, given.closed,
-                               {request.sides.data(), request.sides.size()}, path, pace.memory());
-    while (!finding.run(path_chunk)) co_await pace;
+    const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
+    ObstaclePath path = co_await obstacle_path(pace, *request.obstacles->set, given.values, given.closed, sides);
     first.points = std::move(path.points);
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
 
-// Whether a piece of the chain goes through a solid from one side to the other: what is nearest to its ends is between them.
+// Whether a piece of the chain goes through a solid from one side to the other: what is nearest to its ends is between
+// them.
 bool straddles(const ObstacleSet& set, const double* a, const double* b) {
     const uint32_t d = set.dimension();
     double to_a[Obstacle::max_dimension], to_b[Obstacle::max_dimension], heading_a = 0, heading_b = 0, opposed = 0;
@@ -117,17 +115,18 @@ bool straddles(const ObstacleSet& set, const double* a, const double* b) {
 Task<bool> any_straddles(Pace& pace, const ObstacleSet& set, const Buffer<double>& flat, bool closed) {
     const uint32_t d = set.dimension();
     const size_t nodes = flat.size() / d;
+    Slice slice(Cost::microseconds);
     for (size_t i = 0; i + (closed ? 0 : 1) < nodes; ++i) {
         if (straddles(set, &flat[i * d], &flat[(i + 1) % nodes * d])) co_return true;
-        if (i % lift_chunk == 0) co_await pace;
+        if (slice.is_over(lift_work)) co_await pace;
     }
     co_return false;
 }
 
 // On barriers whose radius shrinks, from the problem's chain on; `flat` is where that has come to, without its height.
 Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProblem& problem, Buffer<double>& flat) {
-    HeldSpline& out = *request.out;
-    const HeldManifold& held = *out.manifold;
+    Spline& out = *request.out;
+    const ManifoldProduct& held = *out.manifold;
     const ObstacleSet& set = *request.obstacles->set;
     const uint32_t d = set.dimension();
     const Buffer<double> points = std::move(problem.given);
@@ -141,13 +140,12 @@ Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProble
         is_last = radius <= last;
         co_await lift_chain(pace, barrier, flat, points, problem);
         problem.tolerance = is_last ? tolerance : rough;
-        SplineKernel kernel(problem, pace.memory());
-        co_await run_spline_kernel(pace, kernel, out);
-        for (uint32_t i = 0; i < kernel.nodes(); ++i) {
-            std::copy_n(kernel.points() + size_t{i} * (d + 1), d, &flat[size_t{i} * d]);
-            if (i % copy_chunk == 0) co_await pace;
-        }
-        if (is_last) co_await keep_spline(pace, kernel, out);
+        SplineOptimizer optimizer(problem, pace.memory());
+        co_await run_optimizer(pace, optimizer, out);
+        co_await each(pace, optimizer.nodes(), Cost::some_ns, [&](uint32_t i) {
+            std::copy_n(optimizer.points() + size_t{i} * (d + 1), d, &flat[size_t{i} * d]);
+        });
+        if (is_last) co_await keep_spline(pace, optimizer, out);
         radius = std::max(radius * shrink, last);
         barrier.set_radius(radius);
     }
@@ -158,12 +156,12 @@ Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProble
 }  // namespace
 
 Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
-    HeldSpline& out = *request.out;
+    Spline& out = *request.out;
     SplineProblem& problem = request.problem;
     const ObstacleSet& set = *request.obstacles->set;
     const uint32_t d = set.dimension();
     pace.stage("begin");
-    const HeldManifold& held = *out.manifold;
+    const ManifoldProduct& held = *out.manifold;
     problem.manifold = held.manifold.get();
     out.closed = problem.closed;
     Buffer<double> placed;
@@ -180,7 +178,7 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     // Finer where pieces would go through what they are to keep out of.
     pace.stage("minimize");
     for (uint32_t finer = 1;; finer *= 2) {
-        const bool may_refine = 2 * finer <= most_refinement && 2 * uint64_t{finer} * nodes <= FLG_SPLINE_MAX_NODES;
+        const bool may_refine = 2 * finer <= max_refinement && 2 * uint64_t{finer} * nodes <= FLG_SPLINE_MAX_NODES;
         co_await place_nodes(pace, *problem.manifold, first, given, finer * nodes, 2, problem);
         Buffer<double> flat = std::move(problem.points);
         bool through = false;

@@ -6,16 +6,12 @@
 #include <cmath>
 
 #include "core/failure.h"
-#include "splines/coordinates.h"
-#include "splines/obstacle_spline.h"
+#include "splines/manifolds/coordinates.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t kernel_chunk = 200;  // 10 us
-constexpr uint32_t copy_chunk = 1000;
-constexpr uint32_t place_chunk = 2;
 constexpr double uneven = 2.5;             // steps of a chain that is dragged, until nodes are placed anew
 constexpr double coincident = 1e-7;        // of the manifold's size: points that are one
 constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
@@ -31,89 +27,87 @@ FlgSplineEnding ending_of(SplineEnding ending) {
 }
 
 // The chain of the last round that was accepted, for the host.
-Task<void> copy_chain(Pace& pace, const SplineKernel& kernel, const HeldSpline& spline, HeldSpline::Chain& out) {
-    const uint32_t n = kernel.ambient(), shown = spline.manifold->given_ambient, nodes = kernel.nodes();
+Task<void> copy_chain(Pace& pace, const SplineOptimizer& optimizer, const Spline& spline, Spline::Chain& out) {
+    const uint32_t n = optimizer.ambient(), shown = spline.manifold->given_ambient, nodes = optimizer.nodes();
     if (out.nodes.size() != size_t{nodes} * shown) {
         out.nodes = Buffer<double>(size_t{nodes} * shown, pace.memory());
         out.parameters = Buffer<double>(size_t{nodes} + 1, pace.memory());
     }
-    double parameter = kernel.first_parameter();
-    for (uint32_t i = 0; i < nodes; ++i) {
-        std::copy_n(kernel.points() + size_t{i} * n, shown, &out.nodes[size_t{i} * shown]);
+    double parameter = optimizer.first_parameter();
+    co_await each(pace, nodes, Cost::some_ns, [&](uint32_t i) {
+        std::copy_n(optimizer.points() + size_t{i} * n, shown, &out.nodes[size_t{i} * shown]);
         out.parameters[i] = parameter;
-        parameter += kernel.step_after(i);
-        if (i % copy_chunk == 0) co_await pace;
-    }
+        parameter += optimizer.step_after(i);
+    });
     out.parameters[nodes] = parameter;
-    out.report = kernel.report();
+    out.report = optimizer.report();
 }
 
 }  // namespace
 
-Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline) {
-    uint32_t rounds = 0;
-    while (!kernel.run(kernel_chunk)) {
-        co_await pace;
-        if (!pace.job().partial_results || kernel.report().rounds == rounds) continue;
-        rounds = kernel.report().rounds;
-        co_await copy_chain(pace, kernel, spline, spline.rounds.write());
+Task<void> run_optimizer(Pace& pace, SplineOptimizer& optimizer, Spline& spline) {
+    for (;;) {
+        const bool goes_on = co_await SplineOptimizer::next_round(pace, optimizer);
+        if (!goes_on) break;
+        if (!pace.job().partial_results) continue;
+        co_await copy_chain(pace, optimizer, spline, spline.rounds.write());
         spline.rounds.hand_over();
     }
-    if (kernel.report().ending == SplineEnding::failed) {
+    if (optimizer.report().ending == SplineEnding::failed) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "the first curve can't be projected onto the manifold at its node %u of %u",
-                      kernel.report().failed_node, kernel.nodes());
+                      optimizer.report().failed_node, optimizer.nodes());
     }
 }
 
-Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
-                               Buffer<double>& out, Buffer<double>* offsets) {
+Task<void> place_spline_points(Pace& pace, const ManifoldProduct& held, const Buffer<double>& from,
+                               const char* argument, Buffer<double>& out, Buffer<double>* offsets) {
     const Manifold& manifold = *held.manifold;
     const uint32_t n = manifold.ambient(), shown = held.given_ambient;
     const size_t count = from.size() / shown;
     out = Buffer<double>(count * n, pace.memory());
     if (offsets) *offsets = Buffer<double>(count, pace.memory());
-    std::pmr::vector<double> memory(manifold.memory_size(), 0.0, pace.memory());
-    for (size_t i = 0; i < count; ++i) {
-        double* const x = &out[i * n];
+    std::pmr::vector<double> hint(manifold.hint_size(), 0.0, pace.memory());
+    co_await each_by_work(pace, count, Cost::microseconds, [&](uint32_t i) {
+        double* const x = &out[size_t{i} * n];
         std::fill_n(x, n, 0.0);
-        std::copy_n(&from[i * shown], shown, x);
-        std::fill(memory.begin(), memory.end(), 0.0);
-        if (!manifold.project(x, memory.data()) || !std::isfinite(distance_between(x, &from[i * shown], shown))) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: point %zu can't be projected onto the manifold", argument,
-                          i);
+        std::copy_n(&from[size_t{i} * shown], shown, x);
+        std::fill(hint.begin(), hint.end(), 0.0);
+        const bool is_on = manifold.project(x, hint.data());
+        const double offset = distance_between(x, &from[size_t{i} * shown], shown);
+        if (!is_on || !std::isfinite(offset)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: point %u can't be projected onto the manifold", argument, i);
         }
-        if (offsets) (*offsets)[i] = distance_between(x, &from[i * shown], shown);
-        if (i % place_chunk == 0) co_await pace;
-    }
+        if (offsets) (*offsets)[i] = offset;
+        return 4u;
+    });
 }
 
 Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n, bool closed, double size) {
-    const size_t count = given.size() / n;
-    for (size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
-        const size_t next = (i + 1) % count;
-        if (i % copy_chunk == 0) co_await pace;
-        if (distance_between(&given[i * n], &given[next * n], n) > coincident * size) continue;
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.points: points %zu and %zu come to one place on the manifold",
-                      i, next);
-    }
+    const auto count = static_cast<uint32_t>(given.size() / n);
+    co_await each(pace, closed ? count : count - 1, Cost::some_ns, [&](uint32_t i) {
+        const uint32_t next = (i + 1) % count;
+        if (distance_between(&given[size_t{i} * n], &given[size_t{next} * n], n) > coincident * size) return;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.points: points %u and %u come to one place on the manifold", i,
+                      next);
+    });
 }
 
 namespace {
 
 // The part of a prescribed derivative that is tangent to the manifold at an end.
-void place_slope(const HeldManifold& held, const Buffer<double>& slope, const double* point, bool last,
+void place_slope(const ManifoldProduct& held, const Buffer<double>& slope, const double* point, bool last,
                  SplineProblem& problem) {
     if (slope.empty()) return;
     const Manifold& manifold = *held.manifold;
     const uint32_t n = manifold.ambient();
     double x[Manifold::max_ambient], basis[Manifold::max_ambient * Manifold::max_dimension],
         whole[Manifold::max_ambient] = {};
-    double memory[Manifold::max_memory];
-    std::fill_n(memory, manifold.memory_size(), 0.0);
+    double hint[Manifold::max_hint];
+    std::fill_n(hint, manifold.hint_size(), 0.0);
     std::copy_n(point, n, x);
-    manifold.project(x, memory);
-    manifold.tangent_basis(x, memory, basis);
+    manifold.project(x, hint);
+    manifold.tangent_basis(x, hint, basis);
     std::copy_n(slope.data(), slope.size(), whole);
     problem.has_slope[last] = true;
     std::fill_n(problem.slopes[last], n, 0.0);
@@ -125,32 +119,27 @@ void place_slope(const HeldManifold& held, const Buffer<double>& slope, const do
 }
 
 // The chain of another spline, each node moved as the given points around it were: parameters say how much of either.
-Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& given, SplineProblem& problem) {
+Task<bool> move_chain(Pace& pace, const Spline& from, const Buffer<double>& given, SplineProblem& problem) {
     const uint32_t n = from.manifold->manifold->ambient();
     const bool fits = from.is_complete && from.given.size() == given.size() && from.closed == problem.closed;
     if (!fits) co_return false;
     const size_t nodes = from.points.size() / n, count = given.size() / n;
     problem.points = Buffer<double>(from.points.size(), pace.memory());
-    problem.memory = Buffer<double>(from.memory.size(), pace.memory());
-    for (size_t at = 0; at < from.memory.size(); at += copy_chunk) {
-        std::copy_n(from.memory.begin() + at, std::min<size_t>(copy_chunk, from.memory.size() - at),
-                    problem.memory.begin() + at);
-        co_await pace;
-    }
+    problem.hints = Buffer<double>(from.hints.size(), pace.memory());
+    co_await each(pace, from.hints.size(), Cost::some_ns, [&](uint32_t i) { problem.hints[i] = from.hints[i]; });
     problem.knots = Buffer<uint32_t>(count, pace.memory());
-    for (size_t k = 0; k < count; ++k) {
-        problem.knots[k] = from.knots[k];
+    co_await each(pace, count, Cost::some_ns, [&](uint32_t k) { problem.knots[k] = from.knots[k]; });
+    size_t k = 0;
+    co_await each(pace, nodes, Cost::tens_of_ns, [&](uint32_t i) {
+        while (k + 1 < count && i >= from.knots[k + 1]) ++k;
         const size_t end = k + 1 < count ? from.knots[k + 1] : nodes, next = (k + 1) % count;
-        for (size_t i = from.knots[k]; i < end; ++i) {
-            const double share = static_cast<double>(i - from.knots[k]) / static_cast<double>(end - from.knots[k]);
-            for (size_t c = 0; c < n; ++c) {
-                const double begin = given[k * n + c] - from.given[k * n + c],
-                             other = given[next * n + c] - from.given[next * n + c];
-                problem.points[i * n + c] = from.points[i * n + c] + (1 - share) * begin + share * other;
-            }
-            if (i % copy_chunk == 0) co_await pace;
+        const double share = static_cast<double>(i - from.knots[k]) / static_cast<double>(end - from.knots[k]);
+        for (size_t c = 0; c < n; ++c) {
+            const double begin = given[k * n + c] - from.given[k * n + c],
+                         other = given[next * n + c] - from.given[next * n + c];
+            problem.points[i * n + c] = from.points[i * n + c] + (1 - share) * begin + share * other;
         }
-    }
+    });
     co_return true;
 }
 
@@ -158,31 +147,29 @@ Task<bool> move_chain(Pace& pace, const HeldSpline& from, const Buffer<double>& 
 Task<bool> has_even_steps(Pace& pace, const SplineProblem& problem) {
     const uint32_t n = problem.manifold->ambient(), nodes = static_cast<uint32_t>(problem.points.size() / n);
     double least = HUGE_VAL, largest = 0;
-    for (uint32_t k = 0; k + (problem.closed ? 0 : 1) < problem.knots.size(); ++k) {
+    double length = 0;
+    uint32_t k = 0;
+    co_await each(pace, problem.closed ? nodes : nodes - 1, Cost::tens_of_ns, [&](uint32_t i) {
         const uint32_t end = k + 1 < problem.knots.size() ? problem.knots[k + 1] : nodes;
-        double length = 0;
-        for (uint32_t i = problem.knots[k]; i < end; ++i) {
-            length += distance_between(&problem.points[size_t{i} * n], &problem.points[size_t{(i + 1) % nodes} * n], n);
-            if (i % copy_chunk == 0) co_await pace;
-        }
+        length += distance_between(&problem.points[size_t{i} * n], &problem.points[size_t{(i + 1) % nodes} * n], n);
+        if (i + 1 < end) return;
         least = std::min(least, length / (end - problem.knots[k]));
         largest = std::max(largest, length / (end - problem.knots[k]));
-    }
+        length = 0;
+        ++k;
+    });
     co_return largest <= uneven* least;
 }
 
 // A chain as a first curve, to put nodes along it anew.
 Task<void> follow_chain(Pace& pace, SplineProblem& problem, FirstCurve& out) {
     const uint32_t n = problem.manifold->ambient(), nodes = static_cast<uint32_t>(problem.points.size() / n);
-    for (size_t at = 0; at < problem.points.size(); at += copy_chunk) {
-        const size_t end = std::min(at + copy_chunk, problem.points.size());
-        out.points.insert(out.points.end(), problem.points.begin() + at, problem.points.begin() + end);
-        co_await pace;
-    }
+    co_await each(pace, problem.points.size(), Cost::some_ns,
+                  [&](uint32_t i) { out.points.push_back(problem.points[i]); });
     if (problem.closed) out.points.insert(out.points.end(), problem.points.begin(), problem.points.begin() + n);
     for (uint32_t k = 1; k < problem.knots.size(); ++k) out.ends.push_back(problem.knots[k] + 1);
     if (problem.closed) out.ends.push_back(nodes + 1);
-    problem.memory = {};
+    problem.hints = {};
 }
 
 // How many nodes the first of the chains has that end with one of `nodes`: each has four times those of the one before
@@ -198,7 +185,7 @@ uint32_t next_finer(uint32_t nodes, uint32_t finest) {
 
 Task<void> begin_chain(Pace& pace, const SplineRequest& request, uint32_t nodes, SplineProblem& problem,
                        Buffer<double>& given) {
-    const HeldManifold& held = *request.out->manifold;
+    const ManifoldProduct& held = *request.out->manifold;
     if (!request.curve.empty()) {
         co_await place_spline_points(pace, held, request.curve, "desc.curve", problem.points, nullptr);
         problem.given = std::move(given);
@@ -226,55 +213,49 @@ Task<void> begin_chain(Pace& pace, const SplineRequest& request, uint32_t nodes,
 }
 
 // One node between two.
-Task<void> subdivide(Pace& pace, const SplineKernel& kernel, SplineProblem& problem) {
-    const uint32_t n = problem.manifold->ambient(), nodes = kernel.nodes(),
+Task<void> subdivide(Pace& pace, const SplineOptimizer& optimizer, SplineProblem& problem) {
+    const uint32_t n = problem.manifold->ambient(), nodes = optimizer.nodes(),
                    intervals = problem.closed ? nodes : nodes - 1;
     Buffer<double> finer(size_t{nodes + intervals} * n, pace.memory());
-    for (uint32_t i = 0; i < nodes; ++i) {
-        const double* const x = kernel.points() + size_t{i} * n;
-        const double* const y = kernel.points() + size_t{(i + 1) % nodes} * n;
+    co_await each(pace, nodes, Cost::some_ns, [&](uint32_t i) {
+        const double* const x = optimizer.points() + size_t{i} * n;
+        const double* const y = optimizer.points() + size_t{(i + 1) % nodes} * n;
         std::copy_n(x, n, &finer[size_t{2 * i} * n]);
         for (uint32_t c = 0; i < intervals && c < n; ++c) finer[size_t{2 * i + 1} * n + c] = 0.5 * (x[c] + y[c]);
-        if (i % copy_chunk == 0) co_await pace;
-    }
+    });
     problem.points = std::move(finer);
-    for (size_t k = 0; k < problem.knots.size(); ++k) {
-        problem.knots[k] *= 2;
-        if (k % copy_chunk == 0) co_await pace;
-    }
+    co_await each(pace, problem.knots.size(), Cost::some_ns, [&](uint32_t k) { problem.knots[k] *= 2; });
 }
 
 }  // namespace
 
-Task<void> keep_spline(Pace& pace, SplineKernel& kernel, HeldSpline& out) {
-    const uint32_t n = kernel.ambient(), nodes = kernel.nodes();
-    co_await copy_chain(pace, kernel, out, out.chain);
+Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out) {
+    const uint32_t n = optimizer.ambient(), nodes = optimizer.nodes();
+    co_await copy_chain(pace, optimizer, out, out.chain);
     out.points = Buffer<double>(size_t{nodes} * n, pace.memory());
     const bool has_normals = out.manifold->has_normals();
     if (has_normals) out.normals = Buffer<float>(size_t{3} * nodes, pace.memory());
-    Buffer<double> memory(out.manifold->manifold->memory_size(), pace.memory());
-    for (uint32_t i = 0; i < nodes; ++i) {
-        std::copy_n(kernel.points() + size_t{i} * n, n, &out.points[size_t{i} * n]);
-        if (has_normals) {
-            const double* basis = kernel.basis(i);
-            // Among obstacles the nodes are on a barrier over the surface, a surface of R^4 with its memory.
-            std::array<double, 6> own;
-            if (n > 3) {
-                std::copy_n(kernel.memory(i), memory.size(), memory.begin());
-                out.manifold->manifold->tangent_basis(kernel.points() + size_t{i} * n, memory.data(), own.data());
-                basis = own.data();
-            }
-            store_vec3(Vec3(basis[0], basis[1], basis[2]).cross(Vec3(basis[3], basis[4], basis[5])),
-                       &out.normals[size_t{3} * i]);
+    Buffer<double> hint(out.manifold->manifold->hint_size(), pace.memory());
+    co_await each(pace, nodes, Cost::tens_of_ns, [&](uint32_t i) {
+        std::copy_n(optimizer.points() + size_t{i} * n, n, &out.points[size_t{i} * n]);
+        if (!has_normals) return;
+        const double* basis = optimizer.basis(i);
+        // Among obstacles the nodes are on a barrier over the surface, a surface of R^4 with its hint.
+        std::array<double, 6> own;
+        if (n > 3) {
+            std::copy_n(optimizer.hint(i), hint.size(), hint.begin());
+            out.manifold->manifold->tangent_basis(optimizer.points() + size_t{i} * n, hint.data(), own.data());
+            basis = own.data();
         }
-        if (i % copy_chunk == 0) co_await pace;
-    }
-    out.memory = kernel.take_memory();
+        store_vec3(Vec3(basis[0], basis[1], basis[2]).cross(Vec3(basis[3], basis[4], basis[5])),
+                   &out.normals[size_t{3} * i]);
+    });
+    out.hints = optimizer.take_hints();
 }
 
 Task<void> make_spline(Pace& pace, SplineRequest request) {
-    HeldSpline& out = *request.out;
-    const HeldManifold& held = *out.manifold;
+    Spline& out = *request.out;
+    const ManifoldProduct& held = *out.manifold;
     SplineProblem& problem = request.problem;
     problem.manifold = held.manifold.get();
     const uint32_t n = problem.manifold->ambient();
@@ -289,10 +270,7 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
         place_slope(held, request.slopes[1], &given[given.size() - n], true, problem);
     }
     out.given = Buffer<double>(given.size(), pace.memory());
-    for (size_t i = 0; i < given.size(); ++i) {
-        out.given[i] = given[i];
-        if (i % copy_chunk == 0) co_await pace;
-    }
+    co_await each(pace, given.size(), Cost::some_ns, [&](uint32_t i) { out.given[i] = given[i]; });
     pace.stage("begin");
     const uint32_t segments = static_cast<uint32_t>(given.size() / n) - (problem.closed ? 0 : 1);
     const uint32_t least = 2 * segments + (problem.closed ? 0 : 1);
@@ -309,17 +287,17 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
         const bool is_coarse = request.curve.empty() && problem.points.size() < size_t{nodes} * n;
         problem.tolerance = is_coarse ? std::max(tolerance, coarse_tolerance) : tolerance;
         problem.max_rounds = max_rounds - rounds;
-        SplineKernel kernel(problem, pace.memory());
-        co_await run_spline_kernel(pace, kernel, out);
-        rounds += kernel.report().rounds;
+        SplineOptimizer optimizer(problem, pace.memory());
+        co_await run_optimizer(pace, optimizer, out);
+        rounds += optimizer.report().rounds;
         if (is_coarse) {
             problem.first_tension = 0;
-            co_await refine_chain(pace, kernel, next_finer(kernel.nodes(), nodes), 2, problem);
+            co_await refine_chain(pace, optimizer, next_finer(optimizer.nodes(), nodes), 2, problem);
         } else if (subdivisions > 0) {
             --subdivisions;
-            co_await subdivide(pace, kernel, problem);
+            co_await subdivide(pace, optimizer, problem);
         } else {
-            co_await keep_spline(pace, kernel, out);
+            co_await keep_spline(pace, optimizer, out);
             break;
         }
     }
@@ -328,13 +306,13 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     out.is_complete = true;
 }
 
-void HeldSpline::publish_partial() noexcept {
+void Spline::publish_partial() noexcept {
     if (!rounds.take()) return;
     show_chain(rounds.read());
     show_early();
 }
 
-void HeldSpline::show() noexcept {
+void Spline::show() noexcept {
     show_chain(chain);
     view_.ending = ending_of(chain.report.ending);
     view_.normals = normals.data();
@@ -344,7 +322,7 @@ void HeldSpline::show() noexcept {
     for (const double offset : offsets) view_.largest_offset = std::max(view_.largest_offset, offset);
 }
 
-void HeldSpline::show_chain(const Chain& shown) noexcept {
+void Spline::show_chain(const Chain& shown) noexcept {
     const SplineReport& report = shown.report;
     view_ = {};
     view_.struct_size = sizeof view_;
@@ -363,10 +341,10 @@ void HeldSpline::show_chain(const Chain& shown) noexcept {
     view_.residual = report.residual;
 }
 
-Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, float height,
+Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height,
                          std::shared_ptr<CurveSet> out) {
     pace.stage("copy");
-    const HeldSpline::Chain& chain = spline->chain;
+    const Spline::Chain& chain = spline->chain;
     const uint32_t nodes = static_cast<uint32_t>(chain.nodes.size() / 3);
     out->allocate_curves(1);
     out->offsets()[0] = 0;
@@ -380,7 +358,7 @@ Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, f
     float* const positions = out->find(FLG_ATTRIBUTE_POSITION)->values.data();
     float* const times = out->find(FLG_ATTRIBUTE_TIME)->values.data();
     float* const frames = has_normals ? out->find(FLG_ATTRIBUTE_NORMAL)->values.data() : nullptr;
-    for (uint32_t i = 0; i < nodes; ++i) {
+    co_await each(pace, nodes, Cost::some_ns, [&](uint32_t i) {
         const double* const x = &chain.nodes[size_t{3} * i];
         Vec3 place(x[0], x[1], x[2]);
         if (has_normals) {
@@ -390,8 +368,7 @@ Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, f
         }
         store_vec3(place, positions + size_t{3} * i);
         times[i] = static_cast<float>(chain.parameters[i]);
-        if (i % copy_chunk == 0) co_await pace;
-    }
+    });
     out->complete_curve(0);
 }
 

@@ -3,17 +3,17 @@
 #pragma once
 
 #include "curves/curve_set.h"
-#include "splines/first_curve.h"
-#include "splines/held_obstacles.h"
-#include "splines/triple_buffer.h"
+#include "splines/obstacles/obstacles.h"
+#include "splines/optimizer/first_curve.h"
+#include "splines/optimizer/triple_buffer.h"
 
 namespace flg {
 
-class HeldSpline final : public Product {
+class Spline final : public Product {
 public:
-    explicit HeldSpline(std::shared_ptr<const HeldManifold> on) : manifold(std::move(on)) {}
+    explicit Spline(std::shared_ptr<const ManifoldProduct> on) : manifold(std::move(on)) {}
 
-    const std::shared_ptr<const HeldManifold> manifold;
+    const std::shared_ptr<const ManifoldProduct> manifold;
 
     // A chain as the host sees it.
     struct Chain {
@@ -25,7 +25,7 @@ public:
     TripleBuffer<Chain> rounds;  // of jobs with partial results
     Chain chain;                 // the last one
     Buffer<double> points;       // of that, all coordinates: where others begin
-    Buffer<double> memory;       // what the manifold remembers of them
+    Buffer<double> hints;        // of these
     Buffer<double> given;        // the same, of the given points
     Buffer<uint32_t> knots;      // their nodes
     Buffer<double> offsets;      // how far they were from the manifold, m
@@ -44,16 +44,16 @@ private:
 };
 
 struct SplineRequest {
-    std::shared_ptr<HeldSpline> out;
-    std::shared_ptr<const HeldSpline> warm_start;  // or null
-    Buffer<double> points;                         // as given, given_ambient each
-    Buffer<double> curve;                          // the same, or empty
-    Buffer<double> slopes[2];                      // the same, or empty
-    SplineProblem problem;                         // options, parameters and, with a curve, knots
+    std::shared_ptr<Spline> out;
+    std::shared_ptr<const Spline> warm_start;  // or null
+    Buffer<double> points;                     // as given, given_ambient each
+    Buffer<double> curve;                      // the same, or empty
+    Buffer<double> slopes[2];                  // the same, or empty
+    SplineProblem problem;                     // options, parameters and, with a curve, knots
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
     uint32_t node_count = 0;
     uint32_t subdivisions = 0;
-    std::shared_ptr<const HeldObstacles> obstacles;  // or null
+    std::shared_ptr<const Obstacles> obstacles;  // or null
     Buffer<ObstacleSide> sides;
     double obstacle_radius = 1e-3;  // of the scene's size
 };
@@ -61,19 +61,22 @@ struct SplineRequest {
 // The whole of flgSplineCreate.
 Task<void> make_spline(Pace& pace, SplineRequest request);
 
+// What it does where the request has obstacles (obstacle_spline.cpp; Hofer, Pottmann 2004, sec. 5): minimizers on
+// barriers around them whose radius shrinks.
+Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request);
+
 // Steps of that. Points of the host put onto the manifold: all their coordinates and, unless null, how far they were
 // from it.
-Task<void> place_spline_points(Pace& pace, const HeldManifold& held, const Buffer<double>& from, const char* argument,
-                               Buffer<double>& out, Buffer<double>* offsets);
+Task<void> place_spline_points(Pace& pace, const ManifoldProduct& held, const Buffer<double>& from,
+                               const char* argument, Buffer<double>& out, Buffer<double>* offsets);
 // Fails where two given points that follow each other, n numbers each, come to one place.
 Task<void> refuse_coincident(Pace& pace, const Buffer<double>& given, uint32_t n, bool closed, double size);
-// Runs the kernel to its end, and shows its rounds if the host wants to see them.
-Task<void> run_spline_kernel(Pace& pace, SplineKernel& kernel, HeldSpline& spline);
-// What stays of a kernel that is done.
-Task<void> keep_spline(Pace& pace, SplineKernel& kernel, HeldSpline& out);
+// Runs the optimizer to its end, and shows its rounds if the host wants to see them.
+Task<void> run_optimizer(Pace& pace, SplineOptimizer& optimizer, Spline& spline);
+// What stays of an optimizer that is done.
+Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out);
 
 // The whole of flgSplineCurves.
-Task<void> spline_curves(Pace& pace, std::shared_ptr<const HeldSpline> spline, float height,
-                         std::shared_ptr<CurveSet> out);
+Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, std::shared_ptr<CurveSet> out);
 
 }  // namespace flg

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/failure.h"
+#include "runtime/each.h"
 
 namespace flg {
 
@@ -19,12 +20,7 @@ size_t AppliedStyle::find(FlgAttribute attribute) const {
     return static_cast<size_t>(place - attributes.begin());
 }
 
-AppliedStyleKernel::AppliedStyleKernel(const PreparedStyle& style, double scale, const std::array<double, 9>& basis,
-                                       Memory* memory)
-    : style_(style),
-      scaled_basis_(scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data())),
-      result_{
-          .displacement = Buffer<Vec3>(style.point_count(), memory), .attributes = style.attributes, .scale = scale} {
+Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis) {
     for (const StyleAttribute& attribute : style.attributes) {
         for (uint32_t k = 0; k < attribute.length_count(); ++k) {
             if (scale * attribute.ranges[k].high <= coordinate_max) continue;
@@ -33,23 +29,23 @@ AppliedStyleKernel::AppliedStyleKernel(const PreparedStyle& style, double scale,
                           static_cast<int>(attribute.attribute), scale * attribute.ranges[k].high);
         }
     }
-}
-
-bool AppliedStyleKernel::run(uint32_t n) {
-    const uint32_t count = style_.point_count();
-    const uint32_t end = done_ + std::min(n, count - done_);
-    const Displacement& d = style_.displacement;
-    for (; done_ < end; ++done_) {
-        const Vec3 scaled =
-            scaled_basis_ * Vec3(d.along_tangent[done_], d.along_normal[done_], d.along_binormal[done_]);
+    const Eigen::Matrix3d scaled_basis =
+        scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
+    AppliedStyle applied;
+    applied.displacement = Buffer<Vec3>(style.point_count(), pace.memory());
+    applied.attributes = style.attributes;
+    applied.scale = scale;
+    const Displacement& d = style.displacement;
+    co_await each(pace, style.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
+        const Vec3 scaled = scaled_basis * Vec3(d.along_tangent[i], d.along_normal[i], d.along_binormal[i]);
         if (!(scaled.cwiseAbs().maxCoeff() <= coordinate_max)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "desc.scale is %g: with desc.basis the style's displacement would be %g m, above 1e30",
-                          result_.scale, scaled.norm());
+                          "desc.scale is %g: with desc.basis the style's displacement would be %g m, above 1e30", scale,
+                          scaled.norm());
         }
-        std::construct_at(&result_.displacement[done_], scaled);
-    }
-    return done_ == count;
+        std::construct_at(&applied.displacement[i], scaled);
+    });
+    co_return applied;
 }
 
 }  // namespace flg

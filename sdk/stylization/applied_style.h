@@ -20,21 +20,8 @@ struct AppliedStyle {
     size_t find(FlgAttribute attribute) const;
 };
 
-// A unit is a point of the style, about 10 ns.
-class AppliedStyleKernel {
-public:
-    // Row-major: basis times (along tangent, first normal, second normal). The style outlives the kernel and the result.
-    // Throws what the host is told, as run() does, if the style would get larger than coordinates may be.
-    AppliedStyleKernel(const PreparedStyle& style, double scale, const std::array<double, 9>& basis, Memory* memory);
-    bool run(uint32_t n);
-    // After run() returned true.
-    AppliedStyle take() { return std::move(result_); }
-
-private:
-    const PreparedStyle& style_;
-    Eigen::Matrix3d scaled_basis_;
-    AppliedStyle result_;
-    uint32_t done_ = 0;
-};
+// Row-major: basis times (along tangent, first normal, second normal). The style outlives the result. About 10 ns a
+// point. Throws what the host is told if the style would get larger than coordinates may be.
+Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis);
 
 }  // namespace flg

@@ -8,7 +8,6 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t style_chunk = 300;      // units, about 10 us
 constexpr uint32_t synthesis_chunk = 120;  // units, about 10 us
 
 // What all branches read, and the columns that they write to beside frames and carried ones; null: not wanted.
@@ -33,12 +32,6 @@ struct Application {
     Column* time = nullptr;
     std::pmr::vector<Column*> attributes;  // in the order of the style's
 };
-
-Task<AppliedStyle> fit_style(Pace& pace, const StylizeRequest& request) {
-    AppliedStyleKernel kernel(request.style->prepared, request.scale, request.basis, pace.memory());
-    while (!kernel.run(style_chunk)) co_await pace;
-    co_return kernel.take();
-}
 
 // The columns that the result gets from the style.
 std::pmr::vector<CurveSet::ColumnLayout> style_columns(const StylizeRequest& request, Memory* memory) {
@@ -119,7 +112,7 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
     co_await plan_sampling(pace, application.sampling, style_columns(request, pace.memory()));
 
     pace.stage("synthesis");
-    application.style = co_await fit_style(pace, request);
+    application.style = co_await fit_style(pace, prepared, request.scale, request.basis);
     find_columns(request, application);
     const auto temperature = static_cast<float>(request.temperature * prepared.graph.temperature_unit);
     const std::shared_ptr<PathTrees> trees = request.style->trees(temperature);

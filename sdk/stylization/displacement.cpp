@@ -2,29 +2,25 @@
 #include "stylization/displacement.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
+
+#include "runtime/each.h"
 
 namespace flg {
 
-bool DisplacementKernel::run(uint32_t n) {
-    const uint32_t count = result_.size();
-    const uint32_t end = done_ + std::min(n, count - done_);
-    for (; done_ < end; ++done_) {
-        const size_t at = 3 * static_cast<size_t>(done_);
-        const Vec3 tangent = load_vec3(input_.tangents + at);
-        const Vec3 normal = load_vec3(input_.normals + at);
-        const Vec3 d = input_.matched[done_] - load_vec3(input_.positions + at);
-        result_.along_tangent[done_] = d.dot(tangent);
-        result_.along_normal[done_] = d.dot(normal);
-        result_.along_binormal[done_] = d.dot(tangent.cross(normal));
-        sum_sq_ += d.squaredNorm();
-    }
-    return done_ == count;
-}
-
-double DisplacementKernel::rms() const {
-    return done_ == 0 ? 0.0 : std::sqrt(sum_sq_ / done_);
+Task<double> displace(Pace& pace, GuideAndStyle input, Displacement& out) {
+    double sum_sq = 0;
+    co_await each(pace, out.size(), Cost::some_ns, [&](uint32_t i) {
+        const size_t at = 3 * size_t{i};
+        const Vec3 tangent = load_vec3(input.tangents + at);
+        const Vec3 normal = load_vec3(input.normals + at);
+        const Vec3 d = input.matched[i] - load_vec3(input.positions + at);
+        out.along_tangent[i] = d.dot(tangent);
+        out.along_normal[i] = d.dot(normal);
+        out.along_binormal[i] = d.dot(tangent.cross(normal));
+        sum_sq += d.squaredNorm();
+    });
+    co_return out.size() == 0 ? 0.0 : std::sqrt(sum_sq / out.size());
 }
 
 }  // namespace flg

@@ -6,6 +6,7 @@
 
 #include "core/memory.h"
 #include "core/vec.h"
+#include "runtime/task.h"
 
 namespace flg {
 
@@ -22,8 +23,8 @@ struct Displacement {
 };
 
 // What it is computed from: points of the guide with their frames, in the float columns that resampling gives, and for
-// each the point of the style that belongs to it. Use the same frames here and in synthesis: then a style applied to its
-// own guide gives the style back.
+// each the point of the style that belongs to it. Use the same frames here and in synthesis: then a style applied to
+// its own guide gives the style back.
 struct GuideAndStyle {
     const float* positions = nullptr;
     const float* tangents = nullptr;
@@ -31,21 +32,8 @@ struct GuideAndStyle {
     std::span<const Vec3> matched;
 };
 
-// A unit is a point, about 5 ns.
-class DisplacementKernel {
-public:
-    DisplacementKernel(const GuideAndStyle& input, Memory* memory)
-        : input_(input), result_(static_cast<uint32_t>(input.matched.size()), memory) {}
-    bool run(uint32_t n);
-    // After run() returned true. Root mean square of the displacements' lengths, metres.
-    double rms() const;
-    Displacement take() { return std::move(result_); }
-
-private:
-    GuideAndStyle input_;
-    Displacement result_;
-    double sum_sq_ = 0;
-    uint32_t done_ = 0;
-};
+// Fills in `out`, which has as many points; returns the root mean square of the displacements' lengths, metres. About
+// 5 ns a point.
+Task<double> displace(Pace& pace, GuideAndStyle input, Displacement& out);
 
 }  // namespace flg

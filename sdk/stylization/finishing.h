@@ -2,14 +2,15 @@
 // What a stylized curve needs once its last point is known: its ends where they belong (Minarcik, Fiser, Sykora, sec.
 // 4.5.1 and 4.5.2), and the times of a motion along it.
 //
-// The paper's corrections of the result are linear in arc length. Here they are linear in the arc length of the target and
-// taken off the displacement, so that they grow with the magnitude: a result is closed or pinned at every magnitude. With
-// u from 0 to 1 along the target, D the displacement and "around" where a closed curve comes back to its first point:
+// The paper's corrections of the result are linear in arc length. Here they are linear in the arc length of the target
+// and taken off the displacement, so that they grow with the magnitude: a result is closed or pinned at every
+// magnitude. With u from 0 to 1 along the target, D the displacement and "around" where a closed curve comes back to
+// its first point:
 //   pinned   D(u) - (1 - u) D(0) - u D(1)
 //   closed   D(u) - u (D(around) - D(0))
-// On closed curves attributes are closed likewise, angles the shorter way, and others kept within what the style has; so
-// ribbons and sizes go on over the seam as they do elsewhere.
-// Times: the distance of two points takes as long as the mean of their speeds says.
+// On closed curves attributes are closed likewise, angles the shorter way, and others kept within what the style has;
+// so ribbons and sizes go on over the seam as they do elsewhere. Times: the distance of two points takes as long as the
+// mean of their speeds says.
 #pragma once
 
 #include <span>
@@ -47,7 +48,7 @@ struct FinishingInput {
 // Throws what the host is told of a position that curve sets can't hold.
 void check_position(const Vec3& position, double magnitude);
 
-// A unit is about 50 ns of it.
+// Stays a kernel: synthesis and live strokes go on with it, which allocate nothing. A unit is about 50 ns of it.
 class Finishing {
 public:
     explicit Finishing(const FinishingInput& input);

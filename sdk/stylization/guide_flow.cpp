@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/each.h"
+
 namespace flg {
 
 namespace {
 
-// The flow looks for its end up to t = this times the squared length of the curve at t. The overall bend of a curve,
-// a half wave of its own length, decays as exp(-pi^2 (1 - alpha) t / length^2): with alpha = 1/2 by a fifth at the limit.
-constexpr double longest_time = 0.04;
+// The flow looks for its end up to t = this times the squared length of the curve at t. The overall bend of a curve, a
+// half wave of its own length, decays as exp(-pi^2 (1 - alpha) t / length^2): with alpha = 1/2 by a fifth at the limit.
+constexpr double max_time = 0.04;
 // t * mean(kappa^2) must change by this factor for a rise or a fall to count; below it is the noise of the sampling.
 constexpr double significant_change = 1.05;
 // Detail that only ends with the search: the length falls below this part of what it was in the last valley.
@@ -22,241 +24,212 @@ constexpr double min_elasticity = 0.1;
 // |t_i - t_(i-1)|, the Steiner curvature of a corner expanded by a line segment times the spacing, is at most this.
 constexpr double max_bend = 2.0;
 
-}  // namespace
+// Steps of a pass take about 10 ns: this makes slices of 20 us, and most passes one slice.
+constexpr Cost pass_cost = Cost::some_ns;
 
-GuideFlow::GuideFlow(const Vec3* style, uint32_t count, const Params& params, Memory* memory)
-    : style_(style),
-      count_(count),
-      params_(params),
-      points_(count, memory),
-      other_(count, memory),
-      saved_(count, memory),
-      bend_(count, memory),
-      factor_(count, memory),
-      end_time_(params.time),
-      critical_bend_(max_bend),
-      rising_(true) {}
+// The curve as it flows.
+struct Flow {
+    Flow(size_t count, Memory* memory)
+        : points(count, memory), other(count, memory), bend(count, memory), factor(count, memory) {}
+    uint32_t segments() const { return static_cast<uint32_t>(points.size()) - 1; }
 
-bool GuideFlow::run(uint32_t n) {
-    // A pass that ends early in the budget leaves the rest to the next call: results don't depend on n, and passes are
-    // long next to what a call costs.
-    const uint32_t end = n < count_ - index_ ? index_ + n : count_;
-    switch (phase_) {
-        case Phase::load: load(end); break;
-        case Phase::measure: measure(end); break;
-        case Phase::limit: limit(end); break;
-        case Phase::forward: forward(end); break;
-        case Phase::backward: backward(end); break;
-        case Phase::respace: respace(n); break;
-        case Phase::save: save(end); break;
-        case Phase::done: break;
-    }
-    return phase_ == Phase::done;
+    std::pmr::vector<Vec3> points;  // within a step, after the solve, the moved, not yet respaced ones
+    std::pmr::vector<Vec3> other;   // right-hand side of the solve, then the respaced points
+    Buffer<double> bend;            // kappa * spacing, of the point that a segment begins at
+    Buffer<double> factor;          // of the tridiagonal solve, then the arc length from a point to the end
+    double time = 0.0;
+    double length = 0.0;
+    double sum_bend_sq = 0.0;
+    double critical_bend = max_bend;  // kappa_c * spacing
+    uint32_t steps = 0;
+};
+
+Task<void> copy(Pace& pace, std::span<const Vec3> from, std::pmr::vector<Vec3>& to) {
+    co_await each(pace, from.size(), Cost::some_ns, [from, out = to.data()](uint32_t i) { out[i] = from[i]; });
 }
 
-void GuideFlow::enter(Phase phase) {
-    phase_ = phase;
-    index_ = 0;
-}
-
-void GuideFlow::load(uint32_t end) {
-    for (; index_ < end; ++index_) {
-        points_[index_] = style_[index_];
-        if (end_time_ == 0.0) saved_[index_] = style_[index_];
-    }
-    if (index_ == count_) enter(Phase::measure);
-}
-
-// Lengths and curvatures of the evenly spaced curve. index_ runs over the segments, its own bend is at its start.
-void GuideFlow::measure(uint32_t end) {
-    if (index_ == 0) {
-        length_ = 0.0;
-        sum_bend_sq_ = 0.0;
-    }
-    const uint32_t last = std::min(end, count_ - 1);
-    const auto unit = [](const Vec3& v, double norm) -> Vec3 { return norm > 0.0 ? Vec3(v / norm) : Vec3::Zero(); };
+// Length and curvatures of the evenly spaced curve.
+Task<void> measure(Pace& pace, Flow& flow) {
+    flow.length = 0.0;
+    flow.sum_bend_sq = 0.0;
     Vec3 before = Vec3::Zero();
-    if (index_ > 0 && index_ < last) {
-        before = points_[index_] - points_[index_ - 1];
-        before = unit(before, before.norm());
-    }
-    for (; index_ < last; ++index_) {
-        const Vec3 step = points_[index_ + 1] - points_[index_];
-        const double step_length = step.norm();
-        const Vec3 tangent = unit(step, step_length);
-        const double bend_sq = index_ > 0 ? (tangent - before).squaredNorm() : 0.0;
-        bend_[index_] = std::sqrt(bend_sq);
-        sum_bend_sq_ += bend_sq;
-        length_ += step_length;
-        before = tangent;
-    }
-    if (index_ == count_ - 1) measured();
+    co_await each(pace, flow.segments(), pass_cost,
+                  [&flow, &before, points = flow.points.data(), bend = flow.bend.data()](uint32_t i) {
+                      const Vec3 step = points[i + 1] - points[i];
+                      const double step_length = step.norm();
+                      const Vec3 tangent = step_length > 0.0 ? Vec3(step / step_length) : Vec3(Vec3::Zero());
+                      const double bend_sq = i > 0 ? (tangent - before).squaredNorm() : 0.0;
+                      bend[i] = std::sqrt(bend_sq);
+                      flow.sum_bend_sq += bend_sq;
+                      flow.length += step_length;
+                      before = tangent;
+                  });
 }
 
-// Chooses what comes next: the end, a copy of the valley, or a step.
-void GuideFlow::measured() {
-    if (end_time_ > 0.0) {
-        if (time_ >= end_time_) return finish(points_, time_, length_);
-        return begin_step();
+Task<void> begin(Pace& pace, std::span<const Vec3> style, Flow& flow) {
+    co_await copy(pace, style, flow.points);
+    flow.time = 0.0;
+    flow.critical_bend = max_bend;
+    co_await measure(pace, flow);
+}
+
+struct ForceSums {
+    double force = 0.0;  // of kappa psi
+    double slope = 0.0;  // of its derivative by kappa_c
+};
+
+ForceSums add_forces(ForceSums sums, double critical_bend, const double* bends, uint32_t first, uint32_t last) {
+    for (uint32_t i = first; i < last; ++i) {
+        const double bend = bends[i];
+        const double capped = std::min(bend, critical_bend);
+        sums.force += bend * capped * (2.0 * bend - capped);
+        sums.slope += 2.0 * bend * (bend - capped);
     }
-    if (steps_ == 0) saved_length_ = length_;
-    const bool over = length_ == 0.0 || params_.alpha >= 1.0 || time_ >= longest_time * length_ * length_;
-    // t * mean(kappa^2), with kappa = bend / spacing, spacing = length / (count - 1).
-    const double loss = over ? 0.0 : time_ * sum_bend_sq_ * (count_ - 1) / (length_ * length_);
-    if (over) {
-        // Still losing length at the limit, and most of it already: all of that was detail.
-        if (rising_ && length_ < drastic_shrinking * saved_length_) {
-            saved_.swap(points_);
-            saved_time_ = time_;
-            saved_length_ = length_;
+    return sums;
+}
+
+// F / spacing. Finds the critical curvature kappa_c with 2 alpha F kappa_c = (1 + alpha) / 2, by Newton's method on the
+// logarithms; F belongs to the kappa_c it was summed with, so the length law holds whether or not that has converged.
+Task<double> find_force(Pace& pace, Flow& flow, double alpha) {
+    Slice slice(Cost::some_ns);
+    for (uint32_t passes = 1;; ++passes) {
+        ForceSums sums;
+        for (Portion part(slice, 0, flow.segments()); part.next();) {
+            sums = add_forces(sums, flow.critical_bend, flow.bend.data(), part.begin, part.end);
+            if (part.is_over()) co_await pace;
         }
-        if (params_.smoothing == 1.0 || saved_time_ == 0.0) return finish(saved_, saved_time_, saved_length_);
-        return restart(params_.smoothing * saved_time_);
+        const double elasticity = std::max(1.0 - flow.critical_bend * sums.slope / sums.force, min_elasticity);
+        const double force = flow.sum_bend_sq / sums.force;
+        const double wanted = 0.5 * (1.0 + alpha);
+        const double ratio = wanted / (2.0 * alpha * force * flow.critical_bend);
+        const bool met =
+            ratio > 1.0 - limit_tolerance && (ratio < 1.0 + limit_tolerance || flow.critical_bend == max_bend);
+        if (met || passes == max_limit_passes) co_return force;
+        flow.critical_bend = std::min(flow.critical_bend * std::pow(ratio, 1.0 / elasticity), max_bend);
     }
-    if (rising_) {
-        peak_ = std::max(peak_, loss);
-        if (loss * significant_change < peak_) {
-            rising_ = false;
-            low_ = peak_;
-        }
-    }
-    if (!rising_) {
-        if (loss < low_) {
-            low_ = loss;
-            saved_time_ = time_;
-            saved_length_ = length_;
-            return enter(Phase::save);
-        }
-        if (loss > low_ * significant_change) {
-            rising_ = true;
-            peak_ = loss;
-        }
-    }
-    begin_step();
 }
 
-void GuideFlow::save(uint32_t end) {
-    for (; index_ < end; ++index_) saved_[index_] = points_[index_];
-    if (index_ == count_) begin_step();
-}
-
-void GuideFlow::restart(double time) {
-    end_time_ = time;
-    time_ = 0.0;
-    critical_bend_ = max_bend;
-    enter(Phase::load);
-}
-
-void GuideFlow::finish(const std::pmr::vector<Vec3>& points, double time, double length) {
-    result_ = points.data();
-    result_time_ = time;
-    result_length_ = length;
-    enter(Phase::done);
-}
-
-void GuideFlow::begin_step() {
-    const double spacing = length_ / (count_ - 1);
-    step_time_ = params_.growth * std::max(time_, spacing * spacing);
-    if (end_time_ > 0.0) step_time_ = std::min(step_time_, end_time_ - time_);
-    limit_passes_ = 0;
-    force_ = 0.0;
-    enter(params_.alpha > 0.0 && sum_bend_sq_ > 0.0 ? Phase::limit : Phase::forward);
-}
-
-// Finds the critical curvature kappa_c with 2 alpha F kappa_c = (1 + alpha) / 2, by Newton's method on the logarithms;
-// F belongs to the kappa_c it was summed with, so the length law holds whether or not that has converged.
-void GuideFlow::limit(uint32_t end) {
-    if (index_ == 0) {
-        sum_force_ = 0.0;
-        force_ = 0.0;  // the sum of d(kappa psi)/d(kappa_c) while summing
-    }
-    const uint32_t last = std::min(end, count_ - 1);
-    for (; index_ < last; ++index_) {
-        const double bend = bend_[index_];
-        const double capped = std::min(bend, critical_bend_);
-        sum_force_ += bend * capped * (2.0 * bend - capped);  // kappa psi
-        force_ += 2.0 * bend * (bend - capped);
-    }
-    if (index_ == count_ - 1) limited();
-}
-
-void GuideFlow::limited() {
-    const double elasticity = std::max(1.0 - critical_bend_ * force_ / sum_force_, min_elasticity);
-    force_ = sum_bend_sq_ / sum_force_;
-    const double wanted = 0.5 * (1.0 + params_.alpha);
-    const double ratio = wanted / (2.0 * params_.alpha * force_ * critical_bend_);
-    const bool met = ratio > 1.0 - limit_tolerance && (ratio < 1.0 + limit_tolerance || critical_bend_ == max_bend);
-    if (met || ++limit_passes_ == max_limit_passes) return enter(Phase::forward);
-    critical_bend_ = std::min(critical_bend_ * std::pow(ratio, 1.0 / elasticity), max_bend);
-    enter(Phase::limit);
-}
-
-// Elimination of (I - step (1 - w) d_ss) x' = x from the first point, which stays, on.
-void GuideFlow::forward(uint32_t end) {
-    if (index_ == 0) {
-        other_[0] = points_[0];
-        factor_[0] = 0.0;
-        ++index_;
-    }
-    const double spacing = length_ / (count_ - 1);
-    const double ratio = step_time_ / (spacing * spacing);
-    const double force = params_.alpha * force_;
-    const uint32_t last = std::min(end, count_ - 1);
-    for (; index_ < last; ++index_) {
-        const double bend = bend_[index_];
-        const double capped = std::min(bend, critical_bend_);
+// Solves (I - step (1 - w) d_ss) x' = x, `ratio` being the step by the squared spacing. First and last point stay.
+Task<void> move_points(Pace& pace, Flow& flow, double ratio, double force) {
+    const uint32_t last = flow.segments();
+    Vec3* const points = flow.points.data();
+    Vec3* const other = flow.other.data();
+    double* const factor = flow.factor.data();
+    other[0] = points[0];
+    factor[0] = 0.0;
+    const auto eliminate = [=, bends = flow.bend.data(), critical_bend = flow.critical_bend](uint32_t i) {
+        const double bend = bends[i];
+        const double capped = std::min(bend, critical_bend);
         const double held = capped < bend ? force * capped * (2.0 - capped / bend) : force * bend;  // w
         const double weight = ratio * std::max(1.0 - held, 0.0);
-        const double scale = 1.0 / (1.0 + weight * (2.0 - factor_[index_ - 1]));
-        factor_[index_] = weight * scale;
-        other_[index_] = (points_[index_] + weight * other_[index_ - 1]) * scale;
-    }
-    if (index_ == count_ - 1) enter(Phase::backward);
+        const double scale = 1.0 / (1.0 + weight * (2.0 - factor[i - 1]));
+        factor[i] = weight * scale;
+        other[i] = (points[i] + weight * other[i - 1]) * scale;
+    };
+    co_await each(pace, 1, last, pass_cost, eliminate);
+    factor[last] = 0.0;
+    const auto substitute = [=](uint32_t k) {
+        const uint32_t i = last - 1 - k;
+        if (i > 0) points[i] = other[i] + factor[i] * points[i + 1];
+        factor[i] = factor[i + 1] + (points[i + 1] - points[i]).norm();
+    };
+    co_await each(pace, last, pass_cost, substitute);
 }
 
-// Substitution back from the last point, which stays. index_ counts from the end; factor_ becomes the arc length from
-// a point to the end.
-void GuideFlow::backward(uint32_t end) {
-    if (index_ == 0) {
-        factor_[count_ - 1] = 0.0;
-        ++index_;
-    }
-    for (; index_ < end; ++index_) {
-        const uint32_t i = count_ - 1 - index_;
-        if (i > 0) points_[i] = other_[i] + factor_[i] * points_[i + 1];
-        factor_[i] = factor_[i + 1] + (points_[i + 1] - points_[i]).norm();
-    }
-    if (index_ == count_) {
-        enter(Phase::respace);
-        segment_ = 0;
-    }
+// Spaces the points evenly along their polygon.
+Task<void> respace(Pace& pace, Flow& flow) {
+    const uint32_t last = flow.segments();
+    uint32_t segment = 0;
+    flow.other[0] = flow.points[0];
+    flow.other[last] = flow.points[last];
+    const auto place = [&segment, last, spacing = flow.factor[0] / last, points = flow.points.data(),
+                        rests = flow.factor.data(), out = flow.other.data()](uint32_t k) {
+        const uint32_t i = k + 1;
+        const double rest = spacing * (last - i);
+        const uint32_t before = segment;
+        uint32_t at = before;
+        while (at + 1 < last && rests[at + 1] > rest) ++at;
+        const double length = rests[at] - rests[at + 1];
+        const double t = length > 0.0 ? std::clamp((rests[at] - rest) / length, 0.0, 1.0) : 0.0;
+        out[i] = points[at] + t * (points[at + 1] - points[at]);
+        segment = at;
+        return at - before + 1;
+    };
+    co_await each_by_work(pace, last - 1, pass_cost, place);
+    std::swap(flow.points, flow.other);
 }
 
-// Even spacing along the polygon. A unit is a new point or a step along the old ones.
-void GuideFlow::respace(uint32_t n) {
-    const double total = factor_[0];
-    const double spacing = total / (count_ - 1);
-    if (index_ == 0) {
-        other_[0] = points_[0];
-        ++index_;
-    }
-    for (; n > 0 && index_ < count_ - 1; --n) {
-        const double rest = spacing * (count_ - 1 - index_);
-        if (segment_ + 2 < count_ && factor_[segment_ + 1] > rest) {
-            ++segment_;
-            continue;
+// `end_time`: not to be passed; 0: none.
+Task<void> step(Pace& pace, Flow& flow, const GuideFlowParams& params, double end_time) {
+    const double spacing = flow.length / flow.segments();
+    double step_time = params.growth * std::max(flow.time, spacing * spacing);
+    if (end_time > 0.0) step_time = std::min(step_time, end_time - flow.time);
+    double force = 0.0;
+    if (params.alpha > 0.0 && flow.sum_bend_sq > 0.0) force = co_await find_force(pace, flow, params.alpha);
+    co_await move_points(pace, flow, step_time / (spacing * spacing), params.alpha * force);
+    co_await respace(pace, flow);
+    flow.time = step_time == end_time - flow.time ? end_time : flow.time + step_time;  // arrives there exactly
+    ++flow.steps;
+    co_await measure(pace, flow);
+}
+
+// Leaves the curve as it is in the last valley of t * mean(kappa^2) in `valley`.
+Task<void> find_valley(Pace& pace, std::span<const Vec3> style, Flow& flow, const GuideFlowParams& params,
+                       FlowedGuide& valley) {
+    co_await begin(pace, style, flow);
+    co_await copy(pace, style, valley.points);
+    valley.length = flow.length;
+    double low = 0.0, peak = 0.0;
+    bool rising = true;
+    while (flow.length != 0.0 && params.alpha < 1.0 && flow.time < max_time * flow.length * flow.length) {
+        // t * mean(kappa^2), with kappa = bend / spacing, spacing = length / segments.
+        const double loss = flow.time * flow.sum_bend_sq * flow.segments() / (flow.length * flow.length);
+        if (rising) {
+            peak = std::max(peak, loss);
+            if (loss * significant_change < peak) {
+                rising = false;
+                low = peak;
+            }
         }
-        const double segment_length = factor_[segment_] - factor_[segment_ + 1];
-        const double t = segment_length > 0.0 ? std::clamp((factor_[segment_] - rest) / segment_length, 0.0, 1.0) : 0.0;
-        other_[index_] = points_[segment_] + t * (points_[segment_ + 1] - points_[segment_]);
-        ++index_;
+        if (!rising && loss < low) {
+            low = loss;
+            valley.time = flow.time;
+            valley.length = flow.length;
+            co_await copy(pace, flow.points, valley.points);
+        } else if (!rising && loss > low * significant_change) {
+            rising = true;
+            peak = loss;
+        }
+        co_await step(pace, flow, params, 0.0);
     }
-    if (index_ < count_ - 1) return;
-    other_[count_ - 1] = points_[count_ - 1];
-    std::swap(points_, other_);
-    time_ = step_time_ == end_time_ - time_ ? end_time_ : time_ + step_time_;  // arrives there exactly
-    ++steps_;
-    enter(Phase::measure);
+    // Still losing length at the limit, and most of it already: all of that was detail.
+    if (rising && flow.length < drastic_shrinking * valley.length) {
+        valley.points.swap(flow.points);
+        valley.time = flow.time;
+        valley.length = flow.length;
+    }
+}
+
+}  // namespace
+
+Task<FlowedGuide> guide_flow(Pace& pace, std::span<const Vec3> style, GuideFlowParams params) {
+    Flow flow(style.size(), pace.memory());
+    FlowedGuide guide{std::pmr::vector<Vec3>(pace.memory())};
+    double end_time = params.time;
+    if (!(end_time > 0.0)) {
+        guide.points.resize(style.size());
+        co_await find_valley(pace, style, flow, params, guide);
+        guide.steps = flow.steps;
+        if (params.smoothing == 1.0 || guide.time == 0.0) co_return guide;
+        end_time = params.smoothing * guide.time;
+    }
+    co_await begin(pace, style, flow);
+    while (flow.time < end_time) co_await step(pace, flow, params, end_time);
+    guide.points = std::move(flow.points);
+    guide.time = flow.time;
+    guide.length = flow.length;
+    guide.steps = flow.steps;
+    co_return guide;
 }
 
 }  // namespace flg

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stylization/guide_matching.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "runtime/each.h"
 
 namespace flg {
 
@@ -14,7 +17,8 @@ namespace {
 constexpr double cells_without_coarser = 16.0;
 constexpr double cells_of_coarsest = 60.0;
 constexpr uint32_t refinement = 3;
-// Newton's model is trusted above this second derivative of a point's energy; below, the paper's constant 2 replaces it.
+// Newton's model is trusted above this second derivative of a point's energy; below, the paper's constant 2 replaces
+// it.
 constexpr double least_curvature = 0.25;
 constexpr double plain_curvature = 2.0;
 // A point rests when its next move is below this part of the style's spacing; that move is still made, and
@@ -23,279 +27,304 @@ constexpr double small_move = 0.02;
 constexpr uint32_t max_descent_steps = 12;
 constexpr uint32_t max_sweeps = 12;
 
-}  // namespace
+struct Model {  // of a point's energy around a place on the style
+    double place;
+    double energy;
+    double slope;
+    double curvature;  // > 0
+    double minimum;    // where the model is least, within reach of `place`
+};
 
-GuideMatching::GuideMatching(const SmoothStyleCurve& style, const Vec3* guide, uint32_t count, double beta,
-                             Memory* memory)
-    : style_(style),
-      guide_(guide),
-      count_(count),
-      beta_(beta),
-      memory_(memory),
-      low_(count, memory),
-      high_(count, memory),
-      first_column_(count, memory),
-      last_column_(count, memory),
-      row_start_(count, memory),
-      cost_(style.count(), memory),
-      next_cost_(style.count(), memory),
-      chosen_(count, memory),
-      delta_(count, memory),
-      models_(count, memory),
-      blocks_(count, memory) {}
+struct Energy {
+    uint32_t count() const { return static_cast<uint32_t>(guide.size()); }
+    double even_place(uint32_t i) const { return style.length() * i / (count() - 1); }
 
-bool GuideMatching::run(uint32_t n) {
-    const uint32_t end = n < count_ - index_ ? index_ + n : count_;
-    switch (phase_) {
-        case Phase::reach: reach(end); break;
-        case Phase::reach_back: reach_back(end); break;
-        case Phase::table: table(n); break;
-        case Phase::trace: trace(n); break;
-        case Phase::narrow: narrow(end); break;
-        case Phase::descend: descend(n); break;
-        case Phase::settle: settle(end); break;
-        case Phase::pool: pool(n); break;
-        case Phase::done: break;
+    Model model(uint32_t i, double place, const SmoothStyleCurve::Jet& jet) const {
+        const Vec3 apart = guide[i] - jet.position;
+        const double late = place - even_place(i);
+        const double far = 1.0 - beta;
+        Model result;
+        result.place = place;
+        result.energy = beta * apart.squaredNorm() + far * late * late;
+        result.slope = 2.0 * (far * late - beta * apart.dot(jet.derivative));
+        const double second = 2.0 * (far + beta * (jet.derivative.squaredNorm() - apart.dot(jet.second_derivative)));
+        result.curvature = second > least_curvature ? second : plain_curvature;
+        const double max_move = style.spacing();
+        const double move = std::clamp(-result.slope / result.curvature, -max_move, max_move);
+        result.minimum = std::clamp(place + move, 0.0, style.length());
+        return result;
     }
-    return phase_ == Phase::done;
-}
 
-void GuideMatching::enter(Phase phase) {
-    phase_ = phase;
-    index_ = 0;
-    block_count_ = 0;
-}
-
-// The band of each point, and the monotone hull of its upper side.
-void GuideMatching::reach(uint32_t end) {
-    const double slack = std::sqrt(beta_ / (1.0 - beta_)) / style_.spacing();
-    const double last = style_.count() - 1;
-    const double places_per_point = last / (count_ - 1);
-    for (; index_ < end; ++index_) {
-        const double place = std::min(index_ * places_per_point, last);
-        const Vec3& there = style_.points()[static_cast<uint32_t>(std::min(place + 0.5, last))];
-        const double radius = slack * (guide_[index_] - there).norm();
-        low_[index_] = static_cast<uint32_t>(std::max(place - radius, 0.0));
-        high_[index_] = static_cast<uint32_t>(std::min(place + radius + 1.0, last));
-        if (index_ > 0) high_[index_] = std::max(high_[index_], high_[index_ - 1]);
+    // A point by itself at the minimum next to point `near` of the style, found in some evaluations.
+    Model minimum_near(uint32_t i, uint32_t near, uint32_t& evaluations) const {
+        double place = near * style.spacing();
+        double low = std::max(place - style.spacing(), 0.0);
+        double high = std::min(place + style.spacing(), style.length());
+        Model found = model(i, place, style.at_point(near));
+        for (evaluations = 1;; ++evaluations) {
+            (found.slope > 0.0 ? high : low) = place;
+            const bool at_rest = std::abs(found.minimum - place) <= small_move * style.spacing();
+            if (at_rest || evaluations == max_descent_steps) return found;
+            if (found.minimum < low || found.minimum > high) found.minimum = 0.5 * (low + high);
+            place = found.minimum;
+            found = model(i, place, style.evaluate(place));
+        }
     }
-    if (index_ == count_) enter(Phase::reach_back);
+
+    SmoothStyleCurve style;
+    std::span<const Vec3> guide;
+    double beta;
+};
+
+// By guide point: which points of the style are looked at.
+struct Band {
+    Band(uint32_t count, Memory* memory) : low(count, memory), high(count, memory) {}
+
+    Buffer<uint32_t> low, high;
+    uint64_t width_sum = 0;
+};
+
+// How far each point would go alone, and the monotone hull of that.
+Task<Band> reach(Pace& pace, const Energy& energy) {
+    const SmoothStyleCurve& style = energy.style;
+    const uint32_t count = energy.count();
+    Band band(count, pace.memory());
+    const double slack = std::sqrt(energy.beta / (1.0 - energy.beta)) / style.spacing();
+    const double last = style.count() - 1;
+    const double places_per_point = last / (count - 1);
+    co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+        const double place = std::min(i * places_per_point, last);
+        const Vec3& there = style.points()[static_cast<uint32_t>(std::min(place + 0.5, last))];
+        const double radius = slack * (energy.guide[i] - there).norm();
+        band.low[i] = static_cast<uint32_t>(std::max(place - radius, 0.0));
+        band.high[i] = static_cast<uint32_t>(std::min(place + radius + 1.0, last));
+        if (i > 0) band.high[i] = std::max(band.high[i], band.high[i - 1]);
+    });
+    co_await each(pace, count, Cost::some_ns, [&](uint32_t k) {
+        const uint32_t i = count - 1 - k;
+        if (k > 0) band.low[i] = std::min(band.low[i], band.low[i + 1]);
+        band.width_sum += band.high[i] - band.low[i];
+    });
+    co_return band;
 }
 
-void GuideMatching::reach_back(uint32_t end) {
-    for (; index_ < end; ++index_) {
-        const uint32_t i = count_ - 1 - index_;
-        if (index_ > 0) low_[i] = std::min(low_[i], low_[i + 1]);
-        band_width_sum_ += high_[i] - low_[i];
+// The table of one stride: a row for each row_stride-th point of the guide, a column for each stride-th one of the
+// style.
+struct Table {
+    Table(const Energy& energy, Memory* memory)
+        : first_column(energy.count(), memory),
+          last_column(energy.count(), memory),
+          row_start(energy.count(), memory),
+          cost(energy.style.count(), memory),
+          next_cost(energy.style.count(), memory),
+          chosen(energy.count(), memory) {}
+
+    void begin_row(const Energy& energy, const Band& band, uint32_t row) {
+        const uint32_t i = row * row_stride;
+        row_start[row] = row_start[row - 1] + (last_column[row - 1] - first_column[row - 1] + 1);
+        first_column[row] = band.low[i] / stride;
+        last_column[row] = std::min((band.high[i] + stride - 1) / stride, (energy.style.count() - 1) / stride);
+        running = std::numeric_limits<double>::infinity();
     }
-    if (index_ == count_) choose_stride();
-}
+
+    // next_cost[column] = the least energy of the points up to this row's, with this one's place at or before the
+    // column.
+    void fill(const Energy& energy, uint32_t row, uint32_t begin, uint32_t end) {
+        const double column_length = energy.style.spacing() * stride;
+        const Vec3* const points = energy.style.points();
+        const double beta = energy.beta, far = 1.0 - beta;
+        const Vec3 point = energy.guide[row * row_stride];
+        const double even = energy.even_place(row * row_stride);
+        const uint32_t last_before = last_column[row - 1];
+        const uint32_t first = first_column[row];
+        uint32_t* const best_of_row = best.data() + row_start[row];
+        const double* const before = cost.data();
+        double* const now = next_cost.data();
+        double least = running;
+        uint32_t least_column = running_column;
+        for (uint32_t column = begin; column < end; ++column) {
+            const double late = column * column_length - even;
+            const double total = beta * (point - points[column * stride]).squaredNorm() + far * late * late +
+                                 before[std::min(column, last_before)];
+            least_column = total < least ? column : least_column;
+            least = total < least ? total : least;
+            now[column] = least;
+            best_of_row[column - first] = least_column;
+        }
+        running = least;
+        running_column = least_column;
+    }
+
+    uint32_t stride = 1, row_stride = 1, last_row = 0;
+    Buffer<uint32_t> first_column;  // by row; row 0 is the first point, which stays
+    Buffer<uint32_t> last_column;
+    Buffer<uint32_t> row_start;  // into best
+    Buffer<uint32_t> best;       // by cell: the best column of the row up to here
+    Buffer<double> cost;         // of the last row, by column: the least cost up to here
+    Buffer<double> next_cost;
+    Buffer<uint32_t> chosen;  // by row: the point of the style on the best path
+    double running = 0.0;     // of the row up to here
+    uint32_t running_column = 0;
+};
 
 // Rows are half as far apart as columns: what they skip, the next table sees.
-uint32_t GuideMatching::row_stride(uint32_t stride) const {
+uint32_t row_stride_of(const Energy& energy, uint32_t stride) {
     if (stride == 1) return 1;
-    const double guide_points = 0.5 * (stride + 1) * (count_ - 1) / (style_.count() - 1);
+    const double guide_points = 0.5 * (stride + 1) * (energy.count() - 1) / (energy.style.count() - 1);
     return std::max(static_cast<uint32_t>(guide_points), 1U);
 }
 
-void GuideMatching::choose_stride() {
-    const double width = static_cast<double>(band_width_sum_) / count_;
+uint32_t coarsest_stride(const Energy& energy, const Band& band) {
+    const double width = static_cast<double>(band.width_sum) / energy.count();
     uint32_t stride = 1;
     if (width > cells_without_coarser) stride = refinement;
-    while (width > cells_of_coarsest * stride * row_stride(stride)) stride *= refinement;
-    begin_table(stride);
+    while (width > cells_of_coarsest * stride * row_stride_of(energy, stride)) stride *= refinement;
+    return stride;
 }
 
-void GuideMatching::begin_table(uint32_t stride) {
-    stride_ = stride;
-    row_stride_ = row_stride(stride);
-    last_row_ = (count_ - 2) / row_stride_;
+// The best path through the band, in chosen.
+Task<void> find_path(Pace& pace, const Energy& energy, const Band& band, uint32_t stride, Table& table) {
+    table.stride = stride;
+    table.row_stride = row_stride_of(energy, stride);
+    table.last_row = (energy.count() - 2) / table.row_stride;
     // Rounding outwards adds at most two columns a row, and both ends of the range are in it.
-    best_ = Buffer<uint32_t>(band_width_sum_ / stride_ + 3 * static_cast<uint64_t>(count_), memory_);
-    enter(Phase::table);
-    first_column_[0] = last_column_[0] = 0;
-    row_start_[0] = 0;
-    best_[0] = 0;
-    cost_[0] = 0.0;
-    chosen_[0] = 0;
-    index_ = 1;
-    begin_row();
-}
-
-void GuideMatching::begin_row() {
-    if (index_ > last_row_) return;
-    const uint32_t i = index_ * row_stride_;
-    row_start_[index_] = row_start_[index_ - 1] + (last_column_[index_ - 1] - first_column_[index_ - 1] + 1);
-    first_column_[index_] = low_[i] / stride_;
-    last_column_[index_] = std::min((high_[i] + stride_ - 1) / stride_, (style_.count() - 1) / stride_);
-    column_ = first_column_[index_];
-    running_ = std::numeric_limits<double>::infinity();
-}
-
-// cost(row, column) = least energy of the points up to this row's, with this one's place at or before the column.
-void GuideMatching::table(uint32_t n) {
-    const double column_length = style_.spacing() * stride_;
-    const Vec3* const points = style_.points();
-    const double far = 1.0 - beta_;
-    while (n > 0 && index_ <= last_row_) {
-        const Vec3 point = guide_[index_ * row_stride_];
-        const double even = even_place(index_ * row_stride_);
-        const uint32_t last = last_column_[index_];
-        const uint32_t last_before = last_column_[index_ - 1];
-        const uint32_t first = first_column_[index_];
-        uint32_t* const best = best_.data() + row_start_[index_];
-        uint32_t column = column_;
-        const uint32_t stop = n < last + 1 - column ? column + n : last + 1;
-        n -= stop - column;
-        double running = running_;
-        uint32_t running_column = running_column_;
-        for (; column < stop; ++column) {
-            const double late = column * column_length - even;
-            const double total = beta_ * (point - points[column * stride_]).squaredNorm() + far * late * late +
-                                 cost_[std::min(column, last_before)];
-            running_column = total < running ? column : running_column;
-            running = total < running ? total : running;
-            next_cost_[column] = running;
-            best[column - first] = running_column;
+    table.best = Buffer<uint32_t>(band.width_sum / stride + 3 * uint64_t{energy.count()}, pace.memory());
+    table.first_column[0] = table.last_column[0] = table.row_start[0] = 0;
+    table.best[0] = table.chosen[0] = 0;
+    table.cost[0] = 0.0;
+    Slice slice(Cost::some_ns);
+    for (uint32_t row = 1; row <= table.last_row; ++row) {
+        table.begin_row(energy, band, row);
+        for (Portion part(slice, table.first_column[row], table.last_column[row] + 1); part.next();) {
+            table.fill(energy, row, part.begin, part.end);
+            if (part.is_over()) co_await pace;
         }
-        column_ = column;
-        running_ = running;
-        running_column_ = running_column;
-        if (column <= last) return;
-        std::swap(cost_, next_cost_);
-        ++index_;
-        begin_row();
+        std::swap(table.cost, table.next_cost);
     }
-    if (index_ <= last_row_) return;
-    column_ = std::numeric_limits<uint32_t>::max();
-    enter(Phase::trace);
-    index_ = last_row_;
-}
-
-// The best path, from the last row on.
-void GuideMatching::trace(uint32_t n) {
-    for (; n > 0 && index_ > 0; --n, --index_) {
-        column_ = best_[row_start_[index_] + std::min(column_, last_column_[index_]) - first_column_[index_]];
-        chosen_[index_] = column_ * stride_;
-    }
-    if (index_ > 0) return;
-    if (stride_ > 1) {
-        band_width_sum_ = 0;
-        return enter(Phase::narrow);
-    }
-    delta_[0] = 0.0;
-    delta_[count_ - 1] = style_.length();
-    enter(Phase::descend);
-    index_ = 1;
+    uint32_t column = std::numeric_limits<uint32_t>::max();
+    co_await each(pace, table.last_row, Cost::some_ns, [&](uint32_t k) {
+        const uint32_t row = table.last_row - k;
+        column = table.best[table.row_start[row] + std::min(column, table.last_column[row]) - table.first_column[row]];
+        table.chosen[row] = column * table.stride;
+    });
 }
 
 // The band of the next table: one step around the path of this one.
-void GuideMatching::narrow(uint32_t end) {
-    const uint32_t last = style_.count() - 1;
-    for (; index_ < end; ++index_) {
-        const uint32_t row = std::min(index_ / row_stride_, last_row_);
-        const uint32_t from = chosen_[row];
-        const uint32_t to = row < last_row_ ? chosen_[row + 1] : last;
-        low_[index_] = from > stride_ ? from - stride_ : 0;
-        high_[index_] = std::min((index_ == row * row_stride_ ? from : to) + stride_, last);
-        band_width_sum_ += high_[index_] - low_[index_];
+Task<void> narrow(Pace& pace, const Energy& energy, const Table& table, Band& band) {
+    const uint32_t last = energy.style.count() - 1, stride = table.stride;
+    band.width_sum = 0;
+    co_await each(pace, energy.count(), Cost::some_ns, [&, last, stride](uint32_t i) {
+        const uint32_t row = std::min(i / table.row_stride, table.last_row);
+        const uint32_t from = table.chosen[row];
+        const uint32_t to = row < table.last_row ? table.chosen[row + 1] : last;
+        band.low[i] = from > stride ? from - stride : 0;
+        band.high[i] = std::min((i == row * table.row_stride ? from : to) + stride, last);
+        band.width_sum += band.high[i] - band.low[i];
+    });
+}
+
+// Pooling adjacent violators: points in order, those that share one place in a block.
+class Pools {
+public:
+    struct Block {
+        double weight;
+        double place;  // the minimum of the sum of its points' models
+        uint32_t end;
+    };
+
+    Pools(uint32_t count, Memory* memory) : blocks_(count, memory) {}
+
+    void clear() { count_ = 0; }
+    void add(const Model& model, uint32_t point) { blocks_[count_++] = {model.curvature, model.minimum, point + 1}; }
+    // Pools the last two blocks; false if they are in order.
+    bool merge_last() {
+        if (count_ < 2) return false;
+        Block& into = blocks_[count_ - 2];
+        const Block& from = blocks_[count_ - 1];
+        if (into.place <= from.place) return false;
+        const double weight = into.weight + from.weight;
+        into.place += from.weight / weight * (from.place - into.place);
+        into.weight = weight;
+        into.end = from.end;
+        --count_;
+        return true;
     }
-    if (index_ == count_) begin_table(stride_ / refinement);
-}
+    const Block& operator[](uint32_t block) const { return blocks_[block]; }
 
-GuideMatching::Model GuideMatching::model(uint32_t i, double place, const SmoothStyleCurve::Jet& style,
-                                          double longest_move) const {
-    const Vec3 apart = guide_[i] - style.position;
-    const double late = place - even_place(i);
-    const double far = 1.0 - beta_;
-    Model result;
-    result.place = place;
-    result.energy = beta_ * apart.squaredNorm() + far * late * late;
-    result.slope = 2.0 * (far * late - beta_ * apart.dot(style.derivative));
-    const double second = 2.0 * (far + beta_ * (style.derivative.squaredNorm() - apart.dot(style.second_derivative)));
-    result.curvature = second > least_curvature ? second : plain_curvature;
-    const double move = std::clamp(-result.slope / result.curvature, -longest_move, longest_move);
-    result.minimum = std::clamp(place + move, 0.0, style_.length());
-    return result;
-}
+private:
+    Buffer<Block> blocks_;
+    uint32_t count_ = 0;
+};
 
-// Pools the last two blocks if they are out of order.
-bool GuideMatching::merge_last_blocks() {
-    if (block_count_ < 2) return false;
-    Block& into = blocks_[block_count_ - 2];
-    const Block& from = blocks_[block_count_ - 1];
-    if (into.place <= from.place) return false;
-    const double weight = into.weight + from.weight;
-    into.place += from.weight / weight * (from.place - into.place);
-    into.weight = weight;
-    into.end = from.end;
-    --block_count_;
-    return true;
-}
-
-// Every point by itself to the minimum next to its place on the path. A unit is an evaluation or a merger.
-void GuideMatching::descend(uint32_t n) {
-    while (n > 0) {
-        if (merge_last_blocks()) {
-            --n;
-            continue;
+// Places the points of the blocks. Those that share a block get a new model there; returns how far they moved at most.
+Task<double> settle(Pace& pace, const Energy& energy, const Pools& pools, Buffer<Model>& models, GuideMatch& match) {
+    double largest_move = 0.0;
+    uint32_t block = 0;
+    match.energy = 0.0;
+    co_await each(pace, 1, energy.count() - 1, Cost::tens_of_ns, [&](uint32_t i) {
+        if (i == pools[block].end) ++block;
+        const double place = pools[block].place;
+        const uint32_t first = block > 0 ? pools[block - 1].end : 1;
+        Model& own = models[i];
+        if (pools[block].end - first > 1) {
+            largest_move = std::max(largest_move, std::abs(place - match.places[i]));
+            own = energy.model(i, place, energy.style.evaluate(place));
         }
-        if (index_ == count_ - 1) return enter(Phase::settle);
-        double place = chosen_[index_] * style_.spacing();
-        double low = std::max(place - style_.spacing(), 0.0);
-        double high = std::min(place + style_.spacing(), style_.length());
-        Model& found = models_[index_];
-        found = model(index_, place, style_.at_point(chosen_[index_]), style_.spacing());
-        for (uint32_t step = 1;; ++step) {
-            n -= n > 0 ? 1 : 0;
-            (found.slope > 0.0 ? high : low) = place;
-            const bool at_rest = std::abs(found.minimum - place) <= small_move * style_.spacing();
-            if (at_rest || step == max_descent_steps) break;
-            if (found.minimum < low || found.minimum > high) found.minimum = 0.5 * (low + high);
-            place = found.minimum;
-            found = model(index_, place, style_.evaluate(place), style_.spacing());
-        }
-        ++index_;
-        blocks_[block_count_++] = {found.curvature, found.minimum, index_};
-    }
-}
-
-// Places the points of the blocks. Those that share a block get a new model there.
-void GuideMatching::settle(uint32_t end) {
-    if (index_ == 0) {
-        energy_ = 0.0;
-        largest_move_ = 0.0;
-        ++index_;
-    }
-    const uint32_t last = std::min(end, count_ - 1);
-    for (; index_ < last; ++index_) {
-        if (index_ == blocks_[block_count_].end) ++block_count_;
-        const double place = blocks_[block_count_].place;
-        const uint32_t first = block_count_ > 0 ? blocks_[block_count_ - 1].end : 1;
-        Model& own = models_[index_];
-        if (blocks_[block_count_].end - first > 1) {
-            largest_move_ = std::max(largest_move_, std::abs(place - delta_[index_]));
-            own = model(index_, place, style_.evaluate(place), style_.spacing());
-        }
-        delta_[index_] = place;
+        match.places[i] = place;
         const double move = place - own.place;
-        energy_ += own.energy + move * (own.slope + 0.5 * own.curvature * move);
-    }
-    if (index_ < count_ - 1) return;
-    if (largest_move_ <= small_move * style_.spacing() || ++sweeps_ == max_sweeps) return enter(Phase::done);
-    enter(Phase::pool);
-    index_ = 1;
+        match.energy += own.energy + move * (own.slope + 0.5 * own.curvature * move);
+    });
+    co_return largest_move;
 }
 
-// The minimum of the models in order. A unit is a point or a merger.
-void GuideMatching::pool(uint32_t n) {
-    for (; n > 0; --n) {
-        if (merge_last_blocks()) continue;
-        if (index_ == count_ - 1) return enter(Phase::settle);
-        const Model& own = models_[index_];
-        ++index_;
-        blocks_[block_count_++] = {own.curvature, own.minimum, index_};
+// From the path's places to the minimum of E', in order.
+Task<void> descend(Pace& pace, const Energy& energy, const Buffer<uint32_t>& path, GuideMatch& match) {
+    const uint32_t count = energy.count();
+    const double rest = small_move * energy.style.spacing();
+    Buffer<Model> models(count, pace.memory());
+    Pools pools(count, pace.memory());
+    Slice slice(Cost::tens_of_ns);
+    for (uint32_t i = 1; i + 1 < count; ++i) {
+        uint32_t evaluations = 0;
+        models[i] = energy.minimum_near(i, path[i], evaluations);
+        pools.add(models[i], i);
+        do {
+            if (slice.is_over(evaluations)) co_await pace;
+            evaluations = 1;
+        } while (pools.merge_last());
     }
+    for (;;) {
+        const double moved = co_await settle(pace, energy, pools, models, match);
+        if (moved <= rest || ++match.sweeps == max_sweeps) co_return;
+        pools.clear();
+        for (uint32_t i = 1; i + 1 < count; ++i) {
+            pools.add(models[i], i);
+            do {
+                if (slice.is_over()) co_await pace;
+            } while (pools.merge_last());
+        }
+    }
+}
+
+}  // namespace
+
+Task<GuideMatch> match_guide(Pace& pace, SmoothStyleCurve style, std::span<const Vec3> guide, double beta) {
+    const Energy energy{style, guide, beta};
+    const uint32_t count = energy.count();
+    GuideMatch match{Buffer<double>(count, pace.memory())};
+    // Points that share a place from the first on have moved.
+    co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { match.places[i] = -HUGE_VAL; });
+    match.places[0] = 0.0;
+    match.places[count - 1] = style.length();
+    Band band = co_await reach(pace, energy);
+    Table table(energy, pace.memory());
+    for (uint32_t stride = coarsest_stride(energy, band);; stride /= refinement) {
+        co_await find_path(pace, energy, band, stride, table);
+        if (stride == 1) break;
+        co_await narrow(pace, energy, table, band);
+    }
+    co_await descend(pace, energy, table.chosen, match);
+    co_return match;
 }
 
 }  // namespace flg

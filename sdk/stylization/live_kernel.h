@@ -1,22 +1,101 @@
 // SPDX-License-Identifier: MIT
-// Points of a live stroke: even steps along the curve, the style's displacement at each (Minarcik, Fiser, Sykora, sec. 4.5,
-// drawn instead of applied).
+// Live strokes: from samples to a smooth curve (LiveCurve), and from the curve to stylized points (LiveKernel).
+//
+// The curve is that of curves/segment_stream, fed sample by sample, and known one place behind the newest. A place is a
+// sample that is further than `resolution` from the place before it. A segment runs from one place to the next; its
+// end's tangent needs the place after that.
+// Smoothing is the filter y' = (x - y) / tau, solved exactly for x that runs evenly from one sample to the next, so
+// what it gives at a sample does not depend on how many others lie in between on the same way. An x that runs evenly
+// for long is followed tau later. Position, pressure and the controller's axis go through it together; times don't.
+//
+// Points of a live stroke: even steps along the curve, the style's displacement at each (Minarcik, Fiser, Sykora, sec.
+// 4.5, drawn instead of applied).
 //
 // Invariants
 // - Only the past counts: points once made stay.
 // - LiveState is a value. With the samples it says all that is to come, whatever slices run() was called in.
-// Departure from synthesis: there is no last sample to aim at, so a run never goes on to the style's end instead of jumping
-// (StyleWalk is told of more samples than there can be).
+// Departure from synthesis: there is no last sample to aim at, so a run never goes on to the style's end instead of
+// jumping (StyleWalk is told of more samples than there can be).
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 
 #include "curves/moving_frame.h"
-#include "stylization/live_curve.h"
+#include "curves/segment_block.h"
 #include "stylization/style.h"
 #include "stylization/synthesis.h"
 
 namespace flg {
+
+// Samples as they lie in columns; missing ones are null (but for positions).
+struct LiveSamples {
+    const float* positions = nullptr;
+    const float* orientations = nullptr;
+    const float* pressures = nullptr;
+    const float* times = nullptr;  // seconds on any clock
+};
+
+// What a hand does besides being somewhere.
+struct LiveHand {
+    double pressure = 0;
+    double time = 0;         // seconds from the first sample on
+    Vec3 up = Vec3::Zero();  // the controller's y axis, shorter than 1 where smoothing has turned it; zero: unknown
+
+    LiveHand between(const LiveHand& next, double t) const {
+        return {pressure + t * (next.pressure - pressure), time + t * (next.time - time), up + t * (next.up - up)};
+    }
+};
+
+// `v` turned by a quaternion x y z w of any length; zero if that is zero.
+Vec3 turned_by(const float* quaternion, const Vec3& v);
+
+// From one place to the next.
+struct LiveSegment {
+    Vec3 start = Vec3::Zero(), end = Vec3::Zero(), direction = Vec3::Zero();  // direction unit, from start to end
+    double chord = 0;
+    Vec3 tangent_start = Vec3::Zero(), tangent_end = Vec3::Zero();
+    LiveHand hand_start, hand_end;
+
+    // As the block's only segment.
+    void load(SegmentBlock& block) const;
+};
+
+// A value: copies go on independently, so that a copy is a checkpoint.
+class LiveCurve {
+public:
+    LiveCurve() = default;
+    // Seconds, and metres that two places are apart at least.
+    LiveCurve(double smoothing, double resolution) : smoothing_(smoothing), resolution_(resolution) {}
+
+    // Takes the sample after the ones read so far; true if a segment became known by it.
+    bool read(const LiveSamples& samples, uint32_t sample, LiveSegment& segment);
+    // Takes the curve's end to be at the last place; false if there is no segment left.
+    bool finish(LiveSegment& segment);
+    bool has_place() const { return places_ > 0; }
+    const Vec3& last_place() const { return end_; }
+    const LiveHand& last_hand() const { return hand_end_; }
+
+private:
+    // Position, pressure, axis.
+    using Reading = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
+
+    static Reading reading_of(const LiveSamples& samples, uint32_t sample);
+    Reading filtered(const Reading& value, double time);
+    LiveSegment segment_to(bool smooth_end, const Vec3& tangent_end) const;
+
+    double smoothing_ = 0, resolution_ = 0;
+    double time_ = 0;
+    Reading raw_ = Reading::Zero(), smoothed_ = Reading::Zero();
+    uint32_t samples_ = 0;
+    uint32_t places_ = 0;
+    // The last two places.
+    Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero(), direction_ = Vec3::Zero();
+    double chord_ = 0;
+    LiveHand hand_start_, hand_end_;
+    Vec3 tangent_start_ = Vec3::Zero();
+    bool smooth_start_ = false;
+};
 
 struct LiveSettings {
     const PreparedStyle* style = nullptr;
@@ -36,7 +115,8 @@ struct LiveSettings {
 
 bool all_trees_made(const PathTrees& trees);
 
-// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, then the style's attributes but for RADIUS.
+// The result's columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, then the style's attributes but for
+// RADIUS.
 constexpr uint32_t live_own_columns = 6;
 constexpr uint32_t live_columns_max = live_own_columns + style_attributes_max;
 struct LiveColumns {
@@ -67,6 +147,7 @@ struct LiveState {
     SeamBlend blend;
 };
 
+// Stays a kernel: the host pushes samples into it, in the middle of a frame, and it allocates nothing.
 class LiveKernel {
 public:
     LiveKernel() = default;

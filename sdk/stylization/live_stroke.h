@@ -2,9 +2,9 @@
 // A stroke that is stylized while it is drawn: its samples, its points, and the way back.
 //
 // All memory is taken when it is made. Every checkpoint_interval samples the state is kept; undo goes back to the last
-// one before and draws the samples behind it again, which gives the same bits. So that it does, each sample brings the same
-// number of units of work to spend, and none are carried over.
-// Host's thread only, but for what the jobs in live_jobs do while it is ended.
+// one before and draws the samples behind it again, which gives the same bits. So that it does, each sample brings the
+// same number of units of work to spend, and none are carried over. Host's thread only, but for what the jobs in
+// live_jobs do while it is ended.
 #pragma once
 
 #include <memory>

@@ -15,7 +15,8 @@ namespace flg {
 // Of path trees: nodes that no path to the destination begins at.
 constexpr uint16_t no_hop = 0xffff;
 
-// Makes one tree after the other. A unit is a settled node with the edges into it, about 60 ns.
+// Makes one tree after the other. Stays a kernel: synthesis resumes it between samples, and once its scratch is there
+// it allocates nothing. A unit is a settled node with the edges into it, about 60 ns.
 class PathTreeKernel {
 public:
     // Scratch memory for graphs of this size is taken by begin().
@@ -41,9 +42,9 @@ private:
     Buffer<float> distance_;
     Buffer<uint8_t> settled_;
     // A heap of four children a node, of keys (distance's bits, node): floats that aren't negative are ordered as their
-    // bits. Nodes whose distance falls are pushed again; the old keys are skipped when they come up.
-    // The smallest of the keys just found stays outside: mostly it is the next one. Behind the heap's end there are as many
-    // keys larger than all as a node has children but one.
+    // bits. Nodes whose distance falls are pushed again; the old keys are skipped when they come up. The smallest of
+    // the keys just found stays outside: mostly it is the next one. Behind the heap's end there are as many keys larger
+    // than all as a node has children but one.
     Buffer<uint64_t> heap_;
     uint32_t heap_size_ = 0;
     uint64_t held_ = 0;

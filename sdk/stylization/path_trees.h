@@ -37,7 +37,8 @@ public:
     // [any thread] Memory for a tree that is about to be computed, then to be handed to publish() or discard().
     uint16_t* allocate() const;
     void discard(uint16_t* tree) const;
-    // [any thread] Takes a computed tree; if another thread was faster, frees it (the two are equal). Returns what counts.
+    // [any thread] Takes a computed tree; if another thread was faster, frees it (the two are equal). Returns what
+    // counts.
     const uint16_t* publish(uint32_t k, uint16_t* tree);
 
 private:

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "core/failure.h"
-#include "stylization/guide_discrete_matching.h"
+#include "runtime/each.h"
 #include "stylization/guide_matching.h"
 #include "stylization/smooth_style_curve.h"
 #include "stylization/style_curves.h"
@@ -13,16 +12,6 @@ namespace flg {
 
 namespace {
 
-// Units of work that take about 10 us each.
-constexpr uint32_t matching_chunk = 400;
-constexpr uint32_t discrete_matching_chunk = 2000;
-constexpr uint32_t copy_chunk = 2000;
-constexpr uint32_t evaluate_chunk = 400;
-constexpr uint32_t attribute_chunk = 30;
-constexpr uint32_t displacement_chunk = 1000;
-constexpr uint32_t channel_chunk = 1500;
-constexpr uint32_t graph_chunk = 20;
-
 // What matching gives: where on its style curve each node lies.
 struct Matched {
     explicit Matched(uint32_t count, Memory* memory) : places(count, memory), points(count, memory) {}
@@ -30,17 +19,6 @@ struct Matched {
     Buffer<double> places;  // arc lengths
     std::pmr::vector<Vec3> points;
 };
-
-template <class Matching>
-Task<void> match_curve(Pace& pace, Matching& matching, uint32_t chunk, double* places, double& energy) {
-    while (!matching.run(chunk)) co_await pace;
-    energy += matching.energy();
-    const auto count = static_cast<uint32_t>(matching.matching().size());
-    for (uint32_t i = 0; i < count; ++i) {
-        places[i] = matching.matching()[i];
-        if (i % copy_chunk == 0) co_await pace;
-    }
-}
 
 // The points of the style that belong to the guide's.
 Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurves& curves, Matched& matched) {
@@ -52,25 +30,20 @@ Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurv
         const uint32_t first = guides.offsets()[c];
         const uint32_t count = guides.offsets()[c + 1] - first;
         std::pmr::vector<Vec3> guide(count, pace.memory());
-        for (uint32_t i = 0; i < count; ++i) {
-            guide[i] = load_vec3(guides.positions() + size_t{first + i} * 3);
-            if (i % copy_chunk == 0) co_await pace;
-        }
+        const auto load = [from = guides.positions() + size_t{first} * 3, to = guide.data()](uint32_t i) {
+            to[i] = load_vec3(from + size_t{i} * 3);
+        };
+        co_await each(pace, count, Cost::some_ns, load);
         const std::pmr::vector<Vec3>& points = curves[c].points;
         const SmoothStyleCurve style(points.data(), static_cast<uint32_t>(points.size()), curves[c].measure.length);
-        double* places = matched.places.data() + first;
-        if (request.matching == FLG_MATCHING_DISCRETE) {
-            DiscreteMatching matching(style, guide.data(), count, request.beta, pace.memory());
-            co_await match_curve(pace, matching, discrete_matching_chunk, places, energy);
-        } else {
-            GuideMatching matching(style, guide.data(), count, request.beta, pace.memory());
-            co_await match_curve(pace, matching, matching_chunk, places, energy);
-        }
-        for (uint32_t i = 0; i < count; ++i) {
-            prepared.matching[first + i] = static_cast<float>(places[i]);
-            matched.points[first + i] = style.evaluate(places[i]).position;
-            if (i % evaluate_chunk == 0) co_await pace;
-        }
+        const GuideMatch match = co_await match_guide(pace, style, guide, request.beta);
+        energy += match.energy;
+        co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
+            const double place = match.places[i];
+            matched.places[first + i] = place;
+            prepared.matching[first + i] = static_cast<float>(place);
+            matched.points[first + i] = style.evaluate(place).position;
+        });
     }
     prepared.matching_energy = energy / guides.point_count();
 }
@@ -87,9 +60,7 @@ Task<void> take_attributes(Pace& pace, const StyleRequest& request, const Matche
     for (uint32_t c = 0; c < guides.curve_count(); ++c) {
         const uint32_t first = guides.offsets()[c];
         const std::span<const double> places(matched.places.data() + first, guides.offsets()[c + 1] - first);
-        AttributeKernel kernel(*request.example, c, places, first, prepared.attributes);
-        while (!kernel.run(attribute_chunk)) co_await pace;
-        co_await pace;
+        co_await take_values(pace, *request.example, c, places, first, prepared.attributes);
     }
 }
 
@@ -97,19 +68,15 @@ Task<void> make_graph(Pace& pace, const StyleRequest& request) {
     PreparedStyle& prepared = request.style->prepared;
     std::pmr::vector<PatchChannel> channels(pace.memory());
     for (const StyleAttribute& attribute : prepared.attributes) {
-        if (attribute.weight == 0) continue;
-        ChannelKernel kernel(attribute, pace.memory());
-        while (!kernel.run(channel_chunk, channels)) co_await pace;
+        if (attribute.weight != 0) co_await add_channels(pace, attribute, channels);
     }
     const Buffer<uint32_t>& boundaries = prepared.guide->offsets();
-    PatchGraphKernel graph({.displacement = &prepared.displacement,
-                            .boundaries = {boundaries.data(), boundaries.size()},
-                            .patch = request.largest_patch(),
-                            .sizes = {request.patch_sizes.data(), request.patch_size_count},
-                            .channels = channels},
-                           pace.memory());
-    while (!graph.run(graph_chunk)) co_await pace;
-    prepared.graph = graph.take();
+    const StyleScene scene{.displacement = &prepared.displacement,
+                           .boundaries = {boundaries.data(), boundaries.size()},
+                           .patch = request.largest_patch(),
+                           .sizes = {request.patch_sizes.data(), request.patch_size_count},
+                           .channels = channels};
+    prepared.graph = co_await patch_graph(pace, scene);
 }
 
 }  // namespace
@@ -155,11 +122,10 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
 
     pace.stage("displacement");
     const auto& columns = prepared.guide->columns();
-    DisplacementKernel displacement(
-        {columns[0].values.data(), columns[1].values.data(), columns[2].values.data(), matched.points}, pace.memory());
-    while (!displacement.run(displacement_chunk)) co_await pace;
-    prepared.displacement_rms = displacement.rms();
-    prepared.displacement = displacement.take();
+    const GuideAndStyle input{columns[0].values.data(), columns[1].values.data(), columns[2].values.data(),
+                              matched.points};
+    prepared.displacement = Displacement(prepared.guide->point_count(), pace.memory());
+    prepared.displacement_rms = co_await displace(pace, input, prepared.displacement);
     pace.advance(1);
 
     pace.stage("patch_graph");

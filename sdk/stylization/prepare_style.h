@@ -10,8 +10,8 @@
 
 namespace flg {
 
-// Several patch sizes, attributes, curves: so many at most. The last bounds the matrix' first rows and the jumps kept from
-// the curves' last patches.
+// Several patch sizes, attributes, curves: so many at most. The last bounds the matrix' first rows and the jumps kept
+// from the curves' last patches.
 constexpr uint32_t patch_sizes_max = 8;
 constexpr uint32_t style_curves_max = 256;
 
@@ -26,7 +26,6 @@ struct StyleRequest {
     uint32_t patch = 10;
     std::array<FlgPatchSize, patch_sizes_max> patch_sizes{};  // instead of patch
     uint32_t patch_size_count = 0;
-    FlgMatching matching = FLG_MATCHING_SEMI_DISCRETE;
     std::array<FlgStyleAttribute, style_attributes_max> attributes{};
     uint32_t attribute_count = 0;
 
@@ -38,8 +37,8 @@ constexpr uint32_t auto_points_min = 256;
 constexpr uint32_t auto_points_max = 2048;
 constexpr double auto_turn_per_point = 0.12;  // radians
 
-// Stages "resample", "guide_flow", "matching", "displacement", "patch_graph". Throws FLG_ERROR_INVALID_ARGUMENT for examples
-// and guides that are not open curves with length, and for attributes that the example doesn't have.
+// Stages "resample", "guide_flow", "matching", "displacement", "patch_graph". Throws FLG_ERROR_INVALID_ARGUMENT for
+// examples and guides that are not open curves with length, and for attributes that the example doesn't have.
 Task<void> prepare_style(Pace& pace, StyleRequest request);
 
 }  // namespace flg

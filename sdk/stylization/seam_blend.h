@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Seams between copied runs (Minarcik, Fiser, Sykora, sec. 4.5): where a run of the style ends at node i and the next begins
-// at node j, the displacement is let go slowly of what would have followed, d[i + 1], instead of jumping to d[j].
+// Seams between copied runs (Minarcik, Fiser, Sykora, sec. 4.5): where a run of the style ends at node i and the next
+// begins at node j, the displacement is let go slowly of what would have followed, d[i + 1], instead of jumping to
+// d[j].
 //
-// The paper takes what the patch graph gives, and that a patch has a like one is no promise that they meet: on styles with
-// rare shapes a seam is a step of up to ten mean steps, which shows as a kink. Departure: the gap at a seam,
+// The paper takes what the patch graph gives, and that a patch has a like one is no promise that they meet: on styles
+// with rare shapes a seam is a step of up to ten mean steps, which shows as a kink. Departure: the gap at a seam,
 //   g = d[i + 1] + what is left of the blend before - d[j],
-// is added to the copy that begins there and fades linearly, by p / (p + 1) at j to 1 / (p + 1) at the p-th point, p being
-// the patch size; after that the copy is exact again. So a seam's step is spread over as many points as the patches were
-// compared over. It needs the past only: live strokes blend alike.
-// (Over ten built-in styles on the Thomas attractor at temperature 0 this brings the largest step down from up to 9 to the
-// style's own, and patches across seams nearer to the style's on average; p against p / 2 and 2 p, and against smooth
-// fades, is the best of these or next to it. Where runs are shorter than p, at high temperatures, blends run into each
-// other and shrink the displacement: at temperature 10, with runs of 1.2 points, "loops" to 0.89 of the style's rms and
-// "beads" to 0.40. Unblended copies have 0.97 and 0.73, but steps 2.5 and 14 times the style's mean, and are further from
-// its patches. Fading over no more points than the run before had keeps 0.96 and 0.64, but brings such steps back, from
-// temperature 1 on.)
+// is added to the copy that begins there and fades linearly, by p / (p + 1) at j to 1 / (p + 1) at the p-th point, p
+// being the patch size; after that the copy is exact again. So a seam's step is spread over as many points as the
+// patches were compared over. It needs the past only: live strokes blend alike. (Over ten built-in styles on the Thomas
+// attractor at temperature 0 this brings the largest step down from up to 9 to the style's own, and patches across
+// seams nearer to the style's on average; p against p / 2 and 2 p, and against smooth fades, is the best of these or
+// next to it. Where runs are shorter than p, at high temperatures, blends run into each other and shrink the
+// displacement: at temperature 10, with runs of 1.2 points, "loops" to 0.89 of the style's rms and "beads" to 0.40.
+// Unblended copies have 0.97 and 0.73, but steps 2.5 and 14 times the style's mean, and are further from its patches.
+// Fading over no more points than the run before had keeps 0.96 and 0.64, but brings such steps back, from temperature
+// 1 on.)
 //
 // Attributes (sec. 5) are blended alike, each component by its own metric:
 // - on a line (R+ and R): the gap is a difference; what comes out is kept within what the style has, so that sizes stay
 //   sizes and speeds above 0;
-// - on a circle or the projective line (S1, RP1): the gap goes the shorter way, and the whole turns that it leaves out are
-//   added to all that follows: angles come out continuous along the curve, however often the style is jumped about in.
+// - on a circle or the projective line (S1, RP1): the gap goes the shorter way, and the whole turns that it leaves out
+//   are added to all that follows: angles come out continuous along the curve, however often the style is jumped about
+//   in.
 #pragma once
 
 #include <array>
@@ -39,8 +41,8 @@ public:
     explicit SeamBlend(uint32_t patch, std::span<const StyleAttribute> attributes = {})
         : attributes_(attributes), patch_(patch) {}
 
-    // To the next sample, from node `from` to node `to`; `displacement(node)` is the style's. A node that is jumped from
-    // has a patch, so the one after it is of the same style curve.
+    // To the next sample, from node `from` to node `to`; `displacement(node)` is the style's. A node that is jumped
+    // from has a patch, so the one after it is of the same style curve.
     template <class DisplacementAt>
     void step(uint32_t from, uint32_t to, const DisplacementAt& displacement) {
         if (left_ > 0) --left_;

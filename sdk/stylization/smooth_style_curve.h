@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A style as the continuous curve gamma_S(s) that the matching of sec. 4.2 slides along: the Catmull-Rom cubic through
-// points that are even in arc length, so that a position along it is found in constant time. Its parameter is arc length
-// up to the sampling's third order.
+// points that are even in arc length, so that a position along it is found in constant time. Its parameter is arc
+// length up to the sampling's third order.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A prepared style: what Algorithm 1 (Minarcik, Fiser, Sykora) computes before it sees a target.
 //
-// What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order guide_flow,
-// guide_matching (or guide_discrete_matching), displacement, style_attributes, patch_rows, patch_costs and patch_graph,
-// path_tree, applied_style, synthesis, seam_blend, finishing; and the two jobs that drive them, prepare_style and apply_style. What
-// does not: curves as such (curves/), scheduling (runtime/).
+// What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order
+// guide_flow, guide_matching, displacement, style_attributes, patch_matrix and
+// patch_graph, path_tree, applied_style, synthesis, seam_blend, finishing; and the two jobs that drive them,
+// prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
 #pragma once
 
 #include <memory>
@@ -23,8 +23,8 @@ namespace flg {
 struct PreparedStyle {
     explicit PreparedStyle(Memory* memory) : attributes(memory) {}
 
-    // Open curves with POSITION, TANGENT, NORMAL. Their points, one curve behind the other, are the style's points, and so
-    // the nodes of the graph; where each curve begins is guide->offsets().
+    // Open curves with POSITION, TANGENT, NORMAL. Their points, one curve behind the other, are the style's points, and
+    // so the nodes of the graph; where each curve begins is guide->offsets().
     std::shared_ptr<CurveSet> guide;
     Displacement displacement;
     std::pmr::vector<StyleAttribute> attributes;
@@ -46,8 +46,8 @@ public:
 
     PreparedStyle prepared;
 
-    // [any thread] The path trees at a temperature (metres), shared by all jobs that ask for the same; those of the last
-    // few temperatures are kept. Only once the style is prepared.
+    // [any thread] The path trees at a temperature (metres), shared by all jobs that ask for the same; those of the
+    // last few temperatures are kept. Only once the style is prepared.
     std::shared_ptr<PathTrees> trees(float asked_temperature);
 
     FlgStyleInfo info() const;

@@ -8,6 +8,7 @@
 
 #include "core/failure.h"
 #include "curves/sampling_job.h"
+#include "runtime/each.h"
 
 namespace flg {
 
@@ -40,6 +41,22 @@ struct AttributeName {
 FlgMetric resolved_metric(const FlgStyleAttribute& wanted) {
     if (wanted.metric != FLG_METRIC_AUTO) return wanted.metric;
     return wanted.attribute == FLG_ATTRIBUTE_ANGLE ? FLG_METRIC_CIRCLE : FLG_METRIC_EUCLIDEAN;
+}
+
+// The value of a point, at a fraction of the way from one point of the example, whose values are `from`, to the next.
+void take(StyleAttribute& attribute, const float* from, double fraction, uint32_t point, bool is_first) {
+    const uint32_t width = attribute.components;
+    float* out = attribute.values.data() + size_t{point} * width;
+    for (uint32_t k = 0; k < width; ++k) {
+        const double period = attribute.period(k);
+        const double a = from[k];
+        double b = from[width + k];
+        if (period > 0) b = nearest(b, a, period);
+        double value = (1.0 - fraction) * a + fraction * b;
+        if (period > 0 && !is_first) value = nearest(value, (out - width)[k], period);
+        out[k] = static_cast<float>(value);
+    }
+    attribute.extend_ranges(point);
 }
 
 }  // namespace
@@ -113,74 +130,44 @@ StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& 
             {}};
 }
 
-AttributeKernel::AttributeKernel(const CurveSet& example, uint32_t curve, std::span<const double> places,
-                                 uint32_t first_point, std::span<StyleAttribute> attributes)
-    : example_(example),
-      first_example_point_(example.offsets()[curve]),
-      places_(places),
-      first_point_(first_point),
-      attributes_(attributes),
-      stream_(curve_view(example, curve)) {}
-
-bool AttributeKernel::run(uint32_t n) {
-    while (done_ < places_.size()) {
-        const double place = places_[done_];
-        while (place >= segment_end_ && !stream_.done()) {
-            if (n == 0) return false;
-            --n;
-            if (stream_.advance()) {
-                segment_start_ = segment_end_;
-                segment_end_ += stream_.segment().length();
+Task<void> take_values(Pace& pace, const CurveSet& example, uint32_t curve, std::span<const double> places,
+                       uint32_t first_point, std::span<StyleAttribute> attributes) {
+    SegmentStream stream(curve_view(example, curve));
+    double segment_begin = 0, segment_end = 0;  // arc lengths
+    Slice slice(Cost::hundreds_of_ns);
+    for (uint32_t i = 0; i < places.size(); ++i) {
+        while (places[i] >= segment_end && !stream.done()) {
+            if (stream.advance()) {
+                segment_begin = segment_end;
+                segment_end += stream.segment().length();
             }
+            if (slice.is_over()) co_await pace;
         }
-        if (n == 0) return false;
-        --n;
-        take(std::clamp((place - segment_start_) / (segment_end_ - segment_start_), 0.0, 1.0));
-        ++done_;
-    }
-    return true;
-}
-
-// The values at a fraction of the segment's length.
-void AttributeKernel::take(double fraction) {
-    for (StyleAttribute& attribute : attributes_) {
-        const uint32_t width = attribute.components;
-        const float* from =
-            example_.find(attribute.attribute)->values.data() + size_t{first_example_point_ + stream_.index()} * width;
-        float* out = attribute.values.data() + size_t{first_point_ + done_} * width;
-        for (uint32_t k = 0; k < width; ++k) {
-            const double period = attribute.period(k);
-            const double a = from[k];
-            double b = from[width + k];
-            if (period > 0) b = nearest(b, a, period);
-            double value = (1.0 - fraction) * a + fraction * b;
-            if (period > 0 && done_ > 0) value = nearest(value, (out - width)[k], period);
-            out[k] = static_cast<float>(value);
+        const double fraction = std::clamp((places[i] - segment_begin) / (segment_end - segment_begin), 0.0, 1.0);
+        const size_t from = size_t{example.offsets()[curve]} + stream.index();
+        for (StyleAttribute& attribute : attributes) {
+            const float* values = example.find(attribute.attribute)->values.data() + from * attribute.components;
+            take(attribute, values, fraction, first_point + i, i == 0);
         }
-        attribute.extend_ranges(first_point_ + done_);
+        if (slice.is_over()) co_await pace;
     }
 }
 
-bool ChannelKernel::run(uint32_t n, std::pmr::vector<PatchChannel>& channels) {
-    const uint32_t width = attribute_.components;
-    const auto points = static_cast<uint32_t>(attribute_.values.size() / width);
-    while (component_ < width) {
-        const double weight = attribute_.weight;
-        const double period = weight * attribute_.period(component_);
-        if (n == 0) return false;
-        if (point_ == 0) channels.push_back({Buffer<double>(points, memory_), period});
-        Buffer<double>& values = channels.back().values;
-        for (; point_ < points; ++point_) {
-            if (n == 0) return false;
-            --n;
-            const double value = weight * attribute_.values[size_t{point_} * width + component_];
+Task<void> add_channels(Pace& pace, const StyleAttribute& attribute, std::pmr::vector<PatchChannel>& channels) {
+    const uint32_t width = attribute.components;
+    const size_t points = attribute.values.size() / width;
+    const double weight = attribute.weight;
+    for (uint32_t component = 0; component < width; ++component) {
+        const double period = weight * attribute.period(component);
+        channels.push_back({Buffer<double>(points, pace.memory()), period});
+        const auto weigh = [=, from = attribute.values.data() + component,
+                            to = channels.back().values.data()](uint32_t point) {
+            const double value = weight * from[size_t{point} * width];
             // Rounding can give the period itself, which is as good as 0.
-            values[point_] = period > 0 ? value - period * std::floor(value / period) : value;
-        }
-        point_ = 0;
-        ++component_;
+            to[point] = period > 0 ? value - period * std::floor(value / period) : value;
+        };
+        co_await each(pace, points, Cost::some_ns, weigh);
     }
-    return true;
 }
 
 }  // namespace flg

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "curves/curve_set.h"
-#include "curves/segment_stream.h"
-#include "stylization/patch_rows.h"
+#include "stylization/patch_matrix.h"
 
 namespace flg {
 
@@ -53,50 +52,21 @@ bool can_transfer(int32_t attribute);
 // Whether values of so many components can be measured so; `metric` is not AUTO.
 bool metric_fits(FlgAttribute attribute, uint32_t components, FlgMetric metric);
 
-// Throws FLG_ERROR_INVALID_ARGUMENT if the example has no column for attribute number `index` of a request, or one that the
-// metric does not fit.
+// Throws FLG_ERROR_INVALID_ARGUMENT if the example has no column for attribute number `index` of a request, or one that
+// the metric does not fit.
 void check_attribute_column(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t index);
 
 // An attribute whose column has been checked, with memory for the values of `points` points.
 StyleAttribute make_attribute(const CurveSet& example, const FlgStyleAttribute& wanted, uint32_t points,
                               Memory* memory);
 
-// Takes the values of all attributes along one style curve. A unit is a point of the example or of the guide, about
-// 30 ns and 2 ns for each component.
-class AttributeKernel {
-public:
-    // `curve` of the example, with length; `places`: the matched arc lengths, non-decreasing, of the guide's points from
-    // `first_point` on.
-    AttributeKernel(const CurveSet& example, uint32_t curve, std::span<const double> places, uint32_t first_point,
-                    std::span<StyleAttribute> attributes);
-    bool run(uint32_t n);
+// Takes the values of all attributes along one style curve. `places`: the matched arc lengths, non-decreasing, of the
+// guide's points from `first_point` on; `curve` of the example has a length. What is referred to outlives the task.
+// About 30 ns a point of example or guide, and 2 ns a component.
+Task<void> take_values(Pace& pace, const CurveSet& example, uint32_t curve, std::span<const double> places,
+                       uint32_t first_point, std::span<StyleAttribute> attributes);
 
-private:
-    void take(double fraction);
-
-    const CurveSet& example_;
-    uint32_t first_example_point_;
-    std::span<const double> places_;
-    uint32_t first_point_;
-    std::span<StyleAttribute> attributes_;
-    SegmentStream stream_;
-    double segment_start_ = 0;  // arc length
-    double segment_end_ = 0;
-    uint32_t done_ = 0;
-};
-
-// The attribute's components as patch distances take them in, one after the other. A unit is a value, about 5 ns.
-class ChannelKernel {
-public:
-    // `attribute` has a weight above 0.
-    ChannelKernel(const StyleAttribute& attribute, Memory* memory) : attribute_(attribute), memory_(memory) {}
-    bool run(uint32_t n, std::pmr::vector<PatchChannel>& channels);
-
-private:
-    const StyleAttribute& attribute_;
-    Memory* memory_;
-    uint32_t component_ = 0;
-    uint32_t point_ = 0;
-};
+// Appends the attribute's components as patch distances take them in. `attribute` has a weight above 0.
+Task<void> add_channels(Pace& pace, const StyleAttribute& attribute, std::pmr::vector<PatchChannel>& channels);
 
 }  // namespace flg

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "runtime/each.h"
 #include "stylization/guide_flow.h"
 
 namespace flg {
@@ -12,15 +13,11 @@ namespace flg {
 namespace {
 
 // Units of work that take about 10 us each.
-constexpr uint32_t measure_chunk = 400;
 constexpr uint32_t sample_chunk = 200;
-constexpr uint32_t turning_chunk = 250;
-constexpr uint32_t flow_chunk = 1000;
-constexpr uint32_t copy_chunk = 2000;
 // Even the shortest of several curves is sampled with so many points, for flow and matching.
 constexpr uint32_t samples_min = 16;
 
-Task<CurveMeasure> measure_curve(Pace& pace, const CurveSet& set, uint32_t curve, const char* name) {
+Task<CurveMeasure> measure_open_curve(Pace& pace, const CurveSet& set, uint32_t curve, const char* name) {
     if (set.closed(curve)) {
         if (set.curve_count() == 1) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.%s is a closed curve, must be open", name);
@@ -28,9 +25,8 @@ Task<CurveMeasure> measure_curve(Pace& pace, const CurveSet& set, uint32_t curve
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curve %u of desc.%s is closed, must be open", curve, name);
     }
     const CurveView view = curve_view(set, curve);
-    ArcLengthKernel kernel(view);
-    while (!kernel.run(measure_chunk)) co_await pace;
-    if (!(kernel.measure().length > 0)) {
+    const CurveMeasure measure = co_await measure_curve(pace, view);
+    if (!(measure.length > 0)) {
         const char* places = view.count == 1 ? " is" : "s are";
         if (set.curve_count() == 1) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.%s has no length: its %u point%s the same place", name,
@@ -39,20 +35,19 @@ Task<CurveMeasure> measure_curve(Pace& pace, const CurveSet& set, uint32_t curve
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curve %u of desc.%s has no length: its %u point%s the same place",
                       curve, name, view.count, places);
     }
-    co_return kernel.measure();
+    co_return measure;
 }
 
 // The sum of the angles between consecutive edges, radians.
 Task<double> total_turning(Pace& pace, const CurveView& curve) {
     double turning = 0;
     Vec3 last = Vec3::Zero();
-    for (uint32_t i = 1; i < curve.count; ++i) {
-        if (i % turning_chunk == 0) co_await pace;
+    co_await each(pace, 1, curve.count, Cost::tens_of_ns, [&](uint32_t i) {
         const Vec3 edge = curve.point(i) - curve.point(i - 1);
-        if (edge.squaredNorm() == 0) continue;
+        if (edge.squaredNorm() == 0) return;
         if (last.squaredNorm() > 0) turning += std::atan2(last.cross(edge).norm(), last.dot(edge));
         last = edge;
-    }
+    });
     co_return turning;
 }
 
@@ -70,18 +65,17 @@ Task<void> sample_points(Pace& pace, StyleCurve& curve, uint32_t count) {
 // The guide flow's result, in the floats that a curve set holds.
 Task<uint32_t> flow_guide(Pace& pace, const StyleRequest& request, StyleCurve& curve) {
     const auto count = static_cast<uint32_t>(curve.points.size());
-    GuideFlow::Params params;
+    GuideFlowParams params;
     params.alpha = request.alpha;
     params.smoothing = request.smoothing;
-    GuideFlow flow(curve.points.data(), count, params, pace.memory());
-    while (!flow.run(flow_chunk)) co_await pace;
+    const FlowedGuide guide = co_await guide_flow(pace, curve.points, params);
     curve.flowed = Buffer<float>(size_t{count} * 3, pace.memory());
-    for (uint32_t i = 0; i < count; ++i) {
-        store_vec3(flow.guide()[i], curve.flowed.data() + size_t{i} * 3);
-        if (i % copy_chunk == 0) co_await pace;
-    }
+    const auto store = [from = guide.points.data(), to = curve.flowed.data()](uint32_t i) {
+        store_vec3(from[i], to + size_t{i} * 3);
+    };
+    co_await each(pace, count, Cost::some_ns, store);
     curve.guide = {curve.flowed.data(), count, false};
-    co_return flow.steps();
+    co_return guide.steps;
 }
 
 double total_length(const StyleCurves& curves, CurveMeasure StyleCurve::*measure) {
@@ -106,11 +100,11 @@ Task<void> measure_curves(Pace& pace, const StyleRequest& request, StyleCurves& 
     for (uint32_t c = 0; c < count; ++c) {
         StyleCurve& curve = curves.emplace_back(pace.memory());
         curve.example = curve_view(example, c);
-        curve.measure = co_await measure_curve(pace, example, c, "style");
+        curve.measure = co_await measure_open_curve(pace, example, c, "style");
         co_await pace;
         if (!request.guide) continue;
         curve.guide = curve_view(*request.guide, c);
-        curve.guide_measure = co_await measure_curve(pace, *request.guide, c, "guide");
+        curve.guide_measure = co_await measure_open_curve(pace, *request.guide, c, "guide");
         co_await pace;
     }
 }
@@ -140,9 +134,7 @@ Task<uint32_t> make_guides(Pace& pace, const StyleRequest& request, StyleCurves&
     for (StyleCurve& curve : curves) {
         if (request.guide) continue;
         steps += co_await flow_guide(pace, request, curve);
-        ArcLengthKernel kernel(curve.guide);
-        while (!kernel.run(measure_chunk)) co_await pace;
-        curve.guide_measure = kernel.measure();
+        curve.guide_measure = co_await measure_curve(pace, curve.guide);
         co_await pace;
         if (!(curve.guide_measure.length > 0)) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the guide has no length");
     }
@@ -203,9 +195,9 @@ Task<void> frame_guides(Pace& pace, const StyleCurves& curves, CurveSet& guide) 
         const size_t first = size_t{guide.offsets()[c]} * 3;
         const FrameColumns columns{guide.columns()[0].values.data() + first, guide.columns()[1].values.data() + first,
                                    guide.columns()[2].values.data() + first};
-        ResampleKernel kernel({.curve = curves[c].guide, .measure = curves[c].guide_measure, .steps = curves[c].steps},
-                              columns, {});
-        while (!kernel.run(sample_chunk)) co_await pace;
+        const SamplingPlan plan{.curve = curves[c].guide, .measure = curves[c].guide_measure, .steps = curves[c].steps};
+        const std::span<const ColumnPair> carried;
+        co_await resample_curve(pace, plan, columns, carried, 0);
         co_await pace;
     }
 }

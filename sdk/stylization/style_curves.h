@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The curves of a style and their guides, up to the points that the style's nodes are (Minarcik, Fiser, Sykora, sec. 4.1
-// and Fig. 3). A style may have several curves; its guides are all sampled with the same spacing, as nearly as whole
-// numbers of steps allow: steps are shared out by guide length, largest remainders first, at least one each.
+// The curves of a style and their guides, up to the points that the style's nodes are (Minarcik, Fiser, Sykora, sec.
+// 4.1 and Fig. 3). A style may have several curves; its guides are all sampled with the same spacing, as nearly as
+// whole numbers of steps allow: steps are shared out by guide length, largest remainders first, at least one each.
 #pragma once
 
 #include <vector>
@@ -25,8 +25,8 @@ struct StyleCurve {
 
 using StyleCurves = std::pmr::vector<StyleCurve>;
 
-// Measures the example's curves; throws FLG_ERROR_INVALID_ARGUMENT where example or guide are not open curves with length,
-// equally many.
+// Measures the example's curves; throws FLG_ERROR_INVALID_ARGUMENT where example or guide are not open curves with
+// length, equally many.
 Task<void> measure_curves(Pace& pace, const StyleRequest& request, StyleCurves& curves);
 // The number of points a style is given, where the caller doesn't say.
 Task<uint32_t> choose_point_count(Pace& pace, const StyleCurves& curves);

@@ -2,12 +2,12 @@
 // Displacement reconstruction (Minarcik, Fiser, Sykora, sec. 4.5): a style applied to one target curve,
 //   result = target + magnitude * (d_t t + d_n n + d_b b),
 // with the target's moving frame and displacements read along shortest paths between random destinations of the patch
-// graph; attributes (sec. 5) are read along with them. Every sample is one table look-up, once the path trees are there.
-// Between two runs displacements and attributes are blended (seam_blend).
+// graph; attributes (sec. 5) are read along with them. Every sample is one table look-up, once the path trees are
+// there. Between two runs displacements and attributes are blended (seam_blend).
 //
-// Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come than
-// the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble where
-// the target ends as well); so a target as long as the guide gets the whole style.
+// Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come
+// than the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble
+// where the target ends as well); so a target as long as the guide gets the whole style.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ namespace flg {
 class StyleWalk {
 public:
     StyleWalk() = default;
-    // `from_start`: begins at the style's first point, and goes to the end of its first curve first (the first curve with
-    // patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
+    // `from_start`: begins at the style's first point, and goes to the end of its first curve first (the first curve
+    // with patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
     StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
 
     uint32_t node() const { return node_; }
@@ -72,8 +72,8 @@ constexpr uint64_t stroke_key(uint32_t curve, uint32_t stroke) {
     return uint64_t{stroke} << 32 | curve;
 }
 
-// Stylizes one curve after the other. A unit is a sample, a point of the target or a settled node of a path tree: about
-// 50 ns.
+// Stylizes one curve after the other. Stays a kernel: it allocates nothing per curve or sample. A unit is a sample, a
+// point of the target or a settled node of a path tree: about 50 ns.
 class SynthesisKernel {
 public:
     // What the input refers to outlives the kernel. Scratch memory for path trees is taken when one is missing.

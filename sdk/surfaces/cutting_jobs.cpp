@@ -6,38 +6,34 @@
 #include <exception>
 
 #include "core/failure.h"
-#include "surfaces/cut_curves.h"
-#include "surfaces/cut_isolines.h"
-#include "surfaces/cut_regions.h"
-#include "surfaces/extra_column.h"
-#include "surfaces/mesh_edit_replay.h"
+#include "runtime/each.h"
+#include "surfaces/cutting/cut_curves.h"
+#include "surfaces/cutting/cut_isolines.h"
+#include "surfaces/cutting/cut_regions.h"
+#include "surfaces/mesh/extra_column.h"
+#include "surfaces/mesh/mesh_edit.h"
 #include "surfaces/surface_update.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t cut_chunk = 50;        // about 10 us
-constexpr uint32_t divide_chunk = 100;    // about 10 us
-constexpr uint32_t copy_chunk = 4000;     // values, about 10 us
-constexpr uint32_t label_chunk = 10'000;  // triangles, about 10 us
+constexpr uint32_t copy_chunk = 4000;  // words, about 10 us
 
 // The labels that are there, rising.
 Task<std::pmr::vector<uint32_t>> list_regions(Pace& pace, const Mesh& mesh) {
     std::pmr::vector<uint64_t> bits(pace.memory());
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    co_await each(pace, mesh.triangle_count(), Cost::some_ns, [&](uint32_t t) {
         const uint32_t region = mesh.regions[t];
         if (region / 64 >= bits.size()) bits.resize(region / 64 + 1);
         bits[region / 64] |= uint64_t{1} << region % 64;
-        if (t % label_chunk == 0) co_await pace;
-    }
+    });
     std::pmr::vector<uint32_t> regions(pace.memory());
-    for (size_t word = 0; word < bits.size(); ++word) {
+    co_await each(pace, bits.size(), Cost::tens_of_ns, [&](uint32_t word) {
         for (uint64_t left = bits[word]; left != 0; left &= left - 1) {
-            regions.push_back(static_cast<uint32_t>(64 * word + static_cast<size_t>(std::countr_zero(left))));
+            regions.push_back(64 * word + static_cast<uint32_t>(std::countr_zero(left)));
         }
-        if (word % label_chunk == 0) co_await pace;
-    }
+    });
     co_return regions;
 }
 
@@ -48,24 +44,20 @@ Task<std::pmr::vector<RegionLevels>> list_labels(Pace& pace, const CutIsolinesRe
     std::pmr::vector<uint32_t> regions(request.regions, pace.memory());
     if (all) regions = co_await list_regions(pace, request.surface->mesh());
     std::pmr::vector<RegionLevels> labels(pace.memory());
-    for (const uint32_t region : regions) {
+    co_await each(pace, regions.size(), Cost::some_ns, [&](uint32_t i) {
         const uint64_t first = request.first_label + (all ? 0 : uint64_t{level_count + 1} * labels.size());
         if (request.first_label != no_index && first + level_count > FLG_REGION_MAX) {
             throw Failure(FLG_ERROR_LIMIT, "labels up to %llu would be needed, the largest is %u",
                           static_cast<unsigned long long>(first + level_count), FLG_REGION_MAX);
         }
-        labels.push_back({region, request.first_label == no_index ? no_index : static_cast<uint32_t>(first)});
-        if (labels.size() % label_chunk == 0) co_await pace;
-    }
+        labels.push_back({regions[i], request.first_label == no_index ? no_index : static_cast<uint32_t>(first)});
+    });
     co_return labels;
 }
 
 Task<Buffer<float>> copy_out(Pace& pace, const GrowingBuffer<float>& from) {
     Buffer<float> copy(from.size(), pace.memory());
-    for (size_t i = 0; i < from.size(); i += copy_chunk) {
-        std::copy_n(from.data() + i, std::min<size_t>(copy_chunk, from.size() - i), copy.data() + i);
-        co_await pace;
-    }
+    co_await each(pace, from.size(), Cost::some_ns, [&](uint32_t i) { copy[i] = from[i]; });
     co_return copy;
 }
 
@@ -84,8 +76,8 @@ Task<void> run_or_take_back(Pace& pace, Surface& surface, MeshEdit& edit, Task<v
     std::rethrow_exception(failure);
 }
 
-// Gives back some of the memory of an edit that is over; true when there is no more. (All at once, that of an edit of many
-// triangles would take milliseconds. It is no task: that would take memory.)
+// Gives back some of the memory of an edit that is over; true when there is no more. (All at once, that of an edit of
+// many triangles would take milliseconds. It is no task: that would take memory.)
 bool release(MeshEdit& edit) {
     auto& words = edit.words();
     for (uint32_t i = 0; i < copy_chunk && !words.empty(); ++i) words.pop_back();
@@ -95,8 +87,7 @@ bool release(MeshEdit& edit) {
 Task<void> cut_along_isolines(Pace& pace, const CutIsolinesRequest& request, const CutLevels& levels,
                               const ExtraColumn& field, MeshEdit& edit) {
     Surface& surface = *request.surface;
-    IsolineCutter cutter(surface.mesh(), surface.columns, field.index(), levels, edit, pace.memory());
-    while (!cutter.run(cut_chunk)) co_await pace;
+    co_await embed_isolines(pace, surface.mesh(), surface.columns, field.index(), levels, edit);
     if (request.out) request.out->data.distances = co_await copy_out(pace, field.values());
     co_await update_after_edit(pace, surface, edit, request.revision);
 }
@@ -104,16 +95,11 @@ Task<void> cut_along_isolines(Pace& pace, const CutIsolinesRequest& request, con
 Task<void> cut_along_curves(Pace& pace, const CutCurvesRequest& request, MeshEdit& edit) {
     Surface& surface = *request.surface;
     EmbeddedCurves embedded(pace.memory());
-    CurveCutter cutter(surface.mesh(), surface.columns, request.curves->curves, edit, embedded, pace.memory());
-    while (!cutter.run(cut_chunk)) {
-        if (cutter.is_changing()) pace.commit();
-        co_await pace;
-    }
+    co_await embed_curves(pace, surface.mesh(), surface.columns, request.curves->curves, edit, embedded);
     if (request.first_label != no_index) {
         pace.stage("label");
         std::pmr::deque<RegionPart> parts(pace.memory());
-        RegionDivider divider(surface.mesh(), embedded.edges, request.first_label, edit, parts, pace.memory());
-        while (!divider.run(divide_chunk)) co_await pace;
+        co_await divide_regions(pace, surface.mesh(), embedded.edges, request.first_label, edit, parts);
     }
     co_await update_after_edit(pace, surface, edit, request.revision);
 }
@@ -124,7 +110,7 @@ Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
     Surface& surface = *request.surface;
     pace.stage("levels");
     const Buffer<float> levels =
-        co_await list_levels(pace, request.field->data.distances, request.levels, IsolineCutter::max_levels);
+        co_await list_levels(pace, request.field->data.distances, request.levels, max_cut_levels);
     // As many labels as were asked for, also where the field does not reach all levels.
     const auto level_count = request.levels.count > 0 ? request.levels.count : static_cast<uint32_t>(levels.size());
     const std::pmr::vector<RegionLevels> labels = co_await list_labels(pace, request, level_count);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The jobs that cut surfaces. They are the ones that change them: from the first change on they can't be cancelled, and if
-// that fails, for want of memory or of labels, it is taken back.
+// The jobs that cut surfaces. They are the ones that change them: from the first change on they can't be cancelled, and
+// if that fails, for want of memory or of labels, it is taken back.
 #pragma once
 
 #include "surfaces/field_levels.h"
-#include "surfaces/region_set.h"
+#include "surfaces/mesh/region_set.h"
 #include "surfaces/traced_curves.h"
 
 namespace flg {

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "runtime/each.h"
 
 namespace flg {
 
 namespace {
-
-constexpr uint32_t scan_chunk = 10'000;  // values, about 10 us
 
 // The least and the largest finite value; infinite and -infinite if there is none.
 struct Extent {
@@ -19,13 +18,11 @@ struct Extent {
 
 Task<Extent> extent_of(Pace& pace, const Buffer<float>& values) {
     Extent extent;
-    for (size_t i = 0; i < values.size(); ++i) {
-        if (std::isfinite(values[i])) {
-            extent.least = std::min(extent.least, values[i]);
-            extent.largest = std::max(extent.largest, values[i]);
-        }
-        if (i % scan_chunk == 0) co_await pace;
-    }
+    co_await each(pace, values.size(), Cost::some_ns, [&extent, read = values.data()](uint32_t i) {
+        if (!std::isfinite(read[i])) return;
+        extent.least = std::min(extent.least, read[i]);
+        extent.largest = std::max(extent.largest, read[i]);
+    });
     co_return extent;
 }
 
@@ -33,8 +30,8 @@ struct Steps {
     double first = 0, end = 0;  // whole numbers
 };
 
-// Which k the levels first + k * every of the request have that lie within the values, or, if it says how many there are to
-// be, not above them.
+// Which k the levels first + k * every of the request have that lie within the values, or, if it says how many there
+// are to be, not above them.
 Steps steps_within(const Extent& extent, const LevelRequest& request) {
     const auto step_of = [&](float value) { return (double{value} - request.first) / request.every; };
     Steps steps;

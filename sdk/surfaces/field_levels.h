@@ -14,8 +14,9 @@ struct LevelRequest {
     float first = 0, every = 0;
 };
 
-// Those to use, rising. Evenly spaced ones above the largest of the field's values are left out, and those below the smallest
-// if the request does not say how many. Fails with FLG_ERROR_LIMIT if more than `most` are left, or values round to the same.
+// Those to use, rising. Evenly spaced ones above the largest of the field's values are left out, and those below the
+// smallest if the request does not say how many. Fails with FLG_ERROR_LIMIT if more than `most` are left, or values
+// round to the same.
 Task<Buffer<float>> list_levels(Pace& pace, const Buffer<float>& values, const LevelRequest& request, uint32_t most);
 
 }  // namespace flg

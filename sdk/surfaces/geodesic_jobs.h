@@ -5,15 +5,18 @@
 #include <deque>
 
 #include "surfaces/field.h"
-#include "surfaces/region_set.h"
+#include "surfaces/geodesics/perturbed_metric.h"
+#include "surfaces/mesh/region_set.h"
 #include "surfaces/traced_curves.h"
 
 namespace flg {
 
-// Build what a surface's solvers work on, once. Jobs of their own, so that those that need it wait for it and go on side by
-// side. If memory runs out they make nothing and do not fail: those that need it say so, see blocks_of().
+// Builds what a surface's solvers work on, once. A job of its own, so that those that need it wait for it and go on
+// side by side. If memory runs out it makes nothing and does not fail: those that need it say so, see blocks_of().
 Task<void> build_blocks(Pace& pace, std::shared_ptr<Surface> surface);
-Task<void> build_graph(Pace& pace, std::shared_ptr<Surface> surface);
+
+// What was built. Fails with FLG_ERROR_OUT_OF_MEMORY if memory ran out then, or when it followed a cut.
+const GeodesicBlocks& blocks_of(const Surface& surface);
 
 struct GeodesicSources {
     Buffer<uint32_t> vertices;
@@ -23,16 +26,8 @@ struct GeodesicSources {
     const std::pmr::deque<Corner>* edges = nullptr;  // one source together, outlives the job
 };
 
-// Perlin noise along the normals, sec. 3.4.
-struct Perturbation {
-    float amount = 0;     // metres; 0: none
-    float frequency = 1;  // 1 / metre
-    uint64_t seed = 1;
-};
-
 struct GeodesicRequest {
     std::shared_ptr<Surface> surface;
-    FlgAccuracy accuracy;
     GeodesicSources sources;
     RegionSet regions;
     float max_distance;
@@ -48,8 +43,8 @@ Task<void> solve_geodesic(Pace& pace, GeodesicRequest request);
 // Its field, wherever that is kept; what the request says of `out` does not matter.
 Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField& out);
 
-// Distances from one point, right at least on the way to another: what paths between them are traced on. The surface's blocks
-// are built.
+// Distances from one point, right at least on the way to another: what paths between them are traced on. The surface's
+// blocks are built.
 Task<void> solve_between(Pace& pace, Surface& surface, const RegionSet& regions, SurfacePoint source,
                          SurfacePoint target, DistanceField& out);
 

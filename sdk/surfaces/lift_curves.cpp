@@ -2,16 +2,10 @@
 #include "surfaces/lift_curves.h"
 
 #include "core/failure.h"
-#include "surfaces/mesh_measures_normals.h"
+#include "runtime/each.h"
+#include "surfaces/mesh/mesh_measures.h"
 
 namespace flg {
-
-namespace {
-
-constexpr uint32_t curve_chunk = 1000;
-constexpr uint32_t point_chunk = 10;  // about 10 us
-
-}  // namespace
 
 Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, float height,
                        std::shared_ptr<CurveSet> out) {
@@ -21,24 +15,19 @@ Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, f
     pace.stage("lift");
     out->allocate_curves(curves.curve_count());
     out->offsets()[0] = 0;
-    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
+    co_await each(pace, curves.curve_count(), Cost::some_ns, [&](uint32_t c) {
         out->offsets()[c + 1] = curves.offsets[c + 1];
         out->begin_curve(c, curves.closed[c] ? FLG_CURVE_CLOSED : 0);
-        if (c % curve_chunk == 0) co_await pace;
-    }
+    });
     out->allocate_columns({{{FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_NORMAL, 3}}, pace.memory()});
     float* positions = out->find(FLG_ATTRIBUTE_POSITION)->values.data();
     float* frames = out->find(FLG_ATTRIBUTE_NORMAL)->values.data();
-    for (size_t p = 0; p < curves.points.size(); ++p) {
+    co_await each(pace, curves.points.size(), Cost::microseconds, [&](uint32_t p) {
         const Vec3 normal = smooth_normal(mesh, curves.points[p]);
-        store_vec3(position_of(mesh, curves.points[p]) + height * normal, positions + 3 * p);
-        store_vec3(normal, frames + 3 * p);
-        if (p % point_chunk == 0) co_await pace;
-    }
-    for (uint32_t c = 0; c < curves.curve_count(); ++c) {
-        out->complete_curve(c);
-        if (c % curve_chunk == 0) co_await pace;
-    }
+        store_vec3(position_of(mesh, curves.points[p]) + height * normal, positions + size_t{3} * p);
+        store_vec3(normal, frames + size_t{3} * p);
+    });
+    co_await each(pace, curves.curve_count(), Cost::some_ns, [&](uint32_t c) { out->complete_curve(c); });
 }
 
 }  // namespace flg

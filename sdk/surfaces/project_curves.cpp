@@ -3,19 +3,15 @@
 
 #include "core/failure.h"
 #include "surfaces/geodesic_jobs.h"
-#include "surfaces/geodesic_path.h"
-#include "surfaces/surface_walk.h"
+#include "surfaces/tracing/geodesic_path.h"
+#include "surfaces/tracing/surface_walk.h"
 
 namespace flg {
 
 namespace {
 
 // Each about 10 us.
-constexpr uint32_t build_chunk = 300;
 constexpr uint32_t find_chunk = 100;
-constexpr uint32_t walk_chunk = 100;
-constexpr uint32_t path_chunk = 200;
-constexpr uint32_t flatten_chunk = 2000;
 
 struct Scene {
     Surface& surface;
@@ -37,23 +33,22 @@ Task<double> follow_shortest(Pace& pace, const Scene& scene, const SurfacePoint&
     const RegionSet everywhere(pace.memory());
     DistanceField field;
     co_await solve_between(pace, scene.surface, everywhere, to, from, field);
-    GeodesicPathKernel path(scene.surface.mesh(), from, to, {field.distances.data(), field.distances.size()},
-                            everywhere, out, pace.memory());
-    while (!path.run(path_chunk)) co_await pace;
-    if (!path.found()) {
+    const std::span<const float> distances(field.distances.data(), field.distances.size());
+    const GeodesicPath path =
+        co_await add_geodesic_path(pace, scene.surface.mesh(), from, to, distances, everywhere, out);
+    if (!path.found) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "%s: no way leads over the surface to point %u of curve %u from the one before it",
                       scene.argument, end - scene.curves.offsets[curve], curve);
     }
-    co_return path.length();
+    co_return path.length;
 }
 
 // From a curve's point to its point `end`, as laid; returns the length.
 Task<double> lay_stretch(Pace& pace, const Scene& scene, SurfacePoint from, SurfacePoint to, uint32_t curve,
                          uint32_t end, SurfaceCurves& out) {
-    SurfaceWalkKernel walk(scene.surface.mesh(), from, to, out);
-    while (!walk.run(walk_chunk)) co_await pace;
-    if (walk.found()) co_return walk.length();
+    const SurfaceWalk walk = co_await add_surface_walk(pace, scene.surface.mesh(), from, to, out);
+    if (walk.found) co_return walk.length;
     co_return co_await follow_shortest(pace, scene, from, to, curve, end, out);
 }
 
@@ -82,16 +77,15 @@ Task<void> lay_curves(Pace& pace, Surface& surface, NearestPoints& nearest, Curv
 Task<void> project_curves(Pace& pace, std::shared_ptr<const CurveSet> set, std::shared_ptr<TracedCurves> out) {
     pace.stage("sort");
     Surface& surface = *out->surface;
-    NearestPoints nearest(surface.mesh(), pace.memory());
-    while (!nearest.build(build_chunk)) co_await pace;
+    NearestPoints nearest(surface.mesh());
+    co_await build(pace, nearest);
     pace.stage("project");
     pace.expect(set->point_count());
     const CurvesInSpace curves{.offsets = {set->offsets().data(), size_t{set->curve_count()} + 1},
                                .flags = {set->flags().data(), set->curve_count()},
                                .positions = set->positions()};
     co_await lay_curves(pace, surface, nearest, curves, "desc.curves", out->curves);
-    FlattenCurvesKernel flatten_curves(*out, pace.memory());
-    while (!flatten_curves.run(flatten_chunk)) co_await pace;
+    co_await flatten_curves(pace, *out);
 }
 
 }  // namespace flg

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Curves in space laid onto a surface, so that they can be cut in.
 //
-// Each point goes to the surface's point nearest to it; from one of these to the next the curve follows the plane through both
-// and the surface's normal (surface_walk.h) and, where no such way leads there, a shortest path.
+// Each point goes to the surface's point nearest to it; from one of these to the next the curve follows the plane
+// through both and the surface's normal (surface_walk.h) and, where no such way leads there, a shortest path.
 #pragma once
 
 #include <span>
 
 #include "curves/curve_set.h"
-#include "surfaces/nearest_points.h"
+#include "surfaces/mesh/nearest_points.h"
 #include "surfaces/traced_curves.h"
 
 namespace flg {
@@ -20,9 +20,9 @@ struct CurvesInSpace {
     const float* positions;             // x, y, z a point, metres; finite
 };
 
-// Appends to `out`, values being lengths. Curves that come to a single point are left out. `nearest` is built, of the surface's
-// mesh; the surface has its blocks. `argument`: what errors call the curves. Fails if two consecutive points come to parts of the
-// surface that do not hang together.
+// Appends to `out`, values being lengths. Curves that come to a single point are left out. `nearest` is built, of the
+// surface's mesh; the surface has its blocks. `argument`: what errors call the curves. Fails if two consecutive points
+// come to parts of the surface that do not hang together.
 Task<void> lay_curves(Pace& pace, Surface& surface, NearestPoints& nearest, CurvesInSpace curves, const char* argument,
                       SurfaceCurves& out);
 

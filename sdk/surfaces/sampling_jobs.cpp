@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "surfaces/sampling_jobs.h"
 
-#include "surfaces/border_sampling.h"
-#include "surfaces/poisson_sampling.h"
-#include "surfaces/solve_field.h"
+#include "surfaces/geodesic_jobs.h"
+#include "surfaces/sampling/border_sampling.h"
+#include "surfaces/sampling/poisson_sampling.h"
 
 namespace flg {
 
 namespace {
-
-// Each about 10 us.
-constexpr uint32_t sample_chunk = 50;
-constexpr uint32_t border_chunk = 500;
 
 Buffer<BorderStretch> whole_loops(const RegionLoops& loops, Memory* memory) {
     Buffer<BorderStretch> stretches(loops.count(), memory);
@@ -26,17 +22,14 @@ Task<void> sample_surface(Pace& pace, SamplingRequest request) {
     const Mesh& mesh = request.surface->mesh();
     const SolveLimits limits{.distance = unreachable, .targets = std::pmr::vector<uint32_t>(pace.memory())};
     const GeodesicBlocks& blocks = blocks_of(*request.surface);
-    GeodesicRegion region(pace.memory());
-    const GeodesicRegion* bound = co_await bound_region(pace, mesh, blocks, request.regions, region);
-    auto solver = request.surface->solvers.refined.lend(blocks, pace.memory());
-    solver->begin({}, limits, true, bound);
-    while (!solver->run(sample_chunk)) co_await pace;
-    PoissonSamplingKernel kernel(mesh, request.regions, *solver, request.radius, request.max_count, request.seed,
-                                 pace.memory());
-    while (!kernel.run(sample_chunk)) co_await pace;
+    const GeodesicRegion bound = co_await bound_region(pace, mesh, blocks, request.regions);
+    auto solver = request.surface->solvers.pool.lend(blocks);
+    const std::span<const Seed> nothing;
+    co_await solve_distances(pace, *solver, nothing, limits, true, &bound);
     Field& out = *request.out;
-    out.samples = co_await flatten(pace, kernel.samples());
-    co_await take_field(pace, *solver, mesh.vertex_count(), true, out.data);
+    out.samples =
+        co_await sample_poisson(pace, mesh, request.regions, *solver, request.radius, request.max_count, request.seed);
+    co_await take_field(pace, *solver, true, out.data);
     solver.give_back();
 }
 
@@ -44,14 +37,10 @@ Task<void> sample_border(Pace& pace, uint32_t region, float spacing, std::shared
     pace.stage("sample");
     const RegionSet regions(&region, 1, pace.memory());
     const Mesh& mesh = out->surface->mesh();
-    RegionLoops loops(pace.memory());
-    RegionLoopsKernel find(mesh, regions, loops, pace.memory());
-    while (!find.run(border_chunk)) co_await pace;
+    const RegionLoops loops = co_await find_region_loops(pace, mesh, regions);
     const Buffer<BorderStretch> stretches = whole_loops(loops, pace.memory());
-    BorderSamplingKernel kernel(mesh, loops, {stretches.data(), stretches.size()}, spacing, out->curves);
-    while (!kernel.run(border_chunk)) co_await pace;
-    FlattenCurvesKernel flatten_curves(*out, pace.memory());
-    while (!flatten_curves.run(border_chunk)) co_await pace;
+    co_await sample_stretches(pace, mesh, loops, stretches, spacing, out->curves);
+    co_await flatten_curves(pace, *out);
 }
 
 }  // namespace flg

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "surfaces/field.h"
-#include "surfaces/region_set.h"
+#include "surfaces/mesh/region_set.h"
 #include "surfaces/traced_curves.h"
 
 namespace flg {

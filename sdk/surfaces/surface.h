@@ -2,8 +2,8 @@
 // A surface as hosts hold it: a mesh, what geodesics need on it, and who uses it when.
 //
 // What lives in this room: meshes in flat arrays, their repair and refinement, geodesic distances, tracing, cutting and
-// sampling, each a kernel that can be used and tested by itself; and the jobs that drive them (surface_jobs.h and its
-// neighbours). What does not: picking (pick/), patterns (tangles/), files (io/).
+// sampling, each a task or a kernel that can be used and tested by itself; and the jobs that drive them (surface_jobs.h
+// and its neighbours). What does not: picking (pick/), patterns (tangles/), files (io/).
 #pragma once
 
 #include <memory>
@@ -12,15 +12,15 @@
 
 #include "filigree/filigree_surface.h"
 #include "runtime/product.h"
-#include "surfaces/geodesic_solvers.h"
-#include "surfaces/mesh_growth.h"
-#include "surfaces/mesh_repair.h"
+#include "surfaces/geodesics/geodesic_solvers.h"
+#include "surfaces/mesh/mesh_growth.h"
+#include "surfaces/repair/mesh_repair.h"
 
 namespace flg {
 
-// Jobs in the order in which they were started: readers side by side, those that change the surface alone. A job that fails or
-// is cancelled before its turn is done early, so each one waits for all before it that stand in its way, not only for the last.
-// Host's thread only.
+// Jobs in the order in which they were started: readers side by side, those that change the surface alone. A job that
+// fails or is cancelled before its turn is done early, so each one waits for all before it that stand in its way, not
+// only for the last. Host's thread only.
 class SurfaceOrder {
 public:
     explicit SurfaceOrder(Memory* memory) : changes_(memory), readers_(memory) {}
@@ -74,7 +74,8 @@ public:
     FlgSurfaceReport report() const { return report_; }
     // By the job that made it, at its end: when that is published, a cut may be under way.
     void write_report();
-    // A job was published. While a later one may change the arrays they are left alone: the host does not see them then.
+    // A job was published. While a later one may change the arrays they are left alone: the host does not see them
+    // then.
     void show_if_at_rest() noexcept;
 
 private:
@@ -85,7 +86,8 @@ private:
     FlgSurfaceReport report_{};
 };
 
-// A job that changes a surface: what the host sees of it, and of a product that comes with it, changes when it is published.
+// A job that changes a surface: what the host sees of it, and of a product that comes with it, changes when it is
+// published.
 class SurfaceChange final : public Output {
 public:
     SurfaceChange(std::shared_ptr<Surface> surface, std::shared_ptr<Product> product)

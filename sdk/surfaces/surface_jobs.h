@@ -4,7 +4,7 @@
 
 #include "runtime/pace.h"
 #include "runtime/task.h"
-#include "surfaces/mesh_refine.h"
+#include "surfaces/repair/mesh_refine.h"
 #include "surfaces/surface.h"
 
 namespace flg {

@@ -2,8 +2,10 @@
 // Curves on a surface as hosts hold them.
 #pragma once
 
+#include "runtime/pace.h"
+#include "runtime/task.h"
+#include "surfaces/mesh/surface_curves.h"
 #include "surfaces/surface.h"
-#include "surfaces/surface_curves.h"
 
 namespace flg {
 
@@ -41,15 +43,7 @@ private:
     FlgSurfaceCurvesView view_{};
 };
 
-// Fills the flat arrays of curves that are complete. A unit is a point or a curve: a few nanoseconds.
-class FlattenCurvesKernel {
-public:
-    FlattenCurvesKernel(TracedCurves& traced, Memory* memory);
-    bool run(uint32_t count);
-
-private:
-    TracedCurves& traced_;
-    uint32_t points_ = 0, curves_ = 0;
-};
+// Fills the flat arrays of curves that are complete.
+Task<void> flatten_curves(Pace& pace, TracedCurves& traced);
 
 }  // namespace flg

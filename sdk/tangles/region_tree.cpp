@@ -77,11 +77,11 @@ void RegionTree::make_again(TreeEdit& edit) {
 
 RegionId RegionTree::Leaves::next() {
     while (!waiting_.empty()) {
-        const RegionId region = tree_.resolve(waiting_.back());
-        waiting_.pop_back();
+        const RegionId region = tree_.resolve(waiting_.back().next++);
+        if (waiting_.back().next == waiting_.back().end) waiting_.pop_back();
         const RegionNode& node = tree_[region];
         if (node.child_count == 0) return region;
-        for (uint32_t c = node.child_count; c-- > 0;) waiting_.push_back(node.first_child + c);
+        waiting_.push_back({node.first_child, node.first_child + node.child_count});
     }
     return no_region;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The algebra of tangles: appendix A of Nazzaro, Puppo, Pellacini: geoTangle (2021). A tree of regions, the whole surface
-// its root; the children of a region are a partition of it. It knows nothing of meshes.
+// The algebra of tangles: appendix A of Nazzaro, Puppo, Pellacini: geoTangle (2021). A tree of regions, the whole
+// surface its root; the children of a region are a partition of it. It knows nothing of meshes.
 //
 // Invariants
 // - A region's identifier is its place in the tree. It is also the label of its triangles as long as it is a leaf.
@@ -8,9 +8,9 @@
 // - Regions that were joined have the identifier of the lowest of them. Where they were in the tree they still are, as
 //   other names for it; so it belongs to the subtrees of all their parents.
 //
-// Beyond the appendix: what a region looks like is told apart from where it is. A scaffold's regions look like the region
-// they lie in; parts of several leaves that an operator put into one part look the same if these leaves did. Borders show
-// where looks differ.
+// Beyond the appendix: what a region looks like is told apart from where it is. A scaffold's regions look like the
+// region they lie in; parts of several leaves that an operator put into one part look the same if these leaves did.
+// Borders show where looks differ.
 #pragma once
 
 #include <cstdint>
@@ -91,8 +91,8 @@ public:
 
     // The step is whole: keeps a copy of what it added.
     void end(TreeEdit& edit);
-    // Takes the last step back: one that is whole, or one that failed, for good. Cost: about 20 ns a region it changed or
-    // added.
+    // Takes the last step back: one that is whole, or one that failed, for good. Cost: about 20 ns a region it
+    // changed or added.
     void take_back(TreeEdit& edit) noexcept;
     // Makes it again: all of it or, if memory runs out, nothing.
     void make_again(TreeEdit& edit);
@@ -108,14 +108,18 @@ private:
 class RegionTree::Leaves {
 public:
     Leaves(const RegionTree& tree, RegionId region, Memory* memory) : tree_(tree), waiting_(memory) {
-        waiting_.push_back(region);
+        waiting_.push_back({region, region + 1});
     }
-    // The next leaf, or no_region. Cost: tens of nanoseconds, as the leaf before it left them.
+    // The next leaf, or no_region. Cost: tens of nanoseconds, more where it is much deeper than the one before.
     RegionId next();
 
 private:
+    struct Range {
+        RegionId next, end;
+    };
+
     const RegionTree& tree_;
-    std::pmr::vector<RegionId> waiting_;  // the last one is next
+    std::pmr::vector<Range> waiting_;  // the last one is next; none is empty
 };
 
 }  // namespace flg

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "tangles/seed_location.h"
 
+#include "runtime/each.h"
 #include "surfaces/project_curves.h"
 
 namespace flg {
 
 namespace {
 
-// Each about 10 us.
-constexpr uint32_t build_chunk = 300;
-constexpr uint32_t find_chunk = 100;
+// Units of NearestPoints between two looks at the pace.
+constexpr auto search_units = static_cast<uint32_t>(Cost::tens_of_ns);
 
 Task<void> locate_curves(Pace& pace, NearestPoints& nearest, const Buffer<Position>& points, const TracedCurves& traced,
                          TracedCurves& out) {
@@ -38,10 +38,11 @@ Task<void> locate_in(Pace& pace, NearestPoints& nearest, TangleSeeds& seeds, See
 }  // namespace
 
 Task<Buffer<SurfacePoint>> locate(Pace& pace, NearestPoints& nearest, const Buffer<Position>& places) {
+    // A search takes some 10 us, but more where many triangles are nearly as near: each is sliced by itself.
     Buffer<SurfacePoint> found(places.size(), pace.memory());
     for (size_t i = 0; i < places.size(); ++i) {
         nearest.begin(places[i]);
-        while (!nearest.find(find_chunk)) co_await pace;
+        while (!nearest.find(search_units)) co_await pace;
         found[i] = nearest.found();
         co_await pace;
     }
@@ -51,8 +52,8 @@ Task<Buffer<SurfacePoint>> locate(Pace& pace, NearestPoints& nearest, const Buff
 Task<void> locate_seeds(Pace& pace, const Mesh& mesh, StepRecord& record) {
     if (!has_places(record.a) && !has_places(record.b)) co_return;
     pace.stage("locate");
-    NearestPoints nearest(mesh, pace.memory());
-    while (!nearest.build(build_chunk)) co_await pace;
+    NearestPoints nearest(mesh);
+    co_await build(pace, nearest);
     auto& divide = std::get<DivideRequest>(record.request);
     co_await locate_in(pace, nearest, divide.a, record.a);
     co_await locate_in(pace, nearest, divide.b, record.b);

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 
+#include "runtime/each.h"
 #include "surfaces/surface_inputs.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t copy_chunk = 500;   // points: about 10 us
-constexpr uint32_t chunk_work = 8000;  // about 10 us: a label is 1, a triangle that is looked at look_work
-constexpr uint32_t look_work = 100;
-constexpr uint32_t region_chunk = 1000;
+// Labels are looked at by so many, which takes tens of ns; a triangle takes so many times as long.
+constexpr uint32_t label_block = 64, look_work = 5;
 
 // So many triangles are looked at of each region, and so many of the mesh beyond these.
 constexpr uint32_t looks_a_region = 16;
@@ -24,8 +23,8 @@ struct Candidate {
     float room;
 };
 
-// How far its middle is from what is not the region's, about: the radius of its inner circle, thrice that if the region goes
-// on beyond all its edges.
+// How far its middle is from what is not the region's, about: the radius of its inner circle, thrice that if the
+// region goes on beyond all its edges.
 float room_within(const Mesh& mesh, uint32_t triangle) {
     const Triple& corners = mesh.triangles[triangle];
     const Vec3 a = mesh.position(corners[0]), b = mesh.position(corners[1]), c = mesh.position(corners[2]);
@@ -52,16 +51,13 @@ Task<void> record_points(Pace& pace, const Mesh& mesh, const TangleSeeds& seeds,
     if (!seeds.curves) co_return;
     const std::pmr::deque<SurfacePoint>& points = seeds.curves->curves.points;
     Buffer<Position> positions(points.size(), pace.memory());
-    for (size_t i = 0; i < points.size(); ++i) {
+    co_await each(pace, points.size(), Cost::tens_of_ns, [&](uint32_t i) {
         // Those of a history may be any.
-        if (points[i].triangle >= mesh.triangle_count()) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "curves.points[%zu] is in triangle %u, but there are %u triangles", i, points[i].triangle,
-                          mesh.triangle_count());
-        }
+        if (points[i].triangle >= mesh.triangle_count())
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curves.points[%u] is in triangle %u, but there are %u triangles",
+                          i, points[i].triangle, mesh.triangle_count());
         store_vec3(position_of(mesh, points[i]), positions[i].data());
-        if (i % copy_chunk == 0) co_await pace;
-    }
+    });
     anchors.curve_points = std::move(positions);
 }
 
@@ -97,33 +93,29 @@ Task<void> record_seeds(Pace& pace, const Mesh& mesh, StepRecord& record) {
 Task<void> record_places(Pace& pace, const Mesh& mesh, uint32_t region_count, StepRecord& record) {
     const RegionId first = record.first_region;
     Buffer<Candidate> candidates(region_count - first, pace.memory());
-    for (size_t i = 0; i < candidates.size(); ++i) {
-        candidates[i] = {0, no_index, -1};
-        if (i % region_chunk == 0) co_await pace;
-    }
-    const uint32_t every = mesh.triangle_count() / looks_beyond + 1;
-    uint32_t work = 0;
-    for (uint32_t t = 0; t < mesh.triangle_count() && candidates.size() > 0; ++t) {
-        if (++work >= chunk_work) {
-            work = 0;
-            co_await pace;
-        }
-        if (mesh.regions[t] < first) continue;
+    co_await each(pace, candidates.size(), Cost::some_ns, [&](uint32_t i) { candidates[i] = {0, no_index, -1}; });
+    const uint32_t triangles = candidates.empty() ? 0 : mesh.triangle_count(), every = triangles / looks_beyond + 1;
+    const auto look_at = [&](uint32_t t) {
         Candidate& candidate = candidates[mesh.regions[t] - first];
-        if (candidate.looks >= looks_a_region && t % every != 0) continue;
+        if (candidate.looks >= looks_a_region && t % every != 0) return false;
         ++candidate.looks;
-        work += look_work;
         const float room = room_within(mesh, t);
         if (room > candidate.room) {
             candidate.room = room;
             candidate.triangle = t;
         }
-    }
+        return true;
+    };
+    co_await each_by_work(pace, (size_t{triangles} + label_block - 1) / label_block, Cost::tens_of_ns, [&](uint32_t b) {
+        uint32_t work = 1;
+        for (uint32_t t = label_block * b; t < std::min(triangles, label_block * (b + 1)); ++t)
+            if (mesh.regions[t] >= first && look_at(t)) work += look_work;
+        return work;
+    });
     Buffer<Position> places(candidates.size(), pace.memory());
-    for (size_t i = 0; i < places.size(); ++i) {
+    co_await each(pace, places.size(), Cost::tens_of_ns, [&](uint32_t i) {
         places[i] = candidates[i].triangle == no_index ? Position{} : middle_of(mesh, candidates[i].triangle);
-        if (i % region_chunk == 0) co_await pace;
-    }
+    });
     record.places = std::move(places);
 }
 

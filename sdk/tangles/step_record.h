@@ -5,9 +5,9 @@
 #include <optional>
 #include <variant>
 
-#include "tangles/seed_anchors.h"
 #include "tangles/tangle_displacement.h"
 #include "tangles/tangle_macros.h"
+#include "tangles/tangle_seeds.h"
 
 namespace flg {
 
@@ -44,8 +44,8 @@ StepRecords record_macro(MacroRequest macro, Memory* memory);
 // Remembers where the operator's points are, before it changes anything. Refuses points in triangles that do not exist.
 Task<void> record_seeds(Pace& pace, const Mesh& mesh, StepRecord& record);
 
-// Remembers a place inside each region from the record's first one on: the middle of the roomiest of the few triangles that
-// are looked at. Cost: 0.5 ns a triangle of the mesh, 1 us a region.
+// Remembers a place inside each region from the record's first one on: the middle of the roomiest of the few triangles
+// that are looked at. Cost: 0.5 ns a triangle of the mesh, 1 us a region.
 Task<void> record_places(Pace& pace, const Mesh& mesh, uint32_t region_count, StepRecord& record);
 
 }  // namespace flg

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Takes the last step of a tangle back for good, whole or not. It takes no memory: no call of another task does that.
+// Takes the last step of a tangle back for good, whole or not. It is a kernel and no task because it takes no memory,
+// as the call of a task does: what runs out of memory takes its step back by it.
+//
+//     for (StepRemoval removal(tangle, step); removal.goes_on();) co_await pace;
 #pragma once
 
 #include <optional>
 
-#include "surfaces/mesh_edit_replay.h"
+#include "runtime/each.h"
+#include "surfaces/mesh/mesh_edit.h"
 #include "surfaces/surface_update.h"
 #include "tangles/tangle.h"
 
@@ -19,8 +23,8 @@ public:
         drop_solvers(*tangle.surface);  // they may have followed it
         mesh_.emplace(tangle.surface->mesh(), tangle.surface->columns, *step.edit, MeshEditReplay::Direction::abandon);
     }
-    // A unit is a word that was changed: a few nanoseconds. True when done.
-    bool run(uint32_t count) { return !mesh_ || mesh_->run(count); }
+    // Does a slice's work; false when done.
+    bool goes_on() { return mesh_ && !mesh_->run(static_cast<uint32_t>(Cost::some_ns)); }
 
 private:
     std::optional<MeshEditReplay> mesh_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A tangle as hosts hold it: a surface, the tree of its regions, and how they came about.
 //
-// What lives in this room: the algebra of regions (region_tree.h), the operators that divide them and what these are made of
-// (each a kernel of its own), macros, displacement, history. What does not: meshes, distances and cuts (surfaces/), files.
+// What lives in this room: the algebra of regions (region_tree.h), the operators that divide them and what these are
+// made of (each a task of its own), macros, displacement, history. What does not: meshes, distances and cuts
+// (surfaces/), files.
 //
 // Invariants
 // - A triangle's label is its leaf of the tree, at all times a host can see.
@@ -13,8 +14,8 @@
 #include <memory>
 #include <optional>
 
-#include "surfaces/mesh_edit.h"
-#include "surfaces/mesh_fingerprint.h"
+#include "surfaces/mesh/mesh_edit.h"
+#include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/surface.h"
 #include "tangles/region_tree.h"
 
@@ -37,8 +38,8 @@ public:
         : surface(std::move(of_surface)), revision(surface->order.revision()), tree(memory), steps(memory) {}
 
     std::shared_ptr<Surface> surface;
-    // Host's thread: the surface's, after the last change that was started for the tangle; the arrays of the history that
-    // it was shown last.
+    // Host's thread: the surface's, after the last change that was started for the tangle; the arrays of the history
+    // that it was shown last.
     uint32_t revision;
     std::shared_ptr<void> shown_history;
 

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surfaces/mesh_measures_normals.h"
+#include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/surface_update.h"
+#include "tangles/room_work.h"
 
 namespace flg {
 
 namespace {
 
-// Each about 10 us.
-constexpr uint32_t scan_chunk = 2000;
-constexpr uint32_t move_chunk = 20;
-constexpr uint32_t write_chunk = 500;
+// Of a vertex that moves, where the look at a triangle is 1.
+constexpr uint32_t move_work = 100;
 
 struct Move {
     uint32_t vertex;
@@ -25,16 +24,14 @@ struct Move {
 Task<Buffer<float>> measure_leaves(Pace& pace, const Mesh& mesh, const RegionSet& leaves, uint32_t label_count,
                                    const DistanceField& field) {
     Buffer<float> largest(label_count, pace.memory());
-    std::fill(largest.begin(), largest.end(), 0.0f);
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        if (t % scan_chunk == 0) co_await pace;
-        const uint32_t label = mesh.regions[t];
-        if (!leaves.contains(label)) continue;
+    co_await each(pace, label_count, Cost::some_ns, [&](uint32_t label) { largest[label] = 0; });
+    co_await each_within(pace, mesh, leaves, Cost::some_ns, [&](uint32_t t) {
+        float& of_leaf = largest[mesh.regions[t]];
         for (const uint32_t vertex : mesh.triangles[t]) {
             const float distance = field.distances[vertex];
-            if (std::isfinite(distance)) largest[label] = std::max(largest[label], distance);
+            if (std::isfinite(distance)) of_leaf = std::max(of_leaf, distance);
         }
-    }
+    });
     co_return largest;
 }
 
@@ -63,17 +60,13 @@ Task<void> displace_regions(Pace& pace, Tangle& tangle, const DisplaceRequest& r
     pace.stage("displace");
     const Buffer<float> largest = co_await measure_leaves(pace, mesh, leaves.set, tangle.tree.size(), field);
     Buffer<uint8_t> seen(mesh.vertex_count(), pace.memory());
-    for (size_t v = 0; v < seen.size(); ++v) {
-        seen[v] = 0;
-        if (v % scan_chunk == 0) co_await pace;
-    }
+    co_await each(pace, seen.size(), Cost::some_ns, [&](uint32_t v) { seen[v] = 0; });
     // All are found before any moves: normals are those of the surface as it was.
     std::pmr::deque<Move> moves(pace.memory());
-    uint32_t normals = 0;
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        if (t % scan_chunk == 0) co_await pace;
+    co_await each_by_work(pace, mesh.triangle_count(), Cost::some_ns, [&](uint32_t t) {
         const uint32_t label = mesh.regions[t];
-        if (!leaves.set.contains(label)) continue;
+        uint32_t work = 1;
+        if (!leaves.set.contains(label)) return work;
         const double reach = request.reach > 0 ? request.reach : largest[label];
         for (const uint32_t vertex : mesh.triangles[t]) {
             const float distance = field.distances[vertex];
@@ -84,17 +77,16 @@ Task<void> displace_regions(Pace& pace, Tangle& tangle, const DisplaceRequest& r
             const Vec3 to = mesh.position(vertex) + height * vertex_normal(mesh, vertex);
             moves.push_back(
                 {vertex, {static_cast<float>(to.x()), static_cast<float>(to.y()), static_cast<float>(to.z())}});
-            if (++normals % move_chunk == 0) co_await pace;
+            work += move_work;
         }
-    }
+        return work;
+    });
 
     pace.commit();
     MeshEdit& edit = step.edit.emplace(pace.memory());
     edit.begin(mesh);
-    for (size_t i = 0; i < moves.size(); ++i) {
-        edit.set_position(mesh, moves[i].vertex, moves[i].to);
-        if (i % write_chunk == 0) co_await pace;
-    }
+    co_await each(pace, moves.size(), Cost::tens_of_ns,
+                  [&](uint32_t i) { edit.set_position(mesh, moves[i].vertex, moves[i].to); });
     edit.end(mesh);
     co_await update_after_edit(pace, surface, edit, revision);
 }

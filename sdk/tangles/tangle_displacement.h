@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Displacement along normals, growing from the borders of leaves inwards: sec. 3.4 of Nazzaro, Puppo, Pellacini: geoTangle
-// (2021), with profiles by Schlick: Fast alternatives to Perlin's bias and gain functions (Graphics Gems IV, 1994).
+// Displacement along normals, growing from the borders of leaves inwards: sec. 3.4 of Nazzaro, Puppo, Pellacini:
+// geoTangle (2021), with profiles by Schlick: Fast alternatives to Perlin's bias and gain functions (Graphics Gems IV,
+// 1994).
 #pragma once
 
 #include "tangles/tangle.h"

@@ -7,6 +7,7 @@
 #include "surfaces/surface_update.h"
 #include "tangles/look_borders.h"
 #include "tangles/region_partition.h"
+#include "tangles/room_work.h"
 #include "tangles/seed_location.h"
 #include "tangles/step_removal.h"
 #include "tangles/tangle_operators.h"
@@ -14,16 +15,6 @@
 namespace flg {
 
 namespace {
-
-// Each about 10 us.
-constexpr uint32_t fingerprint_chunk = 3000;
-constexpr uint32_t label_chunk = 10'000;
-constexpr uint32_t join_chunk = 200;
-constexpr uint32_t tree_chunk = 500;
-constexpr uint32_t partition_chunk = 100;
-constexpr uint32_t replay_chunk = 4000;
-constexpr uint32_t borders_chunk = 500;
-constexpr uint32_t flatten_chunk = 2000;
 
 // A step: all of it or, if it fails, nothing.
 Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& change) {
@@ -36,13 +27,12 @@ Task<void> run_step(Pace& pace, Tangle& tangle, TangleStep& step, Task<void>& ch
         failure = std::current_exception();
     }
     if (!failure) co_return;
-    StepRemoval removal(tangle, step);
-    while (!removal.run(replay_chunk)) co_await pace;
+    for (StepRemoval removal(tangle, step); removal.goes_on();) co_await pace;
     std::rethrow_exception(failure);
 }
 
-// The steps of a job, behind all others until they are kept: so no memory is needed once they have come to their end. Steps that
-// were taken back are forgotten only then.
+// The steps of a job, behind all others until they are kept: so no memory is needed once they have come to their end.
+// Steps that were taken back are forgotten only then.
 class NewSteps {
 public:
     NewSteps(Tangle& tangle, Memory* memory) : tangle_(tangle), memory_(memory), others_(tangle.steps.size()) {}
@@ -74,32 +64,30 @@ private:
     bool kept_ = false;
 };
 
-Task<void> change_groups(Pace& pace, Tangle& tangle, const std::pmr::vector<RegionId>& regions, bool each,
+Task<void> change_groups(Pace& pace, Tangle& tangle, const std::pmr::vector<RegionId>& regions, bool one_each,
                          TreeEdit& edit) {
-    uint32_t group = each ? 0 : tangle.tree.add_group();
-    for (size_t i = 0; i < regions.size(); ++i) {
-        if (each) group = tangle.tree.add_group();
+    uint32_t group = one_each ? 0 : tangle.tree.add_group();
+    co_await each(pace, regions.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        if (one_each) group = tangle.tree.add_group();
         tangle.tree.set_group(edit, tangle.tree.resolve(regions[i]), group);
-        if (i % tree_chunk == 0) co_await pace;
-    }
+    });
 }
 
-void check_regions(const RegionTree& tree, const std::pmr::vector<RegionId>& regions) {
-    for (size_t i = 0; i < regions.size(); ++i) {
-        if (regions[i] < tree.size()) continue;
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "regions[%zu] is %u, the tangle has %u regions", i, regions[i],
+Task<void> check_regions(Pace& pace, const RegionTree& tree, const std::pmr::vector<RegionId>& regions) {
+    return each(pace, regions.size(), Cost::some_ns, [&](uint32_t i) {
+        if (regions[i] < tree.size()) return;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "regions[%u] is %u, the tangle has %u regions", i, regions[i],
                       tree.size());
-    }
+    });
 }
 
 // Whether leaves are one piece.
 Task<void> check_connected(Pace& pace, const Mesh& mesh, const LeafSet& leaves) {
     const std::pmr::deque<Corner> no_edges(pace.memory());
-    RegionPartitionKernel partition(mesh, leaves.set, no_edges, pace.memory());
-    while (!partition.run(partition_chunk)) co_await pace;
-    if (partition.part_count() > 1) {
+    const RegionPartition partition = co_await partition_regions(pace, mesh, leaves.set, no_edges);
+    if (partition.part_count > 1) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "regions to join are in %u pieces that do not touch",
-                      partition.part_count());
+                      partition.part_count);
     }
 }
 
@@ -109,12 +97,8 @@ Task<void> join_leaves(Pace& pace, Tangle& tangle, const LeafSet& leaves, uint32
     MeshEdit& edit = step.edit.emplace(pace.memory());
     edit.begin(mesh);
     tangle.tree.join(step.tree, leaves.list);
-    RegionCursor joined(mesh, leaves.set);
-    for (uint32_t passed = 1; !joined.at_end(); ++passed) {
-        const uint32_t t = joined.next();
-        if (t != no_index) edit.set_region(mesh, t, leaves.list[0]);
-        if (passed % join_chunk == 0) co_await pace;
-    }
+    co_await each_within(pace, mesh, leaves.set, Cost::tens_of_ns,
+                         [&](uint32_t t) { edit.set_region(mesh, t, leaves.list[0]); });
     edit.end(mesh);
     co_await update_after_edit(pace, surface, edit, revision);
 }
@@ -129,7 +113,7 @@ Task<void> divide(Pace& pace, Tangle& tangle, const DivideRequest& request, uint
 }
 
 Task<void> group(Pace& pace, Tangle& tangle, const GroupRequest& request, TangleStep& step) {
-    check_regions(tangle.tree, request.regions);
+    co_await check_regions(pace, tangle.tree, request.regions);
     pace.commit();
     co_await change_groups(pace, tangle, request.regions, false, step.tree);
 }
@@ -140,11 +124,10 @@ Task<void> ungroup(Pace& pace, Tangle& tangle, const UngroupRequest& request, Ta
                       tangle.tree.group_count());
     }
     std::pmr::vector<RegionId> regions(pace.memory());
-    for (RegionId r = 0; r < tangle.tree.size(); ++r) {
+    co_await each(pace, tangle.tree.size(), Cost::tens_of_ns, [&](RegionId r) {
         const RegionNode& node = tangle.tree[r];
         if (node.group == request.group && node.joined_into == no_region) regions.push_back(r);
-        if (r % tree_chunk == 0) co_await pace;
-    }
+    });
     step.record->first_region = regions.empty() ? no_region : regions[0];
     pace.commit();
     co_await change_groups(pace, tangle, regions, true, step.tree);
@@ -181,13 +164,8 @@ Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle) {
     pace.stage("labels");
     pace.commit();
     Mesh& mesh = tangle->surface->mesh();
-    MeshFingerprintKernel fingerprint(mesh);
-    while (!fingerprint.run(fingerprint_chunk)) co_await pace;
-    tangle->base = fingerprint.fingerprint();
-    for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-        mesh.regions[t] = 0;
-        if (t % label_chunk == 0) co_await pace;
-    }
+    tangle->base = co_await take_fingerprint(pace, mesh);
+    co_await each(pace, mesh.triangle_count(), Cost::some_ns, [&](uint32_t t) { mesh.regions[t] = 0; });
 }
 
 Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, uint32_t revision) {
@@ -210,22 +188,19 @@ Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords rec
     }
     if (steps.count() > done) steps.drop_last();  // took itself back
     for (; steps.count() > 0; steps.drop_last()) {
-        StepRemoval removal(*tangle, steps.last());
-        while (!removal.run(replay_chunk)) co_await pace;
+        for (StepRemoval removal(*tangle, steps.last()); removal.goes_on();) co_await pace;
     }
     std::rethrow_exception(failure);
 }
 
 Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out) {
     pace.stage("borders");
-    LookBordersKernel kernel(tangle->surface->mesh(), tangle->tree, out->curves, pace.memory());
-    while (!kernel.run(borders_chunk)) co_await pace;
-    FlattenCurvesKernel flatten_curves(*out, pace.memory());
-    while (!flatten_curves.run(flatten_chunk)) co_await pace;
+    out->curves = co_await look_borders(pace, tangle->surface->mesh(), tangle->tree);
+    co_await flatten_curves(pace, *out);
 }
 
-// A step is taken back, or made again, whole or not at all. If memory runs out between two that belong together, the job fails
-// and the next one goes on from there.
+// A step is taken back, or made again, whole or not at all. If memory runs out between two that belong together, the
+// job fails and the next one goes on from there.
 Task<void> undo_step(Pace& pace, std::shared_ptr<Tangle> tangle, uint32_t revision) {
     if (tangle->made == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the tangle has no step to take back");
     pace.commit();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The jobs of tangles. All change the surface's labels or mesh, one after the other; each is a step of the history, or takes
-// one back.
+// The jobs of tangles. All change the surface's labels or mesh, one after the other; each is a step of the history, or
+// takes one back.
 #pragma once
 
 #include "surfaces/traced_curves.h"
@@ -12,8 +12,8 @@ namespace flg {
 // The whole of flgTangleCreate.
 Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle);
 
-// The whole of flgTangleDivide, flgTangleApplyMacro, flgTangleDisplace, flgTangleGroup, flgTangleUngroup and flgTangleJoin: one
-// step, whatever it consists of. `revision`: of the surface, after the job; so for all.
+// The whole of flgTangleDivide, flgTangleApplyMacro, flgTangleDisplace, flgTangleGroup, flgTangleUngroup and
+// flgTangleJoin: one step, whatever it consists of. `revision`: of the surface, after the job; so for all.
 Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, uint32_t revision);
 
 // The whole of flgTangleBorders.

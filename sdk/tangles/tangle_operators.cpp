@@ -1,34 +1,102 @@
 // SPDX-License-Identifier: MIT
 #include "tangles/tangle_operators.h"
 
+#include <map>
+
 #include "core/failure.h"
-#include "surfaces/cut_curves.h"
-#include "surfaces/cut_isolines.h"
-#include "surfaces/extra_column.h"
-#include "surfaces/field_blend.h"
+#include "filigree/filigree_surface.h"
+#include "filigree/filigree_tangle.h"
+#include "runtime/each.h"
+#include "runtime/pace.h"
+#include "runtime/task.h"
+#include "surfaces/cutting/cut_curves.h"
+#include "surfaces/cutting/cut_isolines.h"
 #include "surfaces/field_levels.h"
-#include "surfaces/integral_curves.h"
-#include "surfaces/mesh_edit_replay.h"
+#include "surfaces/mesh/extra_column.h"
+#include "surfaces/mesh/mesh_edit.h"
+#include "surfaces/mesh/surface_place.h"
 #include "surfaces/surface_update.h"
+#include "surfaces/tracing/integral_curves.h"
 #include "surfaces/tracing_jobs.h"
-#include "tangles/lines_within.h"
-#include "tangles/new_leaves.h"
 #include "tangles/region_partition.h"
+#include "tangles/region_tree.h"
+#include "tangles/room_work.h"
 #include "tangles/voronoi_borders.h"
 
 namespace flg {
 
 namespace {
 
-// Each about 10 us.
-constexpr uint32_t cut_chunk = 50;
-constexpr uint32_t partition_chunk = 100;
-constexpr uint32_t borders_chunk = 40;
-constexpr uint32_t streams_chunk = 100;
-constexpr uint32_t copy_chunk = 4000;
-constexpr uint32_t list_chunk = 1000;
-constexpr uint32_t line_chunk = 300;
-constexpr uint32_t label_chunk = 10;
+// ---- From a partition to leaves of the tree: their places, groups and looks, appendix A
+
+struct NewLeaf {
+    RegionId parent;
+    uint32_t part;  // of the operator's partition, as it numbers them
+};
+
+struct LeafRules {
+    FlgTangleGrouping grouping;
+    uint32_t cycle;
+    bool scaffold;
+};
+
+// Numbers for pairs, each new one the next.
+class PairNumbers {
+public:
+    explicit PairNumbers(Memory* memory) : numbers_(memory) {}
+
+    template <class Next>
+    uint32_t number(uint32_t a, uint32_t b, Next next) {
+        const auto [found, is_new] = numbers_.try_emplace({a, b}, 0);
+        if (is_new) found->second = next();
+        return found->second;
+    }
+
+private:
+    std::pmr::map<std::pair<uint32_t, uint32_t>, uint32_t> numbers_;
+};
+
+uint32_t group_of_part(LeafRules rules, uint32_t part) {
+    switch (rules.grouping) {
+        case FLG_TANGLE_GROUP_TWO: return part % 2;
+        case FLG_TANGLE_GROUP_CYCLE: return part % rules.cycle;
+        default: return 0;
+    }
+}
+
+// Adds leaves to the tree, children of one parent one behind the other, else in the order given; returns the region of
+// each. Fails with FLG_ERROR_LIMIT above FLG_REGION_MAX.
+Task<Buffer<RegionId>> add_leaves(Pace& pace, RegionTree& tree, TreeEdit& edit, const Buffer<NewLeaf>& leaves,
+                                  LeafRules rules) {
+    const uint32_t first = tree.size();
+    if (first + uint64_t{leaves.size()} > uint64_t{FLG_REGION_MAX} + 1) {
+        throw Failure(FLG_ERROR_LIMIT, "%zu more regions beside %u are too many, the largest identifier is %u",
+                      leaves.size(), first, FLG_REGION_MAX);
+    }
+    const Groups by_parent =
+        co_await group_by(pace, leaves.size(), first, [&](uint32_t i) { return leaves[i].parent; });
+    PairNumbers groups(pace.memory()), looks(pace.memory());
+    const uint32_t operation = tree.add_operation();
+    Buffer<RegionId> regions(leaves.size(), pace.memory());
+    co_await each(pace, leaves.size(), Cost::hundreds_of_ns, [&](uint32_t n) {
+        const uint32_t i = by_parent.items[n];
+        const NewLeaf& leaf = leaves[i];
+        RegionNode node;
+        node.operation = operation;
+        node.part = leaf.part;
+        node.scaffold = rules.scaffold;
+        const uint32_t look = tree[leaf.parent].look;
+        node.look = rules.scaffold ? look : looks.number(look, leaf.part, [&] { return tree.add_look(); });
+        if (rules.grouping == FLG_TANGLE_GROUP_EACH) {
+            node.group = tree.add_group();
+        } else {
+            node.group = groups.number(tree.visible_group(leaf.parent), group_of_part(rules, leaf.part),
+                                       [&] { return tree.add_group(); });
+        }
+        regions[i] = tree.add_child(edit, leaf.parent, node);
+    });
+    co_return regions;
+}
 
 // What an operator looks at: where it acts.
 struct Scene {
@@ -47,30 +115,18 @@ Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, Distan
     DistanceField other;
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.b, "desc.b",
                          scene.request.perturbation, false, other);
-    for (size_t v = 0; v < field.distances.size(); ++v) {
-        field.distances[v] = blend(field.distances[v], other.distances[v]);
-        if (v % copy_chunk == 0) co_await pace;
-    }
+    co_await each(pace, field.distances.size(), Cost::some_ns,
+                  [&](uint32_t v) { field.distances[v] = blend(field.distances[v], other.distances[v]); });
 }
 
 // Makes leaves of a partition's components and labels the triangles with them.
-Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const RegionPartitionKernel& partition,
+Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const RegionPartition& partition,
                        const Buffer<NewLeaf>& leaves, MeshEdit& edit, TreeEdit& tree_edit) {
     const LeafRules rules{scene.request.grouping, scene.request.cycle, scene.request.scaffold};
     const Buffer<RegionId> regions = co_await add_leaves(pace, tangle.tree, tree_edit, leaves, rules);
     Mesh& mesh = scene.surface.mesh();
-    RegionCursor divided = partition.triangles();
-    for (uint32_t passed = 1; !divided.at_end(); ++passed) {
-        divided.next_64([&](uint32_t t) { edit.set_region(mesh, t, regions[partition.component_of(t)]); });
-        if (passed % label_chunk == 0) co_await pace;
-    }
-}
-
-bool is_divided(const Buffer<NewLeaf>& leaves) {
-    for (const NewLeaf& leaf : leaves) {
-        if (leaf.part != leaves[0].part) return true;
-    }
-    return false;
+    co_await each_within(pace, mesh, partition.leaves, Cost::tens_of_ns,
+                         [&](uint32_t t) { edit.set_region(mesh, t, regions[partition.component_of(t)]); });
 }
 
 // ---- Contours
@@ -80,20 +136,19 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
     LevelRequest asked;
     asked.count = scene.request.count;
     asked.first = asked.every = scene.request.delta;
-    const Buffer<float> levels = co_await list_levels(pace, field.distances, asked, IsolineCutter::max_levels);
+    const Buffer<float> levels = co_await list_levels(pace, field.distances, asked, max_cut_levels);
     const auto bands = static_cast<uint32_t>(levels.size() + 1);
     const uint32_t first = tangle.tree.size();
     const uint64_t end = first + uint64_t{scene.leaves.list.size()} * bands;
     if (end > uint64_t{FLG_REGION_MAX} + 1) {
         throw Failure(FLG_ERROR_LIMIT, "%zu leaves with %u bands each are too many", scene.leaves.list.size(), bands);
     }
-    std::pmr::vector<RegionLevels> labels(pace.memory());
-    std::pmr::vector<uint32_t> band_labels(pace.memory());
-    for (size_t i = 0; i < scene.leaves.list.size(); ++i) {
-        labels.push_back({scene.leaves.list[i], first + static_cast<uint32_t>(i) * bands});
-        for (uint32_t b = 0; b < bands; ++b) band_labels.push_back(labels.back().first_label + b);
-        if (i % list_chunk == 0) co_await pace;
-    }
+    Buffer<RegionLevels> labels(scene.leaves.list.size(), pace.memory());
+    co_await each(pace, labels.size(), Cost::some_ns, [&](uint32_t i) {
+        labels[i] = {scene.leaves.list[i], first + i * bands};
+    });
+    Buffer<uint32_t> band_labels(end - first, pace.memory());
+    co_await each(pace, band_labels.size(), Cost::some_ns, [&](uint32_t i) { band_labels[i] = first + i; });
     GrowingBuffer<float> values = co_await copy_values(pace, field.distances);
 
     pace.stage("cut");
@@ -102,25 +157,23 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
     edit.begin(scene.surface.mesh());
     {
         const ExtraColumn column(scene.surface.columns, std::move(values));
-        const CutLevels cut_levels({levels.data(), levels.size()}, labels);
-        IsolineCutter cutter(scene.surface.mesh(), scene.surface.columns, column.index(), cut_levels, edit,
-                             pace.memory());
-        while (!cutter.run(cut_chunk)) co_await pace;
+        const CutLevels cut_levels({levels.data(), levels.size()}, {labels.data(), labels.size()});
+        co_await embed_isolines(pace, scene.surface.mesh(), scene.surface.columns, column.index(), cut_levels, edit);
     }
     pace.stage("regions");
     const RegionSet cut(band_labels.data(), static_cast<uint32_t>(band_labels.size()), pace.memory());
     const std::pmr::deque<Corner> no_edges(pace.memory());
-    RegionPartitionKernel partition(scene.surface.mesh(), cut, no_edges, pace.memory());
-    while (!partition.run(partition_chunk)) co_await pace;
-    Buffer<NewLeaf> leaves(partition.components().size(), pace.memory());
-    for (size_t c = 0; c < leaves.size(); ++c) {
-        const uint32_t label = partition.components()[c].label - first;
+    const RegionPartition partition = co_await partition_regions(pace, scene.surface.mesh(), cut, no_edges);
+    Buffer<NewLeaf> leaves(partition.components.size(), pace.memory());
+    bool divided = false;
+    co_await each(pace, leaves.size(), Cost::tens_of_ns, [&](uint32_t c) {
+        const uint32_t label = partition.components[c].label - first;
         leaves[c] = {scene.leaves.list[label / bands], label % bands};
-        if (c % list_chunk == 0) co_await pace;
-    }
-    if (!is_divided(leaves)) {
+        divided |= leaves[c].part != leaves[0].part;
+    });
+    if (!divided) {
         MeshEditReplay back(scene.surface.mesh(), scene.surface.columns, edit, MeshEditReplay::Direction::abandon);
-        while (!back.run(copy_chunk)) co_await pace;
+        while (!back.run(2 * static_cast<uint32_t>(Cost::some_ns))) co_await pace;
         step.edit.reset();
         co_return;
     }
@@ -130,8 +183,10 @@ Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const Di
 
 // ---- Curves
 
-// The part to the left of the edge between two vertices; no_index if that is none of the regions', or there is no such edge.
-uint32_t part_left_of(const Mesh& mesh, const RegionPartitionKernel& partition, uint32_t from, uint32_t to) {
+// The part to the left of the edge between two vertices; no_index if that is none of the regions', or there is no
+// such edge.
+uint32_t part_left_of(const RegionPartition& partition, uint32_t from, uint32_t to) {
+    const Mesh& mesh = partition.mesh;
     // The corner of the edge's first vertex that its second one follows.
     const Corner begin = mesh.corner_of_vertex[from];
     Corner corner = begin;
@@ -140,65 +195,57 @@ uint32_t part_left_of(const Mesh& mesh, const RegionPartitionKernel& partition, 
         corner = mesh.turn(corner);
     } while (corner != begin && corner != no_index);
     if (corner == no_index || !partition.is_within(triangle_of(corner))) return no_index;
-    return partition.components()[partition.component_of(triangle_of(corner))].part;
+    return partition.components[partition.component_of(triangle_of(corner))].part;
 }
 
-// Strips between streams: the part to the left of curve c has the number c + 1, what no curve has to its left 0. Parts to the
-// left of several curves go by the first.
-Task<void> number_strips(Pace& pace, const Mesh& mesh, const EmbeddedCurves& embedded,
-                         const RegionPartitionKernel& partition, Buffer<uint32_t>& numbers) {
-    uint32_t passed = 0;
-    for (uint32_t c = 0; c + 1 < embedded.offsets.size(); ++c) {
-        const uint32_t first = embedded.offsets[c], end = embedded.offsets[c + 1];
-        for (uint32_t i = first; i + 1 < end; ++i) {
-            const uint32_t part = part_left_of(mesh, partition, embedded.vertices[i], embedded.vertices[i + 1]);
-            if (part != no_index && numbers[part] == 0) numbers[part] = c + 1;
-            if (++passed % list_chunk == 0) co_await pace;
-        }
-    }
+// body(curve, vertex, next vertex) for every edge of curves as they were embedded; each is some hundreds of ns.
+template <class Body>
+Task<void> each_edge(Pace& pace, const SurfaceCurves& curves, const EmbeddedCurves& embedded, Body body) {
+    uint32_t c = 0;
+    co_await each(pace, embedded.vertices.size(), Cost::hundreds_of_ns, [&](uint32_t i) {
+        while (i == embedded.offsets[c + 1]) ++c;
+        const bool last = i + 1 == embedded.offsets[c + 1];
+        if (last && !curves.closed[c]) return;
+        body(c, embedded.vertices[i], embedded.vertices[last ? embedded.offsets[c] : i + 1]);
+    });
 }
 
-// Sides of lines: 0 for parts of whose border more metres have them to their left than to their right, else 1. So a spike or
-// a small loop the wrong way round does not count.
-Task<void> number_sides(Pace& pace, const Mesh& mesh, const SurfaceCurves& curves, const EmbeddedCurves& embedded,
-                        const RegionPartitionKernel& partition, Buffer<uint32_t>& numbers) {
+// Strips between streams: the part to the left of curve c has the number c + 1, what no curve has to its left 0.
+// Parts to the left of several curves go by the first.
+Task<void> number_strips(Pace& pace, const SurfaceCurves& curves, const EmbeddedCurves& embedded,
+                         const RegionPartition& partition, Buffer<uint32_t>& numbers) {
+    co_await each_edge(pace, curves, embedded, [&](uint32_t c, uint32_t from, uint32_t to) {
+        const uint32_t part = part_left_of(partition, from, to);
+        if (part != no_index && numbers[part] == 0) numbers[part] = c + 1;
+    });
+}
+
+// Sides of lines: 0 for parts of whose border more metres have them to their left than to their right, else 1. So a
+// spike or a small loop the wrong way round does not count.
+Task<void> number_sides(Pace& pace, const SurfaceCurves& curves, const EmbeddedCurves& embedded,
+                        const RegionPartition& partition, Buffer<uint32_t>& numbers) {
+    const Mesh& mesh = partition.mesh;
     Buffer<double> left(numbers.size(), pace.memory());
-    for (size_t p = 0; p < left.size(); ++p) {
-        left[p] = 0;
-        if (p % copy_chunk == 0) co_await pace;
-    }
-    uint32_t passed = 0;
-    for (uint32_t c = 0; c + 1 < embedded.offsets.size(); ++c) {
-        const uint32_t first = embedded.offsets[c], end = embedded.offsets[c + 1];
-        for (uint32_t i = first; i < (curves.closed[c] ? end : end - 1); ++i) {
-            const uint32_t from = embedded.vertices[i], to = embedded.vertices[i + 1 < end ? i + 1 : first];
-            const double length = (mesh.position(to) - mesh.position(from)).norm();
-            const uint32_t at_left = part_left_of(mesh, partition, from, to);
-            const uint32_t at_right = part_left_of(mesh, partition, to, from);
-            if (at_left != no_index) left[at_left] += length;
-            if (at_right != no_index) left[at_right] -= length;
-            if (++passed % list_chunk == 0) co_await pace;
-        }
-    }
-    for (uint32_t p = 0; p < numbers.size(); ++p) {
-        numbers[p] = left[p] > 0 ? 0 : 1;
-        if (p % copy_chunk == 0) co_await pace;
-    }
+    co_await each(pace, left.size(), Cost::some_ns, [&](uint32_t p) { left[p] = 0; });
+    co_await each_edge(pace, curves, embedded, [&](uint32_t, uint32_t from, uint32_t to) {
+        const double length = (mesh.position(to) - mesh.position(from)).norm();
+        const uint32_t at_left = part_left_of(partition, from, to);
+        const uint32_t at_right = part_left_of(partition, to, from);
+        if (at_left != no_index) left[at_left] += length;
+        if (at_right != no_index) left[at_right] -= length;
+    });
+    co_await each(pace, numbers.size(), Cost::some_ns, [&](uint32_t p) { numbers[p] = left[p] > 0 ? 0 : 1; });
 }
 
 // One number a part: of strips, of sides, or by their order.
 Task<Buffer<uint32_t>> number_parts(Pace& pace, const Scene& scene, const SurfaceCurves& curves,
-                                    const EmbeddedCurves& embedded, const RegionPartitionKernel& partition) {
-    const Mesh& mesh = scene.surface.mesh();
+                                    const EmbeddedCurves& embedded, const RegionPartition& partition) {
     const bool strips = scene.request.kind == FLG_TANGLE_STREAM;
-    Buffer<uint32_t> numbers(partition.part_count(), pace.memory());
-    for (uint32_t p = 0; p < numbers.size(); ++p) {
-        numbers[p] = strips ? 0 : p;
-        if (p % copy_chunk == 0) co_await pace;
-    }
-    if (strips) co_await number_strips(pace, mesh, embedded, partition, numbers);
+    Buffer<uint32_t> numbers(partition.part_count, pace.memory());
+    co_await each(pace, numbers.size(), Cost::some_ns, [&](uint32_t p) { numbers[p] = strips ? 0 : p; });
+    if (strips) co_await number_strips(pace, curves, embedded, partition, numbers);
     if (scene.request.kind == FLG_TANGLE_POLYLINE && scene.request.a.curves) {
-        co_await number_sides(pace, mesh, curves, embedded, partition, numbers);
+        co_await number_sides(pace, curves, embedded, partition, numbers);
     }
     co_return numbers;
 }
@@ -211,19 +258,16 @@ Task<void> cut_along(Pace& pace, Tangle& tangle, const Scene& scene, const Surfa
     MeshEdit& edit = step.edit.emplace(pace.memory());
     edit.begin(mesh);
     EmbeddedCurves embedded(pace.memory());
-    CurveCutter cutter(scene.surface.mesh(), scene.surface.columns, curves, edit, embedded, pace.memory());
-    while (!cutter.run(cut_chunk)) co_await pace;
+    co_await embed_curves(pace, scene.surface.mesh(), scene.surface.columns, curves, edit, embedded);
     pace.stage("regions");
-    RegionPartitionKernel partition(mesh, scene.leaves.set, embedded.edges, pace.memory());
-    while (!partition.run(partition_chunk)) co_await pace;
+    const RegionPartition partition = co_await partition_regions(pace, mesh, scene.leaves.set, embedded.edges);
     const Buffer<uint32_t> numbers = co_await number_parts(pace, scene, curves, embedded, partition);
-    if (partition.part_count() > 1) {
-        Buffer<NewLeaf> leaves(partition.components().size(), pace.memory());
-        for (size_t c = 0; c < leaves.size(); ++c) {
-            const RegionComponent& component = partition.components()[c];
+    if (partition.part_count > 1) {
+        Buffer<NewLeaf> leaves(partition.components.size(), pace.memory());
+        co_await each(pace, leaves.size(), Cost::tens_of_ns, [&](uint32_t c) {
+            const RegionComponent& component = partition.components[c];
             leaves[c] = {component.label, numbers[component.part]};
-            if (c % list_chunk == 0) co_await pace;
-        }
+        });
         co_await make_leaves(pace, tangle, scene, partition, leaves, edit, step.tree);
     }
     co_await update_after_edit(pace, scene.surface, edit, scene.revision);
@@ -240,9 +284,9 @@ Task<void> trace_streams(Pace& pace, Tangle& tangle, const Scene& scene, Surface
     const Buffer<SurfacePoint> starts =
         co_await find_stream_starts(pace, scene.surface, within, a, scene.request.delta, "desc.a");
     const IntegralCurveOptions options;
-    IntegralCurveKernel kernel(scene.surface.mesh(), {field.distances.data(), field.distances.size()}, scene.leaves.set,
-                               {starts.data(), starts.size()}, options, curves, pace.memory());
-    while (!kernel.run(streams_chunk)) co_await pace;
+    const std::span<const float> values(field.distances.data(), field.distances.size());
+    const std::span<const SurfacePoint> from(starts.data(), starts.size());
+    co_await add_integral_curves(pace, scene.surface.mesh(), values, scene.leaves.set, from, options, curves);
 }
 
 Task<void> trace_cells(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCurves& curves) {
@@ -251,8 +295,7 @@ Task<void> trace_cells(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCu
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.a, "desc.a",
                          scene.request.perturbation, true, cells);
     pace.stage("cells");
-    VoronoiBordersKernel kernel(scene.surface.mesh(), scene.leaves.set, cells, curves, pace.memory());
-    while (!kernel.run(borders_chunk)) co_await pace;
+    curves = co_await voronoi_borders(pace, scene.surface.mesh(), scene.leaves.set, cells);
 }
 
 Task<void> trace_shortest_ways(Pace& pace, const Scene& scene, SurfaceCurves& curves) {
@@ -262,7 +305,7 @@ Task<void> trace_shortest_ways(Pace& pace, const Scene& scene, SurfaceCurves& cu
     offsets[0] = 0;
     offsets[1] = static_cast<uint32_t>(points.size());
     Buffer<SurfacePoint> copies(points.size(), pace.memory());
-    std::copy(points.begin(), points.end(), copies.begin());
+    co_await each(pace, points.size(), Cost::some_ns, [&](uint32_t i) { copies[i] = points[i]; });
     const Paths paths{.offsets = std::move(offsets),
                       .points = std::move(copies),
                       .closed = scene.request.closed,
@@ -270,13 +313,70 @@ Task<void> trace_shortest_ways(Pace& pace, const Scene& scene, SurfaceCurves& cu
     co_await trace_polylines(pace, scene.surface, paths, "desc.a.points", curves);
 }
 
+// The piece of a line that runs within regions, while it grows.
+class LinePiece {
+public:
+    LinePiece(const Mesh& mesh, const SurfaceCurves& lines, SurfaceCurves& out)
+        : mesh_(mesh), lines_(lines), out_(out) {}
+
+    void add(uint32_t point) {
+        out_.points.push_back(lines_.points[point]);
+        triangle_ = lines_.points[point].triangle;
+    }
+    // The last point is one of the last stretch's triangle.
+    void end(uint32_t line, uint32_t last) {
+        if (out_.points.size() == out_.offsets.back()) return;
+        SurfacePoint end = lines_.points[last];
+        if (end.triangle != triangle_) find_in(mesh_, place_in(mesh_, end.triangle, weights_of(end)), triangle_, end);
+        out_.points.push_back(end);
+        close(line, false);
+    }
+    void close(uint32_t line, bool closed) {
+        out_.offsets.push_back(static_cast<uint32_t>(out_.points.size()));
+        out_.closed.push_back(closed);
+        out_.values.push_back(lines_.values[line]);
+    }
+
+private:
+    const Mesh& mesh_;
+    const SurfaceCurves& lines_;
+    SurfaceCurves& out_;
+    uint32_t triangle_ = 0;  // of the last stretch
+};
+
+// Adds the parts of lines that run within regions. A closed line that stays within stays closed; others begin and end
+// where they come in and go out.
+Task<void> add_lines_within(Pace& pace, const Mesh& mesh, const RegionSet& regions, const SurfaceCurves& lines,
+                            SurfaceCurves& out) {
+    LinePiece piece(mesh, lines, out);
+    Slice slice(Cost::tens_of_ns);
+    for (uint32_t line = 0; line < lines.curve_count(); ++line) {
+        const uint32_t first = lines.offsets[line], end = lines.offsets[line + 1];
+        const bool closed = lines.closed[line];
+        bool all_within = true;
+        for (uint32_t i = first; i + (closed ? 0 : 1) < end; ++i) {  // the stretch from a point to the next
+            if (regions.contains(mesh.regions[lines.points[i].triangle])) {
+                piece.add(i);
+            } else {
+                all_within = false;
+                piece.end(line, i);
+            }
+            if (slice.is_over()) co_await pace;
+        }
+        if (closed && all_within) {
+            piece.close(line, true);
+        } else {
+            piece.end(line, closed ? first : end - 1);
+        }
+        if (slice.is_over()) co_await pace;
+    }
+}
+
 // Between points, and along lines.
 Task<void> trace_polyline(Pace& pace, const Scene& scene, SurfaceCurves& curves) {
     const TangleSeeds& a = scene.request.a;
     if (!a.points.empty()) co_await trace_shortest_ways(pace, scene, curves);
-    if (!a.curves) co_return;
-    LinesWithinKernel lines(scene.surface.mesh(), scene.leaves.set, a.curves->curves, curves);
-    while (!lines.run(line_chunk)) co_await pace;
+    if (a.curves) co_await add_lines_within(pace, scene.surface.mesh(), scene.leaves.set, a.curves->curves, curves);
 }
 
 }  // namespace

@@ -6,16 +6,13 @@
 #include <optional>
 
 #include "core/failure.h"
+#include "runtime/each.h"
 #include "tangles/seed_location.h"
 #include "tangles/step_removal.h"
 
 namespace flg {
 
 namespace {
-
-constexpr uint32_t removal_chunk = 4000;  // about 10 us
-constexpr uint32_t build_chunk = 300;     // about 10 us
-constexpr uint32_t map_chunk = 1000;      // about 10 us
 
 // Meshes of one shape differ by this share of their boxes' diagonal at most, at each side.
 constexpr double box_slack = 0.05;
@@ -35,14 +32,12 @@ void check_boxes(const MeshFingerprint& history, const MeshFingerprint& mesh) {
 }
 
 Task<void> map_regions(Pace& pace, const RegionMap& map, const char* argument, std::pmr::vector<RegionId>& regions) {
-    for (size_t i = 0; i < regions.size(); ++i) {
-        if (regions[i] >= map.size()) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%zu] is %u, the history has made %zu regions so far",
-                          argument, i, regions[i], map.size());
-        }
+    co_await each(pace, regions.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        if (regions[i] >= map.size())
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%u] is %u, the history has made %zu regions so far", argument,
+                          i, regions[i], map.size());
         regions[i] = map[regions[i]];
-        if (i % map_chunk == 0) co_await pace;
-    }
+    });
 }
 
 // Gives the step's regions and groups the names they have in the tangle.
@@ -91,14 +86,12 @@ Task<void> follow_regions(Pace& pace, const Mesh& mesh, const std::pmr::deque<Ma
                           map.size());
         }
         if (!nearest) {
-            nearest.emplace(mesh, pace.memory());
-            while (!nearest->build(build_chunk)) co_await pace;
+            nearest.emplace(mesh);
+            co_await build(pace, *nearest);
         }
         const Buffer<SurfacePoint> points = co_await locate(pace, *nearest, made.places);
-        for (size_t i = 0; i < points.size(); ++i) {
-            map.push_back(mesh.regions[points[i].triangle]);
-            if (i % map_chunk == 0) co_await pace;
-        }
+        co_await each(pace, points.size(), Cost::tens_of_ns,
+                      [&](uint32_t i) { map.push_back(mesh.regions[points[i].triangle]); });
     }
 }
 
@@ -163,8 +156,7 @@ Task<void> replay_tangle(Pace& pace, std::shared_ptr<Tangle> tangle, ReplayReque
     if (!failure) co_return;
     for (; !tangle->steps.empty(); tangle->steps.pop_back()) {
         if (tangle->made < tangle->steps.size()) continue;  // taken back already
-        StepRemoval removal(*tangle, *tangle->steps.back());
-        while (!removal.run(removal_chunk)) co_await pace;
+        for (StepRemoval removal(*tangle, *tangle->steps.back()); removal.goes_on();) co_await pace;
         --tangle->made;
     }
     std::rethrow_exception(failure);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A history made again: on the mesh it is of, to the bit; or on another mesh of its shape, where points, borders and regions are
-// found by where they were.
+// A history made again: on the mesh it is of, to the bit; or on another mesh of its shape, where points, borders and
+// regions are found by where they were.
 #pragma once
 
 #include "tangles/tangle_jobs.h"

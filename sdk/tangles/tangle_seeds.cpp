@@ -3,51 +3,120 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/failure.h"
-#include "surfaces/geodesic_seeds.h"
-#include "surfaces/poisson_sampling.h"
-#include "surfaces/solve_field.h"
+#include "runtime/each.h"
+#include "surfaces/geodesics/geodesic_seeds.h"
+#include "surfaces/sampling/poisson_sampling.h"
 #include "surfaces/surface_inputs.h"
+#include "tangles/room_work.h"
 
 namespace flg {
 
 namespace {
 
-// Each about 10 us.
-constexpr uint32_t loop_chunk = 500;
-constexpr uint32_t scan_chunk = 3000;
-constexpr uint32_t look_chunk = 20;
-constexpr uint32_t seed_chunk = 50;
-constexpr uint32_t merge_chunk = 1000;
-constexpr uint32_t sample_chunk = 50;
-constexpr uint32_t point_chunk = 2000;
-constexpr uint32_t tree_chunk = 200;
+struct Beginning {
+    uint32_t loop = no_index;
+    uint32_t edge = 0;  // of all edges
+};
 
-Task<void> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
-                      const char* argument, RegionLoops& loops) {
-    RegionLoopsKernel kernel(mesh, leaves, loops, pace.memory());
-    while (!kernel.run(loop_chunk)) co_await pace;
+// The vertex of a loop that is not taken which is nearest to a place.
+Task<Beginning> find_beginning(Pace& pace, const Mesh& mesh, const RegionLoops& loops, const Buffer<uint8_t>& taken,
+                               const Position& place) {
+    const Vec3 wanted = load_vec3(place.data());
+    Beginning best;
+    double least = std::numeric_limits<double>::infinity();
+    uint32_t loop = 0;
+    co_await each(pace, loops.edges.size(), Cost::tens_of_ns, [&](uint32_t i) {
+        while (i == loops.offsets[loop + 1]) ++loop;
+        if (taken[loop] != 0) return;
+        const double square = (mesh.position(mesh.vertex_at(loops.edges[i])) - wanted).squaredNorm();
+        if (!(square < least)) return;
+        least = square;
+        best = {loop, i};
+    });
+    co_return best;
+}
+
+Task<void> add_loop(Pace& pace, const RegionLoops& from, Beginning beginning, RegionLoops& to) {
+    const uint32_t first = from.offsets[beginning.loop], count = from.offsets[beginning.loop + 1] - first;
+    co_await each(pace, count, Cost::tens_of_ns,
+                  [&](uint32_t i) { to.edges.push_back(from.edges[first + (beginning.edge - first + i) % count]); });
+    to.offsets.push_back(static_cast<uint32_t>(to.edges.size()));
+    to.lengths.push_back(from.lengths[beginning.loop]);
+}
+
+Task<void> reorder_loops(Pace& pace, const Mesh& mesh, RegionLoops& loops, const Buffer<Position>& anchors) {
+    Buffer<uint8_t> taken(loops.count(), pace.memory());
+    co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) { taken[l] = 0; });
+    RegionLoops ordered(pace.memory());
+    for (const Position& anchor : anchors) {
+        const Beginning beginning = co_await find_beginning(pace, mesh, loops, taken, anchor);
+        if (beginning.loop == no_index) break;
+        taken[beginning.loop] = 1;
+        co_await add_loop(pace, loops, beginning, ordered);
+    }
+    Slice slice(Cost::some_ns);
+    for (uint32_t l = 0; l < loops.count(); ++l) {
+        if (taken[l] == 0) co_await add_loop(pace, loops, {l, loops.offsets[l]}, ordered);
+        if (slice.is_over()) co_await pace;
+    }
+    loops = std::move(ordered);
+}
+
+}  // namespace
+
+Task<Buffer<Position>> positions_of(Pace& pace, const Mesh& mesh, const Buffer<SurfacePoint>& points) {
+    Buffer<Position> positions(points.size(), pace.memory());
+    co_await each(pace, points.size(), Cost::tens_of_ns,
+                  [&](uint32_t i) { store_vec3(position_of(mesh, points[i]), positions[i].data()); });
+    co_return positions;
+}
+
+Task<Buffer<Position>> positions_of(Pace& pace, const Mesh& mesh, const Buffer<uint32_t>& vertices) {
+    Buffer<Position> positions(vertices.size(), pace.memory());
+    co_await each(pace, vertices.size(), Cost::tens_of_ns,
+                  [&](uint32_t i) { positions[i] = mesh.positions[vertices[i]]; });
+    co_return positions;
+}
+
+Task<void> anchor_loops(Pace& pace, const Mesh& mesh, RegionLoops& loops, SeedAnchors& anchors) {
+    if (anchors.given) {
+        co_await reorder_loops(pace, mesh, loops, anchors.loops);
+        co_return;
+    }
+    Buffer<Position> found(loops.count(), pace.memory());
+    co_await each(pace, loops.count(), Cost::tens_of_ns,
+                  [&](uint32_t l) { found[l] = mesh.positions[mesh.vertex_at(loops.edges[loops.offsets[l]])]; });
+    anchors.loops = std::move(found);
+}
+
+namespace {
+
+Task<RegionLoops> find_loops(Pace& pace, const Mesh& mesh, const RegionSet& leaves, const TangleSeeds& seeds,
+                             const char* argument) {
+    RegionLoops loops = co_await find_region_loops(pace, mesh, leaves);
     if (loops.count() == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s asks for borders, but the regions are all of a closed surface",
                       argument);
     }
     if (seeds.anchors) co_await anchor_loops(pace, mesh, loops, *seeds.anchors);
+    co_return loops;
 }
 
 // The stretches asked for, or all loops whole.
-Buffer<BorderStretch> choose_stretches(const RegionLoops& loops, const TangleSeeds& seeds, const char* argument,
-                                       Memory* memory) {
+Task<Buffer<BorderStretch>> choose_stretches(Pace& pace, const RegionLoops& loops, const TangleSeeds& seeds,
+                                             const char* argument) {
     const bool all = seeds.stretches.empty();
-    Buffer<BorderStretch> chosen(all ? loops.count() : seeds.stretches.size(), memory);
-    for (uint32_t i = 0; i < chosen.size(); ++i) {
+    Buffer<BorderStretch> chosen(all ? loops.count() : seeds.stretches.size(), pace.memory());
+    co_await each(pace, chosen.size(), Cost::some_ns, [&](uint32_t i) {
         chosen[i] = all ? BorderStretch{.loop = i} : seeds.stretches[i];
-        if (chosen[i].loop >= loops.count()) {
+        if (chosen[i].loop >= loops.count())
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.stretches[%u].loop is %u, the regions have %u borders",
                           argument, i, chosen[i].loop, loops.count());
-        }
-    }
-    return chosen;
+    });
+    co_return chosen;
 }
 
 // The edges whose middle lies in the stretch.
@@ -55,15 +124,15 @@ Task<void> add_stretch(Pace& pace, const Mesh& mesh, const RegionLoops& loops, B
                        std::pmr::deque<Corner>& edges) {
     const double whole = loops.lengths[stretch.loop];
     double walked = 0;
-    for (uint32_t i = loops.offsets[stretch.loop]; i < loops.offsets[stretch.loop + 1]; ++i) {
+    const uint32_t first = loops.offsets[stretch.loop], end = loops.offsets[stretch.loop + 1];
+    co_await each(pace, first, end, Cost::tens_of_ns, [&](uint32_t i) {
         const double length = edge_length(mesh, loops.edges[i]);
         const double middle = whole > 0 ? (walked + length / 2) / whole : 0;
         walked += length;
         if (stretch.is_whole() || (middle >= stretch.begin && middle < stretch.end) || middle + 1 < stretch.end) {
             edges.push_back(loops.edges[i]);
         }
-        if (i % loop_chunk == 0) co_await pace;
-    }
+    });
 }
 
 // Edges where leaves end, seen from within; those between two leaves once.
@@ -73,59 +142,37 @@ Task<void> add_each_border(Pace& pace, const Mesh& mesh, const RegionSet& leaves
         const uint32_t other = mesh.regions[across];
         return other != mesh.regions[t] && (t < across || !leaves.contains(other));
     };
-    RegionCursor within(mesh, leaves);
-    for (uint32_t passed = 1; !within.at_end(); ++passed) {
-        within.next_64([&](uint32_t t) {
-            for (uint32_t k = 0; k < 3; ++k) {
-                if (is_border(t, mesh.neighbours[t][k])) edges.push_back(3 * t + k);
-            }
-        });
-        if (passed % look_chunk == 0) co_await pace;
-    }
+    co_await each_within(pace, mesh, leaves, Cost::tens_of_ns, [&](uint32_t t) {
+        for (uint32_t k = 0; k < 3; ++k)
+            if (is_border(t, mesh.neighbours[t][k])) edges.push_back(3 * t + k);
+    });
 }
 
 // Half a radius from borders, by algorithm 2.
 Task<void> begin_sampling(Pace& pace, Surface& surface, const RegionSet& leaves, float radius,
-                          const GeodesicRegion* bound, RefinedSolver& solver) {
+                          const GeodesicRegion& bound, RefinedSolver& solver) {
     const Mesh& mesh = surface.mesh();
-    RegionLoops loops(pace.memory());
-    RegionLoopsKernel find(mesh, leaves, loops, pace.memory());
-    while (!find.run(loop_chunk)) co_await pace;
+    const RegionLoops loops = co_await find_region_loops(pace, mesh, leaves);
     GeodesicSeeds border(mesh, mesh.positions, leaves, pace.memory());
-    for (size_t i = 0; i < loops.edges.size(); ++i) {
-        border.add_edge(loops.edges[i], 0);
-        if (i % seed_chunk == 0) co_await pace;
-    }
-    SeedMergeKernel merge(border.found(), pace.memory());
-    while (!merge.run(merge_chunk)) co_await pace;
-    Buffer<Seed> away(merge.seeds().size(), pace.memory());
-    for (size_t i = 0; i < away.size(); ++i) {
-        away[i] = merge.seeds()[i];
-        away[i].distance += radius / 2;
-        if (i % merge_chunk == 0) co_await pace;
-    }
+    co_await each(pace, loops.edges.size(), Cost::hundreds_of_ns,
+                  [&](uint32_t i) { border.add_edge(loops.edges[i], 0); });
+    Buffer<Seed> away = co_await merge_seeds(pace, border.found());
+    co_await each(pace, away.size(), Cost::some_ns, [&](uint32_t i) { away[i].distance += radius / 2; });
     const SolveLimits limits{.distance = unreachable, .targets = std::pmr::vector<uint32_t>(pace.memory())};
-    solver.begin({away.data(), away.size()}, limits, false, bound);
-    while (!solver.run(sample_chunk)) co_await pace;
+    const std::span<const Seed> seeds(away.data(), away.size());
+    co_await solve_distances(pace, solver, seeds, limits, false, &bound);
 }
 
 Task<Buffer<uint32_t>> sample(Pace& pace, Surface& surface, const RegionSet& leaves, const TangleSeeds& seeds) {
     const GeodesicBlocks& blocks = blocks_of(surface);
-    GeodesicRegion region(pace.memory());
-    const GeodesicRegion* bound = co_await bound_region(pace, surface.mesh(), blocks, leaves, region);
-    auto solver = surface.solvers.refined.lend(blocks, pace.memory());
+    const GeodesicRegion bound = co_await bound_region(pace, surface.mesh(), blocks, leaves);
+    auto solver = surface.solvers.pool.lend(blocks);
     co_await begin_sampling(pace, surface, leaves, seeds.sample_radius, bound, *solver);
     const uint32_t most = seeds.sample_count == 0 ? no_index : seeds.sample_count;
-    PoissonSamplingKernel kernel(surface.mesh(), leaves, *solver, seeds.sample_radius, most, seeds.seed, pace.memory());
-    while (!kernel.run(sample_chunk)) co_await pace;
+    Buffer<uint32_t> samples =
+        co_await sample_poisson(pace, surface.mesh(), leaves, *solver, seeds.sample_radius, most, seeds.seed);
     solver.give_back();
-    co_return co_await flatten(pace, kernel.samples());
-}
-
-Task<void> sample_loops(Pace& pace, const Mesh& mesh, const RegionLoops& loops, const Buffer<BorderStretch>& stretches,
-                        float spacing, SurfaceCurves& curves) {
-    BorderSamplingKernel kernel(mesh, loops, {stretches.data(), stretches.size()}, spacing, curves);
-    while (!kernel.run(loop_chunk)) co_await pace;
+    co_return samples;
 }
 
 // At `t` of the way from a point to one that lies in its triangle.
@@ -145,6 +192,7 @@ SurfacePoint between(const Mesh& mesh, const SurfacePoint& from, const SurfacePo
 // Evenly along curves on the surface, begun half a step from their beginning.
 Task<void> sample_lines(Pace& pace, const Mesh& mesh, const SurfaceCurves& lines, float spacing,
                         std::pmr::deque<SurfacePoint>& out) {
+    Slice slice(Cost::hundreds_of_ns);
     for (uint32_t c = 0; c < lines.curve_count(); ++c) {
         const uint32_t first = lines.offsets[c], end = lines.offsets[c + 1];
         double due = spacing / 2;  // metres until the next point
@@ -152,10 +200,10 @@ Task<void> sample_lines(Pace& pace, const Mesh& mesh, const SurfaceCurves& lines
             const double length = (position_of(mesh, lines.points[i + 1]) - position_of(mesh, lines.points[i])).norm();
             for (; due < length; due += spacing) {
                 out.push_back(between(mesh, lines.points[i], lines.points[i + 1], due / length));
-                co_await pace;
+                if (slice.is_over()) co_await pace;
             }
             due -= length;
-            if (i % point_chunk == 0) co_await pace;
+            if (slice.is_over()) co_await pace;
         }
     }
 }
@@ -165,25 +213,24 @@ Task<void> sample_lines(Pace& pace, const Mesh& mesh, const SurfaceCurves& lines
 Task<LeafSet> list_leaves(Pace& pace, const RegionTree& tree, const std::pmr::vector<RegionId>& regions,
                           const char* argument) {
     Buffer<uint64_t> found((size_t{tree.size()} + 63) / 64, pace.memory());
-    std::fill(found.begin(), found.end(), uint64_t{0});
+    co_await each(pace, found.size(), Cost::some_ns, [&](uint32_t i) { found[i] = 0; });
+    Slice slice(Cost::tens_of_ns);
     for (size_t i = 0; i < regions.size(); ++i) {
         if (regions[i] >= tree.size()) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s[%zu] is %u, the tangle has %u regions", argument, i,
                           regions[i], tree.size());
         }
         RegionTree::Leaves leaves(tree, regions[i], pace.memory());
-        uint32_t passed = 0;
         for (RegionId leaf = leaves.next(); leaf != no_region; leaf = leaves.next()) {
             found[leaf / 64] |= uint64_t{1} << leaf % 64;
-            if (++passed % tree_chunk == 0) co_await pace;
+            if (slice.is_over()) co_await pace;
         }
-        co_await pace;
+        if (slice.is_over()) co_await pace;
     }
     LeafSet leaves(pace.memory());
-    for (RegionId r = 0; r < tree.size(); ++r) {
+    co_await each(pace, tree.size(), Cost::some_ns, [&](RegionId r) {
         if ((found[r / 64] >> r % 64 & 1) != 0) leaves.list.push_back(r);
-        if (r % scan_chunk == 0) co_await pace;
-    }
+    });
     leaves.set = RegionSet(leaves.list.data(), static_cast<uint32_t>(leaves.list.size()), pace.memory());
     co_return leaves;
 }
@@ -202,8 +249,7 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
     SurfaceCurves spaced(pace.memory());
     const bool outer = seeds.borders == FLG_TANGLE_BORDERS_OUTER;
     if (outer || seeds.other_loops || !seeds.stretches.empty() || seeds.border_spacing > 0) {
-        RegionLoops loops(pace.memory());
-        co_await find_loops(pace, mesh, leaves, seeds, argument, loops);
+        const RegionLoops loops = co_await find_loops(pace, mesh, leaves, seeds, argument);
         if (seeds.other_loops && loops.count() < 2) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "the regions have one border, two are needed to go between them");
         }
@@ -211,7 +257,7 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
             co_await add_stretch(pace, mesh, loops, {.loop = l}, places.edges);
         }
         if (outer || !seeds.stretches.empty()) {
-            const Buffer<BorderStretch> stretches = choose_stretches(loops, seeds, argument, pace.memory());
+            const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, loops, seeds, argument);
             for (const BorderStretch& stretch : stretches) {
                 co_await add_stretch(pace, mesh, loops, outer ? BorderStretch{.loop = stretch.loop} : stretch,
                                      places.edges);
@@ -219,20 +265,19 @@ Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet
         }
         if (seeds.border_spacing > 0) {
             Buffer<BorderStretch> whole(loops.count(), pace.memory());
-            for (uint32_t l = 0; l < loops.count(); ++l) whole[l] = {.loop = l};
-            co_await sample_loops(pace, mesh, loops, whole, seeds.border_spacing, spaced);
+            co_await each(pace, loops.count(), Cost::some_ns, [&](uint32_t l) { whole[l] = {.loop = l}; });
+            co_await sample_stretches(pace, mesh, loops, whole, seeds.border_spacing, spaced);
         }
     }
     if (seeds.borders == FLG_TANGLE_BORDERS_EACH) co_await add_each_border(pace, mesh, leaves, places.edges);
     if (!places.edges.empty()) sources.edges = &places.edges;
     const size_t samples = located ? seeds.anchors->sample_points.size() : 0, own = samples + seeds.points.size();
     sources.points = Buffer<SurfacePoint>(own + spaced.points.size(), pace.memory());
-    for (size_t i = 0; i < sources.points.size(); ++i) {
+    co_await each(pace, sources.points.size(), Cost::some_ns, [&](uint32_t i) {
         sources.points[i] = i < samples ? seeds.anchors->sample_points[i]
                             : i < own   ? seeds.points[i - samples]
                                         : spaced.points[i - own];
-        if (i % point_chunk == 0) co_await pace;
-    }
+    });
     // Where no sample fits there is nothing to begin at; but borders that are not there are a mistake.
     const bool none = sources.vertices.empty() && sources.points.empty() && !sources.edges && !sources.curves;
     if (none && seeds.sample_radius == 0) {
@@ -252,7 +297,6 @@ Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr
     GeodesicSources sources = co_await find_sources(pace, *surface, within, seeds, argument, places);
     RegionSet bound = leaves.set;
     const GeodesicRequest request{.surface = surface,
-                                  .accuracy = FLG_ACCURACY_REFINED,
                                   .sources = std::move(sources),
                                   .regions = std::move(bound),
                                   .max_distance = unreachable,
@@ -268,11 +312,10 @@ Task<Buffer<SurfacePoint>> find_stream_starts(Pace& pace, Surface& surface, cons
     const Mesh& mesh = surface.mesh();
     std::pmr::deque<SurfacePoint> points(pace.memory());
     if (seeds.borders == FLG_TANGLE_BORDERS_OUTER || !seeds.stretches.empty()) {
-        RegionLoops loops(pace.memory());
-        co_await find_loops(pace, mesh, leaves, seeds, argument, loops);
-        const Buffer<BorderStretch> stretches = choose_stretches(loops, seeds, argument, pace.memory());
+        const RegionLoops loops = co_await find_loops(pace, mesh, leaves, seeds, argument);
+        const Buffer<BorderStretch> stretches = co_await choose_stretches(pace, loops, seeds, argument);
         SurfaceCurves sampled(pace.memory());
-        co_await sample_loops(pace, mesh, loops, stretches, spacing, sampled);
+        co_await sample_stretches(pace, mesh, loops, stretches, spacing, sampled);
         points = std::move(sampled.points);
     }
     if (seeds.curves) co_await sample_lines(pace, mesh, seeds.curves->curves, spacing, points);
@@ -281,10 +324,7 @@ Task<Buffer<SurfacePoint>> find_stream_starts(Pace& pace, Surface& surface, cons
                       argument);
     }
     Buffer<SurfacePoint> starts(points.size(), pace.memory());
-    for (size_t i = 0; i < starts.size(); ++i) {
-        starts[i] = points[i];
-        if (i % point_chunk == 0) co_await pace;
-    }
+    co_await each(pace, starts.size(), Cost::some_ns, [&](uint32_t i) { starts[i] = points[i]; });
     co_return starts;
 }
 

@@ -1,15 +1,43 @@
 // SPDX-License-Identifier: MIT
-// What operators begin at: arbitrary unions of borders, parts of them, points, Poisson samples and lines, sec. 3.3 and 3.4 of
-// Nazzaro, Puppo, Pellacini: geoTangle (2021).
+// What operators begin at: arbitrary unions of borders, parts of them, points, Poisson samples and lines, sec. 3.3 and
+// 3.4 of Nazzaro, Puppo, Pellacini: geoTangle (2021).
+//
+// Anchors are positions of the seeds in space. They find the seeds again on another mesh of the same shape, whose
+// triangles, borders and samples have other numbers.
 #pragma once
 
 #include "filigree/filigree_tangle.h"
-#include "surfaces/border_sampling.h"
+#include "runtime/pace.h"
+#include "runtime/task.h"
 #include "surfaces/geodesic_jobs.h"
+#include "surfaces/mesh/region_loops.h"
+#include "surfaces/sampling/border_sampling.h"
+#include "surfaces/traced_curves.h"
 #include "tangles/region_tree.h"
-#include "tangles/seed_anchors.h"
 
 namespace flg {
+
+struct SeedAnchors {
+    // Of the seeds' points, and of the points of their curves.
+    Buffer<Position> points, curve_points;
+    // Of the first vertices of the outer borders, in their order; empty: they were not asked for.
+    Buffer<Position> loops;
+    // Of the samples, in the order they were chosen.
+    Buffer<Position> samples;
+    // They are a history's; and of another mesh: points, curves, samples and borders are where these say, and these
+    // stay as they are, so that they lead to the same bits again.
+    bool known = false, given = false;
+    std::shared_ptr<TracedCurves> given_curves;    // of the history, or null
+    std::shared_ptr<TracedCurves> located_curves;  // for what they are on this mesh
+    Buffer<SurfacePoint> sample_points;
+};
+
+Task<Buffer<Position>> positions_of(Pace& pace, const Mesh& mesh, const Buffer<SurfacePoint>& points);
+Task<Buffer<Position>> positions_of(Pace& pace, const Mesh& mesh, const Buffer<uint32_t>& vertices);
+
+// Gives loops the order and beginnings that are given, each the nearest of those that are left; or remembers what they
+// are. Cost: where they are given, some ns for each edge and anchor.
+Task<void> anchor_loops(Pace& pace, const Mesh& mesh, RegionLoops& loops, SeedAnchors& anchors);
 
 struct TangleSeeds {
     explicit TangleSeeds(Memory* memory) : stretches(memory), regions(memory) {}
@@ -50,8 +78,8 @@ struct SeedPlaces {
     std::pmr::deque<Corner> edges;
 };
 
-// `leaves`: those of the seeds' regions. `argument` is what errors call the seeds. Fails if borders are asked for where there
-// are none, or if a stretch names a loop that does not exist. Where no sample fits there may be no sources.
+// `leaves`: those of the seeds' regions. `argument` is what errors call the seeds. Fails if borders are asked for where
+// there are none, or if a stretch names a loop that does not exist. Where no sample fits there may be no sources.
 Task<GeodesicSources> find_sources(Pace& pace, Surface& surface, const RegionSet& leaves, const TangleSeeds& seeds,
                                    const char* argument, SeedPlaces& places);
 
@@ -60,7 +88,8 @@ Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr
                        const LeafSet& leaves, const TangleSeeds& seeds, const char* argument, Perturbation perturbation,
                        bool labelled, DistanceField& field);
 
-// Where streams begin: evenly along the seeds' loops, stretches and lines, in their order, about `spacing` metres apart.
+// Where streams begin: evenly along the seeds' loops, stretches and lines, in their order, about `spacing` metres
+// apart.
 Task<Buffer<SurfacePoint>> find_stream_starts(Pace& pace, Surface& surface, const RegionSet& leaves,
                                               const TangleSeeds& seeds, float spacing, const char* argument);
 

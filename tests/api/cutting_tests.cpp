@@ -246,31 +246,27 @@ TEST(CuttingApi, LabelsRunOutBeforeAnythingIsCut) {
 
 // Distances on a cut surface are those on one that was made so: what solvers keep was brought up to date.
 TEST(CuttingApi, DistancesAfterCutsAreThoseOfASurfaceMadeAnew) {
-    for (FlgAccuracy accuracy : {FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH}) {
-        const SurfaceHost host;
-        const FlgSurface surface = host.surface(sphere(6));
-        FlgGeodesicDesc desc = flgGeodesicDefaults();
-        const uint32_t vertex = 3;
-        desc.surface = surface;
-        desc.accuracy = accuracy;
-        desc.vertices = &vertex;
-        desc.vertex_count = 1;
-        ASSERT_EQ(cut(host, at_levels(host.solve(desc), {0.31f, 0.9f}, 1)), FLG_OK);
-        ASSERT_EQ(cut(host, host.isolines(host.field(surface, along_x), {0.123f, 0.5f})), FLG_OK);
-        const FlgSurfaceView view = host.view(surface);
-        expect_valid(view);
-        MeshArrays copy;
-        copy.positions.assign(view.mesh.columns[0].data,
-                              view.mesh.columns[0].data + 3 * size_t{view.mesh.vertex_count});
-        copy.triangles.assign(view.mesh.triangles, view.mesh.triangles + 3 * size_t{view.mesh.triangle_count});
-        const FlgFieldView cut_field = host.view(host.solve(desc));
-        desc.surface = host.surface(copy, -1);
-        const FlgFieldView fresh = host.view(host.solve(desc));
-        ASSERT_EQ(fresh.vertex_count, cut_field.vertex_count);
-        for (uint32_t v = 0; v < fresh.vertex_count; ++v) {
-            // Where two ways are as long the order of visits, that of the vertices, decides within the solver's error.
-            EXPECT_NEAR(cut_field.values[v], fresh.values[v], 3e-4 * fresh.values[v]) << v;
-        }
+    const SurfaceHost host;
+    const FlgSurface surface = host.surface(sphere(6));
+    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    const uint32_t vertex = 3;
+    desc.surface = surface;
+    desc.vertices = &vertex;
+    desc.vertex_count = 1;
+    ASSERT_EQ(cut(host, at_levels(host.solve(desc), {0.31f, 0.9f}, 1)), FLG_OK);
+    ASSERT_EQ(cut(host, host.isolines(host.field(surface, along_x), {0.123f, 0.5f})), FLG_OK);
+    const FlgSurfaceView view = host.view(surface);
+    expect_valid(view);
+    MeshArrays copy;
+    copy.positions.assign(view.mesh.columns[0].data, view.mesh.columns[0].data + 3 * size_t{view.mesh.vertex_count});
+    copy.triangles.assign(view.mesh.triangles, view.mesh.triangles + 3 * size_t{view.mesh.triangle_count});
+    const FlgFieldView cut_field = host.view(host.solve(desc));
+    desc.surface = host.surface(copy, -1);
+    const FlgFieldView fresh = host.view(host.solve(desc));
+    ASSERT_EQ(fresh.vertex_count, cut_field.vertex_count);
+    for (uint32_t v = 0; v < fresh.vertex_count; ++v) {
+        // Where two ways are as long the order of visits, that of the vertices, decides within the solver's error.
+        EXPECT_NEAR(cut_field.values[v], fresh.values[v], 3e-4 * fresh.values[v]) << v;
     }
 }
 

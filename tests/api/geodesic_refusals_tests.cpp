@@ -33,7 +33,6 @@ TEST(SurfaceRefusals, Distances) {
     expect_failure(flgGeodesic(things.host.context, &good, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "out_field is null");
     refused([](D& d) { d.surface = {}; }, "desc.surface is null", FLG_ERROR_INVALID_HANDLE);
-    refused([](D& d) { d.accuracy = static_cast<FlgAccuracy>(-1); }, "desc.accuracy is -1");
     refused([](D& d) { d.vertex_count = 0; }, "desc has no sources");
     refused([](D& d) { d.vertices = nullptr; }, "desc.vertices is null");
     refused([](D& d) { d.point_count = 1; }, "desc.points is null");

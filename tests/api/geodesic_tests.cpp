@@ -13,23 +13,17 @@ FlgGeodesicDesc from_vertex(FlgSurface surface, const uint32_t* vertex) {
     return desc;
 }
 
-// Isolated errors of the refined solver are below 0.2 % (RMS), of the graph's 1 to 3 % and never too short.
+// Isolated errors are below 0.2 % (RMS).
 TEST(GeodesicApi, DistancesOnAPlane) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(24));
     const uint32_t vertex = 24 * 25 + 24 - 3;  // at (21/24, 1)
     const auto exact = [](const Point& p) { return distance(p, {21.0 / 24, 1, 0}); };
-    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
-    EXPECT_LT(relative_error(host.view(surface), host.view(host.solve(desc)), exact), 0.002);
-    desc.accuracy = FLG_ACCURACY_GRAPH;
-    const FlgFieldView graph = host.view(host.solve(desc));
-    EXPECT_LT(relative_error(host.view(surface), graph, exact), 0.04);
-    for (uint32_t v = 0; v < graph.vertex_count; ++v) {
-        EXPECT_GE(graph.values[v], (1 - 1e-6) * exact(vertex_at(host.view(surface), v)));
-    }
-    EXPECT_EQ(graph.labels, nullptr);
-    EXPECT_EQ(graph.samples, nullptr);
-    EXPECT_EQ(graph.sample_count, 0u);
+    const FlgFieldView field = host.view(host.solve(from_vertex(surface, &vertex)));
+    EXPECT_LT(relative_error(host.view(surface), field, exact), 0.002);
+    EXPECT_EQ(field.labels, nullptr);
+    EXPECT_EQ(field.samples, nullptr);
+    EXPECT_EQ(field.sample_count, 0u);
 }
 
 TEST(GeodesicApi, DistancesOnASphereAndACylinder) {
@@ -97,30 +91,27 @@ TEST(GeodesicApi, DistancesKeepToTheRegions) {
     const FlgSurface surface = host.surface(input);
     const FlgSurfaceView view = host.view(surface);
     const uint32_t vertex = 10, region = 1;  // (0.5, 0)
-    for (FlgAccuracy accuracy : {FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH}) {
-        FlgGeodesicDesc desc = from_vertex(surface, &vertex);
-        desc.accuracy = accuracy;
-        desc.regions = &region;
-        desc.region_count = 1;
-        desc.labels = 1;
-        const FlgFieldView field = host.view(host.solve(desc));
-        for (uint32_t v = 0; v < field.vertex_count; ++v) {
-            const Point p = vertex_at(view, v);
-            if (p[0] > 0.51 && p[1] < 0.49) {
-                EXPECT_EQ(field.values[v], std::numeric_limits<float>::infinity());
-                EXPECT_EQ(field.labels[v], FLG_NO_INDEX);
-                continue;
-            }
-            const bool hidden = p[0] > 0.5;
-            const double exact = hidden ? 0.5 + distance(p, {0.5, 0.5, 0}) : distance(p, {0.5, 0, 0});
-            EXPECT_NEAR(field.values[v], exact, (accuracy == FLG_ACCURACY_REFINED ? 0.012 : 0.09) * exact);
-            EXPECT_EQ(field.labels[v], 0u);
+    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    desc.regions = &region;
+    desc.region_count = 1;
+    desc.labels = 1;
+    const FlgFieldView field = host.view(host.solve(desc));
+    for (uint32_t v = 0; v < field.vertex_count; ++v) {
+        const Point p = vertex_at(view, v);
+        if (p[0] > 0.51 && p[1] < 0.49) {
+            EXPECT_EQ(field.values[v], std::numeric_limits<float>::infinity());
+            EXPECT_EQ(field.labels[v], FLG_NO_INDEX);
+            continue;
         }
-        const uint32_t elsewhere = 20;  // (1, 0), of region 3 only
-        desc.vertices = &elsewhere;
-        const FlgFieldView none = host.view(host.solve(desc));
-        for (uint32_t v = 0; v < none.vertex_count; ++v) EXPECT_TRUE(std::isinf(none.values[v]));
+        const bool hidden = p[0] > 0.5;
+        const double exact = hidden ? 0.5 + distance(p, {0.5, 0.5, 0}) : distance(p, {0.5, 0, 0});
+        EXPECT_NEAR(field.values[v], exact, 0.012 * exact);
+        EXPECT_EQ(field.labels[v], 0u);
     }
+    const uint32_t elsewhere = 20;  // (1, 0), of region 3 only
+    desc.vertices = &elsewhere;
+    const FlgFieldView none = host.view(host.solve(desc));
+    for (uint32_t v = 0; v < none.vertex_count; ++v) EXPECT_TRUE(std::isinf(none.values[v]));
 }
 
 TEST(GeodesicApi, LimitsStopTheSearch) {
@@ -128,29 +119,26 @@ TEST(GeodesicApi, LimitsStopTheSearch) {
     const FlgSurface surface = host.surface(plane(20));
     const uint32_t vertex = 0, target = 5 * 21 + 5;
     const FlgFieldView whole = host.view(host.solve(from_vertex(surface, &vertex)));
-    for (FlgAccuracy accuracy : {FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH}) {
-        FlgGeodesicDesc desc = from_vertex(surface, &vertex);
-        desc.accuracy = accuracy;
-        const FlgFieldView full = host.view(host.solve(desc));
-        desc.max_distance = 0.5f;
-        const FlgFieldView near = host.view(host.solve(desc));
-        uint32_t infinite = 0;
-        for (uint32_t v = 0; v < near.vertex_count; ++v) {
-            if (full.values[v] <= 0.5f) {
-                EXPECT_EQ(near.values[v], full.values[v]);
-            } else if (full.values[v] > 0.501f) {
-                EXPECT_TRUE(std::isinf(near.values[v])) << full.values[v];
-            }
-            infinite += std::isinf(near.values[v]) ? 1 : 0;
+    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    const FlgFieldView full = host.view(host.solve(desc));
+    desc.max_distance = 0.5f;
+    const FlgFieldView near = host.view(host.solve(desc));
+    uint32_t infinite = 0;
+    for (uint32_t v = 0; v < near.vertex_count; ++v) {
+        if (full.values[v] <= 0.5f) {
+            EXPECT_EQ(near.values[v], full.values[v]);
+        } else if (full.values[v] > 0.501f) {
+            EXPECT_TRUE(std::isinf(near.values[v])) << full.values[v];
         }
-        EXPECT_GT(infinite, near.vertex_count / 2);
-        desc.max_distance = flgGeodesicDefaults().max_distance;
-        desc.targets = &target;
-        desc.target_count = 1;
-        const FlgFieldView early = host.view(host.solve(desc));
-        EXPECT_EQ(early.values[target], full.values[target]);
-        EXPECT_GT(early.values[early.vertex_count - 1], whole.values[early.vertex_count - 1] * 0.999f);
+        infinite += std::isinf(near.values[v]) ? 1 : 0;
     }
+    EXPECT_GT(infinite, near.vertex_count / 2);
+    desc.max_distance = flgGeodesicDefaults().max_distance;
+    desc.targets = &target;
+    desc.target_count = 1;
+    const FlgFieldView early = host.view(host.solve(desc));
+    EXPECT_EQ(early.values[target], full.values[target]);
+    EXPECT_GT(early.values[early.vertex_count - 1], whole.values[early.vertex_count - 1] * 0.999f);
 }
 
 // Moved along their normals vertices of a plane are no nearer to each other than before.
@@ -158,48 +146,42 @@ TEST(GeodesicApi, APerturbedMetricIsRougherAndTheSeedsOwn) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(20));
     const uint32_t vertex = 0;
-    for (FlgAccuracy accuracy : {FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH}) {
-        FlgGeodesicDesc desc = from_vertex(surface, &vertex);
-        desc.accuracy = accuracy;
-        const std::string flat = bits(host.view(host.solve(desc)));
-        desc.perturbation = 0.05f;
-        desc.frequency = 4;
-        const FlgFieldView rough = host.view(host.solve(desc));
-        const double bumps = relative_error(host.view(surface), rough, [](const Point& p) { return distance(p, {}); });
-        EXPECT_GT(bumps, 0.002);
-        EXPECT_LT(bumps, 0.3);
-        for (uint32_t v = 0; v < rough.vertex_count; ++v) {
-            EXPECT_GT(rough.values[v], 0.995 * distance(vertex_at(host.view(surface), v), {}) - 1e-6);
-        }
-        EXPECT_EQ(bits(host.view(host.solve(desc))), bits(rough));
-        desc.seed = 2;
-        EXPECT_NE(bits(host.view(host.solve(desc))), bits(rough));
-        desc.perturbation = 0;
-        EXPECT_EQ(bits(host.view(host.solve(desc))), flat);
+    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    const std::string flat = bits(host.view(host.solve(desc)));
+    desc.perturbation = 0.05f;
+    desc.frequency = 4;
+    const FlgFieldView rough = host.view(host.solve(desc));
+    const double bumps = relative_error(host.view(surface), rough, [](const Point& p) { return distance(p, {}); });
+    EXPECT_GT(bumps, 0.002);
+    EXPECT_LT(bumps, 0.3);
+    for (uint32_t v = 0; v < rough.vertex_count; ++v) {
+        EXPECT_GT(rough.values[v], 0.995 * distance(vertex_at(host.view(surface), v), {}) - 1e-6);
     }
+    EXPECT_EQ(bits(host.view(host.solve(desc))), bits(rough));
+    desc.seed = 2;
+    EXPECT_NE(bits(host.view(host.solve(desc))), bits(rough));
+    desc.perturbation = 0;
+    EXPECT_EQ(bits(host.view(host.solve(desc))), flat);
 }
 
 TEST(GeodesicApi, PiecesThatHangTogetherByNothingAreInfinitelyFar) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(loose_triangles(100));
     const uint32_t vertex = 31 * 3;
-    for (FlgAccuracy accuracy : {FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH}) {
-        FlgGeodesicDesc desc = from_vertex(surface, &vertex);
-        desc.accuracy = accuracy;
-        const FlgFieldView field = host.view(host.solve(desc));
-        for (uint32_t v = 0; v < 300; ++v) {
-            if (v / 3 != 31) {
-                EXPECT_TRUE(std::isinf(field.values[v]));
-            } else {
-                EXPECT_EQ(field.values[v], v % 3 == 0 ? 0 : 1);
-            }
+    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    const FlgFieldView field = host.view(host.solve(desc));
+    for (uint32_t v = 0; v < 300; ++v) {
+        if (v / 3 != 31) {
+            EXPECT_TRUE(std::isinf(field.values[v]));
+        } else {
+            EXPECT_EQ(field.values[v], v % 3 == 0 ? 0 : 1);
         }
     }
     const FlgSurface one = host.surface(loose_triangles(1));
     const uint32_t corner = 1;
-    const FlgFieldView field = host.view(host.solve(from_vertex(one, &corner)));
-    EXPECT_EQ(field.values[0], 1);
-    EXPECT_FLOAT_EQ(field.values[2], std::sqrt(2.0f));
+    const FlgFieldView alone = host.view(host.solve(from_vertex(one, &corner)));
+    EXPECT_EQ(alone.values[0], 1);
+    EXPECT_FLOAT_EQ(alone.values[2], std::sqrt(2.0f));
 }
 
 TEST(GeodesicApi, CurvesWithoutACurveAreNowhere) {

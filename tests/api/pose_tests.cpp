@@ -176,8 +176,8 @@ TEST(Poses, OneJointIsRigid) {
     }
 }
 
-// Half a turn of joint 2: linear blending of weights 1/2 and 1/2 makes the girth cos(angle / 2) times as large, and that of a
-// to 1 - a is |a + (1 - a) e^(i angle)|; dual quaternions keep it.
+// Half a turn of joint 2: linear blending of weights 1/2 and 1/2 makes the girth cos(angle / 2) times as large, and
+// that of a to 1 - a is |a + (1 - a) e^(i angle)|; dual quaternions keep it.
 TEST(Poses, ATwistedBarIsThinByLinearBlendingOnly) {
     TestSkin skin = bar();
     for (const float angle : {0.5f, 1.5f, 2.5f, 3.1f}) {

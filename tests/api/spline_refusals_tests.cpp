@@ -31,7 +31,6 @@ TEST(SplineRefusals, BadDescriptorsAreNamed) {
     refuse([](FlgSplineDesc& d) { d.energy = FLG_SPLINE_ET, d.tension = 0; }, "desc.tension is 0");
     refuse([](FlgSplineDesc& d) { d.smoothing = -1; }, "desc.smoothing is -1");
     refuse([](FlgSplineDesc& d) { d.first_tension = INFINITY; }, "desc.first_tension is inf");
-    refuse([](FlgSplineDesc& d) { d.method = static_cast<FlgSplineMethod>(2); }, "desc.method is 2");
     refuse([](FlgSplineDesc& d) { d.start = static_cast<FlgSplineStart>(9); }, "desc.start is 9");
     refuse([](FlgSplineDesc& d) { d.node_count = 2000000; }, "desc.node_count is 2000000");
     refuse([](FlgSplineDesc& d) { d.max_rounds = 0; }, "desc.max_rounds is 0");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Styles with attributes, several patch sizes, discrete matching and several curves, through the C ABI.
+// Styles with attributes, several patch sizes, and several curves, through the C ABI.
 #include "api/style_inputs.h"
 
 namespace flg::test {
@@ -34,13 +34,6 @@ TEST(StyleCreate, RefusesEachBadArgument) {
     refused([](auto&, auto& s, auto&) { s[1].weight = INFINITY; }, "desc.patch_sizes[1].weight is inf");
     refused([](auto&, auto& s, auto&) { s[1].weight = NAN; }, "desc.patch_sizes[1].weight is nan");
     refused([](auto& d, auto&, auto&) { d.point_count = 41; }, "the largest patch in desc.patch_sizes is 20");
-    refused([](auto& d, auto&, auto&) { d.matching = static_cast<FlgMatching>(2); }, "desc.matching is 2");
-    refused(
-        [](auto& d, auto&, auto&) {
-            d.matching = FLG_MATCHING_DISCRETE;
-            d.point_count = 4097;
-        },
-        "desc.point_count is 4097, discrete matching takes at most 4096", FLG_ERROR_LIMIT);
     refused([](auto& d, auto&, auto&) { d.attributes = nullptr; }, "desc.attributes is null");
     refused([](auto& d, auto&, auto&) { d.attribute_count = 9; }, "desc.attribute_count is 9");
     for (const FlgAttribute attribute :
@@ -142,23 +135,6 @@ TEST(StyleCreate, AttributesComeBackOnTheStylesOwnGuide) {
         EXPECT_NEAR(width->data[i], s, 1e-3) << i;
         EXPECT_NEAR(std::remainder(angle->data[i] - 2 * width->data[i], 2 * M_PI), 0, 1e-4) << i;
         for (uint32_t k = 0; k < 4; ++k) EXPECT_NEAR(color->data[4 * i + k], k * width->data[i], 1e-4) << i;
-    }
-}
-
-TEST(StyleCreate, DiscreteMatchingIsCoarserOnly) {
-    Host host;
-    FlgStyleDesc desc = flgStyleDefaults();
-    desc.style = host.create(coil());
-    desc.point_count = 500;
-    const FlgStyleInfo free = style_info(host, prepare(host, desc));
-    desc.matching = FLG_MATCHING_DISCRETE;
-    const FlgStyleInfo discrete = style_info(host, prepare(host, desc));
-    EXPECT_GT(discrete.matching_energy, free.matching_energy);
-    EXPECT_NEAR(discrete.matching_energy, free.matching_energy, 0.05 * free.matching_energy);
-    const double spacing = discrete.style_length / 499;
-    for (uint32_t i = 0; i < 500; ++i) {
-        const double steps = discrete.matching[i] / spacing;
-        EXPECT_NEAR(steps, std::round(steps), 1e-3);
     }
 }
 

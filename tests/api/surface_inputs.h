@@ -59,8 +59,8 @@ struct MeshArrays {
     }
 };
 
-// cells x cells squares of two triangles each, over [0, 1]^2; vertex (i, j) has the number j * (across + 1) + i, or, if the
-// last column is joined to the first, j * across + i.
+// cells x cells squares of two triangles each, over [0, 1]^2; vertex (i, j) has the number j * (across + 1) + i, or, if
+// the last column is joined to the first, j * across + i.
 inline MeshArrays grid(uint32_t across, uint32_t up, const std::function<Point(double, double)>& place,
                        bool joined = false) {
     MeshArrays mesh;

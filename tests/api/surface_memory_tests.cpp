@@ -59,17 +59,17 @@ int64_t fail_each(Step step) {
         const FlgSurfaceView view = bench.host.view(bench.surface);
         expect_valid(view);
         EXPECT_TRUE(result == FLG_OK || bits(view) == bench.before) << "allocation " << fail_at;
-        // The surface is as good as ever.
-        for (FlgAccuracy accuracy : {FLG_ACCURACY_REFINED, FLG_ACCURACY_GRAPH}) {
+        // The surface is as good as ever, and once more after a cut.
+        for (int round = 0; round < 2; ++round) {
             FlgGeodesicDesc desc = flgGeodesicDefaults();
             const uint32_t vertex = 0;
             desc.surface = bench.surface;
-            desc.accuracy = accuracy;
             desc.vertices = &vertex;
             desc.vertex_count = 1;
             const FlgFieldView field = bench.host.view(bench.host.solve(desc));
+            const FlgSurfaceView now = bench.host.view(bench.surface);
             for (uint32_t v = 0; v < field.vertex_count; ++v) {
-                const double exact = distance(vertex_at(view, v), {});
+                const double exact = distance(vertex_at(now, v), {});
                 EXPECT_NEAR(field.values[v], exact, 0.1 * exact) << "allocation " << fail_at;
             }
             FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
@@ -129,13 +129,12 @@ TEST(SurfaceMemory, FieldsAreMadeOrRefused) {
     });
 }
 
-template <int accuracy, bool perturbed>
+template <bool perturbed>
 FlgResult measure(Bench& bench, FlgJob* job) {
     const uint32_t zero = 0;
     const FlgSurfacePoint point = {7, 0.2f, 0.2f};
     FlgGeodesicDesc desc = flgGeodesicDefaults();
     desc.surface = bench.surface;
-    desc.accuracy = static_cast<FlgAccuracy>(accuracy);
     desc.vertices = desc.targets = desc.regions = desc.border_regions = &zero;
     desc.vertex_count = desc.target_count = desc.region_count = desc.border_region_count = 1;
     desc.points = &point;
@@ -148,10 +147,8 @@ FlgResult measure(Bench& bench, FlgJob* job) {
 }
 
 TEST(SurfaceMemory, DistancesAreMeasuredOrRefused) {
-    EXPECT_GT(fail_each(measure<FLG_ACCURACY_REFINED, false>), 30);
-    EXPECT_GT(fail_each(measure<FLG_ACCURACY_GRAPH, false>), 30);
-    fail_each(measure<FLG_ACCURACY_REFINED, true>);
-    fail_each(measure<FLG_ACCURACY_GRAPH, true>);
+    EXPECT_GT(fail_each(measure<false>), 30);
+    fail_each(measure<true>);
 }
 
 TEST(SurfaceMemory, CurvesAreTracedOrRefused) {
@@ -206,20 +203,18 @@ TEST(SurfaceMemory, CurvesAreTracedOrRefused) {
     });
 }
 
-// With what solvers keep there, so that a cut has it to update.
-void build_solvers(Bench& bench) {
-    for (Step step : {measure<FLG_ACCURACY_REFINED, false>, measure<FLG_ACCURACY_GRAPH, false>}) {
-        const int64_t fail_at = bench.host.allocator.fail_at.exchange(-1);
-        EXPECT_EQ(step(bench, nullptr), FLG_OK) << flgLastError();
-        bench.host.finish();
-        bench.host.allocator.calls = 0;
-        bench.host.allocator.fail_at = fail_at;
-    }
+// With what the solver keeps there, so that a cut has it to update.
+void build_solver(Bench& bench) {
+    const int64_t fail_at = bench.host.allocator.fail_at.exchange(-1);
+    EXPECT_EQ(measure<false>(bench, nullptr), FLG_OK) << flgLastError();
+    bench.host.finish();
+    bench.host.allocator.calls = 0;
+    bench.host.allocator.fail_at = fail_at;
 }
 
 TEST(SurfaceMemory, CutsAreMadeWholeOrNotAtAll) {
     EXPECT_GT(fail_each([](Bench& bench, FlgJob* job) {
-                  build_solvers(bench);
+                  build_solver(bench);
                   FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
                   desc.field = bench.field;
                   desc.levels.first = 0.2f;
@@ -230,7 +225,7 @@ TEST(SurfaceMemory, CutsAreMadeWholeOrNotAtAll) {
               }),
               30);
     EXPECT_GT(fail_each([](Bench& bench, FlgJob* job) {
-                  build_solvers(bench);
+                  build_solver(bench);
                   FlgCutCurvesDesc desc = flgCutCurvesDefaults();
                   desc.curves = bench.curves;
                   desc.first_label = 3;
@@ -239,7 +234,8 @@ TEST(SurfaceMemory, CutsAreMadeWholeOrNotAtAll) {
               30);
 }
 
-// A refused reader leaves no trace, an accepted one is waited for: however many there are, and wherever memory runs out.
+// A refused reader leaves no trace, an accepted one is waited for: however many there are, and wherever memory runs
+// out.
 TEST(SurfaceMemory, ReadersAreWaitedForOrRefused) {
     int64_t calls = 0;
     for (int64_t fail_at = -1; fail_at < calls; fail_at += 7) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Descriptors that were right before something in them was changed: sentences name the argument and the value, outputs are
-// null.
+// Descriptors that were right before something in them was changed: sentences name the argument and the value, outputs
+// are null.
 #pragma once
 
 #include "api/surface_inputs.h"

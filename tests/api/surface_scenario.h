@@ -28,7 +28,6 @@ struct SurfaceScenario {
 
         FlgGeodesicDesc geodesic = flgGeodesicDefaults();
         geodesic.surface = surface;
-        geodesic.accuracy = FLG_ACCURACY_GRAPH;
         geodesic.curves = host.start_isolines(fields[0], {0.4f, 0.8f});
         geodesic.labels = 1;
         curves.push_back(geodesic.curves);

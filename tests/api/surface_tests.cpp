@@ -11,7 +11,7 @@ TEST(SurfaceApi, DefaultsAreThoseOfTheHeader) {
     EXPECT_EQ(flgSurfaceViewDefaults().mesh.struct_size, sizeof(FlgMeshView));
     EXPECT_EQ(flgRefineDefaults().scheme, FLG_SUBDIVISION_MIDPOINT);
     EXPECT_EQ(flgRefineDefaults().levels, 1u);
-    EXPECT_EQ(flgGeodesicDefaults().accuracy, FLG_ACCURACY_REFINED);
+    EXPECT_EQ(flgGeodesicDefaults().labels, 0u);
     EXPECT_EQ(flgGeodesicDefaults().max_distance, std::numeric_limits<float>::infinity());
     EXPECT_EQ(flgGeodesicDefaults().perturbation, 0);
     EXPECT_EQ(flgGeodesicDefaults().frequency, 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the SDK includes from elsewhere is listed in sdk/docs/dependencies.md with a licence that asks nothing of a closed host.
+// What the SDK includes from elsewhere is listed in sdk/docs/dependencies.md with a licence that asks nothing of a
+// closed host.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -194,14 +194,14 @@ TEST(AxisBranches, CoverTheGraphAndStayInTheShape) {
     EXPECT_GT(slices, 5000u);
 }
 
-TEST(AxisBranches, AreTheSameInSlices) {
+TEST(AxisBranches, SameBitsWithPauses) {
     for (const Rings& rings : {random_tour(4, 150), pixel_shape(2, 14, true)}) {
         const Contour contour = contour_of(rings);
-        const PartSkeleton whole = part_of(contour, 0.05, 0.5), sliced = part_of(contour, 0.05, 0.5, 1);
-        ASSERT_EQ(whole.samples.size(), sliced.samples.size());
+        const PartSkeleton whole = part_of(contour, 0.05, 0.5), paused = part_of(contour, 0.05, 0.5, true);
+        ASSERT_EQ(whole.samples.size(), paused.samples.size());
         for (size_t i = 0; i < whole.samples.size(); ++i) {
-            ASSERT_EQ(whole.samples[i].at, sliced.samples[i].at);
-            ASSERT_EQ(whole.samples[i].left, sliced.samples[i].left);
+            ASSERT_EQ(whole.samples[i].at, paused.samples[i].at);
+            ASSERT_EQ(whole.samples[i].left, paused.samples[i].left);
         }
     }
 }

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "bones/bone_order.h"
+#include "bones/bone_graph.h"
 #include "bones/connection.h"
 #include "bones/refinement.h"
+#include "runtime/run_now.h"
 
 namespace flg::test {
 namespace {
@@ -44,13 +45,15 @@ void expect_tree(const BoneGraph& graph) {
         }
         EXPECT_EQ(ends, graph.joints()[j].degree);
     }
-    BoneTree tree(memory());
-    std::pmr::vector<uint32_t> number(memory());
     const uint32_t root[] = {first};
-    BoneOrderKernel order(graph, root, tree, number, memory());
-    while (!order.run(3)) {}
+    const OrderedBones ordered = run_haltingly(memory(), [&](Pace& pace) { return order_bones(pace, graph, root); });
+    const BoneTree& tree = ordered.tree;
     EXPECT_EQ(tree.joints.size(), joint_count(graph));
     for (size_t j = 1; j < tree.joints.size(); ++j) EXPECT_LT(tree.joints[j].parent, j);
+}
+
+PartLink connected(BoneGraph& graph, const NewPart& part) {
+    return run_haltingly(memory(), [&](Pace& pace) { return connect_part(pace, graph, part); });
 }
 
 // A horizontal torso of three bones from x = 0 to 9, two thick, of part 0.
@@ -68,10 +71,7 @@ PartLink hang_leg(BoneGraph& graph, double x, double y, uint32_t part = 1) {
     const auto first_bone = static_cast<uint32_t>(graph.bones().size());
     const uint32_t hip = graph.add_joint({x, y, 0}, radius, part), knee = graph.add_joint({x, y - 4, 0}, radius, part);
     graph.add_bone(hip, knee, part);
-    PartLink link;
-    ConnectionKernel kernel(graph, part, part == 1 ? no_number : part - 1, first_joint, first_bone, {}, link, memory());
-    while (!kernel.run(1)) {}
-    return link;
+    return connected(graph, {part, part == 1 ? no_number : part - 1, first_joint, first_bone, {}});
 }
 
 TEST(Connection, BoneSplitEventBetweenTheBonesEnds) {
@@ -122,9 +122,7 @@ TEST(Connection, PartsMeetByTheirOutlines) {
         const uint32_t root = graph.add_joint({4, 5, 0}, 0.1, 1), tip = graph.add_joint({4, 9, 0}, 0.1, 1);
         graph.add_bone(root, tip, 1);
         const Vec3 outline[] = {{4, 9, 0}, {5, edge, 0}};
-        PartLink link;
-        ConnectionKernel kernel(graph, 1, no_number, 4, 3, outline, link, memory());
-        while (!kernel.run(1)) {}
+        const PartLink link = connected(graph, {1, no_number, 4, 3, outline});
         EXPECT_EQ(link.event, edge < 2 ? PartLink::Event::bone_split : PartLink::Event::root);
         EXPECT_EQ(link.joint, edge < 2 ? root : no_number);
         EXPECT_EQ(link.parent, edge < 2 ? 0 : no_number);
@@ -140,20 +138,37 @@ TEST(Connection, TakesTheNearestOfSeveralParents) {
     ASSERT_EQ(first_bone, 3u);
     const auto first_joint = static_cast<uint32_t>(graph.joints().size());
     const uint32_t hip = graph.add_joint({4, -1.5, 0.6}, 0.2, 2);
-    PartLink link;
-    ConnectionKernel kernel(graph, 2, no_number, first_joint, static_cast<uint32_t>(graph.bones().size()), {}, link,
-                            memory());
-    while (!kernel.run(1)) {}
+    const PartLink link =
+        connected(graph, {2, no_number, first_joint, static_cast<uint32_t>(graph.bones().size()), {}});
     EXPECT_EQ(link.parent, 1u);
     EXPECT_EQ(link.joint, hip);
     // With that one for its twin it hangs on the torso.
     BoneGraph again = torso();
     again.add_bone(again.add_joint({4, -1.4, 0.5}, 0.4, 1), again.add_joint({4, -1.4, 9}, 0.4, 1), 1);
     again.add_joint({4, -1.5, 0.6}, 0.2, 2);
-    PartLink second;
-    ConnectionKernel other(again, 2, 1, first_joint, 4, {}, second, memory());
-    while (!other.run(5)) {}
+    const PartLink second = connected(again, {2, 1, first_joint, 4, {}});
     EXPECT_EQ(second.parent, 0u);
+}
+
+TEST(Connection, SameBitsWithPauses) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> at(-3, 12);
+    for (int round = 0; round < 100; ++round) {
+        BoneGraph whole = torso();
+        hang_leg(whole, at(random), -1.5);
+        const auto joint = static_cast<uint32_t>(whole.joints().size()),
+                   bone = static_cast<uint32_t>(whole.bones().size());
+        const Vec3 hip(at(random), at(random) / 4, 0), outline[] = {hip, hip + Vec3(0, 2, 0)};
+        whole.add_bone(whole.add_joint(hip, 0.3, 2), whole.add_joint(hip + Vec3(0, 4, 1), 0.2, 2), 2);
+        BoneGraph paused = whole;
+        const NewPart part{2, no_number, joint, bone, outline};
+        const PartLink expected = run_now(memory(), [&](Pace& pace) { return connect_part(pace, whole, part); });
+        const PartLink link = connected(paused, part);
+        ASSERT_EQ(link.event, expected.event);
+        ASSERT_EQ(link.joint, expected.joint);
+        ASSERT_EQ(link.parent_joint, expected.parent_joint);
+        ASSERT_EQ(joint_count(paused), joint_count(whole));
+    }
 }
 
 TEST(Connection, APartOfOneJointCanBeHungOn) {
@@ -165,10 +180,10 @@ TEST(Connection, APartOfOneJointCanBeHungOn) {
     expect_tree(graph);
 }
 
-void refine(BoneGraph& graph, const RefinementThresholds& thresholds, uint32_t parts = 2, uint32_t slice = 1) {
+void refine(BoneGraph& graph, const RefinementThresholds& thresholds, uint32_t parts = 2, bool haltingly = false) {
     const std::vector<RefinementThresholds> all(parts + 1, thresholds);
-    RefinementKernel kernel(graph, all, memory());
-    while (!kernel.run(slice)) {}
+    const auto make = [&](Pace& pace) { return flg::refine(pace, graph, all); };
+    run_now(memory(), make, haltingly);
 }
 
 TEST(Refinement, JunctionsNearEachOtherBecomeOne) {
@@ -235,8 +250,7 @@ TEST(Refinement, PartsHaveThresholdsOfTheirOwn) {
     BoneGraph graph = torso();
     hang_leg(graph, 4, -1.5);
     const std::vector<RefinementThresholds> thresholds = {{0, 0, 0}, {0, 100, 0}, {0, 0, 0}};
-    RefinementKernel kernel(graph, thresholds, memory());
-    while (!kernel.run(1)) {}
+    run_now(memory(), [&](Pace& pace) { return flg::refine(pace, graph, thresholds); });
     EXPECT_EQ(joint_count(graph), 7u) << "the leg's branch goes over to the torso: the model's threshold holds";
     BoneGraph again = torso();
     hang_leg(again, 4, -1.5);
@@ -257,17 +271,17 @@ TEST(Refinement, OfRandomTreesLeavesATree) {
             const uint32_t parent = random() % j;
             graph.add_bone(parent, j, graph.joints()[parent].part == part ? part : no_number);
         }
-        BoneGraph sliced = graph;
+        BoneGraph paused = graph;
         const RefinementThresholds thresholds = {share(random), share(random), share(random)};
-        refine(graph, thresholds, 3, 1000);
+        refine(graph, thresholds, 3);
         expect_tree(graph);
-        refine(sliced, thresholds, 3, 1);
-        ASSERT_EQ(joint_count(sliced), joint_count(graph));
-        for (uint32_t j = 0; j < n; ++j) ASSERT_EQ(sliced.heir(j), graph.heir(j));
+        refine(paused, thresholds, 3, true);
+        ASSERT_EQ(joint_count(paused), joint_count(graph));
+        for (uint32_t j = 0; j < n; ++j) ASSERT_EQ(paused.heir(j), graph.heir(j));
         // Once more changes what pruning and collapsing have made new, and comes to an end.
         for (uint32_t before = joint_count(graph) + 1; joint_count(graph) < before;) {
             before = joint_count(graph);
-            refine(graph, thresholds, 3, 1000);
+            refine(graph, thresholds, 3);
             expect_tree(graph);
         }
         ASSERT_GE(joint_count(graph), 1u);

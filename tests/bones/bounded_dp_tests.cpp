@@ -110,12 +110,12 @@ TEST(BoundedDp, FinerThresholdsKeepMore) {
     }
 }
 
-TEST(BoundedDp, IsTheSameInSlices) {
+TEST(BoundedDp, SameBitsWithPauses) {
     const Contour contour = contour_of(random_tour(6, 120));
     const PartSkeleton part = part_of(contour, 0.01 * size_of(contour));
     for (size_t b = 0; b < part.branches.size(); ++b) {
         const std::vector<AxisSample> samples = samples_of(part, b);
-        EXPECT_EQ(joints_of(contour, samples, 0.01, 1), joints_of(contour, samples, 0.01, 1, 1));
+        EXPECT_EQ(joints_of(contour, samples, 0.01, 1), joints_of(contour, samples, 0.01, 1, true));
     }
 }
 

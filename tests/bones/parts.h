@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Parts for the tests, made by the kernels alone.
+// Parts for the tests, made step by step.
 #pragma once
 
-#include "bones/axis_branches.h"
+#include "bones/axis.h"
 #include "bones/bounded_dp.h"
 #include "bones/contour_sampling.h"
+#include "runtime/run_now.h"
 #include "skeletons/plane.h"
 #include "skeletons/random_contours.h"
 
@@ -14,20 +15,20 @@ inline Memory* memory() {
     return std::pmr::new_delete_resource();
 }
 
-inline AxisGraph axis_of(const Contour& contour, const StraightSkeleton& skeleton, double collapse = 0.5,
-                         uint32_t slice = 1000) {
-    AxisGraph graph(memory());
-    AxisGraphKernel kernel(contour, skeleton, collapse, graph, memory());
-    while (!kernel.run(slice)) {}
-    return graph;
+// What the task that make(pace) returns makes; it pauses at each opportunity if `haltingly`.
+template <class Make>
+auto made(const Make& make, bool haltingly) {
+    return run_now(memory(), make, haltingly);
 }
 
-inline PartSkeleton part_of(const Contour& contour, double spacing, double collapse = 0.5, uint32_t slice = 1000) {
-    PartSkeleton part(memory());
-    part.graph = axis_of(contour, skeleton_of(contour), collapse, slice);
-    AxisBranchesKernel kernel(contour, spacing, part, memory());
-    while (!kernel.run(slice)) {}
-    return part;
+inline AxisGraph axis_of(const Contour& contour, const StraightSkeleton& skeleton, double collapse = 0.5,
+                         bool haltingly = false) {
+    return made([&](Pace& pace) { return axis_graph(pace, contour, skeleton, collapse); }, haltingly);
+}
+
+inline PartSkeleton part_of(const Contour& contour, double spacing, double collapse = 0.5, bool haltingly = false) {
+    AxisGraph graph = axis_of(contour, skeleton_of(contour), collapse, haltingly);
+    return made([&](Pace& pace) { return axis_branches(pace, contour, std::move(graph), spacing); }, haltingly);
 }
 
 inline std::vector<AxisSample> samples_of(const PartSkeleton& part, size_t branch) {
@@ -35,10 +36,9 @@ inline std::vector<AxisSample> samples_of(const PartSkeleton& part, size_t branc
 }
 
 inline std::vector<uint32_t> joints_of(const Contour& contour, const std::vector<AxisSample>& samples, double threshold,
-                                       double shape_weight, uint32_t slice = 1000) {
-    std::pmr::vector<uint32_t> joints(memory());
-    BoundedDpKernel kernel(contour, samples, threshold, shape_weight, joints, memory());
-    while (!kernel.run(slice)) {}
+                                       double shape_weight, bool haltingly = false) {
+    const auto make = [&](Pace& pace) { return bounded_dp(pace, contour, samples, threshold, shape_weight); };
+    const std::pmr::vector<uint32_t> joints = made(make, haltingly);
     return {joints.begin(), joints.end()};
 }
 

@@ -5,7 +5,9 @@
 #include <functional>
 #include <vector>
 
+#include "curves/arc_length.h"
 #include "curves/resample.h"
+#include "runtime/run_now.h"
 
 namespace flg::test {
 
@@ -36,10 +38,9 @@ inline Points sampled(const std::function<Vec3(double)>& curve, int count, bool 
     return points_of(vectors, closed);
 }
 
-inline CurveMeasure measure(const Points& points, uint32_t slice = 1u << 30) {
-    ArcLengthKernel kernel(points.view());
-    while (!kernel.run(slice)) {}
-    return kernel.measure();
+inline CurveMeasure measure(const Points& points, bool haltingly = false) {
+    return run_now(
+        std::pmr::new_delete_resource(), [&](Pace& pace) { return measure_curve(pace, points.view()); }, haltingly);
 }
 
 struct Resampled {
@@ -51,14 +52,15 @@ struct Resampled {
     Vec3 normal(size_t i) const { return load_vec3(&normals[3 * i]); }
 };
 
-inline Resampled resample(const SamplingPlan& plan, uint32_t slice = 1u << 30,
-                          std::span<const ColumnPair> columns = {}) {
+inline Resampled resample(const SamplingPlan& plan, bool haltingly = false, std::span<const ColumnPair> columns = {}) {
     Resampled out;
     out.positions.resize(3 * plan.sample_count());
     out.tangents.resize(3 * plan.sample_count());
     out.normals.resize(3 * plan.sample_count());
-    ResampleKernel kernel(plan, {out.positions.data(), out.tangents.data(), out.normals.data()}, columns);
-    while (!kernel.run(slice)) {}
+    const FrameColumns to{out.positions.data(), out.tangents.data(), out.normals.data()};
+    run_now(
+        std::pmr::new_delete_resource(), [&](Pace& pace) { return resample_curve(pace, plan, to, columns, 1); },
+        haltingly);
     return out;
 }
 
@@ -73,8 +75,8 @@ inline SamplingPlan plan_of(const Points& points, uint32_t steps,
 }
 
 inline Resampled resample(const Points& points, uint32_t steps, FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING,
-                          uint32_t slice = 1u << 30) {
-    return resample(plan_of(points, steps, frame), slice);
+                          bool haltingly = false) {
+    return resample(plan_of(points, steps, frame), haltingly);
 }
 
 constexpr double two_pi = 6.283185307179586;

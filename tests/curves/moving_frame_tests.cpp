@@ -197,7 +197,8 @@ TEST(MovingFrame, SuppliedNormalsThatPointAlongTheCurveAreCarriedOn) {
     expect_orthonormal(test::resample(supplied(line, 40, opposite)));
 }
 
-// In the xy plane but for its far side, which is arched, so that the curve's mean is off the plane; begins on a straight part.
+// In the xy plane but for its far side, which is arched, so that the curve's mean is off the plane; begins on a
+// straight part.
 Points arched_track() {
     std::vector<Vec3> points;
     for (int i = 0; i < 10; ++i) points.emplace_back(0.1 * i, 0, 0);

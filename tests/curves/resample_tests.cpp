@@ -139,9 +139,9 @@ TEST(Resample, ResultsDoNotDependOnTheSlices) {
             SamplingPlan plan = test::plan_of(points, 700, frame);
             plan.normals = points.floats.data();
             const Resampled whole = test::resample(plan);
-            for (uint32_t slice : {1u, 7u, 256u}) {
-                EXPECT_EQ(test::measure(points, slice).length, test::measure(points).length);
-                const Resampled sliced = test::resample(plan, slice);
+            {
+                EXPECT_EQ(test::measure(points, true).length, test::measure(points).length);
+                const Resampled sliced = test::resample(plan, true);
                 EXPECT_EQ(sliced.positions, whole.positions);
                 EXPECT_EQ(sliced.tangents, whole.tangents);
                 EXPECT_EQ(sliced.normals, whole.normals);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All that the ABI's functions take by descriptor: a scenario of tests/hardening runs with valid input, but for some fields
-// that the fuzzer's bytes put in the place of others. Whatever a function then says, it says in words, it is no bug of ours
-// (FLG_ERROR_INTERNAL), handles are written on every path, and all memory comes back.
+// All that the ABI's functions take by descriptor: a scenario of tests/hardening runs with valid input, but for some
+// fields that the fuzzer's bytes put in the place of others. Whatever a function then says, it says in words, it is no
+// bug of ours (FLG_ERROR_INTERNAL), handles are written on every path, and all memory comes back.
 //
 // Input: the scenario's number, then up to four edits of eight bytes: call, field, how, unused, four bytes of value.
 #include <cmath>
@@ -117,7 +117,8 @@ private:
     uint32_t calls_ = 0;
 };
 
-// What a scenario finds amiss in its results is not the question here; what it says of them would hide crashes in noise.
+// What a scenario finds amiss in its results is not the question here; what it says of them would hide crashes in
+// noise.
 struct Silence : testing::EmptyTestEventListener {};
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of meshes, of the format FLG_EXTENSION: refused, or a mesh as views promise it; what is written as .ply is read as
-// the same bits.
+// Files of meshes, of the format FLG_EXTENSION: refused, or a mesh as views promise it; what is written as .ply is read
+// as the same bits.
 #include <cmath>
 #include <cstring>
 

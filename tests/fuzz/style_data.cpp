@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prepared styles as bytes: refused, or a style that can be applied, and gives the same bytes again. Input is what follows the
-// header, which is put before it as it must be: the hash would refuse all else.
+// Prepared styles as bytes: refused, or a style that can be applied, and gives the same bytes again. Input is what
+// follows the header, which is put before it as it must be: the hash would refuse all else.
 #include <cstring>
 #include <vector>
 

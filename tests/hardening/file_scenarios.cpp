@@ -159,6 +159,8 @@ void keep_skin_files(Calls& calls) {
 }
 
 void keep_tangle_files(Calls& calls) {
+    EXPECT_STREQ(FLG_VALUE(calls, flgTangleOperatorName, uint32_t{FLG_TANGLE_VORONOI}), "voronoi");
+    EXPECT_STREQ(FLG_VALUE(calls, flgTangleMacroName, uint32_t{FLG_TANGLE_FLOWER}), "flower");
     const Folder folder;
     std::vector<uint32_t> regions;
     for (uint32_t i = 0; i < 40; ++i) regions.push_back(i);

@@ -35,7 +35,6 @@ void RandomHost::make_style() {
     desc.point_count = 48 + draw(40);
     desc.patch = chance(20) ? draw(2000) : 2 + draw(6);
     desc.alpha = number(0, 1);
-    desc.matching = choice<FlgMatching>(2);
     if (chance(4)) {
         desc.attributes = maybe(&attribute);
         desc.attribute_count = 1;
@@ -170,7 +169,6 @@ void RandomHost::fit_spline() {
     desc.closed = chance(3);
     desc.energy = choice<FlgSplineEnergy>(3);
     desc.start = choice<FlgSplineStart>(2);
-    desc.method = choice<FlgSplineMethod>(2);
     desc.node_count = chance(10) ? draw(1000) : 0;
     desc.max_rounds = 1 + draw(8);
     desc.smoothing = chance(4) ? number<double>(0, 1) : 0;

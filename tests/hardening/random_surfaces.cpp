@@ -60,7 +60,6 @@ void RandomHost::measure() {
         default: {
             FlgGeodesicDesc desc = flgGeodesicDefaults();
             desc.surface = any<FlgSurface>(surface);
-            desc.accuracy = choice<FlgAccuracy>(2);
             desc.vertices = maybe(vertices);
             desc.vertex_count = draw(3);
             desc.points = maybe(&point);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contexts, curves, styles, stylization, live strokes.
+#include <utility>
+
 #include "api/live_inputs.h"
 #include "hardening/scenarios.h"
 
@@ -46,10 +48,19 @@ void make_contexts(Calls& calls) {
     FLG_CALL(calls, flgTick, context, 100u, &report);
     EXPECT_EQ(report.frame, 1u);
     FLG_CALL(calls, flgContextWait, context, 10u);
+    FLG_CALL(calls, flgContextRun, context, nullptr, 0u, 1.0);
     FLG_CALL(calls, flgContextDestroy, context);
 }
 
 void make_curves(Calls& calls) {
+    const Curves arc = arcs(1, 12);
+    FlgCurveSet lone{};
+    FLG_CALL(calls, flgCurveSetCreateFromPoints, calls.context, arc.positions.data(), 12u, uint8_t{0}, calls.out(lone));
+    FlgCurveSetView view = FLG_INIT(calls, flgCurveSetViewInit);
+    FLG_CALL(calls, flgCurveSetGetView, calls.context, lone, &view);
+    EXPECT_EQ(FLG_VALUE(calls, flgCurveSetViewColumn, &std::as_const(view), FLG_ATTRIBUTE_POSITION), view.columns);
+    calls.bits += bits(view);
+    FLG_CALL(calls, flgCurveSetRelease, calls.context, lone);
     FlgResampleDesc desc = FLG_INIT(calls, flgResampleDescInit);
     desc.curves = create(calls, arcs(3, 12));
     desc.spacing = 0.4f;
@@ -84,7 +95,7 @@ void make_styles(Calls& calls) {
     FLG_CALL(calls, flgStyleCreateFromData, calls.context, data.data(), size, calls.out(loaded));
     FLG_CALL(calls, flgStyleRelease, calls.context, loaded);
 
-    // Every option at once: a guide of one's own, attributes, several patch sizes, the discrete matching.
+    // Every option at once: a guide of one's own, attributes, several patch sizes.
     FlgStyleDesc desc = FLG_INIT(calls, flgStyleDescInit);
     const FlgPatchSize sizes[] = {{2, 1}, {4, 0.5f}};
     const FlgStyleAttribute attribute = {FLG_ATTRIBUTE_RADIUS, FLG_METRIC_AUTO, 0.1f, 0};
@@ -93,7 +104,6 @@ void make_styles(Calls& calls) {
     desc.point_count = 48;
     desc.patch_sizes = sizes;
     desc.patch_size_count = 2;
-    desc.matching = FLG_MATCHING_DISCRETE;
     desc.attributes = &attribute;
     desc.attribute_count = 1;
     FlgStyle rich{};

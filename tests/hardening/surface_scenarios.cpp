@@ -15,10 +15,9 @@ FlgSurface create(Calls& calls, MeshArrays mesh) {
     return surface;
 }
 
-FlgField distances(Calls& calls, FlgSurface surface, uint32_t vertex, FlgAccuracy accuracy = FLG_ACCURACY_REFINED) {
+FlgField distances(Calls& calls, FlgSurface surface, uint32_t vertex) {
     FlgGeodesicDesc desc = FLG_INIT(calls, flgGeodesicDescInit);
     desc.surface = surface;
-    desc.accuracy = accuracy;
     desc.vertices = &vertex;
     desc.vertex_count = 1;
     desc.labels = 1;
@@ -44,6 +43,13 @@ void make_surfaces(Calls& calls) {
     mesh.set_regions([](const Point& p) { return p[0] > 0.5 ? 1u : 0u; });
     const FlgMeshView given = FLG_INIT(calls, flgMeshViewInit);
     EXPECT_EQ(given.triangle_count, 0u);
+    EXPECT_EQ(FLG_VALUE(calls, flgMeshViewColumn, &given, FLG_ATTRIBUTE_POSITION), nullptr);
+    FlgSurface plain{};
+    FLG_CALL(calls, flgSurfaceCreateFromTriangles, calls.context, mesh.positions.data(), mesh.vertex_count(),
+             mesh.triangles.data(), mesh.triangle_count(), calls.out(plain), calls.job());
+    calls.finish();
+    calls.note(plain);
+    FLG_CALL(calls, flgSurfaceRelease, calls.context, plain);
     const FlgSurface surface = create(calls, mesh);
     calls.finish();
     FlgSurfaceReport report{};
@@ -65,11 +71,10 @@ void make_surfaces(Calls& calls) {
 
 void measure_surfaces(Calls& calls) {
     const FlgSurface surface = create(calls, plane(6));
-    const FlgField refined = distances(calls, surface, 0);
-    const FlgField graph = distances(calls, surface, 48, FLG_ACCURACY_GRAPH);
+    const FlgField from = distances(calls, surface, 0), to = distances(calls, surface, 48);
     FlgBlendDesc blend = FLG_INIT(calls, flgBlendDescInit);
-    blend.from = refined;
-    blend.to = graph;
+    blend.from = from;
+    blend.to = to;
     FlgField blended{}, sampled{}, perturbed{}, own{};
     FLG_CALL(calls, flgFieldBlend, calls.context, &blend, calls.out(blended), calls.job());
     FlgSamplingDesc sampling = FLG_INIT(calls, flgSamplingDescInit);
@@ -97,7 +102,7 @@ void measure_surfaces(Calls& calls) {
     calls.finish();
     const std::vector<float> values(49, 0.5f);
     FLG_CALL(calls, flgFieldCreate, calls.context, surface, values.data(), 49u, calls.out(own));
-    for (const FlgField field : {refined, graph, blended, sampled, perturbed, own}) {
+    for (const FlgField field : {from, to, blended, sampled, perturbed, own}) {
         calls.note(field);
         FLG_CALL(calls, flgFieldRelease, calls.context, field);
     }
@@ -150,7 +155,6 @@ void cut_surfaces(Calls& calls) {
     calls.finish();
     calls.note(surface);
     const FlgField first = distances(calls, surface, 3);
-    distances(calls, surface, 5, FLG_ACCURACY_GRAPH);  // what solvers keep is to be updated, too
     calls.finish();
     FlgCutIsolinesDesc bands = FLG_INIT(calls, flgCutIsolinesDescInit);
     bands.field = first;

@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "inflation/closed_mesh.h"
 #include "inflation/models.h"
+#include "inflation/surface_extraction.h"
 
 namespace flg::test {
 namespace {
@@ -119,10 +120,8 @@ TEST(Merge, ThinPartsAreKept) {
     double reach = 0;
     for (const Vec3& p : mesh.positions) reach = std::max(reach, p.x());
     EXPECT_NEAR(reach, 3, 0.1);
-    MergedMesh out;
-    MergeParts refused(model.parts, {.most_vertices = 12000}, out, test_memory());
     try {
-        while (!refused.run(1000)) {}
+        merged(model, {.max_vertices = 12000});
         FAIL();
     } catch (const Failure& failure) {
         EXPECT_EQ(failure.result(), FLG_ERROR_LIMIT);
@@ -160,8 +159,8 @@ TEST(Merge, FollowsTheModel) {
     const MergedMesh a = merged(model), b = merged(turned);
     EXPECT_NEAR(checked(b).volume / checked(a).volume, 27, 0.03);
     EXPECT_NEAR(checked(b).area / checked(a).area, 9, 0.02);
-    PartUnion original(model.parts, -1, test_memory());
-    while (!original.run(3)) {}
+    const PartUnion original =
+        run_now(test_memory(), [&](Pace& pace) { return PartUnion::make(pace, model.parts, -1); });
     for (const Vec3& p : b.positions)
         EXPECT_LT(std::fabs(original.sample(turn.inverse() * (p - shift)).value), 0.05 * a.spacing);
 }
@@ -181,23 +180,20 @@ TEST(Merge, ClosedWhateverTheParts) {
     }
 }
 
-// A lattice that is far too coarse: faces that two sheets cross, also those where both belong to one sheet on either side.
+// A lattice that is far too coarse: faces that two sheets cross, also those where both belong to one sheet on either
+// side.
 TEST(SurfaceExtraction, ClosedOnAnyLattice) {
     Model model;
     model.add({ellipse(0, 0, 1, 1, 24)}, placement({0, 0, 0}));
     for (uint32_t i = 1; i < 400; ++i)
         model.repeat(0, placement({12 * random_unit(1, i, 0), 12 * random_unit(1, i, 1), 12 * random_unit(1, i, 2)}));
-    PartUnion parts(model.parts, 0, test_memory());
-    while (!parts.run(10)) {}
+    const PartUnion parts = run_now(test_memory(), [&](Pace& pace) { return PartUnion::make(pace, model.parts, 0); });
     for (const double spacing : {0.8, 1.3, 1.9}) {
-        SurfaceGrid grid(parts, spacing, test_memory());
-        while (!grid.run(100)) {}
-        std::pmr::vector<Vec3> positions;
-        std::pmr::vector<TriangleVertices> triangles;
-        SurfaceExtraction extraction(grid, positions, triangles, test_memory());
-        while (!extraction.run(100)) {}
-        EXPECT_EQ(check_closed(positions, triangles).fault, "") << spacing;
-        EXPECT_GT(positions.size(), grid.vertex_count() + 10) << "no doubled faces";
+        const SurfaceGrid grid =
+            run_now(test_memory(), [&](Pace& pace) { return SurfaceGrid::make(pace, parts, spacing); });
+        const DualSurface surface = run_now(test_memory(), [&](Pace& pace) { return extract_surface(pace, grid); });
+        EXPECT_EQ(check_closed(surface.positions, surface.triangles).fault, "") << spacing;
+        EXPECT_GT(surface.positions.size(), grid.vertex_count() + 10) << "no doubled faces";
     }
 }
 
@@ -213,9 +209,9 @@ TEST(Merge, ManyParts) {
     EXPECT_EQ(closed.euler, 100);
 }
 
-TEST(Merge, SameBitsForOtherChunks) {
+TEST(Merge, SameBitsWithPauses) {
     const Model model = animal();
-    const MergedMesh a = merged(model, {.vertices = 3000}, 1), b = merged(model, {.vertices = 3000}, 1u << 30);
+    const MergedMesh a = merged(model, {.vertices = 3000}), b = merged(model, {.vertices = 3000}, true);
     EXPECT_TRUE(std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(), b.positions.end()));
     EXPECT_TRUE(std::equal(a.normals.begin(), a.normals.end(), b.normals.begin(), b.normals.end()));
     EXPECT_TRUE(std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(), b.triangles.end()));

@@ -40,19 +40,13 @@ struct Model {
     }
 };
 
-inline MergedMesh merged(const Model& model, const MergeOptions& options = {}, uint32_t slice = 1000) {
-    MergedMesh mesh;
-    MergeParts kernel(model.parts, options, mesh, test_memory());
-    while (!kernel.run(slice)) {}
-    return mesh;
+inline MergedMesh merged(const Model& model, const MergeOptions& options = {}, bool haltingly = false) {
+    return made([&](Pace& pace) { return merge_parts(pace, model.parts, options); }, haltingly);
 }
 
 inline BoneWeights weights_of(const MergedMesh& mesh, std::span<const BoneSegment> bones,
-                              const BoneWeightOptions& options = {}, uint32_t slice = 1000) {
-    BoneWeights weights;
-    BoneWeightsKernel kernel(mesh, bones, options, weights, test_memory());
-    while (!kernel.run(slice)) {}
-    return weights;
+                              const BoneWeightOptions& options = {}, bool haltingly = false) {
+    return made([&](Pace& pace) { return bone_weights(pace, mesh, bones, options); }, haltingly);
 }
 
 // A body with a head, four legs, a tail and an ear, symmetric but for the last three.

@@ -145,11 +145,9 @@ bool same(const InflatedPart& a, const InflatedPart& b) {
            std::equal(a.squares.begin(), a.squares.end(), b.squares.begin(), b.squares.end());
 }
 
-TEST(PartMesh, SameBitsForOtherChunks) {
+TEST(PartMesh, SameBitsWithPauses) {
     const Rings rings = {ellipse(0, 0, 2, 2), ellipse(0.6, 0, 0.7, 0.7)};
-    const InflatedPart one = heights_of(rings, {}, 1);
-    EXPECT_TRUE(same(one, heights_of(rings, {}, 7)));
-    EXPECT_TRUE(same(one, heights_of(rings, {}, 1u << 30)));
+    EXPECT_TRUE(same(heights_of(rings), heights_of(rings, {}, true)));
 }
 
 TEST(HeightField, DiscsBecomeBalls) {

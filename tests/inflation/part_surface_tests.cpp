@@ -79,12 +79,12 @@ TEST(PartRaster, SignsAndDistances) {
         }
 }
 
-TEST(PartRaster, SameBitsForOtherChunks) {
+TEST(PartRaster, SameBitsWithPauses) {
     const Rings rings = {ellipse(0, 0, 3, 1, 300), ellipse(1, 0, 0.5, 0.3, 60)};
-    const InflatedPart a = part_of(rings, {}, 1), b = part_of(rings, {}, 1u << 30);
+    const InflatedPart a = part_of(rings), b = part_of(rings, {}, true);
     EXPECT_TRUE(
         std::equal(a.raster.values.begin(), a.raster.values.end(), b.raster.values.begin(), b.raster.values.end()));
-    const PartSurface one = surface_of(a, 1), other = surface_of(b, 1u << 30);
+    const PartSurface one = surface_of(a), other = surface_of(b, true);
     EXPECT_TRUE(std::equal(one.positions.begin(), one.positions.end(), other.positions.begin(), other.positions.end()));
 }
 

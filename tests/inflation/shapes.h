@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "inflation/height_field.h"
+#include "inflation/inflate_part.h"
 #include "inflation/part_mesh.h"
 #include "inflation/part_raster.h"
-#include "inflation/two_sided_mesh.h"
+#include "runtime/run_now.h"
 
 namespace flg::test {
 
@@ -55,33 +55,33 @@ inline Ring capsule(double x0, double y0, double r0, double x1, double y1, doubl
     return ring;
 }
 
-inline InflatedPart mesh_of(const Rings& rings, const InflationOptions& options = {}, uint32_t slice = 1000) {
+// What the task that make(pace) returns makes; it pauses at each opportunity if `haltingly`.
+template <class Make>
+auto made(const Make& make, bool haltingly) {
+    return run_now(test_memory(), make, haltingly);
+}
+
+inline InflatedPart mesh_of(const Rings& rings, const InflationOptions& options = {}, bool haltingly = false) {
     InflatedPart part(test_memory());
     part.contour = contour_of(rings);
-    PartMesh mesh(options, part, test_memory());
-    while (!mesh.run(slice)) {}
+    made([&](Pace& pace) { return part_mesh(pace, options, part); }, haltingly);
     return part;
 }
 
-inline InflatedPart heights_of(const Rings& rings, const InflationOptions& options = {}, uint32_t slice = 1000) {
-    InflatedPart part = mesh_of(rings, options, slice);
-    HeightField heights(part, test_memory());
-    while (!heights.run(slice)) {}
+inline InflatedPart heights_of(const Rings& rings, const InflationOptions& options = {}, bool haltingly = false) {
+    InflatedPart part = mesh_of(rings, options, haltingly);
+    made([&](Pace& pace) { return height_field(pace, part); }, haltingly);
     return part;
 }
 
-inline InflatedPart part_of(const Rings& rings, const InflationOptions& options = {}, uint32_t slice = 1000) {
-    InflatedPart part = heights_of(rings, options, slice);
-    PartRasterKernel raster(part, test_memory());
-    while (!raster.run(slice)) {}
+inline InflatedPart part_of(const Rings& rings, const InflationOptions& options = {}, bool haltingly = false) {
+    InflatedPart part = heights_of(rings, options, haltingly);
+    made([&](Pace& pace) { return part_raster(pace, part); }, haltingly);
     return part;
 }
 
-inline PartSurface surface_of(const InflatedPart& part, uint32_t slice = 1000) {
-    PartSurface surface;
-    TwoSidedMesh kernel(part, surface, test_memory());
-    while (!kernel.run(slice)) {}
-    return surface;
+inline PartSurface surface_of(const InflatedPart& part, bool haltingly = false) {
+    return made([&](Pace& pace) { return two_sided_mesh(pace, part); }, haltingly);
 }
 
 }  // namespace flg::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a commit builds, by the memory that Embree asks for while it does: one object's change leaves the structures of the
-// others. Not with sanitizers, which have a heap of their own.
+// What a commit builds, by the memory that Embree asks for while it does: one object's change leaves the structures of
+// the others. Not with sanitizers, which have a heap of their own.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define FLG_OTHER_HEAP

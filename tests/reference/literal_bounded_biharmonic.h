@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bounded biharmonic weights (Jacobson, Baran, Popovic, Sorkine: Bounded biharmonic weights for real-time deformation, 2011,
-// Eq. 2 to 6), on the surface and with dense matrices: for each handle the weights of least energy w' L M^-1 L w that are 1 on it, 0
-// on the other handles, and within [0, 1]; then all are scaled to sum to 1 (sec. 3 there).
+// Bounded biharmonic weights (Jacobson, Baran, Popovic, Sorkine: Bounded biharmonic weights for real-time deformation,
+// 2011, Eq. 2 to 6), on the surface and with dense matrices: for each handle the weights of least energy w' L M^-1 L w
+// that are 1 on it, 0 on the other handles, and within [0, 1]; then all are scaled to sum to 1 (sec. 3 there).
 #pragma once
 
 #include <Eigen/Core>

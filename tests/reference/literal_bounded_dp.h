@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "bones/part_skeleton.h"
+#include "bones/axis.h"
 
 namespace flg::reference {
 

@@ -16,8 +16,8 @@ struct LiteralMatching {
     double energy = 0.0;        // E'; infinite when no sequence is possible
 };
 
-// Best sequence of style points with both ends fixed. O(N M) time and space. With `strict` every point of the style is used
-// at most once, which needs at least as many of them as the guide has.
+// Best sequence of style points with both ends fixed. O(N M) time and space. With `strict` every point of the style is
+// used at most once, which needs at least as many of them as the guide has.
 LiteralMatching match_discrete(const std::vector<Vec3>& style, double style_length, const std::vector<Vec3>& guide,
                                double beta, bool strict);
 

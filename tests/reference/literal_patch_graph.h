@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The patch matrix and graph of Minarcik, Fiser, Sykora, sec. 4.4, as the paper writes them: every entry its own sum, the
-// whole matrix kept. Oracle of sdk/stylization/patch_graph.h and baseline of the benchmarks.
+// The patch matrix and graph of Minarcik, Fiser, Sykora, sec. 4.4, as the paper writes them: every entry its own sum,
+// the whole matrix kept. Oracle of sdk/stylization/patch_graph.h and baseline of the benchmarks.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,8 @@ using Vec3 = Eigen::Vector3d;
 std::vector<double> patch_distances_sq(const std::vector<Vec3>& displacement, const std::vector<int>& boundaries,
                                        int patch);
 
-// An attribute of one number a point (sec. 5): distances are weight times those on a line, or on a circle of that period.
+// An attribute of one number a point (sec. 5): distances are weight times those on a line, or on a circle of that
+// period.
 struct Channel {
     std::vector<double> values;
     double weight = 1;
@@ -28,8 +29,8 @@ struct PatchSize {
     double weight = 1;
 };
 
-// (sum over the sizes of weight * rho_p(i, c))^2, with the attributes' distances in the sums of rho_p; infinite where i or c
-// is not the centre of a patch of the largest size.
+// (sum over the sizes of weight * rho_p(i, c))^2, with the attributes' distances in the sums of rho_p; infinite where i
+// or c is not the centre of a patch of the largest size.
 std::vector<double> patch_costs_sq(const std::vector<Vec3>& displacement, const std::vector<int>& boundaries,
                                    const std::vector<PatchSize>& sizes, const std::vector<Channel>& channels);
 

@@ -17,8 +17,8 @@ struct PathTree {
 // The same edges, as edges into each node: `target` is where they come from.
 Graph reversed(const Graph& graph);
 
-// `into`: the reversed graph. Of edges that serve equally well the one to the node settled first is taken, but before all others that to the next
-// node. Nodes are settled by rising (distance, index).
+// `into`: the reversed graph. Of edges that serve equally well the one to the node settled first is taken, but before
+// all others that to the next node. Nodes are settled by rising (distance, index).
 PathTree shortest_paths(const Graph& into, int destination);
 
 }  // namespace flg::literal

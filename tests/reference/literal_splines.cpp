@@ -31,8 +31,8 @@ MatrixXd difference(const LiteralSpline& spline, uint32_t interval) {
 // Whether all points could be projected.
 bool project(const LiteralSpline& spline, MatrixXd& points) {
     for (uint32_t i = 0; i < nodes_of(spline); ++i) {
-        std::vector<double> memory(spline.manifold->memory_size(), 0.0);
-        if (!spline.fixed[i] && !spline.manifold->project(points.col(i).data(), memory.data())) return false;
+        std::vector<double> hint(spline.manifold->hint_size(), 0.0);
+        if (!spline.fixed[i] && !spline.manifold->project(points.col(i).data(), hint.data())) return false;
     }
     return true;
 }
@@ -43,11 +43,11 @@ MatrixXd tangents(const LiteralSpline& spline) {
     MatrixXd columns(n * nodes, 0);
     for (uint32_t i = 0; i < nodes; ++i) {
         if (spline.fixed[i]) continue;
-        std::vector<double> memory(spline.manifold->memory_size(), 0.0);
+        std::vector<double> hint(spline.manifold->hint_size(), 0.0);
         VectorXd x = spline.points.col(i);
-        spline.manifold->project(x.data(), memory.data());
+        spline.manifold->project(x.data(), hint.data());
         MatrixXd basis(n, k);
-        spline.manifold->tangent_basis(x.data(), memory.data(), basis.data());
+        spline.manifold->tangent_basis(x.data(), hint.data(), basis.data());
         columns.conservativeResize(Eigen::NoChange, columns.cols() + k);
         columns.rightCols(k).setZero();
         columns.block(n * i, columns.cols() - k, n, k) = basis;
@@ -149,7 +149,7 @@ LiteralRun minimize(LiteralSpline& spline, double tolerance, uint32_t max_rounds
                         eta = b;
                     }
                 }
-                const double rho = (xi * xi + eta * eta) / (2 * eta);  // printed with xi below
+                const double rho = (xi * xi + eta * eta) / (2 * eta);  // the paper's denominator is 2 xi: a misprint
                 curvature_step = std::abs(rho) / std::hypot(base, height - rho);
             }
         }

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "splines/manifold.h"
+#include "splines/manifolds/manifold.h"
 
 namespace flg::reference {
 

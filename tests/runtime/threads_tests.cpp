@@ -133,9 +133,10 @@ TEST(Threads, AJobSystemThatNeverRunsOurTasksKeepsTheContextAlive) {
     EXPECT_EQ(memory.live, 0);
 }
 
-// Ticks until workers have used ten milliseconds of the host's clock in all, and says how much that was for each tick. On a
-// clock that moves by a microsecond at each look, the machine's speed doesn't matter: workers that kept no budget would use
-// thousands. What they used before the first tick, and in the last one, is a frame more than ticks: many make that little.
+// Ticks until workers have used ten milliseconds of the host's clock in all, and says how much that was for each tick.
+// On a clock that moves by a microsecond at each look, the machine's speed doesn't matter: workers that kept no budget
+// would use thousands. What they used before the first tick, and in the last one, is a frame more than ticks: many make
+// that little.
 float worker_us_per_tick(Runtime& runtime) {
     float worker_us = 0;
     int ticks = 0;

@@ -8,12 +8,13 @@
 #include <cstdlib>
 
 #include "core/random.h"
+#include "runtime/run_now.h"
 #include "skeletons/random_contours.h"
 
 namespace flg::test {
 namespace {
 
-Contour repaired(const Rings& rings, uint32_t slice = 1000) {
+Contour repaired(const Rings& rings, bool haltingly = false) {
     std::vector<Point2> points;
     std::vector<uint32_t> offsets = {0};
     for (const auto& ring : rings) {
@@ -21,9 +22,8 @@ Contour repaired(const Rings& rings, uint32_t slice = 1000) {
         offsets.push_back(static_cast<uint32_t>(points.size()));
     }
     const Contour drawn = gather_contour(points, offsets, std::pmr::new_delete_resource());
-    ContourRepair repair(drawn, std::pmr::new_delete_resource());
-    while (!repair.run(slice)) {}
-    return repair.take_contour();
+    return run_now(
+        std::pmr::new_delete_resource(), [&](Pace& pace) { return repair_contour(pace, drawn); }, haltingly);
 }
 
 double area_of(const Contour& contour) {
@@ -126,7 +126,7 @@ TEST(ContourRepair, OfAFigureOfEightTheLargerLobe) {
     ASSERT_EQ(contour.size(), 3u);
     EXPECT_NEAR(area_of(contour), 0.5 * 4 * (4 - 4.0 / 3), 1e-6);
     uint32_t crossings = 0;
-    for (const uint32_t point : contour.input_points) crossings += point == ContourRepair::no_point;
+    for (const uint32_t point : contour.input_points) crossings += point == no_input_point;
     EXPECT_EQ(crossings, 1u);
     expect_skeleton(contour, "eight");
 }
@@ -234,7 +234,7 @@ TEST(ContourRepair, ClosedWaysAnywhere) {
 TEST(ContourRepair, SlicesDoNotMatter) {
     std::vector<Point2> ring;
     for (uint32_t i = 0; i < 40; ++i) ring.push_back({random_unit(7, i, 0), random_unit(7, i, 1)});
-    const Contour one = repaired({ring}, 1'000'000), other = repaired({ring}, 1);
+    const Contour one = repaired({ring}), other = repaired({ring}, true);
     EXPECT_GT(one.size(), 40u);
     EXPECT_EQ(one.points, other.points);
     EXPECT_EQ(one.input_points, other.input_points);

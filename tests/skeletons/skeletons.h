@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/run_now.h"
 #include "skeletons/skeleton_checks.h"
 #include "skeletons/straight_skeleton.h"
 
@@ -24,10 +25,11 @@ inline Contour contour_of(const Rings& rings) {
     return clean_contour(points, offsets, std::pmr::new_delete_resource());
 }
 
-inline StraightSkeleton skeleton_of(const Contour& contour, uint32_t slice = 1000) {
+inline StraightSkeleton skeleton_of(const Contour& contour, bool haltingly = false) {
     StraightSkeleton skeleton(std::pmr::new_delete_resource());
-    StraightSkeletonKernel kernel(contour, skeleton, std::pmr::new_delete_resource());
-    while (!kernel.run(slice)) {}
+    run_now(
+        std::pmr::new_delete_resource(), [&](Pace& pace) { return straight_skeleton(pace, contour, skeleton); },
+        haltingly);
     return skeleton;
 }
 

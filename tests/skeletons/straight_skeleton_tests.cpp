@@ -145,8 +145,7 @@ TEST(StraightSkeleton, IsTheSameMirroredAndFromAnyPoint) {
 TEST(StraightSkeleton, SlicesDoNotMatter) {
     for (uint64_t seed = 0; seed < 10; ++seed) {
         const Contour contour = contour_of(pixel_shape(seed, 9, true));
-        const StraightSkeleton one = skeleton_of(contour, 1'000'000),
-                               other = skeleton_of(contour, 1 + static_cast<uint32_t>(seed));
+        const StraightSkeleton one = skeleton_of(contour), other = skeleton_of(contour, true);
         ASSERT_EQ(one.nodes.size(), other.nodes.size());
         for (size_t i = 0; i < one.nodes.size(); ++i) {
             EXPECT_EQ(one.nodes[i].at, other.nodes[i].at);

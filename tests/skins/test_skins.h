@@ -61,9 +61,9 @@ struct TestSkin {
         weights.insert(weights.end(), {most, 1 - most, 0, 0});
     }
 
-    // A round tube from `from` along the unit direction d, `rings` rings (the last at `length`) of `sides` vertices, closed by
-    // a fan at both ends. chain[k] is the joint at k metres: it moves the metre from there, and blends with the one before over
-    // half a metre on either side.
+    // A round tube from `from` along the unit direction d, `rings` rings (the last at `length`) of `sides` vertices,
+    // closed by a fan at both ends. chain[k] is the joint at k metres: it moves the metre from there, and blends with
+    // the one before over half a metre on either side.
     void add_tube(const std::array<float, 3>& d, float length, uint32_t rings, uint32_t sides, uint32_t part,
                   const std::vector<uint32_t>& chain) {
         const std::array<float, 3> u = {d[1], d[2], d[0]};  // across an axis of the frame is another one

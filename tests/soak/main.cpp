@@ -22,8 +22,8 @@ using namespace flg::soak;
 using Clock = std::chrono::steady_clock;
 
 constexpr uint32_t frames_a_second = 90, frames_a_cycle = 180, budget_us = 2000;
-// A few caches fill when a job first needs them, jobs decide when. From some rest on all must be the same; a run too short
-// for that on a slow machine may have grown at some of its rests after the first ones, not at each.
+// A few caches fill when a job first needs them, jobs decide when. From some rest on all must be the same; a run too
+// short for that on a slow machine may have grown at some of its rests after the first ones, not at each.
 constexpr size_t first_rests = 3, rests_to_fill_caches = 10;
 // What is in use at once varies by chance: of few cycles the peaks say nothing.
 constexpr size_t least_cycles = 50;

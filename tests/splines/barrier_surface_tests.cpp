@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "splines/barrier_surface.h"
+#include "splines/obstacles/barrier_surface.h"
 
 #include <numbers>
 
 #include "core/failure.h"
 #include "splines/obstacle_checks.h"
-#include "splines/obstacle_polygon.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/obstacle_polygon.h"
+#include "splines/obstacles/obstacle_shapes.h"
 
 namespace flg::test {
 namespace {

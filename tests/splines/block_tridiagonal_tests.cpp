@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chains of blocks against dense matrices.
-#include "splines/block_tridiagonal.h"
+#include "linear/block_tridiagonal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "splines/cloud_samples.h"
+#include "splines/manifolds/cloud_samples.h"
 
 #include "core/failure.h"
-#include "splines/implicit_surfaces.h"
+#include "splines/manifolds/implicit_surfaces.h"
 #include "splines/sample_checks.h"
 
 namespace flg::test {
@@ -18,8 +18,8 @@ Cloud cloud_of(const Hypersurface& surface, const std::vector<Vec3>& places, dou
     Cloud cloud;
     uint64_t index = 0;
     for (Vec3 x : places) {
-        std::vector<double> memory = fresh_memory(surface);
-        EXPECT_TRUE(surface.project(x.data(), memory.data()));
+        std::vector<double> hint = fresh_hint(surface);
+        EXPECT_TRUE(surface.project(x.data(), hint.data()));
         const Vec3 n = evaluate_at(surface, x).gradient.normalized();
         cloud.points.push_back(to_position(x + noise * (2 * random_unit(3, index++, 0) - 1) * n));
         cloud.normals.push_back(to_position(3 * n));
@@ -43,20 +43,13 @@ std::vector<Vec3> vertices_of(const Soup& soup) {
     return places;
 }
 
-struct SampledCloud {
-    OrientedSamples surface;
-    SurfaceDeviation deviation;
-    uint32_t parts;
-};
-
-SampledCloud sample_cloud(const Cloud& cloud, bool with_normals, uint32_t slice = 1000, uint32_t neighbours = 16) {
-    CloudInput input{.points = cloud.points.data(),
-                     .normals = with_normals ? cloud.normals.data() : nullptr,
-                     .count = static_cast<uint32_t>(cloud.points.size()),
-                     .neighbours = neighbours};
-    CloudSamplesKernel kernel(input, test_memory());
-    while (!kernel.run(slice)) {}
-    return {kernel.take(), kernel.deviation(), kernel.parts()};
+SampledSurface sample(const Cloud& cloud, bool with_normals, bool haltingly = false, uint32_t neighbours = 16) {
+    const CloudInput input{.points = cloud.points.data(),
+                           .normals = with_normals ? cloud.normals.data() : nullptr,
+                           .count = static_cast<uint32_t>(cloud.points.size()),
+                           .neighbours = neighbours};
+    return run_now(
+        test_memory(), [&](Pace& pace) { return sample_cloud(pace, input); }, haltingly);
 }
 
 class CloudSamples : public testing::TestWithParam<bool> {};
@@ -64,8 +57,8 @@ class CloudSamples : public testing::TestWithParam<bool> {};
 TEST_P(CloudSamples, OfASphereComeNearItQuickly) {
     const SphereSurface exact(1);
     const std::vector<Vec3> points = random_points(200, 1);
-    const SampledCloud coarse = sample_cloud(cloud_of(exact, spread_on_a_sphere(500)), GetParam());
-    const SampledCloud fine = sample_cloud(cloud_of(exact, spread_on_a_sphere(2000)), GetParam());
+    const SampledSurface coarse = sample(cloud_of(exact, spread_on_a_sphere(500)), GetParam());
+    const SampledSurface fine = sample(cloud_of(exact, spread_on_a_sphere(2000)), GetParam());
     const SurfaceErrors first = errors_against(exact, coarse.surface, points);
     const SurfaceErrors second = errors_against(exact, fine.surface, points);
     EXPECT_LT(first.place, 2e-3);
@@ -77,8 +70,8 @@ TEST_P(CloudSamples, OfASphereComeNearItQuickly) {
 TEST_P(CloudSamples, OfATorusComeNearItQuickly) {
     const TorusSurface exact(1, 0.4);
     const std::vector<Vec3> points = points_on(make_mesh(closed_torus(24)), 200);
-    const SampledCloud coarse = sample_cloud(cloud_of(exact, vertices_of(closed_torus(24))), GetParam());
-    const SampledCloud fine = sample_cloud(cloud_of(exact, vertices_of(closed_torus(48))), GetParam());
+    const SampledSurface coarse = sample(cloud_of(exact, vertices_of(closed_torus(24))), GetParam());
+    const SampledSurface fine = sample(cloud_of(exact, vertices_of(closed_torus(48))), GetParam());
     const SurfaceErrors first = errors_against(exact, coarse.surface, points);
     const SurfaceErrors second = errors_against(exact, fine.surface, points);
     EXPECT_LT(first.place, 1e-2);
@@ -92,24 +85,24 @@ TEST_P(CloudSamples, SmoothNoise) {
     const SphereSurface exact(1);
     const double noise = 0.01;
     const Cloud cloud = cloud_of(exact, spread_on_a_sphere(4000), noise);
-    const SampledCloud sampled = sample_cloud(cloud, GetParam(), 1000, 24);
+    const SampledSurface sampled = sample(cloud, GetParam(), false, 24);
     double off = 0, rough = 0;
     constexpr size_t looks = 3000;  // of a few hundred, the mean depends on where they are
     for (Vec3 x : random_points(looks, 1)) {
-        std::vector<double> memory = fresh_memory(sampled.surface);
-        ASSERT_TRUE(sampled.surface.project(x.data(), memory.data()));
+        std::vector<double> hint = fresh_hint(sampled.surface);
+        ASSERT_TRUE(sampled.surface.project(x.data(), hint.data()));
         off += (x.norm() - 1) * (x.norm() - 1) / looks;
         rough = std::max(rough, (evaluate_at(sampled.surface, x).gradient.normalized() - x.normalized()).norm());
     }
     const double of_points = noise / std::sqrt(3.0);
     EXPECT_LT(std::sqrt(off), of_points / 2);
     EXPECT_LT(rough, 0.2);
-    EXPECT_NEAR(sampled.deviation.mean, noise / 2, noise / 6) << "what is even has half its range for a mean";
+    EXPECT_NEAR(sampled.deviation.mean(), noise / 2, noise / 6) << "what is even has half its range for a mean";
 }
 
 TEST_P(CloudSamples, TakeTheSameBitsInAnySlices) {
     const Cloud cloud = cloud_of(SphereSurface(1), random_points(600, 1));
-    const SampledCloud whole = sample_cloud(cloud, GetParam(), 100000), sliced = sample_cloud(cloud, GetParam(), 1);
+    const SampledSurface whole = sample(cloud, GetParam()), sliced = sample(cloud, GetParam(), true);
     ASSERT_EQ(whole.surface.sample_count(), sliced.surface.sample_count());
     for (uint32_t i = 0; i < whole.surface.sample_count(); ++i) {
         const OrientedSample &a = whole.surface.sample(i), &b = sliced.surface.sample(i);
@@ -118,36 +111,36 @@ TEST_P(CloudSamples, TakeTheSameBitsInAnySlices) {
         EXPECT_EQ(a.bend, b.bend);
         EXPECT_EQ(a.radius, b.radius);
     }
-    EXPECT_EQ(whole.deviation.mean, sliced.deviation.mean);
+    EXPECT_EQ(whole.deviation.mean(), sliced.deviation.mean());
 }
 
 // Far points have no neighbours near them, and do not reach over the others.
 TEST_P(CloudSamples, LeaveOutliersAlone) {
     const SphereSurface exact(1);
     Cloud cloud = cloud_of(exact, spread_on_a_sphere(1000));
-    const SurfaceErrors before = errors_against(exact, sample_cloud(cloud, GetParam()).surface, random_points(100, 1));
+    const SurfaceErrors before = errors_against(exact, sample(cloud, GetParam()).surface, random_points(100, 1));
     for (const Vec3& place : {Vec3(4, 0, 0), Vec3(0, -5, 1), Vec3(0, 0, 100)}) {
         cloud.points.push_back(to_position(place));
         cloud.normals.push_back({0, 0, 1});
     }
-    const SurfaceErrors after = errors_against(exact, sample_cloud(cloud, GetParam()).surface, random_points(100, 1));
+    const SurfaceErrors after = errors_against(exact, sample(cloud, GetParam()).surface, random_points(100, 1));
     EXPECT_NEAR(after.place, before.place, 1e-9);
 }
 
 TEST_P(CloudSamples, OfTooLittleFail) {
     Cloud cloud;
     for (int i = 0; i < 3; ++i) {
-        EXPECT_THROW(sample_cloud(cloud, GetParam()), Failure) << i;
+        EXPECT_THROW(sample(cloud, GetParam()), Failure) << i;
         cloud.points.push_back({float(i), float(i * i), 0});
         cloud.normals.push_back({0, 0, 1});
     }
-    EXPECT_THROW(sample_cloud(cloud, GetParam()), Failure);
+    EXPECT_THROW(sample(cloud, GetParam()), Failure);
     cloud.points.push_back({0, 1, 0});
     cloud.normals.push_back({0, 0, 1});
-    const SampledCloud four = sample_cloud(cloud, GetParam());
-    std::vector<double> memory = fresh_memory(four.surface);
+    const SampledSurface four = sample(cloud, GetParam());
+    std::vector<double> hint = fresh_hint(four.surface);
     Vec3 x(0.5, 0.6, 0.1);
-    ASSERT_TRUE(four.surface.project(x.data(), memory.data()));
+    ASSERT_TRUE(four.surface.project(x.data(), hint.data()));
     EXPECT_NEAR(x.z(), 0, 1e-6);
 }
 
@@ -160,12 +153,12 @@ TEST(CloudSamplesDegenerate, PointsInOnePlaceOrOnALineAreNoSurface) {
         one.points.push_back({1, 2, 3});
         if (i < 100) line.points.push_back({float(i), float(2 * i), float(-i)});
     }
-    EXPECT_THROW(sample_cloud(one, false), Failure);
-    EXPECT_THROW(sample_cloud(line, false), Failure);
+    EXPECT_THROW(sample(one, false), Failure);
+    EXPECT_THROW(sample(line, false), Failure);
     one.normals.assign(one.points.size(), {0, 0, 1});
-    EXPECT_THROW(sample_cloud(one, true), Failure) << "they reach nowhere";
+    EXPECT_THROW(sample(one, true), Failure) << "they reach nowhere";
     line.normals.assign(line.points.size(), {0, 0, 0});
-    EXPECT_THROW(sample_cloud(line, true), Failure) << "normals without a direction";
+    EXPECT_THROW(sample(line, true), Failure) << "normals without a direction";
 }
 
 // Copies count once.
@@ -173,7 +166,7 @@ TEST(CloudSamplesDegenerate, CopiesOfPointsDoNoHarm) {
     const SphereSurface exact(1);
     Cloud cloud = cloud_of(exact, spread_on_a_sphere(1000));
     cloud.points.insert(cloud.points.end(), cloud.points.begin(), cloud.points.begin() + 500);
-    const SampledCloud sampled = sample_cloud(cloud, false);
+    const SampledSurface sampled = sample(cloud, false);
     EXPECT_LT(errors_against(exact, sampled.surface, random_points(200, 1)).place, 3e-3);
 }
 
@@ -186,7 +179,7 @@ TEST(CloudSamplesOrientation, EachPartIsTurnedByItsTop) {
         moved[0] += 3;
         cloud.points.push_back(moved);
     }
-    const SampledCloud sampled = sample_cloud(cloud, false);
+    const SampledSurface sampled = sample(cloud, false);
     EXPECT_EQ(sampled.parts, 2u);
     for (uint32_t i = 0; i < sampled.surface.sample_count(); ++i) {
         const OrientedSample& sample = sampled.surface.sample(i);
@@ -200,11 +193,11 @@ TEST(CloudSamplesOrientation, TurnsWithTheCloud) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec3(1, -2, 1).normalized()).toRotationMatrix();
     Cloud other = cloud;
     for (Position& p : other.points) p = to_position(turn * load_vec3(p.data()));
-    const SampledCloud before = sample_cloud(cloud, false), after = sample_cloud(other, false);
+    const SampledSurface before = sample(cloud, false), after = sample(other, false);
     for (const Vec3& start : points_on(make_mesh(closed_torus(24)), 100)) {
-        std::vector<double> memory = fresh_memory(before.surface), more = memory;
+        std::vector<double> hint = fresh_hint(before.surface), more = hint;
         Vec3 x = start, y = turn * start;
-        ASSERT_TRUE(before.surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(before.surface.project(x.data(), hint.data()));
         ASSERT_TRUE(after.surface.project(y.data(), more.data()));
         EXPECT_LT((turn * x - y).norm(), 3e-6);
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "splines/distance_grid.h"
+#include "splines/obstacles/distance_grid.h"
 
 #include <functional>
 
 #include "core/failure.h"
-#include "splines/implicit_surfaces.h"
+#include "runtime/run_now.h"
+#include "splines/manifolds/implicit_surfaces.h"
 #include "splines/surface_checks.h"
 
 namespace flg::test {
@@ -30,10 +31,9 @@ struct Grid {
     Vec3 place(uint32_t i, uint32_t j, uint32_t k) const {
         return Vec3(input.origin.data()) + input.spacing * Vec3(i, j, k);
     }
-    DistanceGrid build(uint32_t slice = 1000) const {
-        DistanceGridKernel kernel(input, std::pmr::new_delete_resource());
-        while (!kernel.run(slice)) {}
-        return kernel.take();
+    DistanceGrid build(bool haltingly = false) const {
+        return run_now(
+            std::pmr::new_delete_resource(), [&](Pace& pace) { return interpolate(pace, input); }, haltingly);
     }
 };
 
@@ -153,7 +153,7 @@ TEST(DistanceGrid, EndsAtTheSidesOfItsBox) {
 
 TEST(DistanceGrid, TakesTheSameBitsInAnySlices) {
     const Grid grid({20, 33, 18}, 0.1, Vec3(-1, -1, -1), waves);
-    const DistanceGrid whole = grid.build(1000000), sliced = grid.build(1);
+    const DistanceGrid whole = grid.build(), sliced = grid.build(true);
     for (const Vec3& x : random_points(100, 0.6)) {
         const SurfaceValue a = evaluate_at(whole, x), b = evaluate_at(sliced, x);
         EXPECT_EQ(a.value, b.value);
@@ -169,7 +169,8 @@ TEST(DistanceGrid, BadGridsFail) {
     EXPECT_THROW(Grid({4, 4, 4}, 0.1, Vec3(-1, 0, 0), f).build(), Failure) << "all negative";
     GridInput huge;
     huge.counts = {65536, 65536, 65536};
-    EXPECT_THROW(DistanceGridKernel(huge, std::pmr::new_delete_resource()), Failure);
+    EXPECT_THROW(run_now(std::pmr::new_delete_resource(), [&](Pace& pace) { return interpolate(pace, huge); }),
+                 Failure);
 }
 
 }  // namespace

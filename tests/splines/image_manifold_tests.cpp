@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "splines/image_manifold.h"
+#include "splines/manifolds/image_manifold.h"
 
-#include "splines/implicit_surfaces.h"
+#include "splines/manifolds/implicit_surfaces.h"
 #include "splines/sample_checks.h"
 
 namespace flg::test {
@@ -10,11 +10,11 @@ namespace {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Basis = Eigen::Matrix<double, 6, 2>;
 
-Vec6 lifted(const ImageManifold& image, const Hypersurface& surface, const Vec3& start, std::vector<double>& memory) {
+Vec6 lifted(const ImageManifold& image, const Hypersurface& surface, const Vec3& start, std::vector<double>& hint) {
     Vec3 place = start;
-    EXPECT_TRUE(surface.project(place.data(), memory.data()));
+    EXPECT_TRUE(surface.project(place.data(), hint.data()));
     Vec6 x;
-    image.lift(place.data(), memory.data(), x.data());
+    image.lift(place.data(), hint.data(), x.data());
     return x;
 }
 
@@ -73,25 +73,25 @@ TEST(ImageManifold, ProjectsToTheNearestPoint) {
 // Tangents against differences of projected points; also where points remember neighbours.
 TEST(ImageManifold, HasTangentsOfTheLiftedSurface) {
     const Mesh mesh = make_mesh(closed_torus(32));
-    const SampledMesh sampled = sample_mesh(mesh);
+    const SampledSurface sampled = sample(mesh);
     const ImageManifold image(sampled.surface, 0.25);
-    EXPECT_EQ(image.memory_size(), sampled.surface.memory_size());
+    EXPECT_EQ(image.hint_size(), sampled.surface.hint_size());
     for (const Vec3& start : points_on(mesh, 50)) {
-        std::vector<double> memory = fresh_memory(image);
-        const Vec6 x = lifted(image, sampled.surface, start, memory);
+        std::vector<double> hint = fresh_hint(image);
+        const Vec6 x = lifted(image, sampled.surface, start, hint);
         Basis basis;
-        image.tangent_basis(x.data(), memory.data(), basis.data());
+        image.tangent_basis(x.data(), hint.data(), basis.data());
         EXPECT_LT((basis.transpose() * basis - Eigen::Matrix2d::Identity()).norm(), 1e-13);
         const double step = 1e-5;
         for (int j = 0; j < 2; ++j) {
             Vec6 after = x + step * basis.col(j), before = x - step * basis.col(j);
-            ASSERT_TRUE(image.project(after.data(), memory.data()));
-            ASSERT_TRUE(image.project(before.data(), memory.data()));
+            ASSERT_TRUE(image.project(after.data(), hint.data()));
+            ASSERT_TRUE(image.project(before.data(), hint.data()));
             EXPECT_LT(((after - before) / (2 * step) - basis.col(j)).norm(), 1e-6);
         }
         Eigen::Matrix2d form;
         const Vec6 force = Vec6::Ones();
-        image.second_form(x.data(), memory.data(), basis.data(), force.data(), form.data());
+        image.second_form(x.data(), hint.data(), basis.data(), force.data(), form.data());
         EXPECT_TRUE(form.allFinite());
         EXPECT_NEAR(form(0, 1), form(1, 0), 0);
         EXPECT_LT(form.norm(), 100);

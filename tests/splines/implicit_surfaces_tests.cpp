@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "splines/implicit_surfaces.h"
+#include "splines/manifolds/implicit_surfaces.h"
 
 #include <set>
 
-#include "splines/space_jet.h"
+#include "splines/manifolds/space_jet.h"
 #include "splines/surface_checks.h"
 
 namespace flg::test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "splines/mesh_samples.h"
+#include "splines/manifolds/mesh_samples.h"
 
 #include "core/failure.h"
-#include "splines/implicit_surfaces.h"
+#include "splines/manifolds/implicit_surfaces.h"
 #include "splines/sample_checks.h"
 
 namespace flg::test {
@@ -17,8 +17,7 @@ Soup moved(Soup soup, const Eigen::Matrix3d& turn, const Vec3& shift) {
 TEST(MeshSamples, OfATorusComeNearItQuickly) {
     const TorusSurface exact(1, 0.4);
     const std::vector<Vec3> points = points_on(make_mesh(closed_torus(24)), 300);
-    const SampledMesh coarse = sample_mesh(make_mesh(closed_torus(32))),
-                      fine = sample_mesh(make_mesh(closed_torus(64)));
+    const SampledSurface coarse = sample(make_mesh(closed_torus(32))), fine = sample(make_mesh(closed_torus(64)));
     const SurfaceErrors first = errors_against(exact, coarse.surface, points);
     const SurfaceErrors second = errors_against(exact, fine.surface, points);
     EXPECT_EQ(fine.extras, 0u);
@@ -32,7 +31,7 @@ TEST(MeshSamples, OfATorusComeNearItQuickly) {
 TEST(MeshSamples, OfASphereComeNearItQuickly) {
     const SphereSurface exact(1);
     const std::vector<Vec3> points = random_points(300, 1);
-    const SampledMesh coarse = sample_mesh(make_mesh(sphere(2))), fine = sample_mesh(make_mesh(sphere(3)));
+    const SampledSurface coarse = sample(make_mesh(sphere(2))), fine = sample(make_mesh(sphere(3)));
     const SurfaceErrors first = errors_against(exact, coarse.surface, points);
     const SurfaceErrors second = errors_against(exact, fine.surface, points);
     EXPECT_LT(first.place, 2e-3);
@@ -43,17 +42,17 @@ TEST(MeshSamples, OfASphereComeNearItQuickly) {
 
 TEST(MeshSamples, HoldWhatZeroSetsHold) {
     const Mesh mesh = make_mesh(closed_torus(24));
-    const SampledMesh sampled = sample_mesh(mesh);
+    const SampledSurface sampled = sample(mesh);
     for (const Vec3& start : points_on(mesh, 60)) {
-        std::vector<double> memory = fresh_memory(sampled.surface);
+        std::vector<double> hint = fresh_hint(sampled.surface);
         Vec3 x = start;
-        ASSERT_TRUE(sampled.surface.project(x.data(), memory.data()));
-        EXPECT_NEAR(evaluate_at(sampled.surface, x, memory).value, 0, 1e-14);
+        ASSERT_TRUE(sampled.surface.project(x.data(), hint.data()));
+        EXPECT_NEAR(evaluate_at(sampled.surface, x, hint).value, 0, 1e-14);
         expect_exact_derivatives(sampled.surface, x, 100);
-        expect_tangent_basis(sampled.surface, x, memory);
-        expect_second_form(sampled.surface, x, memory, 1e-4);
+        expect_tangent_basis(sampled.surface, x, hint);
+        expect_second_form(sampled.surface, x, hint, 1e-4);
         Vec3 again = x;
-        ASSERT_TRUE(sampled.surface.project(again.data(), memory.data()));
+        ASSERT_TRUE(sampled.surface.project(again.data(), hint.data()));
         EXPECT_LT((again - x).norm(), 1e-13);
     }
 }
@@ -61,16 +60,16 @@ TEST(MeshSamples, HoldWhatZeroSetsHold) {
 // Projection from a small distance goes to the nearest point, up to its square.
 TEST(MeshSamples, ProjectToTheNearestPoint) {
     const Mesh mesh = make_mesh(closed_torus(48));
-    const SampledMesh sampled = sample_mesh(mesh);
+    const SampledSurface sampled = sample(mesh);
     double errors[2] = {};
     for (const Vec3& start : points_on(mesh, 100)) {
-        std::vector<double> memory = fresh_memory(sampled.surface);
+        std::vector<double> hint = fresh_hint(sampled.surface);
         Vec3 x = start;
-        ASSERT_TRUE(sampled.surface.project(x.data(), memory.data()));
-        const Vec3 normal = evaluate_at(sampled.surface, x, memory).gradient.normalized();
+        ASSERT_TRUE(sampled.surface.project(x.data(), hint.data()));
+        const Vec3 normal = evaluate_at(sampled.surface, x, hint).gradient.normalized();
         for (int k = 0; k < 2; ++k) {
             Vec3 above = x + (k == 0 ? 0.02 : 0.01) * normal;
-            ASSERT_TRUE(sampled.surface.project(above.data(), memory.data()));
+            ASSERT_TRUE(sampled.surface.project(above.data(), hint.data()));
             errors[k] = std::max(errors[k], (above - x).norm());
         }
     }
@@ -79,27 +78,27 @@ TEST(MeshSamples, ProjectToTheNearestPoint) {
 }
 
 TEST(MeshSamples, TellHowFarTheyAreFromTheMesh) {
-    const SampledMesh coarse = sample_mesh(make_mesh(sphere(2))), fine = sample_mesh(make_mesh(sphere(3)));
+    const SampledSurface coarse = sample(make_mesh(sphere(2))), fine = sample(make_mesh(sphere(3)));
     EXPECT_EQ(coarse.deviation.uncovered, 0u);
     EXPECT_EQ(coarse.deviation.places, 2u * 320);
-    EXPECT_LT(coarse.deviation.mean, coarse.deviation.largest);
+    EXPECT_LT(coarse.deviation.mean(), coarse.deviation.largest);
     EXPECT_NEAR(coarse.deviation.largest, 0.017, 0.003) << "what chords of the sphere are inside of it";
     EXPECT_LT(fine.deviation.largest, coarse.deviation.largest / 3);
-    const SampledMesh flat = sample_mesh(make_mesh(plane(20, 0.3)));
+    const SampledSurface flat = sample(make_mesh(plane(20, 0.3)));
     EXPECT_LT(flat.deviation.largest, 1e-7);
 }
 
 TEST(MeshSamples, OfACubeAreARoundedCube) {
-    const SampledMesh cube = sample_mesh(make_mesh(box({1, 1, 1})));
+    const SampledSurface cube = sample(make_mesh(box({1, 1, 1})));
     EXPECT_GT(cube.extras, 500u);
     EXPECT_EQ(cube.deviation.uncovered, 0u);
     // Flat in the middle of the faces, rounded along the edges, all on the surface from anywhere.
     for (const Vec3& direction : random_points(300, 1)) {
         const Vec3 x = 0.5 / direction.cwiseAbs().maxCoeff() * direction;
-        std::vector<double> memory = fresh_memory(cube.surface);
+        std::vector<double> hint = fresh_hint(cube.surface);
         Vec3 foot = x;
-        ASSERT_TRUE(cube.surface.project(foot.data(), memory.data()));
-        EXPECT_NEAR(evaluate_at(cube.surface, foot, memory).value, 0, 1e-10);
+        ASSERT_TRUE(cube.surface.project(foot.data(), hint.data()));
+        EXPECT_NEAR(evaluate_at(cube.surface, foot, hint).value, 0, 1e-10);
         EXPECT_LT(foot.cwiseAbs().maxCoeff(), 0.504) << "it does not swell";
         const Vec3 sorted = x.cwiseAbs();
         const double second = sorted.sum() - sorted.maxCoeff() - sorted.minCoeff();
@@ -114,13 +113,13 @@ TEST(MeshSamples, OfACubeAreARoundedCube) {
 // Seen from inside, edges are concave, and rounded the same way.
 TEST(MeshSamples, ConcaveEdgesAreRoundedAsConvexOnes) {
     Soup soup = box({1, 0.8, 0.6});
-    const SampledMesh outside = sample_mesh(make_mesh(soup));
+    const SampledSurface outside = sample(make_mesh(soup));
     for (Triple& triangle : soup.triangles) std::swap(triangle[1], triangle[2]);
-    const SampledMesh inside = sample_mesh(make_mesh(soup));
+    const SampledSurface inside = sample(make_mesh(soup));
     for (const Vec3& place : random_points(200, 0.5)) {
-        std::vector<double> memory = fresh_memory(outside.surface), other = memory;
+        std::vector<double> hint = fresh_hint(outside.surface), other = hint;
         Vec3 x = Vec3(1, 0.8, 0.6).cwiseProduct(0.5 / place.cwiseAbs().maxCoeff() * place), y = x;
-        ASSERT_TRUE(outside.surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(outside.surface.project(x.data(), hint.data()));
         ASSERT_TRUE(inside.surface.project(y.data(), other.data()));
         EXPECT_LT((x - y).norm(), 5e-3);
         EXPECT_LT(evaluate_at(outside.surface, x).gradient.dot(evaluate_at(inside.surface, x).gradient), 0);
@@ -129,29 +128,29 @@ TEST(MeshSamples, ConcaveEdgesAreRoundedAsConvexOnes) {
 
 TEST(MeshSamples, OfLongTrianglesStayACylinder) {
     const Mesh mesh = make_mesh(cylinder(32, 1));
-    const SampledMesh sampled = sample_mesh(mesh);
+    const SampledSurface sampled = sample(mesh);
     EXPECT_GT(sampled.extras, 100u);
     for (const Vec3& start : points_on(mesh, 200)) {
-        std::vector<double> memory = fresh_memory(sampled.surface);
+        std::vector<double> hint = fresh_hint(sampled.surface);
         Vec3 x = start;
-        ASSERT_TRUE(sampled.surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(sampled.surface.project(x.data(), hint.data()));
         EXPECT_NEAR(std::hypot(x.x(), x.y()), 1, 0.01);
-        const Vec3 normal = evaluate_at(sampled.surface, x, memory).gradient.normalized();
+        const Vec3 normal = evaluate_at(sampled.surface, x, hint).gradient.normalized();
         EXPECT_LT((normal - Vec3(x.x(), x.y(), 0).normalized()).norm(), 0.05);
     }
 }
 
 // Both sides of a plate that is much thinner than its triangles stay apart.
 TEST(MeshSamples, SidesOfAThinPlateStayApart) {
-    const SampledMesh plate = sample_mesh(make_mesh(box({1, 1, 0.01})));
+    const SampledSurface plate = sample(make_mesh(box({1, 1, 0.01})));
     for (const Vec3& place : random_points(200, 0.35)) {
         for (const double side : {1.0, -1.0}) {
-            std::vector<double> memory = fresh_memory(plate.surface);
+            std::vector<double> hint = fresh_hint(plate.surface);
             Vec3 x(place.x(), place.y(), side * 0.0065);
-            ASSERT_TRUE(plate.surface.project(x.data(), memory.data()));
+            ASSERT_TRUE(plate.surface.project(x.data(), hint.data()));
             EXPECT_NEAR(x.z(), side * 0.005, 1e-9);
-            EXPECT_GT(side * evaluate_at(plate.surface, x, memory).gradient.z(), 0.99);
-            expect_second_form(plate.surface, x, memory);
+            EXPECT_GT(side * evaluate_at(plate.surface, x, hint).gradient.z(), 0.99);
+            expect_second_form(plate.surface, x, hint);
         }
     }
 }
@@ -159,7 +158,7 @@ TEST(MeshSamples, SidesOfAThinPlateStayApart) {
 // A plane cut into triangles of very different sizes is a plane.
 TEST(MeshSamples, OfUnevenTrianglesAreCovered) {
     const Mesh flat = make_mesh(grid(24, 24, [](double u, double v) { return Vec3(u * u * u, v * v * v, 0); }));
-    const SampledMesh sampled = sample_mesh(flat);
+    const SampledSurface sampled = sample(flat);
     EXPECT_EQ(sampled.deviation.uncovered, 0u);
     EXPECT_LT(sampled.deviation.largest, 1e-12);
     const TorusSurface exact(1, 0.4);
@@ -171,7 +170,7 @@ TEST(MeshSamples, OfUnevenTrianglesAreCovered) {
             return Vec3(out * std::cos(a), out * std::sin(a), 0.4 * std::sin(b));
         },
         true));
-    const SampledMesh torus = sample_mesh(uneven);
+    const SampledSurface torus = sample(uneven);
     EXPECT_EQ(torus.deviation.uncovered, 0u);
     const SurfaceErrors errors = errors_against(exact, torus.surface, points_on(uneven, 300));
     EXPECT_LT(errors.place, 2e-3);
@@ -201,7 +200,7 @@ TEST(MeshSamples, OfAGlobeDoNotCrowdAtItsPoles) {
             soup.triangles.push_back({low + i, high + next, high + i});
         }
     }
-    const SampledMesh globe = sample_mesh(make_mesh(soup));
+    const SampledSurface globe = sample(make_mesh(soup));
     EXPECT_EQ(globe.deviation.uncovered, 0u);
     EXPECT_LT(globe.surface.sample_count(), soup.positions.size());
     for (const Vec3& pole : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
@@ -225,24 +224,24 @@ TEST(MeshSamples, TurnWithTheMesh) {
     const Soup soup = closed_torus(20);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();
     const Vec3 shift(0.3, -0.2, 0.5);
-    const SampledMesh before = sample_mesh(make_mesh(soup)), after = sample_mesh(make_mesh(moved(soup, turn, shift)));
+    const SampledSurface before = sample(make_mesh(soup)), after = sample(make_mesh(moved(soup, turn, shift)));
     for (const Vec3& start : points_on(make_mesh(soup), 100)) {
-        std::vector<double> memory = fresh_memory(before.surface), other = memory;
+        std::vector<double> hint = fresh_hint(before.surface), other = hint;
         Vec3 x = start, y = turn * start + shift;
-        ASSERT_TRUE(before.surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(before.surface.project(x.data(), hint.data()));
         ASSERT_TRUE(after.surface.project(y.data(), other.data()));
         EXPECT_LT((turn * x + shift - y).norm(), 2e-6) << "positions of meshes are floats";
     }
 }
 
 TEST(MeshSamples, GoOnALittleBeyondBorders) {
-    const SampledMesh square = sample_mesh(make_mesh(plane(10)));
-    std::vector<double> memory = fresh_memory(square.surface);
+    const SampledSurface square = sample(make_mesh(plane(10)));
+    std::vector<double> hint = fresh_hint(square.surface);
     Vec3 x(1.03, 0.5, 0.02);
-    ASSERT_TRUE(square.surface.project(x.data(), memory.data()));
+    ASSERT_TRUE(square.surface.project(x.data(), hint.data()));
     EXPECT_LT((x - Vec3(1.03, 0.5, 0)).norm(), 1e-9) << "straight down";
     Vec3 away(3, 0.5, 0.2);
-    ASSERT_TRUE(square.surface.project(away.data(), memory.data()));
+    ASSERT_TRUE(square.surface.project(away.data(), hint.data()));
     EXPECT_NEAR(away.z(), 0, 1e-9);
     EXPECT_NEAR(away.x(), 1, 0.15) << "near the border";
 }
@@ -250,7 +249,7 @@ TEST(MeshSamples, GoOnALittleBeyondBorders) {
 TEST(MeshSamples, TakeTheSameBitsInAnySlices) {
     for (const Soup& soup : {box({1, 0.5, 0.3}), closed_torus(12), plane(7, 0.3)}) {
         const Mesh mesh = make_mesh(soup);
-        const SampledMesh whole = sample_mesh(mesh, 100000), sliced = sample_mesh(mesh, 1);
+        const SampledSurface whole = sample(mesh), sliced = sample(mesh, true);
         ASSERT_EQ(whole.surface.sample_count(), sliced.surface.sample_count());
         for (uint32_t i = 0; i < whole.surface.sample_count(); ++i) {
             const OrientedSample &a = whole.surface.sample(i), &b = sliced.surface.sample(i);
@@ -260,16 +259,15 @@ TEST(MeshSamples, TakeTheSameBitsInAnySlices) {
             EXPECT_EQ(a.radius, b.radius);
         }
         EXPECT_EQ(whole.deviation.largest, sliced.deviation.largest);
-        EXPECT_EQ(whole.deviation.mean, sliced.deviation.mean);
+        EXPECT_EQ(whole.deviation.mean(), sliced.deviation.mean());
     }
 }
 
 TEST(MeshSamples, OfTooLittleFail) {
-    EXPECT_THROW(sample_mesh(make_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}})), Failure) << "three samples";
-    EXPECT_THROW(sample_mesh(make_mesh({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}})),
-                 Failure)
+    EXPECT_THROW(sample(make_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}})), Failure) << "three samples";
+    EXPECT_THROW(sample(make_mesh({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}})), Failure)
         << "no normals";
-    EXPECT_NO_THROW(sample_mesh(make_mesh({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}})));
+    EXPECT_NO_THROW(sample(make_mesh({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}})));
 }
 
 // A triangle without area among others does no harm.
@@ -278,7 +276,7 @@ TEST(MeshSamples, LeaveOutTrianglesWithoutArea) {
     for (size_t i = 0; i < soup.positions.size(); ++i) {
         if (i % 9 == 4) soup.positions[i][0] = soup.positions[i + 1][0];
     }
-    const SampledMesh sampled = sample_mesh(make_mesh(soup));
+    const SampledSurface sampled = sample(make_mesh(soup));
     EXPECT_LT(sampled.deviation.largest, 1e-12);
     EXPECT_EQ(sampled.deviation.uncovered, 0u);
 }
@@ -292,12 +290,12 @@ TEST(MeshSamples, OfNeedlesAreNotTooMany) {
         soup.positions.push_back(to_position({std::cos(angle), std::sin(angle), i % 2 == 0 ? 3.0 : 0.0}));
     }
     for (uint32_t i = 0; i < 400; ++i) soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % 400});
-    const SampledMesh sampled = sample_mesh(make_mesh(soup));
+    const SampledSurface sampled = sample(make_mesh(soup));
     EXPECT_LE(sampled.extras, 20000u);
-    std::vector<double> memory = fresh_memory(sampled.surface);
+    std::vector<double> hint = fresh_hint(sampled.surface);
     for (Vec3 x : random_points(100, 2)) {
         const Vec3 start = x;
-        if (!sampled.surface.project(x.data(), memory.data())) {
+        if (!sampled.surface.project(x.data(), hint.data())) {
             EXPECT_EQ(x, start);
         }
         EXPECT_TRUE(x.allFinite());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Keyframes: what is split is put together again; what is no motion is refused by a sentence that names it.
-#include "splines/motion_keys.h"
+#include "splines/motion/motion_keys.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/failure.h"
+
+#include "runtime/run_now.h"
 
 namespace flg::test {
 namespace {
@@ -48,10 +50,10 @@ BodyInertia body() {
     return inertia_of_points(points, {});
 }
 
-MotionKeys read(const Keys& keys, size_t chunk = 1000) {
-    MotionKeys made({keys.times, keys.poses, keys.closed, keys.end_time}, body(), std::pmr::get_default_resource());
-    while (!made.run(chunk)) {}
-    return made;
+MotionKeys read(const Keys& keys, bool haltingly = false) {
+    const MotionKeyInput input{keys.times, keys.poses, keys.closed, keys.end_time};
+    return run_now(
+        std::pmr::get_default_resource(), [&](Pace& pace) { return check_keys(pace, input, body()); }, haltingly);
 }
 
 std::string refusal(const Keys& keys) {
@@ -66,7 +68,7 @@ std::string refusal(const Keys& keys) {
 
 TEST(MotionKeys, SplitAndPutTogether) {
     const Keys keys = three_keys();
-    const MotionKeys made = read(keys, 1);
+    const MotionKeys made = read(keys, true);
     for (size_t i = 0; i < keys.times.size(); ++i) {
         EXPECT_EQ(made.times()[i], keys.times[i]);
         double pose[12];

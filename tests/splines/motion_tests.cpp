@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Motions of least energy: against free bodies, statics, the natural spline, and the keys.
-#include "splines/motion.h"
+#include "splines/motion/motion.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "core/failure.h"
-#include "runtime/job.h"
+#include "runtime/run_now.h"
 #include "splines/nan_memory.h"
-#include "splines/natural_cubic.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/obstacle_shapes.h"
+#include "splines/optimizer/natural_cubic.h"
 
 namespace flg::test {
 namespace {
@@ -64,16 +63,10 @@ MotionInput random_keys(size_t count, double amount, bool closed) {
     return input;
 }
 
-std::shared_ptr<HeldMotion> make(const MotionInput& input, bool haltingly = false) {
-    auto motion = std::make_shared<HeldMotion>(input, nan_memory());
-    const Host host({}, {}, {});
-    Job job(host, nan_memory(), 1);
-    Pace pace(job, host, nan_memory());
-    const Task<void> task = make_motion(pace, motion);
-    pace.begin_slice(host.now_ns(), haltingly ? 0 : std::numeric_limits<uint64_t>::max());
-    task.handle().resume();
-    while (!task.done()) pace.resume_point.resume();
-    if (task.exception()) std::rethrow_exception(task.exception());
+std::shared_ptr<Motion> make(const MotionInput& input, bool haltingly = false) {
+    auto motion = std::make_shared<Motion>(input, nan_memory());
+    const auto make = [&](Pace& pace) { return make_motion(pace, motion); };
+    run_now(nan_memory(), make, haltingly);
     motion->publish_complete();
     return motion;
 }
@@ -140,12 +133,11 @@ TEST(Motion, TheBarycentreIsTheClassicalSpline) {
                 const Vec3 p = pose_at(&input.poses[12 * i]).at(middle);
                 values.insert(values.end(), p.data(), p.data() + 3);
             }
-            NaturalCubic spline({.knots = knots,
+            const CubicData data{.knots = knots,
                                  .values = values,
                                  .ends = closed ? CubicEnds::periodic : CubicEnds::natural,
-                                 .tension = energy == FLG_SPLINE_E1 ? HUGE_VAL : input.tension},
-                                nan_memory());
-            while (!spline.run(100)) continue;
+                                 .tension = energy == FLG_SPLINE_E1 ? HUGE_VAL : input.tension};
+            const NaturalCubic spline = run_now(nan_memory(), [&](Pace& pace) { return natural_cubic(pace, data); });
             for (uint32_t i = 0; i < view.position_count; ++i) {
                 Vec3 expected;
                 spline.evaluate(view.times[i], 0, expected.data());
@@ -380,7 +372,7 @@ TEST(Motion, KeepsOutOfObstacles) {
         const Vec3 place = Vec3(ways[k][0], ways[k][1], ways[k][2]) - pose.rotation * input.body.barycentre;
         for (int row = 0; row < 3; ++row) input.poses[12 * k + 4 * row + 3] = place[row];
     }
-    const auto held = std::make_shared<HeldObstacles>(3u, nan_memory());
+    const auto held = std::make_shared<Obstacles>(3u, nan_memory());
     const double centre[3] = {0, 0, 0};
     held->solids.push_back(std::make_shared<BallObstacle>(3, centre, 1.0));
     const Obstacle* const solid = held->solids[0].get();
@@ -388,7 +380,7 @@ TEST(Motion, KeepsOutOfObstacles) {
     const auto through = make(input);
     input.obstacles = held;
     const auto around = make(input), halting = make(input, true);
-    const auto nearest = [&](const HeldMotion& motion) {
+    const auto nearest = [&](const Motion& motion) {
         double least = 1e9;
         for (uint32_t i = 0; i < input.positions; ++i) {
             for (size_t p = 0; p < hammer.size(); p += 3) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Least curves of R^n in closed form: against the conditions that a textbook gives them, and against energies of
 // others.
-#include "splines/natural_cubic.h"
+#include "splines/optimizer/natural_cubic.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include <random>
 #include <vector>
 
+#include "runtime/run_now.h"
 #include "splines/nan_memory.h"
 
 namespace flg::test {
@@ -40,12 +41,11 @@ Case random_case(size_t count, CubicEnds ends, double tension) {
     return made;
 }
 
-NaturalCubic spline_of(const Case& c, size_t chunk = 1000000) {
-    NaturalCubic spline(
-        {c.knots, c.values, c.dimension, c.ends, c.slopes.empty() ? nullptr : c.slopes.data(), c.tension},
-        nan_memory());
-    while (!spline.run(chunk)) {}
-    return spline;
+NaturalCubic spline_of(const Case& c, bool haltingly = false) {
+    const double* const slopes = c.slopes.empty() ? nullptr : c.slopes.data();
+    const CubicData data{c.knots, c.values, c.dimension, c.ends, slopes, c.tension};
+    return run_now(
+        nan_memory(), [&](Pace& pace) { return natural_cubic(pace, data); }, haltingly);
 }
 
 double at(const NaturalCubic& spline, double time, int derivative, size_t component = 0) {
@@ -238,9 +238,9 @@ TEST(NaturalCubic, TensionGoesFromTheCubicToThePolyline) {
     }
 }
 
-TEST(NaturalCubic, SameBitsWhateverTheChunks) {
+TEST(NaturalCubic, SameBitsWhateverTheSlices) {
     for (const Case& c : all_cases()) {
-        const NaturalCubic whole = spline_of(c), cut = spline_of(c, 1);
+        const NaturalCubic whole = spline_of(c), cut = spline_of(c, true);
         for (double t = c.knots.front(); t < c.knots.back(); t += 0.1) EXPECT_EQ(at(whole, t, 0), at(cut, t, 0));
     }
 }

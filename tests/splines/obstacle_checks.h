@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "core/random.h"
-#include "splines/hypersurface.h"
-#include "splines/obstacle.h"
+#include "runtime/run_now.h"
+#include "splines/manifolds/hypersurface.h"
+#include "splines/obstacles/obstacle.h"
 
 namespace flg::test {
 

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "splines/obstacle_mesh.h"
+#include "splines/obstacles/obstacle_mesh.h"
 
 #include <numbers>
 
 #include "core/failure.h"
-#include "splines/barrier_surface.h"
-#include "splines/mesh_distance.h"
 #include "splines/obstacle_checks.h"
-#include "splines/obstacle_path.h"
-#include "splines/obstacle_shapes.h"
-#include "surfaces/nearest_points.h"
+#include "splines/obstacles/barrier_surface.h"
+#include "splines/obstacles/mesh_distance.h"
+#include "splines/obstacles/obstacle_path.h"
+#include "splines/obstacles/obstacle_shapes.h"
+#include "surfaces/mesh/nearest_points.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
 
-SampledDistance sampled(const Mesh& mesh, double reach, uint32_t cells, bool has_sign, uint32_t chunk = 1000) {
-    SampledDistance out;
-    MeshDistanceKernel kernel(mesh, reach, cells, has_sign, out, heap());
-    while (!kernel.run(chunk)) {}
-    return out;
+SampledDistance sampled(const Mesh& mesh, double reach, uint32_t cells, bool has_sign, bool haltingly = false) {
+    return run_now(
+        heap(), [&](Pace& pace) { return mesh_distance(pace, mesh, reach, cells, has_sign); }, haltingly);
 }
 
 // Corners in binary fractions, so that nodes lie on planes of faces and on edges.
@@ -60,8 +58,8 @@ TEST(MeshDistance, OfABoxIsExactAtTheNodes) {
 TEST(MeshDistance, SweepingFindsTheNearestTriangles) {
     const Mesh mesh = make_mesh(torus(40, 20));
     const SampledDistance d = sampled(mesh, 0.5, 24, true);
-    NearestPoints nearest(mesh, heap());
-    while (!nearest.build(1000)) {}
+    NearestPoints nearest(mesh);
+    run_now(heap(), [&](Pace& pace) { return build(pace, nearest); });
     double most = 0;
     uint32_t missed = 0, tried = 0;
     for (uint32_t i = 0; i < d.grid.size(); i += 3) {
@@ -116,7 +114,7 @@ TEST(MeshDistance, DerivativesAreThoseOfDifferences) {
 
 TEST(MeshDistance, ChunksDoNotMatter) {
     const Mesh mesh = make_mesh(torus(20, 10));
-    const SampledDistance a = sampled(mesh, 0.2, 16, true, 1), b = sampled(mesh, 0.2, 16, true, 1013);
+    const SampledDistance a = sampled(mesh, 0.2, 16, true, true), b = sampled(mesh, 0.2, 16, true);
     EXPECT_EQ(a.deepest, b.deepest);
     for (uint64_t item = 0; item < 1000; ++item) {
         const Numbers x = random_numbers(item, 1.4);
@@ -225,9 +223,7 @@ TEST(LayerObstacle, APathStaysInTheLayer) {
     const Obstacle* one[] = {&layer};
     const ObstacleSet set(one, 0, heap());
     const std::vector<double> points = {1, 0, 0.5, 0, -1, 0.5};
-    ObstaclePath path(heap());
-    ObstaclePathKernel kernel(set, points, false, {}, path, heap());
-    while (!kernel.run(1000)) {}
+    const ObstaclePath path = run_now(heap(), [&](Pace& pace) { return obstacle_path(pace, set, points, false, {}); });
     double length = 0, turned = 0;
     for (size_t i = 3; i < path.points.size(); i += 3) {
         const double* a = &path.points[i - 3];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "splines/obstacle_path.h"
+#include "splines/obstacles/obstacle_path.h"
 
 #include <memory>
 #include <numbers>
 
 #include "core/failure.h"
 #include "splines/obstacle_checks.h"
-#include "splines/obstacle_polygon.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/obstacle_polygon.h"
+#include "splines/obstacles/obstacle_shapes.h"
 
 namespace flg::test {
 namespace {
@@ -15,11 +15,9 @@ namespace {
 using Sides = std::vector<ObstacleSide>;
 
 ObstaclePath path_of(const ObstacleSet& set, const std::vector<double>& points, const Sides& sides = {},
-                     bool closed = false, uint32_t chunk = 1000) {
-    ObstaclePath path(heap());
-    ObstaclePathKernel kernel(set, points, closed, sides, path, heap());
-    while (!kernel.run(chunk)) {}
-    return path;
+                     bool closed = false, bool haltingly = false) {
+    return run_now(
+        heap(), [&](Pace& pace) { return obstacle_path(pace, set, points, closed, sides); }, haltingly);
 }
 
 std::string failure_of(const ObstacleSet& set, const std::vector<double>& points, const Sides& sides = {}) {
@@ -196,7 +194,7 @@ TEST(ObstaclePath, ChunksDoNotMatter) {
     const ObstacleSet set(all, 0.1, heap());
     const std::vector<double> points = {-2, 0, 2, 0.3, 0, 1.5};
     const Sides sides = {{1, {0, 1, 0}}};
-    EXPECT_EQ(path_of(set, points, sides, false, 1).points, path_of(set, points, sides, false, 1013).points);
+    EXPECT_EQ(path_of(set, points, sides, false, true).points, path_of(set, points, sides).points);
 }
 
 TEST(ObstaclePath, PointsInsideAreRefused) {

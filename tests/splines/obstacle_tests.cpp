@@ -4,8 +4,8 @@
 
 #include "core/failure.h"
 #include "splines/obstacle_checks.h"
-#include "splines/obstacle_polygon.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/obstacle_polygon.h"
+#include "splines/obstacles/obstacle_shapes.h"
 
 namespace flg::test {
 namespace {

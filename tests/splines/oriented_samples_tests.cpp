@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "splines/oriented_samples.h"
+#include "splines/manifolds/oriented_samples.h"
 
 #include "core/failure.h"
+#include "runtime/run_now.h"
 #include "splines/sample_checks.h"
 
 namespace flg::test {
 namespace {
 
-OrientedSamples make_samples(const std::vector<OrientedSample>& list, uint32_t slice = 1000) {
+OrientedSamples make_samples(const std::vector<OrientedSample>& list, bool haltingly = false) {
     GrowingBuffer<OrientedSample> samples(list.size(), test_memory());
     std::copy(list.begin(), list.end(), samples.begin());
-    OrientedSamplesKernel kernel(std::move(samples), test_memory());
-    while (!kernel.run(slice)) {}
-    return kernel.take();
+    return run_now(
+        test_memory(), [&](Pace& pace) { return oriented_samples(pace, samples); }, haltingly);
 }
 
 // On the sphere of radius 2, with the bend of another one.
@@ -60,12 +60,12 @@ TEST(OrientedSamples, AreTheWeightedMeanOfTheirSamples) {
 TEST(OrientedSamples, WithTheRightBendASphereComesOutExactly) {
     const OrientedSamples surface = make_samples(on_a_sphere(300, 1, 0.5));
     for (const Vec3& start : random_points(100, 3, 4)) {
-        std::vector<double> memory = fresh_memory(surface);
+        std::vector<double> hint = fresh_hint(surface);
         Vec3 x = start;
-        ASSERT_TRUE(surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(surface.project(x.data(), hint.data()));
         EXPECT_NEAR(x.norm(), 2, 1e-14);
-        expect_tangent_basis(surface, x, memory);
-        expect_second_form(surface, x, memory);
+        expect_tangent_basis(surface, x, hint);
+        expect_second_form(surface, x, hint);
     }
 }
 
@@ -88,19 +88,19 @@ TEST(OrientedSamples, FindTheNearestSample) {
 // A point that wanders keeps what it remembers; a point that begins there knows nothing.
 TEST(OrientedSamples, WhatAPointRemembersMakesNoDifference) {
     const OrientedSamples surface = make_samples(on_a_sphere(2000, 0.4, 0.1));
-    std::vector<double> memory = fresh_memory(surface);
+    std::vector<double> hint = fresh_hint(surface);
     size_t kept = 0;
-    std::vector<double> before = memory;
+    std::vector<double> before = hint;
     for (int step = 0; step < 2000; ++step) {
         const double angle = 0.004 * step;
         const Vec3 x = 2.02 * Vec3(std::cos(angle), std::sin(angle) * std::cos(angle), std::sin(angle)).normalized();
-        const SurfaceValue warm = evaluate_at(surface, x, memory), cold = evaluate_at(surface, x);
+        const SurfaceValue warm = evaluate_at(surface, x, hint), cold = evaluate_at(surface, x);
         ASSERT_TRUE(warm.defined);
         EXPECT_EQ(warm.value, cold.value);
         EXPECT_EQ(warm.gradient, cold.gradient);
         EXPECT_EQ(warm.second, cold.second);
-        kept += memory == before;
-        before = memory;
+        kept += hint == before;
+        before = hint;
     }
     EXPECT_GT(kept, 1500u) << "and saves most searches";
 }
@@ -109,11 +109,11 @@ TEST(OrientedSamples, WhatAPointRemembersMakesNoDifference) {
 TEST(OrientedSamples, TooManyToRememberAreFoundEachTime) {
     for (const size_t count : {100u, 1000u}) {
         const OrientedSamples surface = make_samples(on_a_sphere(count, 5, 0.5));
-        std::vector<double> memory = fresh_memory(surface);
+        std::vector<double> hint = fresh_hint(surface);
         Vec3 x(1.5, 1, 1);
-        ASSERT_TRUE(surface.project(x.data(), memory.data()));
+        ASSERT_TRUE(surface.project(x.data(), hint.data()));
         EXPECT_NEAR(x.norm(), 2, 1e-13);
-        EXPECT_EQ(evaluate_at(surface, x).value, evaluate_at(surface, x, memory).value);
+        EXPECT_EQ(evaluate_at(surface, x).value, evaluate_at(surface, x, hint).value);
     }
 }
 
@@ -121,22 +121,22 @@ TEST(OrientedSamples, HaveNoValueWhereNoneReaches) {
     const OrientedSamples surface = make_samples(on_a_sphere(300, 0.5, 0.5));
     EXPECT_FALSE(evaluate_at(surface, Vec3(0, 0, 0)).defined);
     EXPECT_FALSE(evaluate_at(surface, Vec3(1e300, 0, 0)).defined);
-    std::vector<double> memory = fresh_memory(surface);
+    std::vector<double> hint = fresh_hint(surface);
     Vec3 x(1e12, 0, 0);
-    ASSERT_TRUE(surface.project(x.data(), memory.data())) << "but a nearest sample";
+    ASSERT_TRUE(surface.project(x.data(), hint.data())) << "but a nearest sample";
     EXPECT_NEAR(x.norm(), 2, 0.1);
     EXPECT_GT(x.x(), 1.9);
 }
 
 TEST(OrientedSamples, TakeTheSameBitsInAnySlices) {
     const auto list = on_a_sphere(777, 0.5, 0.3);
-    const OrientedSamples whole = make_samples(list), sliced = make_samples(list, 1);
+    const OrientedSamples whole = make_samples(list), sliced = make_samples(list, true);
     ASSERT_EQ(whole.sample_count(), sliced.sample_count());
     for (uint32_t i = 0; i < whole.sample_count(); ++i) EXPECT_EQ(whole.sample(i).position, sliced.sample(i).position);
     for (const Vec3& x : random_points(50, 2.5)) {
-        std::vector<double> memory = fresh_memory(whole), other = memory;
+        std::vector<double> hint = fresh_hint(whole), other = hint;
         Vec3 a = x, b = x;
-        ASSERT_TRUE(whole.project(a.data(), memory.data()));
+        ASSERT_TRUE(whole.project(a.data(), hint.data()));
         ASSERT_TRUE(sliced.project(b.data(), other.data()));
         EXPECT_EQ(a, b);
     }
@@ -152,9 +152,9 @@ TEST(OrientedSamples, NeedFour) {
 TEST(OrientedSamples, AllInOnePlaceAreStillASurface) {
     const OrientedSample one{{1, 2, 3}, {0, 0, 1}, {}, 1};
     const OrientedSamples surface = make_samples(std::vector<OrientedSample>(1000, one));
-    std::vector<double> memory = fresh_memory(surface);
+    std::vector<double> hint = fresh_hint(surface);
     Vec3 x(1.2, 2.1, 3.3);
-    ASSERT_TRUE(surface.project(x.data(), memory.data()));
+    ASSERT_TRUE(surface.project(x.data(), hint.data()));
     EXPECT_LT((x - Vec3(1.2, 2.1, 3)).norm(), 1e-14);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Surfaces by functions of two parameters: footpoints against closed forms and brute force, periods, ends of the
 // domain.
-#include "splines/parametric_patch.h"
+#include "splines/manifolds/parametric_patch.h"
 
 #include <memory>
 #include <numbers>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Rotations as a surface in R^9: against singular values, sums over feature points and the generic second form.
-#include "splines/rotation_manifold.h"
+#include "splines/manifolds/rotation_manifold.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <limits>
 #include <vector>
 
-#include "splines/body_inertia.h"
 #include "splines/manifold_checks.h"
+#include "splines/motion/body_inertia.h"
 
 namespace flg::test {
 namespace {

@@ -2,7 +2,8 @@
 // Surfaces of samples, and meshes to take them from.
 #pragma once
 
-#include "splines/mesh_samples.h"
+#include "runtime/run_now.h"
+#include "splines/manifolds/mesh_samples.h"
 #include "splines/surface_checks.h"
 #include "surfaces/test_meshes.h"
 
@@ -43,16 +44,9 @@ inline Soup box(const Vec3& size) {
     return soup;
 }
 
-struct SampledMesh {
-    OrientedSamples surface;
-    SurfaceDeviation deviation;
-    uint32_t extras;
-};
-
-inline SampledMesh sample_mesh(const Mesh& mesh, uint32_t slice = 1000) {
-    MeshSamplesKernel kernel(mesh, test_memory());
-    while (!kernel.run(slice)) {}
-    return {kernel.take(), kernel.deviation(), kernel.extra_count()};
+inline SampledSurface sample(const Mesh& mesh, bool haltingly = false) {
+    return run_now(
+        test_memory(), [&](Pace& pace) { return sample_mesh(pace, mesh); }, haltingly);
 }
 
 // Points anywhere on the mesh.
@@ -77,16 +71,16 @@ inline SurfaceErrors errors_against(const Hypersurface& exact, const OrientedSam
                                     const std::vector<Vec3>& points) {
     SurfaceErrors errors;
     for (const Vec3& start : points) {
-        std::vector<double> memory = fresh_memory(surface);
+        std::vector<double> hint = fresh_hint(surface);
         Vec3 x = start;
-        EXPECT_TRUE(surface.project(x.data(), memory.data()));
-        const SurfaceValue right = evaluate_at(exact, x), here = evaluate_at(surface, x, memory);
+        EXPECT_TRUE(surface.project(x.data(), hint.data()));
+        const SurfaceValue right = evaluate_at(exact, x), here = evaluate_at(surface, x, hint);
         errors.place = std::max(errors.place, std::abs(right.value));
         errors.normal = std::max(errors.normal, (right.gradient - here.gradient.normalized()).norm());
         Eigen::Matrix<double, 3, 2> basis;
-        surface.tangent_basis(x.data(), memory.data(), basis.data());
+        surface.tangent_basis(x.data(), hint.data(), basis.data());
         Eigen::Matrix2d form, right_form;
-        surface.second_form(x.data(), memory.data(), basis.data(), right.gradient.data(), form.data());
+        surface.second_form(x.data(), hint.data(), basis.data(), right.gradient.data(), form.data());
         exact.second_form(x.data(), nullptr, basis.data(), right.gradient.data(), right_form.data());
         errors.form = std::max(errors.form, (form - right_form).norm());
     }

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "core/vec.h"
-#include "splines/spline_kernel.h"
+#include "runtime/run_now.h"
+#include "splines/optimizer/spline_optimizer.h"
 
 namespace flg::test {
 
@@ -25,7 +26,7 @@ inline SplineProblem chain_problem(const Manifold& manifold, const std::vector<V
     problem.points = Buffer<double>(size_t{3} * nodes, memory);
     problem.knots = Buffer<uint32_t>(count, memory);
     problem.given = Buffer<double>(size_t{3} * count, memory);
-    std::vector<double> own(manifold.memory_size());
+    std::vector<double> own(manifold.hint_size());
     std::vector<Vec3> at = given;
     for (uint32_t i = 0; i < count; ++i) {
         std::fill(own.begin(), own.end(), 0.0);
@@ -48,14 +49,17 @@ struct SolvedSpline {
     std::vector<uint32_t> knots;
 };
 
-inline SolvedSpline solve_spline(SplineProblem& problem, uint32_t chunk = 1000) {
-    SplineKernel kernel(problem, std::pmr::new_delete_resource());
-    while (!kernel.run(chunk)) continue;
+inline SolvedSpline solve_spline(SplineProblem& problem, bool haltingly = false) {
+    Memory* const memory = std::pmr::new_delete_resource();
+    SplineOptimizer optimizer(problem, memory);
+    run_now(
+        memory, [&](Pace& pace) { return SplineOptimizer::minimize(pace, optimizer); }, haltingly);
     SolvedSpline out;
-    out.report = kernel.report();
-    for (uint32_t i = 0; i < kernel.nodes(); ++i) {
-        out.points.emplace_back(kernel.points()[3 * i], kernel.points()[3 * i + 1], kernel.points()[3 * i + 2]);
-        out.steps.push_back(kernel.step_after(i));
+    out.report = optimizer.report();
+    for (uint32_t i = 0; i < optimizer.nodes(); ++i) {
+        const double* const x = optimizer.points() + size_t{3} * i;
+        out.points.emplace_back(x[0], x[1], x[2]);
+        out.steps.push_back(optimizer.step_after(i));
     }
     out.knots.assign(problem.knots.begin(), problem.knots.end());
     return out;

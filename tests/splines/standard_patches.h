@@ -2,7 +2,7 @@
 // Patches in closed form: a torus, which closes in both parameters, and graphs over the plane.
 #pragma once
 
-#include "splines/parametric_patch.h"
+#include "splines/manifolds/parametric_patch.h"
 
 namespace flg {
 

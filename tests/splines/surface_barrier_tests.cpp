@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "splines/surface_barrier.h"
+#include "splines/obstacles/surface_barrier.h"
 
 #include "core/failure.h"
-#include "splines/implicit_surfaces.h"
-#include "splines/mesh_distance.h"
+#include "splines/manifolds/implicit_surfaces.h"
 #include "splines/obstacle_checks.h"
-#include "splines/obstacle_mesh.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/mesh_distance.h"
+#include "splines/obstacles/obstacle_mesh.h"
+#include "splines/obstacles/obstacle_shapes.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
@@ -122,9 +122,8 @@ TEST(SurfaceBarrier, LiftingIsOntoTheSurfaceAndUp) {
 // The plane that goes on around the unit square, which has a boundary: what is beyond it is left out.
 TEST(SurfaceBarrier, StaysWithinAMeshsBoundary) {
     const Mesh mesh = make_mesh(plane(8));
-    SampledDistance distance;
-    MeshDistanceKernel kernel(mesh, 0.3, 96, false, distance, heap());
-    while (!kernel.run(1000)) {}
+    const SampledDistance distance =
+        run_now(heap(), [&](Pace& pace) { return mesh_distance(pace, mesh, 0.3, 96, false); });
     const double epsilon = 0.1;
     const LayerObstacle layer(distance, epsilon);
     const Obstacle* one[] = {&layer};

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/vec.h"
-#include "splines/hypersurface.h"
+#include "splines/manifolds/hypersurface.h"
 
 namespace flg::test {
 
@@ -29,19 +29,19 @@ struct SurfaceValue {
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
 };
 
-inline std::vector<double> fresh_memory(const Manifold& manifold) {
-    return std::vector<double>(manifold.memory_size());
+inline std::vector<double> fresh_hint(const Manifold& manifold) {
+    return std::vector<double>(manifold.hint_size());
 }
 
-inline SurfaceValue evaluate_at(const Hypersurface& surface, const Vec3& x, std::vector<double>& memory) {
+inline SurfaceValue evaluate_at(const Hypersurface& surface, const Vec3& x, std::vector<double>& hint) {
     SurfaceValue result;
     result.defined =
-        surface.evaluate(x.data(), memory.data(), &result.value, result.gradient.data(), result.second.data());
+        surface.evaluate(x.data(), hint.data(), &result.value, result.gradient.data(), result.second.data());
     return result;
 }
 inline SurfaceValue evaluate_at(const Hypersurface& surface, const Vec3& x) {
-    std::vector<double> memory = fresh_memory(surface);
-    return evaluate_at(surface, x, memory);
+    std::vector<double> hint = fresh_hint(surface);
+    return evaluate_at(surface, x, hint);
 }
 
 // Central differences of the value and of the gradient; `scale`: how large the function's third derivatives are, about.
@@ -61,23 +61,23 @@ inline void expect_exact_derivatives(const Hypersurface& surface, const Vec3& x,
 }
 
 // x lies on the surface.
-inline void expect_tangent_basis(const Hypersurface& surface, const Vec3& x, std::vector<double>& memory) {
+inline void expect_tangent_basis(const Hypersurface& surface, const Vec3& x, std::vector<double>& hint) {
     Eigen::Matrix<double, 3, 2> basis;
-    surface.tangent_basis(x.data(), memory.data(), basis.data());
+    surface.tangent_basis(x.data(), hint.data(), basis.data());
     EXPECT_LT((basis.transpose() * basis - Eigen::Matrix2d::Identity()).norm(), 1e-14);
-    const Vec3 normal = evaluate_at(surface, x, memory).gradient.normalized();
+    const Vec3 normal = evaluate_at(surface, x, hint).gradient.normalized();
     EXPECT_LT((Vec3(basis.col(0)).cross(Vec3(basis.col(1))) - normal).norm(), 1e-13);
 }
 
 // Against projections of points around; `tolerance` relative to the force over the size.
-inline void expect_second_form(const Hypersurface& surface, const Vec3& x, std::vector<double>& memory,
+inline void expect_second_form(const Hypersurface& surface, const Vec3& x, std::vector<double>& hint,
                                double tolerance = 1e-5) {
     Eigen::Matrix<double, 3, 2> basis;
-    surface.tangent_basis(x.data(), memory.data(), basis.data());
+    surface.tangent_basis(x.data(), hint.data(), basis.data());
     const Vec3 force(0.3, -0.8, 0.6);
     Eigen::Matrix2d exact, differences;
-    surface.second_form(x.data(), memory.data(), basis.data(), force.data(), exact.data());
-    surface.Manifold::second_form(x.data(), memory.data(), basis.data(), force.data(), differences.data());
+    surface.second_form(x.data(), hint.data(), basis.data(), force.data(), exact.data());
+    surface.Manifold::second_form(x.data(), hint.data(), basis.data(), force.data(), differences.data());
     EXPECT_LT((exact - differences).norm(), tolerance * (1 / surface.size() + exact.norm())) << x.transpose();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "splines/sweep_distance.h"
+#include "splines/obstacles/sweep_distance.h"
 
 #include <numbers>
 
 #include "splines/obstacle_checks.h"
-#include "splines/obstacle_shapes.h"
+#include "splines/obstacles/obstacle_shapes.h"
 
 namespace flg::test {
 namespace {
@@ -21,10 +21,10 @@ SweepGrid cube(uint32_t dimension, uint32_t cells) {
 }
 
 std::vector<double> solved(const SweepGrid& grid, const std::vector<uint8_t>& flags,
-                           const std::vector<SweepDistance::Seed>& seeds, uint32_t chunk = 1000) {
+                           const std::vector<SweepDistance::Seed>& seeds, bool haltingly = false) {
     SweepDistance sweep(grid, flags.data(), heap());
-    sweep.begin(seeds);
-    while (!sweep.run(chunk)) {}
+    run_now(
+        heap(), [&](Pace& pace) { return SweepDistance::solve(pace, sweep, seeds); }, haltingly);
     std::vector<double> values(grid.size());
     for (uint32_t i = 0; i < grid.size(); ++i) values[i] = sweep[i];
     return values;
@@ -167,7 +167,7 @@ TEST(SweepDistance, ClosedEdgesPartTheSides) {
 TEST(SweepDistance, ChunksDoNotMatter) {
     const SweepGrid grid = cube(3, 10);
     const std::vector<uint8_t> flags(grid.size());
-    EXPECT_EQ(solved(grid, flags, {{7, 0}, {99, 0.5}}, 1), solved(grid, flags, {{7, 0}, {99, 0.5}}, 77));
+    EXPECT_EQ(solved(grid, flags, {{7, 0}, {99, 0.5}}, true), solved(grid, flags, {{7, 0}, {99, 0.5}}));
 }
 
 }  // namespace

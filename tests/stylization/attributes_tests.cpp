@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Attributes of a style (Minarcik, Fiser, Sykora, sec. 5): values at matched places, and their share in patch distances.
+// Attributes of a style (Minarcik, Fiser, Sykora, sec. 5): values at matched places, and their share in patch
+// distances.
 #include <gtest/gtest.h>
 
 #include "stylization/scene_inputs.h"
@@ -88,12 +89,12 @@ struct Example {
         std::copy(values.begin(), values.end(), set.columns()[1].values.data());
     }
 
-    std::vector<float> at(const std::vector<double>& places, FlgMetric metric, uint32_t slice = 1u << 30) {
+    std::vector<float> at(const std::vector<double>& places, FlgMetric metric, bool haltingly = false) {
         std::vector<StyleAttribute> attributes;
         attributes.push_back(make_attribute(set, {set.columns()[1].attribute, metric, 1, 0},
                                             static_cast<uint32_t>(places.size()), test::memory()));
-        AttributeKernel kernel(set, 0, places, 0, attributes);
-        while (!kernel.run(slice)) {}
+        run_now(
+            test::memory(), [&](Pace& pace) { return take_values(pace, set, 0, places, 0, attributes); }, haltingly);
         return {attributes[0].values.begin(), attributes[0].values.end()};
     }
 };
@@ -150,7 +151,7 @@ TEST(Attributes, ManyTurnsAreKept) {
 TEST(Attributes, DoNotDependOnTheSlices) {
     Example radius({0, 1, 5, 7}, FLG_ATTRIBUTE_RADIUS, 1, {2, 4, 0, 1});
     const std::vector<double> places = {0, 0.1, 0.1, 3, 6.9, 7};
-    EXPECT_EQ(radius.at(places, FLG_METRIC_AUTO), radius.at(places, FLG_METRIC_AUTO, 1));
+    EXPECT_EQ(radius.at(places, FLG_METRIC_AUTO), radius.at(places, FLG_METRIC_AUTO, true));
 }
 
 TEST(Attributes, ChannelsCarryWeightAndPeriod) {
@@ -158,8 +159,7 @@ TEST(Attributes, ChannelsCarryWeightAndPeriod) {
     const float values[6] = {1, 2, -1, 3, 4, 7};
     std::copy(values, values + 6, attribute.values.data());
     std::pmr::vector<PatchChannel> channels(test::memory());
-    ChannelKernel kernel(attribute, test::memory());
-    while (!kernel.run(1, channels)) {}
+    run_haltingly(test::memory(), [&](Pace& pace) { return add_channels(pace, attribute, channels); });
     ASSERT_EQ(channels.size(), 3u);
     EXPECT_EQ(channels[0].period, 0);
     EXPECT_EQ(channels[0].values[1], 6);

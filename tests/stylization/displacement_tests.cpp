@@ -23,11 +23,11 @@ TEST(Displacement, ComponentsInTheFrameGiveTheStyleBack) {
         }
         style.push_back(load_vec3(&positions[3 * i]) + Vec3(std::sin(0.3 * i), 0.5 * std::cos(0.2 * i), 0.1));
     }
-    for (uint32_t slice : {1u, 7u, 1000u}) {
-        DisplacementKernel kernel({positions.data(), tangents.data(), normals.data(), style}, test::memory());
-        while (!kernel.run(slice)) {}
-        const double rms = kernel.rms();
-        const Displacement d = kernel.take();
+    for (const bool haltingly : {false, true}) {
+        const GuideAndStyle input{positions.data(), tangents.data(), normals.data(), style};
+        Displacement d(100, test::memory());
+        const double rms = run_now(
+            test::memory(), [&](Pace& pace) { return displace(pace, input, d); }, haltingly);
         double sum_sq = 0;
         for (int i = 0; i < 100; ++i) {
             const Vec3 t = load_vec3(&tangents[3 * i]), n = load_vec3(&normals[3 * i]);
@@ -43,9 +43,8 @@ TEST(Displacement, ComponentsInTheFrameGiveTheStyleBack) {
 TEST(Displacement, SecondNormalIsTangentCrossNormal) {
     const float position[] = {0, 0, 0}, tangent[] = {1, 0, 0}, normal[] = {0, 1, 0};
     const std::vector<Vec3> style{Vec3(1, 2, 3)};
-    DisplacementKernel kernel({position, tangent, normal, style}, test::memory());
-    ASSERT_TRUE(kernel.run(1));
-    const Displacement d = kernel.take();
+    Displacement d(1, test::memory());
+    run_now(test::memory(), [&](Pace& pace) { return displace(pace, {position, tangent, normal, style}, d); });
     EXPECT_EQ(d.along_tangent[0], 1);
     EXPECT_EQ(d.along_normal[0], 2);
     EXPECT_EQ(d.along_binormal[0], 3);

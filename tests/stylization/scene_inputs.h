@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "stylization/patch_costs.h"
 #include "stylization/style_inputs.h"
 
 namespace flg::test {
@@ -57,12 +56,12 @@ inline std::vector<PatchChannel> channels_of(const Scene& scene) {
     return channels;
 }
 
-inline PatchGraph graph_of(const Scene& scene, uint32_t slice = 1u << 30) {
+inline PatchGraph graph_of(const Scene& scene, bool haltingly = false) {
     const Displacement displacement = displacement_of(scene.vectors);
     const std::vector<PatchChannel> channels = channels_of(scene);
-    PatchGraphKernel kernel({&displacement, scene.boundaries, scene.largest_patch(), scene.sizes, channels}, memory());
-    while (!kernel.run(slice)) {}
-    return kernel.take();
+    const StyleScene all{&displacement, scene.boundaries, scene.largest_patch(), scene.sizes, channels};
+    return run_now(
+        memory(), [&](Pace& pace) { return patch_graph(pace, all); }, haltingly);
 }
 
 inline bool same_bits(const PatchGraph& a, const PatchGraph& b) {
@@ -81,12 +80,12 @@ inline void expect_literal(const Scene& scene) {
     }
     const Displacement displacement = displacement_of(scene.vectors);
     const std::vector<PatchChannel> channels = channels_of(scene);
-    PatchCosts costs({&displacement, scene.boundaries, scene.largest_patch(), scene.sizes, channels}, memory());
+    PatchMatrix costs({&displacement, scene.boundaries, scene.largest_patch(), scene.sizes, channels}, memory());
+    run_haltingly(memory(), [&](Pace& pace) { return begin_matrix(pace, costs); });
     const size_t n = scene.vectors.size();
     size_t rows = 0;
-    while (!costs.done()) {
-        uint32_t units = 3;
-        if (!costs.advance(units)) continue;
+    while (costs.next_row()) {
+        while (!costs.make_part()) {}
         ++rows;
         for (size_t c = 0; c < n; ++c) {
             const double v = expected[costs.index() * n + c];
@@ -103,9 +102,8 @@ inline void expect_literal(const Scene& scene) {
     for (size_t i = 0; i < n; ++i) expected_rows += expected[i * n + i] < INFINITY ? 1 : 0;
     EXPECT_EQ(rows, expected_rows);
 
-    literal::Graph expected_jumps =
-        literal::sparse_jumps(expected, scene.as_int(), static_cast<int>(scene.largest_patch()),
-                              static_cast<int>(PatchGraphKernel::successors_kept));
+    literal::Graph expected_jumps = literal::sparse_jumps(
+        expected, scene.as_int(), static_cast<int>(scene.largest_patch()), static_cast<int>(successors_kept));
     literal::Graph jumps = jumps_of(graph_of(scene));
     for (size_t i = 0; i < n; ++i) {
         auto& row = expected_jumps[i];

@@ -127,7 +127,8 @@ TEST(SeamBlend, SeamsAreNoKinks) {
     }
 }
 
-// Attributes of all metrics that vary along with `wiggles`, but are not compared by the patch graph: seams find them anywhere.
+// Attributes of all metrics that vary along with `wiggles`, but are not compared by the patch graph: seams find them
+// anywhere.
 struct Varied {
     static constexpr int points = 300;
     TestStyle style{test::wiggles(points), patch};

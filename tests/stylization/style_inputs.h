@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "reference/literal_patch_graph.h"
+#include "runtime/run_now.h"
 #include "stylization/patch_graph.h"
 
 namespace flg::test {
@@ -39,10 +40,10 @@ inline Displacement displacement_of(const std::vector<Vec3>& vectors) {
 }
 
 inline PatchGraph graph_of(const Displacement& displacement, const std::vector<uint32_t>& boundaries, uint32_t patch,
-                           uint32_t slice = 1u << 30) {
-    PatchGraphKernel kernel({&displacement, boundaries, patch}, memory());
-    while (!kernel.run(slice)) {}
-    return kernel.take();
+                           bool haltingly = false) {
+    const StyleScene scene{&displacement, boundaries, patch};
+    return run_now(
+        memory(), [&](Pace& pace) { return patch_graph(pace, scene); }, haltingly);
 }
 
 inline PatchGraph graph_of(const Displacement& displacement, uint32_t patch) {

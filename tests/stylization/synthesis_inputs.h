@@ -59,10 +59,9 @@ struct StylizedCurve {
 };
 
 inline AppliedStyle applied(const PreparedStyle& style, double scale, const std::array<double, 9>& basis,
-                            uint32_t slice = 1u << 30) {
-    AppliedStyleKernel kernel(style, scale, basis, memory());
-    while (!kernel.run(slice)) {}
-    return kernel.take();
+                            bool haltingly = false) {
+    return run_now(
+        memory(), [&](Pace& pace) { return fit_style(pace, style, scale, basis); }, haltingly);
 }
 
 inline StylizedCurve stylize(const TestStyle& style, PathTrees& trees, const SamplingPlan& plan,

@@ -71,11 +71,10 @@ struct Example {
             drawn.push_back(points.position(i) +
                             0.1 * Vec3(std::sin(3 * u), std::cos(2.2 * u) + 0.2 * std::sin(9 * u), u / 50));
         }
-        DisplacementKernel kernel({points.positions.data(), points.tangents.data(), points.normals.data(), drawn},
-                                  test::memory());
-        while (!kernel.run(100)) {}
-        rms = kernel.rms();
-        return kernel.take();
+        const GuideAndStyle input{points.positions.data(), points.tangents.data(), points.normals.data(), drawn};
+        Displacement d(count, test::memory());
+        rms = run_haltingly(test::memory(), [&](Pace& pace) { return displace(pace, input, d); });
+        return d;
     }
 };
 

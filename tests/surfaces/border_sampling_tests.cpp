@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/border_sampling.h"
+#include "surfaces/sampling/border_sampling.h"
 
 #include <gtest/gtest.h>
 
 #include "core/failure.h"
+#include "runtime/run_now.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
 
-SurfaceCurves sample(const Mesh& mesh, const std::vector<uint32_t>& labels, float spacing, uint32_t slice = 1000) {
+SurfaceCurves sample(const Mesh& mesh, const std::vector<uint32_t>& labels, float spacing, bool haltingly = false) {
     SurfaceCurves curves(test_memory());
     const RegionSet regions = labels.empty()
                                   ? RegionSet(test_memory())
                                   : RegionSet(labels.data(), static_cast<uint32_t>(labels.size()), test_memory());
-    RegionLoops loops(test_memory());
-    RegionLoopsKernel find(mesh, regions, loops, test_memory());
-    while (!find.run(slice)) {}
+    const auto find = [&](Pace& pace) { return find_region_loops(pace, mesh, regions); };
+    const RegionLoops loops = run_now(test_memory(), find, haltingly);
     std::vector<BorderStretch> stretches(loops.count());
     for (uint32_t l = 0; l < loops.count(); ++l) stretches[l] = {.loop = l};
-    BorderSamplingKernel kernel(mesh, loops, stretches, spacing, curves);
-    while (!kernel.run(slice)) {}
+    run_now(
+        test_memory(), [&](Pace& pace) { return sample_stretches(pace, mesh, loops, stretches, spacing, curves); },
+        haltingly);
     return curves;
 }
 
@@ -111,7 +112,7 @@ TEST(BorderSampling, KeepsToItsOwnTrianglesWhereBordersTouch) {
 
 TEST(BorderSampling, DoesNotDependOnSlices) {
     const Mesh mesh = make_mesh(cylinder(11, 3));
-    const SurfaceCurves whole = sample(mesh, {}, 0.3f), sliced = sample(mesh, {}, 0.3f, 1);
+    const SurfaceCurves whole = sample(mesh, {}, 0.3f), sliced = sample(mesh, {}, 0.3f, true);
     ASSERT_EQ(whole.curve_count(), 2u);
     EXPECT_EQ(whole.offsets, sliced.offsets);
     ASSERT_EQ(whole.points.size(), sliced.points.size());

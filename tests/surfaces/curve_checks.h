@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every set of curves on a mesh must keep (surfaces/surface_curves.h), and measures of them.
+// What every set of curves on a mesh must keep (surfaces/mesh/surface_curves.h), and measures of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "surfaces/surface_curves.h"
+#include "surfaces/mesh/surface_curves.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {

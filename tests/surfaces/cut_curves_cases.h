@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "surfaces/cut_curves.h"
 #include "surfaces/cut_meshes.h"
-#include "surfaces/cut_regions.h"
+#include "surfaces/cutting/cut_curves.h"
+#include "surfaces/cutting/cut_regions.h"
 
 namespace flg::test {
 
@@ -74,11 +74,12 @@ struct CurveCase {
         if (!closed) points.push_back(in_triangle(mesh, triangle_at(mesh, corners.back()), corners.back()));
         add_curve(curves, points, closed);
     }
-    void run(uint32_t first_label = 1, uint32_t slice = 1000) {
-        CurveCutter cutter(mesh, columns, curves, edit, out, test_memory());
-        while (!cutter.run(slice)) {}
-        RegionDivider divider(mesh, out.edges, first_label, edit, parts, test_memory());
-        while (!divider.run(slice)) {}
+    void run(uint32_t first_label = 1, bool haltingly = false) {
+        run_now(
+            test_memory(), [&](Pace& pace) { return embed_curves(pace, mesh, columns, curves, edit, out); }, haltingly);
+        run_now(
+            test_memory(), [&](Pace& pace) { return divide_regions(pace, mesh, out.edges, first_label, edit, parts); },
+            haltingly);
     }
 
     Mesh mesh;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/cut_curves.h"
+#include "surfaces/cutting/cut_curves.h"
 
 #include <set>
 
 #include "core/failure.h"
+#include "runtime/run_now.h"
 #include "surfaces/cut_curves_cases.h"
-#include "surfaces/isolines.h"
+#include "surfaces/tracing/isolines.h"
 
 namespace flg::test {
 namespace {
@@ -99,9 +100,9 @@ TEST(CurveCutter, AgreesWithTheCutAlongIsolines) {
         const std::vector<float> levels = {-0.21f, 0.13f};
         const MeshColumn column = make_column(traced.mesh, height);
         const RegionSet all(test_memory());
-        IsolineKernel kernel(traced.mesh, {column.values.data(), column.values.size()}, levels, all, traced.curves,
-                             test_memory());
-        while (!kernel.run(1000)) {}
+        const std::span<const float> values(column.values.data(), column.values.size());
+        run_now(test_memory(),
+                [&](Pace& pace) { return add_isolines(pace, traced.mesh, values, levels, all, traced.curves); });
         traced.run(10);
         expect_valid(traced.mesh);
         expect_chains(traced);

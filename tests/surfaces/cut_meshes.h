@@ -4,9 +4,11 @@
 
 #include <bit>
 
-#include "surfaces/cut_isolines.h"
+#include "runtime/run_now.h"
+#include "surfaces/cutting/cut_isolines.h"
+#include "surfaces/cutting/cut_pieces.h"
 #include "surfaces/expect_valid.h"
-#include "surfaces/mesh_edit_replay.h"
+#include "surfaces/mesh/mesh_edit.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
@@ -17,11 +19,14 @@ inline MeshColumn make_column(const Mesh& mesh, const std::function<double(const
     return column;
 }
 
-// Cuts along the isolines of column `field`; in all regions that there are if none are listed, with the interval as label.
+// Cuts along the isolines of column `field`; in all regions that there are if none are listed, with the interval as
+// label.
 inline void cut_isolines(Mesh& mesh, MeshColumns& columns, uint32_t field, const std::vector<float>& levels,
-                         MeshEdit& edit, const std::vector<RegionLevels>& regions = {{0, 0}}, uint32_t slice = 1000) {
-    IsolineCutter cutter(mesh, columns, field, CutLevels(levels, regions), edit, test_memory());
-    while (!cutter.run(slice)) {}
+                         MeshEdit& edit, const std::vector<RegionLevels>& regions = {{0, 0}}, bool haltingly = false) {
+    const CutLevels cut_levels(levels, regions);
+    run_now(
+        test_memory(), [&](Pace& pace) { return embed_isolines(pace, mesh, columns, field, cut_levels, edit); },
+        haltingly);
 }
 
 inline Vec3 area_vector(const Mesh& mesh, uint32_t triangle) {

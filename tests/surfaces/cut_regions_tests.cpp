@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/cut_regions.h"
+#include "surfaces/cutting/cut_regions.h"
 
 #include "surfaces/cut_meshes.h"
 
 namespace flg::test {
 namespace {
 
-// Of a plane of n x n cells: the edges x = column / n from row `first` up to row `end`, as corners of the triangles to the
-// left.
+// Of a plane of n x n cells: the edges x = column / n from row `first` up to row `end`, as corners of the triangles to
+// the left.
 std::pmr::deque<Corner> column_edges(const Mesh& mesh, uint32_t cells, uint32_t column, uint32_t first, uint32_t end) {
     std::pmr::deque<Corner> edges;
     for (uint32_t row = first; row < end; ++row) {
@@ -21,9 +21,10 @@ std::pmr::deque<Corner> column_edges(const Mesh& mesh, uint32_t cells, uint32_t 
 
 struct Division {
     explicit Division(uint32_t cells) : mesh(make_mesh(plane(cells))) { edit.begin(mesh); }
-    void run(const std::pmr::deque<Corner>& edges, uint32_t first_label, uint32_t slice = 1000) {
-        RegionDivider divider(mesh, edges, first_label, edit, parts, test_memory());
-        while (!divider.run(slice)) {}
+    void run(const std::pmr::deque<Corner>& edges, uint32_t first_label, bool haltingly = false) {
+        run_now(
+            test_memory(), [&](Pace& pace) { return divide_regions(pace, mesh, edges, first_label, edit, parts); },
+            haltingly);
         edit.end(mesh);
     }
 
@@ -34,13 +35,13 @@ struct Division {
 };
 
 TEST(RegionDivider, GivesEachPartALabel) {
-    for (uint32_t slice : {1u, 100000u}) {
+    for (bool haltingly : {true, false}) {
         Division division(8);
         std::pmr::deque<Corner> edges = column_edges(division.mesh, 8, 2, 0, 8);
         const std::pmr::deque<Corner> more = column_edges(division.mesh, 8, 5, 0, 8);
         edges.insert(edges.end(), more.begin(), more.end());
         const std::vector<uint32_t> before = bits_of(division.mesh, division.columns);
-        division.run(edges, 7, slice);
+        division.run(edges, 7, haltingly);
         ASSERT_EQ(division.parts.size(), 3u);
         EXPECT_DOUBLE_EQ(area_of(division.mesh, 7), 2.0 / 8);
         EXPECT_DOUBLE_EQ(area_of(division.mesh, 8), 3.0 / 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/cut_triangulation.h"
+#include "surfaces/cutting/cut_triangulation.h"
 
 #include <gtest/gtest.h>
 

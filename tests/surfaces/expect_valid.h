@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "surfaces/mesh.h"
+#include "surfaces/mesh/mesh.h"
 
 namespace flg::test {
 

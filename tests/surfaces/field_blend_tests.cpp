@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/field_blend.h"
+#include "surfaces/geodesics/distance_field.h"
 
 #include <gtest/gtest.h>
 
-#include "surfaces/graph_checks.h"
+#include "reference/literal_geodesics.h"
+#include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
@@ -28,14 +29,14 @@ TEST(FieldBlend, HasAValueWhereTheQuotientHasNone) {
 TEST(FieldBlend, IsLinearAcrossAStrip) {
     constexpr uint32_t around = 40, up = 10;
     const Mesh mesh = make_mesh(cylinder(around, up));
-    const GeodesicGraph graph = make_graph(mesh);
+    const literal::GeodesicGraph graph = literal::geodesic_graph(mesh);
     std::vector<Seed> low, high;
     for (uint32_t i = 0; i < around; ++i) {
         low.push_back({i, 0, 0});
         high.push_back({up * around + i, 0, 0});
     }
-    const std::vector<float> from = solve_graph(mesh, graph, low).distances;
-    const std::vector<float> to = solve_graph(mesh, graph, high).distances;
+    const std::vector<float> from = literal::GraphField(graph, low).distances;
+    const std::vector<float> to = literal::GraphField(graph, high).distances;
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_NEAR(blend(from[v], to[v]), 0.5 * mesh.position(v).z(), 1e-6);
     }

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "surfaces/geodesic_blocks_update.h"
 #include "surfaces/geodesics.h"
+#include "surfaces/mesh/fan_walk.h"
 
 namespace flg::test {
 namespace {
@@ -51,14 +51,12 @@ std::set<uint32_t> split(Mesh& mesh, uint32_t triangle) {
 }
 
 void update(const Mesh& mesh, const std::set<uint32_t>& touched, GeodesicBlocks& blocks) {
-    const std::vector<uint32_t> list(touched.begin(), touched.end());
-    GeodesicBlocksUpdateKernel kernel(mesh, list, blocks);
-    while (!kernel.run(3)) {}
+    const std::pmr::deque<uint32_t> list(touched.begin(), touched.end(), test_memory());
+    run_haltingly(test_memory(), [&](Pace& pace) { return update_blocks(pace, mesh, list, blocks); });
 }
 
 void expect_like_new(const Mesh& mesh, Geodesics& updated) {
     Geodesics anew(mesh);
-    updated.vertex_count = mesh.vertex_count();
     EXPECT_EQ(updated.blocks.edges.mean(), anew.blocks.edges.mean());
     for (uint32_t source : {0u, 77u, mesh.vertex_count() - 1}) {
         EXPECT_EQ(updated.distances({{source, 0, 0}}), anew.distances({{source, 0, 0}}));
@@ -106,7 +104,8 @@ TEST(GeodesicBlocks, KnowTheCurvature) {
 TEST(GeodesicBlocks, AreTheSameUpdatedAndBuiltAnew) {
     Mesh mesh = roomy(torus(30, 20), 4000);
     Geodesics geodesics(mesh);
-    // Again and again around the same vertices: their fans outgrow one block, then two; and more vertices than there is room.
+    // Again and again around the same vertices: their fans outgrow one block, then two; and more vertices than there is
+    // room.
     for (uint32_t round = 0; round < 8; ++round) {
         std::set<uint32_t> touched;
         for (uint32_t i = 0; i < 60; ++i) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/geodesic_path.h"
+#include "surfaces/tracing/geodesic_path.h"
 
 #include <gtest/gtest.h>
 
+#include "runtime/run_now.h"
 #include "surfaces/curve_checks.h"
+#include "surfaces/mesh/surface_place.h"
 
 namespace flg::test {
 namespace {
@@ -43,6 +45,15 @@ std::vector<float> distances_to(const Mesh& mesh, const SurfacePoint& to) {
 
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// The next triangle about a vertex; no_index where the mesh or the regions end.
+uint32_t next_about(const Mesh& mesh, const RegionSet& regions, uint32_t vertex, uint32_t triangle,
+                    bool counter_clockwise) {
+    const Triple& t = mesh.triangles[triangle];
+    const uint32_t k = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+    const uint32_t next = mesh.neighbours[triangle][counter_clockwise ? (k + 2) % 3 : k];
+    return next != no_index && regions.contains(mesh.regions[next]) ? next : no_index;
 }
 
 // The least of the angles at a vertex between two of the path's stretches; infinite across a border.
@@ -100,15 +111,23 @@ void expect_locally_shortest(const Mesh& mesh, const SurfaceCurves& curves, uint
     }
 }
 
+GeodesicPath add_path(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
+                      const std::vector<float>& distances, const RegionSet& regions, SurfaceCurves& out) {
+    return run_haltingly(test_memory(),
+                         [&](Pace& pace) { return add_geodesic_path(pace, mesh, from, to, distances, regions, out); });
+}
+
 Path find_path(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to,
-               const RegionSet& regions = RegionSet(test_memory()), uint32_t slice = 200) {
+               const RegionSet& regions = RegionSet(test_memory()), bool haltingly = false) {
     const auto distances = distances_to(mesh, to);
     Path path;
-    GeodesicPathKernel kernel(mesh, from, to, distances, regions, path.curves, test_memory());
-    while (!kernel.run(slice)) {}
-    path.found = kernel.found();
-    path.length = kernel.length();
-    EXPECT_EQ(kernel.is_straight(), kernel.found());
+    const GeodesicPath found = run_now(
+        test_memory(),
+        [&](Pace& pace) { return add_geodesic_path(pace, mesh, from, to, distances, regions, path.curves); },
+        haltingly);
+    path.found = found.found;
+    path.length = found.length;
+    EXPECT_EQ(found.is_straight, found.found);
     if (end_polyline(path.curves, false, path.length)) {
         expect_valid(mesh, path.curves);
         expect_locally_shortest(mesh, path.curves, 0, regions);
@@ -234,11 +253,9 @@ TEST(GeodesicPath, TurnsAtReflexCornersOfBorders) {
         for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
             if (renamed[v] != no_index) distances[v] = field[renamed[v]];
         }
-        GeodesicPathKernel kernel(mesh, nearest_vertex(mesh, from), end, distances, kept, restricted.curves,
-                                  test_memory());
-        while (!kernel.run(100)) {}
-        EXPECT_NEAR(kernel.length(), expected, 1e-6);
-        ASSERT_TRUE(end_polyline(restricted.curves, false, kernel.length()));
+        const GeodesicPath path = add_path(mesh, nearest_vertex(mesh, from), end, distances, kept, restricted.curves);
+        EXPECT_NEAR(path.length, expected, 1e-6);
+        ASSERT_TRUE(end_polyline(restricted.curves, false, path.length));
         expect_valid(mesh, restricted.curves);
         for (const SurfacePoint& p : restricted.curves.points) EXPECT_EQ(mesh.regions[p.triangle], label);
     }
@@ -269,10 +286,9 @@ TEST(GeodesicPath, NeedsDistancesOnlyOnItsWay) {
         }
         SurfaceCurves curves(test_memory());
         const RegionSet all(test_memory());
-        GeodesicPathKernel kernel(mesh, from, to, distances, all, curves, test_memory());
-        while (!kernel.run(50)) {}
-        EXPECT_TRUE(kernel.found());
-        EXPECT_NEAR(kernel.length(), (position_of(mesh, from) - position_of(mesh, to)).norm(), 2e-6);
+        const GeodesicPath path = add_path(mesh, from, to, distances, all, curves);
+        EXPECT_TRUE(path.found);
+        EXPECT_NEAR(path.length, (position_of(mesh, from) - position_of(mesh, to)).norm(), 2e-6);
     }
 }
 
@@ -283,11 +299,10 @@ TEST(GeodesicPath, FollowsARowOfFiniteDistances) {
     for (uint32_t i = 0; i <= 6; ++i) distances[3 * 7 + i] = float(i) / 6;
     SurfaceCurves curves(test_memory());
     const RegionSet all(test_memory());
-    GeodesicPathKernel kernel(mesh, at_vertex(mesh, 3 * 7 + 6), at_vertex(mesh, 3 * 7), distances, all, curves,
-                              test_memory());
-    while (!kernel.run(50)) {}
-    EXPECT_TRUE(kernel.found());
-    EXPECT_NEAR(kernel.length(), 1, 1e-6);
+    const GeodesicPath path =
+        add_path(mesh, at_vertex(mesh, 3 * 7 + 6), at_vertex(mesh, 3 * 7), distances, all, curves);
+    EXPECT_TRUE(path.found);
+    EXPECT_NEAR(path.length, 1, 1e-6);
 }
 
 // Saddles are where paths go through vertices: many locally shortest ones, and each test is in find_path().
@@ -318,13 +333,12 @@ TEST(GeodesicPath, TakesTrianglesWithoutArea) {
         const auto distances = distances_to(mesh, to);
         SurfaceCurves curves(test_memory());
         const RegionSet all(test_memory());
-        GeodesicPathKernel kernel(mesh, from, to, distances, all, curves, test_memory());
-        while (!kernel.run(50)) {}
-        end_polyline(curves, false, kernel.length());
+        const GeodesicPath path = add_path(mesh, from, to, distances, all, curves);
+        end_polyline(curves, false, path.length);
         expect_valid(mesh, curves);
-        EXPECT_TRUE(kernel.found());
-        EXPECT_TRUE(std::isfinite(kernel.length()));
-        EXPECT_GE(kernel.length(), (position_of(mesh, from) - position_of(mesh, to)).norm() - 1e-6);
+        EXPECT_TRUE(path.found);
+        EXPECT_TRUE(std::isfinite(path.length));
+        EXPECT_GE(path.length, (position_of(mesh, from) - position_of(mesh, to)).norm() - 1e-6);
     }
 }
 
@@ -388,11 +402,8 @@ TEST(GeodesicPath, PathsJoinToPolylines) {
             const SurfacePoint& to = corners[(i + 1) % 3];
             const auto distances = distances_to(mesh, to);
             // A leg without length changes nothing.
-            GeodesicPathKernel none(mesh, corners[i], corners[i], distances, all, curves, test_memory());
-            while (!none.run(100)) {}
-            GeodesicPathKernel leg(mesh, corners[i], to, distances, all, curves, test_memory());
-            while (!leg.run(100)) {}
-            length += leg.length();
+            add_path(mesh, corners[i], corners[i], distances, all, curves);
+            length += add_path(mesh, corners[i], to, distances, all, curves).length;
             expected += (position_of(mesh, corners[i]) - position_of(mesh, to)).norm();
         }
         ASSERT_TRUE(end_polyline(curves, closed, length));
@@ -410,7 +421,7 @@ TEST(GeodesicPath, DoesNotDependOnSlices) {
     const RegionSet all(test_memory());
     for (uint64_t seed = 0; seed < 10; ++seed) {
         const SurfacePoint from = random_point(mesh, seed), to = random_point(mesh, seed + 500);
-        const Path whole = find_path(mesh, from, to, all, UINT32_MAX), sliced = find_path(mesh, from, to, all, 1);
+        const Path whole = find_path(mesh, from, to, all), sliced = find_path(mesh, from, to, all, true);
         expect_same(whole.curves, sliced.curves);
         EXPECT_EQ(whole.length, sliced.length);
     }

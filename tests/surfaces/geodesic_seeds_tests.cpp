@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/geodesic_seeds.h"
+#include "surfaces/geodesics/geodesic_seeds.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(GeodesicSeeds, OfAPointAreStraightDistances) {
                     v = static_cast<float>(random_unit(1, i, 1)) * (1 - u);
         const SurfacePoint point{random_below(1, i, 2, at.mesh.triangle_count()), u, v};
         seeds.add_point(point, 4);
-        const auto found = merged(seeds, 1);
+        const auto found = merged(seeds, true);
         EXPECT_GE(found.size(), 3u);
         for (const Seed& seed : found) {
             EXPECT_NEAR(seed.distance, (at.mesh.position(seed.vertex) - position_of(at.mesh, point)).norm(), 1e-6);
@@ -71,8 +71,7 @@ TEST(GeodesicSeeds, OfACurveAreDistancesFromItsSegments) {
     curves.points.push_back({2 * (10 * 20 + 19), 0.5f, 0.5f});
     curves.offsets.push_back(static_cast<uint32_t>(curves.points.size()));
     curves.closed.push_back(false);
-    CurveSeedsKernel kernel(curves, 0, 0, at.seeds);
-    while (!kernel.run(1)) {}
+    run_haltingly(test_memory(), [&](Pace& pace) { return add_curve(pace, curves, 0, 0, at.seeds); });
     const auto found = merged(at.seeds);
     EXPECT_GE(found.size(), 42u);
     // Exact at the triangles that the curve crosses; across one edge more only what the nearest segment tells.
@@ -94,8 +93,7 @@ TEST(GeodesicSeeds, OfBordersLieOnThem) {
     for (uint32_t t = 0; t < at.mesh.triangle_count(); ++t) at.mesh.regions[t] = t % 40 < 20 ? 3 : 5;
     const uint32_t left[] = {3};
     const RegionSet regions(left, 1, test_memory());
-    BorderSeedsKernel kernel(at.mesh, regions, 1, at.seeds);
-    while (!kernel.run(7)) {}
+    run_haltingly(test_memory(), [&](Pace& pace) { return add_border(pace, at.mesh, regions, 1, at.seeds); });
     const auto found = merged(at.seeds);
     uint32_t on_border = 0;
     for (const Seed& seed : found) {
@@ -111,8 +109,7 @@ TEST(GeodesicSeeds, OfBordersLieOnThem) {
     const uint32_t right[] = {5};
     const RegionSet within(right, 1, test_memory());
     GeodesicSeeds inside(at.mesh, at.mesh.positions, within, test_memory());
-    BorderSeedsKernel again(at.mesh, regions, 1, inside);
-    while (!again.run(7)) {}
+    run_haltingly(test_memory(), [&](Pace& pace) { return add_border(pace, at.mesh, regions, 1, inside); });
     for (const Seed& seed : merged(inside)) EXPECT_GE(at.mesh.position(seed.vertex).x(), 0.4999);
 }
 
@@ -123,9 +120,7 @@ TEST(GeodesicSeeds, KeepTheNearestOfAVertexSorted) {
          {Seed{70000, 1, 0}, {3, 2, 0}, {70000, 0.5f, 1}, {3, 2, 1}, {300, 0, 2}, {70000, 0.7f, 2}}) {
         found.push_back(seed);
     }
-    SeedMergeKernel kernel(found, test_memory());
-    while (!kernel.run(1)) {}
-    const auto seeds = kernel.seeds();
+    const auto seeds = merged(found, true);
     ASSERT_EQ(seeds.size(), 3u);
     EXPECT_EQ(seeds[0].vertex, 3u);
     EXPECT_EQ(seeds[0].label, 0u);
@@ -133,9 +128,7 @@ TEST(GeodesicSeeds, KeepTheNearestOfAVertexSorted) {
     EXPECT_EQ(seeds[2].vertex, 70000u);
     EXPECT_EQ(seeds[2].distance, 0.5f);
 
-    SeedMergeKernel none(at.seeds.found(), test_memory());
-    EXPECT_TRUE(none.run(1));
-    EXPECT_TRUE(none.seeds().empty());
+    EXPECT_TRUE(merged(at.seeds).empty());
 }
 
 }  // namespace

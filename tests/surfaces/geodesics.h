@@ -2,41 +2,51 @@
 // The refined solver on a test mesh, in one call.
 #pragma once
 
-#include "surfaces/geodesic_seeds.h"
-#include "surfaces/refined_solver.h"
+#include "runtime/run_now.h"
+#include "surfaces/geodesics/geodesic_seeds.h"
+#include "surfaces/geodesics/refined_solver.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
 
-inline std::vector<float> solve(RefinedSolver& solver, uint32_t vertex_count, uint32_t slice = 1000) {
-    while (!solver.run(slice)) {}
+// The field that a solver has, copied out.
+inline std::vector<float> read(const RefinedSolver& solver, bool haltingly = false) {
     DistanceField field;
-    DistanceFieldKernel copy(solver, vertex_count, false, field, test_memory());
-    while (!copy.run(slice)) {}
+    run_now(
+        test_memory(), [&](Pace& pace) { return take_field(pace, solver, false, field); }, haltingly);
     return {field.distances.begin(), field.distances.end()};
 }
 
+inline void solve(RefinedSolver& solver, const std::vector<Seed>& seeds, const SolveLimits& limits,
+                  bool labelled = false, const GeodesicRegion* region = nullptr, bool haltingly = false) {
+    run_now(
+        test_memory(), [&](Pace& pace) { return solve_distances(pace, solver, seeds, limits, labelled, region); },
+        haltingly);
+}
+
 struct Geodesics {
-    explicit Geodesics(const Mesh& mesh, uint32_t slice = 1000)
-        : blocks(test_memory()), vertex_count(mesh.vertex_count()) {
-        GeodesicBlocksKernel kernel(mesh, blocks, test_memory());
-        while (!kernel.run(slice)) {}
-    }
-    std::vector<float> distances(const std::vector<Seed>& seeds, const SolveLimits& limits = {}, uint32_t slice = 1000,
-                                 const GeodesicRegion* region = nullptr) {
+    explicit Geodesics(const Mesh& mesh, bool haltingly = false)
+        : blocks(run_now(
+              test_memory(), [&](Pace& pace) { return make_blocks(pace, mesh, mesh.positions); }, haltingly)) {}
+
+    std::vector<float> distances(const std::vector<Seed>& seeds, const SolveLimits& limits = {}, bool haltingly = false,
+                                 const GeodesicRegion* region = nullptr) const {
         RefinedSolver solver(blocks, test_memory());
-        solver.begin(seeds, limits, false, region);
-        return solve(solver, vertex_count, slice);
+        solve(solver, seeds, limits, false, region, haltingly);
+        return read(solver, haltingly);
     }
 
     GeodesicBlocks blocks;
-    uint32_t vertex_count;
 };
 
-inline std::vector<Seed> merged(const GeodesicSeeds& seeds, uint32_t slice = 1000) {
-    SeedMergeKernel kernel(seeds.found(), test_memory());
-    while (!kernel.run(slice)) {}
-    return {kernel.seeds().begin(), kernel.seeds().end()};
+inline std::vector<Seed> merged(const std::pmr::deque<Seed>& found, bool haltingly = false) {
+    const Buffer<Seed> seeds = run_now(
+        test_memory(), [&](Pace& pace) { return merge_seeds(pace, found); }, haltingly);
+    return {seeds.begin(), seeds.end()};
+}
+
+inline std::vector<Seed> merged(const GeodesicSeeds& seeds, bool haltingly = false) {
+    return merged(seeds.found(), haltingly);
 }
 
 // Root mean square of relative errors.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/integral_curves.h"
+#include "surfaces/tracing/integral_curves.h"
 
 #include <gtest/gtest.h>
 
+#include "runtime/run_now.h"
 #include "surfaces/curve_checks.h"
 
 namespace flg::test {
@@ -34,11 +35,13 @@ void expect_monotone(const Mesh& mesh, const std::vector<float>& values, const S
 
 Traced trace(const Mesh& mesh, const std::vector<float>& values, const std::vector<SurfacePoint>& starts,
              const IntegralCurveOptions& options = {}, const RegionSet& regions = RegionSet(test_memory()),
-             uint32_t slice = 100) {
+             bool haltingly = false) {
     Traced traced;
-    IntegralCurveKernel kernel(mesh, values, regions, starts, options, traced.curves, test_memory());
-    while (!kernel.run(slice)) {}
-    traced.ends.assign(kernel.ends().begin(), kernel.ends().end());
+    const auto ends = run_now(
+        test_memory(),
+        [&](Pace& pace) { return add_integral_curves(pace, mesh, values, regions, starts, options, traced.curves); },
+        haltingly);
+    traced.ends.assign(ends.begin(), ends.end());
     expect_valid(mesh, traced.curves);
     expect_monotone(mesh, values, traced.curves, options.downhill);
     EXPECT_EQ(traced.ends.size(), starts.size());
@@ -311,7 +314,7 @@ TEST(IntegralCurves, DoNotDependOnSlices) {
     const auto starts = random_points(mesh, 50, 4);
     const RegionSet all(test_memory());
     const Traced whole = trace(mesh, values, starts, {}, all, UINT32_MAX),
-                 sliced = trace(mesh, values, starts, {}, all, 1);
+                 sliced = trace(mesh, values, starts, {}, all, true);
     EXPECT_GT(whole.curves.curve_count(), 30u);
     expect_same(whole.curves, sliced.curves);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/isolines.h"
+#include "surfaces/tracing/isolines.h"
 
 #include <gtest/gtest.h>
 
+#include "runtime/run_now.h"
 #include "surfaces/curve_checks.h"
 
 namespace flg::test {
@@ -11,10 +12,11 @@ namespace {
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 SurfaceCurves isolines(const Mesh& mesh, const std::vector<float>& values, const std::vector<float>& levels,
-                       const RegionSet& regions = RegionSet(test_memory()), uint32_t slice = 1000) {
+                       const RegionSet& regions = RegionSet(test_memory()), bool haltingly = false) {
     SurfaceCurves curves(test_memory());
-    IsolineKernel kernel(mesh, values, levels, regions, curves, test_memory());
-    while (!kernel.run(slice)) {}
+    run_now(
+        test_memory(), [&](Pace& pace) { return add_isolines(pace, mesh, values, levels, regions, curves); },
+        haltingly);
     expect_valid(mesh, curves);
     return curves;
 }
@@ -217,8 +219,7 @@ TEST(Isolines, DoNotDependOnSlices) {
     const RegionSet all(test_memory());
     const SurfaceCurves whole = isolines(mesh, values, levels, all, UINT32_MAX);
     EXPECT_GT(whole.curve_count(), 4u);
-    expect_same(whole, isolines(mesh, values, levels, all, 1));
-    expect_same(whole, isolines(mesh, values, levels, all, 7));
+    expect_same(whole, isolines(mesh, values, levels, all, true));
 }
 
 }  // namespace

@@ -93,8 +93,8 @@ TEST(ExactDistances, CrossTheEdgesOfACube) {
     }
 }
 
-// The plane wraps twice around a regular tetrahedron: half turns about the points of a triangular lattice leave the place
-// on it as it is, so a distance is the least one to an image in the plane.
+// The plane wraps twice around a regular tetrahedron: half turns about the points of a triangular lattice leave the
+// place on it as it is, so a distance is the least one to an image in the plane.
 TEST(ExactDistances, AreThoseOfTheLatticeOnATetrahedron) {
     const Soup coarse = tetrahedron();
     const Soup fine = split(coarse, 8);
@@ -227,11 +227,47 @@ TEST(LiteralGraph, IsThatOfASquareOfTwoTriangles) {
     };
     const literal::GeodesicGraph kite = arcs(1);
     ASSERT_EQ(kite[2].size(), 3u);
-    EXPECT_EQ(literal::graph_distances(kite, {{2, 0, 0}})[3], 2.0f);
+    EXPECT_EQ(literal::GraphField(kite, {{2, 0, 0}}).distances[3], 2.0f);
     const literal::GeodesicGraph arrowhead = arcs(5);
     ASSERT_EQ(arrowhead[2].size(), 2u);
     const float around = static_cast<float>(std::sqrt(2.0)) + static_cast<float>(std::sqrt(10.0));
-    EXPECT_EQ(literal::graph_distances(arrowhead, {{2, 0, 0}})[3], around);
+    EXPECT_EQ(literal::GraphField(arrowhead, {{2, 0, 0}}).distances[3], around);
+}
+
+// And the paper's visit finds the same bits in another order.
+TEST(LiteralGraph, DistancesAreNeverBelowTheExactOnesAndSymmetric) {
+    for (const Soup& soup : {sphere(3), torus(24, 12), plane(20, 0.3)}) {
+        const Mesh mesh = make_mesh(soup);
+        const literal::GeodesicGraph graph = literal::geodesic_graph(mesh);
+        const std::vector<float> from = literal::GraphField(graph, {{11, 0, 0}}).distances;
+        EXPECT_EQ(literal::visit_graph(graph, 11), from);
+        const std::vector<double> exact = exact_distances(mesh, 11);
+        for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+            EXPECT_GE(from[v], exact[v] * (1 - 1e-6));
+            // A step of the graph leaves out at most half the angle between two of its arcs: 45 degrees in worst
+            // triangles.
+            EXPECT_LE(from[v], exact[v] * 1.4);
+        }
+        for (uint32_t v : {0u, 30u, 77u}) {
+            EXPECT_NEAR(literal::GraphField(graph, {{v, 0, 0}}).distances[11], from[v], 1e-6 * from[v]);
+        }
+    }
+}
+
+// Of a grid of squares cut in two along the same diagonal each: arcs lead along the axes, along both diagonals and like
+// a knight's move across the long one, which leaves no direction further than 1 / cos(22.5 degrees) off.
+TEST(LiteralGraph, IsOffByTheAngleBetweenArcsAtMost) {
+    const Mesh mesh = make_mesh(plane(24));
+    const literal::GraphField field(literal::geodesic_graph(mesh), {{12 * 25 + 12, 0, 0}});
+    const double most = 1 / std::cos(std::numbers::pi / 8);
+    double worst = 0;
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        if (v == 12 * 25 + 12) continue;
+        const double ratio = field.distances[v] / (mesh.position(v) - mesh.position(12 * 25 + 12)).norm();
+        EXPECT_LE(ratio, most + 1e-6);
+        worst = std::max(worst, ratio);
+    }
+    EXPECT_GT(worst, 1.07);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/mesh_growth.h"
+#include "surfaces/mesh/mesh_growth.h"
 
 #include "surfaces/cut_meshes.h"
 

@@ -1,44 +1,38 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/mesh_measures.h"
+#include "surfaces/mesh/mesh_measures.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "surfaces/expect_valid.h"
-#include "surfaces/mesh_measures_normals.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
 
-template <class Kernel>
-void finish(Kernel& kernel, uint32_t count = 1000) {
-    while (!kernel.run(count)) {}
+MeshTopology topology_of(const Mesh& mesh, bool haltingly = false) {
+    return run_now(
+        test_memory(), [&](Pace& pace) { return find_topology(pace, mesh); }, haltingly);
 }
 
-MeshTopology topology_of(const Mesh& mesh, uint32_t count = 1000) {
-    TopologyKernel kernel(mesh, test_memory());
-    finish(kernel, count);
-    return kernel.topology();
+MeshComponents components_of(const Mesh& mesh, bool haltingly = false) {
+    return run_now(
+        test_memory(), [&](Pace& pace) { return find_components(pace, mesh); }, haltingly);
 }
 
-BorderLoops borders_of(const Mesh& mesh, uint32_t count = 1000) {
-    BordersKernel kernel(mesh, test_memory());
-    finish(kernel, count);
-    return kernel.take();
+BorderLoops borders_of(const Mesh& mesh, bool haltingly = false) {
+    return run_now(
+        test_memory(), [&](Pace& pace) { return find_borders(pace, mesh); }, haltingly);
 }
 
-Buffer<Position> normals_of(const Mesh& mesh, uint32_t count = 1000) {
-    VertexNormalsKernel kernel(mesh, test_memory());
-    finish(kernel, count);
-    return kernel.take();
+Buffer<Position> normals_of(const Mesh& mesh, bool haltingly = false) {
+    return run_now(
+        test_memory(), [&](Pace& pace) { return find_vertex_normals(pace, mesh); }, haltingly);
 }
 
 MeshExtent extent_of(const Mesh& mesh) {
-    ExtentKernel kernel(mesh);
-    finish(kernel);
-    return kernel.extent();
+    return run_now(test_memory(), [&](Pace& pace) { return measure_extent(pace, mesh); });
 }
 
 // Three parts of several kinds: a torus, an open cylinder, a square.
@@ -54,8 +48,8 @@ Soup three_parts() {
 
 TEST(MeshMeasures, Topology) {
     const Mesh mesh = make_mesh(three_parts());
-    for (uint32_t count : {1u, 1000u}) {
-        const MeshTopology topology = topology_of(mesh, count);
+    for (const bool haltingly : {false, true}) {
+        const MeshTopology topology = topology_of(mesh, haltingly);
         EXPECT_EQ(topology.components, 3u);
         EXPECT_EQ(topology.border_loops, 3u);
         EXPECT_EQ(topology.border_edges, 7u + 7 + 12);
@@ -68,10 +62,9 @@ TEST(MeshMeasures, Topology) {
 TEST(MeshMeasures, ComponentsAreNumberedByTheirLeastVertices) {
     Soup soup = three_parts();
     Mesh mesh = make_mesh(soup);
-    ComponentsKernel kernel(mesh, test_memory());
-    finish(kernel, 7);
-    EXPECT_EQ(kernel.component_count(), 3u);
-    const Buffer<uint32_t> labels = kernel.take();
+    const MeshComponents components = components_of(mesh, true);
+    EXPECT_EQ(components.count, 3u);
+    const Buffer<uint32_t>& labels = components.of_vertex;
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(labels[v], v < 54 ? 0u : v < 54 + 28 ? 1u : 2u);
 
     // The same vertices in the opposite order.
@@ -80,10 +73,7 @@ TEST(MeshMeasures, ComponentsAreNumberedByTheirLeastVertices) {
         for (uint32_t& v : t) v = last - v;
     }
     std::reverse(soup.positions.begin(), soup.positions.end());
-    const Mesh reversed = make_mesh(soup);
-    ComponentsKernel again(reversed, test_memory());
-    finish(again);
-    const Buffer<uint32_t> reversed_labels = again.take();
+    const Buffer<uint32_t> reversed_labels = components_of(make_mesh(soup)).of_vertex;
     for (uint32_t v = 0; v <= last; ++v) EXPECT_EQ(reversed_labels[last - v], 2 - labels[v]);
 }
 
@@ -108,7 +98,7 @@ TEST(MeshMeasures, BordersRunAlongTheTriangles) {
         least_before = loops.vertices[begin];
     }
     EXPECT_EQ(loops.vertex_count(), open.size());
-    const BorderLoops sliced = borders_of(mesh, 1);
+    const BorderLoops sliced = borders_of(mesh, true);
     EXPECT_EQ(sliced.vertices, loops.vertices);
     EXPECT_EQ(sliced.offsets, loops.offsets);
 
@@ -133,7 +123,7 @@ TEST(MeshMeasures, NormalsOfASphereAreItsRadii) {
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_NEAR(load_vec3(normals[v].data()).dot(mesh.position(v)), 1, 1e-4);
     }
-    const Buffer<Position> sliced = normals_of(mesh, 1);
+    const Buffer<Position> sliced = normals_of(mesh, true);
     EXPECT_TRUE(std::equal(normals.begin(), normals.end(), sliced.begin()));
 }
 

@@ -2,11 +2,11 @@
 #include <numbers>
 
 #include "core/failure.h"
+#include "runtime/run_now.h"
 #include "surfaces/expect_valid.h"
-#include "surfaces/mesh_measures.h"
-#include "surfaces/mesh_measures_normals.h"
-#include "surfaces/mesh_refine.h"
-#include "surfaces/run_task.h"
+#include "surfaces/mesh/mesh_measures.h"
+#include "surfaces/repair/mesh_refine.h"
+#include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
@@ -23,7 +23,8 @@ Mesh labelled(const Soup& soup) {
 }
 
 void refine(Mesh& mesh, MeshColumns& columns, RefineRule rule, uint32_t levels, bool haltingly = false) {
-    run_task([&](Pace& pace) { return refine_mesh(pace, mesh, columns, rule, levels); }, haltingly);
+    const auto make = [&](Pace& pace) { return refine_mesh(pace, mesh, columns, rule, levels); };
+    run_now(test_memory(), make, haltingly);
 }
 
 Mesh refined(const Soup& soup, RefineRule rule, uint32_t levels) {
@@ -35,9 +36,7 @@ Mesh refined(const Soup& soup, RefineRule rule, uint32_t levels) {
 }
 
 double area_of(const Mesh& mesh) {
-    ExtentKernel kernel(mesh);
-    while (!kernel.run(1000)) {}
-    return kernel.extent().area;
+    return run_now(test_memory(), [&](Pace& pace) { return measure_extent(pace, mesh); }).area;
 }
 
 // The mean of the positions of a vertex's neighbours, or at a border of the two along it.
@@ -111,8 +110,8 @@ TEST(MeshRefine, LoopReproducesARegularPlane) {
     for (uint32_t v = 0; v < fine.vertex_count(); ++v) EXPECT_EQ(fine.positions[v][2], 0.0f);
 }
 
-// Where an inner vertex of valence n ends: (1 - n w) v + w (sum of neighbours), w = 1 / (3 / (8 b) + n) with Loop's weight
-// b of a neighbour (Hoppe et al. 1994, appendix A); b n = 5/8 - (3/8 + cos(2 pi / n) / 4)^2.
+// Where an inner vertex of valence n ends: (1 - n w) v + w (sum of neighbours), w = 1 / (3 / (8 b) + n) with Loop's
+// weight b of a neighbour (Hoppe et al. 1994, appendix A); b n = 5/8 - (3/8 + cos(2 pi / n) / 4)^2.
 TEST(MeshRefine, LoopConvergesToItsLimit) {
     for (const Soup& soup : {tetrahedron(), sphere(0), torus(5, 4), cylinder(3, 2)}) {
         const Mesh coarse = make_mesh(soup), fine = refined(soup, RefineRule::loop, 5);
@@ -197,17 +196,13 @@ TEST(MeshRefine, RefusesWhatWouldBeTooLarge) {
 }
 
 TEST(MeshRefine, DoesNotDependOnSlices) {
-    const Mesh coarse = labelled(plane(5, 0.3));
-    const auto refine_in = [&](uint32_t count) {
-        Mesh fine(test_memory());
-        MeshColumns columns = no_columns(), fine_columns = no_columns();
-        RefineTrianglesKernel triangles(coarse, fine, test_memory());
-        while (!triangles.run(count)) {}
-        RefineValuesKernel values(coarse, columns, RefineRule::loop, fine, fine_columns, test_memory());
-        while (!values.run(count)) {}
-        return fine;
+    const auto refine_in = [](bool haltingly) {
+        Mesh mesh = labelled(plane(20, 0.3));
+        MeshColumns columns = no_columns();
+        refine(mesh, columns, RefineRule::loop, 1, haltingly);
+        return mesh;
     };
-    const Mesh whole = refine_in(UINT32_MAX), sliced = refine_in(1);
+    const Mesh whole = refine_in(false), sliced = refine_in(true);
     EXPECT_TRUE(std::equal(whole.positions.begin(), whole.positions.end(), sliced.positions.begin()));
     EXPECT_TRUE(std::equal(whole.triangles.begin(), whole.triangles.end(), sliced.triangles.begin()));
     EXPECT_TRUE(std::equal(whole.neighbours.begin(), whole.neighbours.end(), sliced.neighbours.begin()));

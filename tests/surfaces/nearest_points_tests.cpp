@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Nearest points, where they are known; and numbers that tell meshes apart.
-#include "surfaces/nearest_points.h"
+#include "surfaces/mesh/nearest_points.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "surfaces/mesh_fingerprint.h"
+#include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
@@ -34,8 +34,9 @@ SurfacePoint find(NearestPoints& nearest, const Position& place, uint32_t slice)
 TEST(NearestPoints, OfASquareAreTheClampedOnes) {
     const Mesh mesh = make_mesh(plane(9, 0.3));
     for (const uint32_t slice : {1u, 1000u}) {
-        NearestPoints nearest(mesh, test_memory());
-        while (!nearest.build(slice)) {}
+        NearestPoints nearest(mesh);
+        run_now(
+            test_memory(), [&](Pace& pace) { return build(pace, nearest); }, slice == 1);
         for (const Position& place : random_places(-1, 2)) {
             const SurfacePoint found = find(nearest, place, slice);
             const Vec3 at = position_of(mesh, found);
@@ -49,12 +50,12 @@ TEST(NearestPoints, OfASquareAreTheClampedOnes) {
     }
 }
 
-// No vertex and no middle of an edge or a triangle is nearer, whichever triangle it is of; and the way to the point is upright on
-// its triangle, where it lies inside.
+// No vertex and no middle of an edge or a triangle is nearer, whichever triangle it is of; and the way to the point is
+// upright on its triangle, where it lies inside.
 TEST(NearestPoints, OfASphereAreNearerThanAllOthers) {
     const Mesh mesh = make_mesh(sphere(3));
-    NearestPoints nearest(mesh, test_memory());
-    while (!nearest.build(100)) {}
+    NearestPoints nearest(mesh);
+    run_now(test_memory(), [&](Pace& pace) { return build(pace, nearest); });
     for (const Position& place : random_places(-1.5, 1.5)) {
         const SurfacePoint found = find(nearest, place, 64);
         const Vec3 from = load_vec3(place.data()), at = position_of(mesh, found);
@@ -76,8 +77,8 @@ TEST(NearestPoints, OfTrianglesThatReachFarAndOfSomeWithoutArea) {
     // A long triangle whose middle is far from most of it, and one that is a line.
     const Mesh mesh = make_mesh(
         {{{-100, 0, 0}, {100, 0, 0}, {100, 1, 0}, {-99, 5, 0}, {-99, 6, 0}, {-99, 7, 0}}, {{0, 1, 2}, {3, 4, 5}}});
-    NearestPoints nearest(mesh, test_memory());
-    while (!nearest.build(10)) {}
+    NearestPoints nearest(mesh);
+    run_now(test_memory(), [&](Pace& pace) { return build(pace, nearest); });
     EXPECT_EQ(find(nearest, {-99, 1, 0}, 10).triangle, 0u);
     const SurfacePoint on_line = find(nearest, {-98, 6.5f, 0}, 10);
     EXPECT_EQ(on_line.triangle, 1u);
@@ -85,16 +86,15 @@ TEST(NearestPoints, OfTrianglesThatReachFarAndOfSomeWithoutArea) {
     EXPECT_EQ(find(nearest, {1e30f, -1e30f, 1e30f}, 10).triangle, 0u);
 }
 
-MeshFingerprint fingerprint_of(const Mesh& mesh, uint32_t slice = 1000) {
-    MeshFingerprintKernel kernel(mesh);
-    while (!kernel.run(slice)) {}
-    return kernel.fingerprint();
+MeshFingerprint fingerprint_of(const Mesh& mesh, bool haltingly = false) {
+    return run_now(
+        test_memory(), [&](Pace& pace) { return take_fingerprint(pace, mesh); }, haltingly);
 }
 
 TEST(MeshFingerprint, TellsMeshesApartToTheBit) {
     Mesh mesh = make_mesh(sphere(2));
     const MeshFingerprint first = fingerprint_of(mesh);
-    EXPECT_EQ(fingerprint_of(mesh, 1).number, first.number);
+    EXPECT_EQ(fingerprint_of(mesh, true).number, first.number);
     EXPECT_EQ(fingerprint_of(make_mesh(sphere(2))).number, first.number);
     std::set<uint64_t> numbers = {first.number};
     for (const uint32_t vertex : {0u, 1u, mesh.vertex_count() - 1}) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/perturbed_metric.h"
+#include "surfaces/geodesics/perturbed_metric.h"
 
 #include <gtest/gtest.h>
 
-#include "surfaces/mesh_measures_normals.h"
+#include "runtime/run_now.h"
+#include "surfaces/mesh/mesh_measures.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
@@ -52,20 +53,20 @@ TEST(PerlinNoise, DependsOnItsSeedAndTakesAnyPlace) {
     }
 }
 
-GrowingBuffer<Position> perturbed(const Mesh& mesh, float amount, float frequency, uint32_t slice) {
-    VertexNormalsKernel normals_kernel(mesh, test_memory());
-    while (!normals_kernel.run(1000)) {}
-    const Buffer<Position> normals = normals_kernel.take();
-    GrowingBuffer<Position> positions;
-    PerturbedMetricKernel kernel(mesh, normals, amount, frequency, 5, positions, test_memory());
-    while (!kernel.run(slice)) {}
-    return positions;
+GrowingBuffer<Position> perturbed(const Mesh& mesh, float amount, float frequency, bool haltingly = false) {
+    const Buffer<Position> normals =
+        run_now(test_memory(), [&](Pace& pace) { return find_vertex_normals(pace, mesh); });
+    return run_now(
+        test_memory(),
+        [&](Pace& pace) {
+            return perturb_positions(pace, mesh, normals, {amount, frequency, 5});
+        },
+        haltingly);
 }
 
 TEST(PerturbedMetric, MovesVerticesAlongTheirNormals) {
     const Mesh mesh = make_mesh(sphere(3));
-    const GrowingBuffer<Position> positions = perturbed(mesh, 0.2f, 3.7f, 1000),
-                                  sliced = perturbed(mesh, 0.2f, 3.7f, 1);
+    const GrowingBuffer<Position> positions = perturbed(mesh, 0.2f, 3.7f), sliced = perturbed(mesh, 0.2f, 3.7f, true);
     double most = 0;
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         const Vec3 moved = load_vec3(positions[v].data());
@@ -80,12 +81,12 @@ TEST(PerturbedMetric, MovesVerticesAlongTheirNormals) {
 TEST(PerturbedMetric, LeavesTheMeshAsItIsAndItsPositionsFinite) {
     const Soup soup = torus(12, 8);
     const Mesh mesh = make_mesh(soup);
-    const GrowingBuffer<Position> same = perturbed(mesh, 0, 1, 1000);
+    const GrowingBuffer<Position> same = perturbed(mesh, 0, 1);
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_EQ(same[v], soup.positions[v]);
         EXPECT_EQ(mesh.positions[v], soup.positions[v]);
     }
-    for (const Position& p : perturbed(mesh, 3.4e38f, 3e38f, 1000)) {
+    for (const Position& p : perturbed(mesh, 3.4e38f, 3e38f)) {
         for (float x : p) EXPECT_TRUE(std::isfinite(x));
     }
 }

@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/poisson_sampling.h"
+#include "surfaces/sampling/poisson_sampling.h"
 
 #include <gtest/gtest.h>
 
-#include "surfaces/graph_checks.h"
-#include "surfaces/refined_solver.h"
+#include "reference/literal_geodesics.h"
+#include "surfaces/geodesics.h"
 
 namespace flg::test {
 namespace {
 
+// Dijkstra's algorithm on the paper's graph, so that what is expected is exact.
+class GraphSolver {
+public:
+    GraphSolver(const Mesh& mesh, const std::vector<Seed>& seeds, const RegionSet& regions)
+        : graph_(literal::geodesic_graph(mesh, regions)), field_(graph_, seeds) {}
+    void extend(std::span<const Seed> seeds) { field_.extend(graph_, seeds); }
+    float distance(uint32_t vertex) const { return field_.distances[vertex]; }
+    uint32_t label(uint32_t vertex) const { return field_.labels[vertex]; }
+    const literal::GraphField& field() const { return field_; }
+
+private:
+    literal::GeodesicGraph graph_;
+    literal::GraphField field_;
+};
+
+Task<void> extend_distances(Pace&, GraphSolver& solver, std::span<const Seed> seeds, const SolveLimits&) {
+    solver.extend(seeds);
+    co_return;
+}
+
 struct Sampling {
     std::vector<uint32_t> samples;
-    GraphField field;
+    literal::GraphField field;
 };
 
 struct Question {
@@ -20,28 +40,28 @@ struct Question {
     uint64_t seed = 1;
     std::vector<Seed> away_from = {};
     RegionSet regions{test_memory()};
-    uint32_t slice = 1000;
+    bool haltingly = false;
 };
 
 Sampling sample(const Mesh& mesh, const Question& question) {
-    const GeodesicGraph graph = make_graph(mesh);
-    GraphSolver solver(mesh, mesh.positions, graph, test_memory());
-    const SolveLimits limits;
-    solver.begin(question.away_from, limits, question.regions, true);
-    while (!solver.run(question.slice)) {}
-    PoissonSamplingKernel kernel(mesh, question.regions, solver, question.radius, question.max_count, question.seed,
-                                 test_memory());
-    while (!kernel.run(question.slice)) {}
-    return {{kernel.samples().begin(), kernel.samples().end()}, read_field(solver, mesh, true)};
+    GraphSolver solver(mesh, question.away_from, question.regions);
+    const Buffer<uint32_t> samples = run_now(
+        test_memory(),
+        [&](Pace& pace) {
+            return sample_poisson(pace, mesh, question.regions, solver, question.radius, question.max_count,
+                                  question.seed);
+        },
+        question.haltingly);
+    return {{samples.begin(), samples.end()}, solver.field()};
 }
 
 // Sums of lengths along a path and its reverse are rounded differently.
 constexpr float rounding = 1e-5f;
 
 void expect_apart(const Mesh& mesh, const Sampling& sampling, const Question& question) {
-    const GeodesicGraph graph = make_graph(mesh);
+    const literal::GeodesicGraph graph = literal::geodesic_graph(mesh, question.regions);
     for (size_t i = 0; i < sampling.samples.size(); ++i) {
-        const GraphField from = solve_graph(mesh, graph, {{sampling.samples[i], 0, 0}}, {}, question.regions);
+        const literal::GraphField from(graph, {{sampling.samples[i], 0, 0}});
         for (size_t j = 0; j < sampling.samples.size(); ++j) {
             if (i == j) continue;
             EXPECT_GE(from.distances[sampling.samples[j]], question.radius * (1 - rounding));
@@ -59,8 +79,8 @@ TEST(PoissonSampling, PointsAreApartAndCoverAll) {
     }
 }
 
-// The graph's distances are up to 1 / cos(22.5 degrees) too long. Discs of half the radius do not overlap, those of the whole
-// one cover the sphere; a disc of radius r has the area 2 pi (1 - cos r).
+// The graph's distances are up to 1 / cos(22.5 degrees) too long. Discs of half the radius do not overlap, those of the
+// whole one cover the sphere; a disc of radius r has the area 2 pi (1 - cos r).
 TEST(PoissonSampling, HasAsManyPointsAsThereIsAreaFor) {
     const Mesh mesh = make_mesh(sphere(4));
     for (float radius : {0.15f, 0.3f, 0.6f}) {
@@ -76,7 +96,7 @@ TEST(PoissonSampling, LabelsAreTheCellsOfTheNearestPoints) {
     const Sampling sampling = sample(mesh, {});
     std::vector<Seed> seeds;
     for (uint32_t i = 0; i < sampling.samples.size(); ++i) seeds.push_back({sampling.samples[i], 0, i});
-    const GraphField anew = solve_graph(mesh, make_graph(mesh), seeds);
+    const literal::GraphField anew(literal::geodesic_graph(mesh), seeds);
     EXPECT_EQ(sampling.field.distances, anew.distances);
     EXPECT_EQ(sampling.field.labels, anew.labels);
 }
@@ -84,12 +104,12 @@ TEST(PoissonSampling, LabelsAreTheCellsOfTheNearestPoints) {
 // Each point is the furthest from those before it, among all vertices.
 TEST(PoissonSampling, TakesTheFurthestVertex) {
     const Mesh mesh = make_mesh(plane(24, 0.3));
-    const GeodesicGraph graph = make_graph(mesh);
+    const literal::GeodesicGraph graph = literal::geodesic_graph(mesh);
     const Sampling sampling = sample(mesh, {.max_count = 20});
     ASSERT_EQ(sampling.samples.size(), 20u);
     std::vector<Seed> seeds;
     for (uint32_t i = 0; i < 20; ++i) {
-        const std::vector<float> distances = solve_graph(mesh, graph, seeds).distances;
+        const std::vector<float> distances = literal::GraphField(graph, seeds).distances;
         EXPECT_EQ(distances[sampling.samples[i]], *std::max_element(distances.begin(), distances.end()));
         seeds.push_back({sampling.samples[i], 0, i});
     }
@@ -110,30 +130,32 @@ TEST(PoissonSampling, OnLargeMeshesPointsAreApartAndAsManyAsWanted) {
             }
         }
         const double furthest = *std::max_element(sampling.field.distances.begin(), sampling.field.distances.end());
-        // Each of the last points was the furthest vertex, by the graph's distances, which are up to 1 / cos(22.5 degrees) too
-        // long; the first ones are at least as far apart as in the lattice.
+        // Each of the last points was the furthest vertex, by the graph's distances, which are up to 1 / cos(22.5
+        // degrees) too long; the first ones are at least as far apart as in the lattice.
         EXPECT_GE(nearest, 0.99 * furthest * std::cos(std::numbers::pi / 8));
         if (question.max_count == no_index) {
             EXPECT_LT(furthest, question.radius);
             EXPECT_GE(nearest, question.radius * std::cos(std::numbers::pi / 8));
         } else {
             EXPECT_EQ(sampling.samples.size(), question.max_count);
-            // Discs of this radius cover the sphere, whose area is 4 pi: 2 (1 - cos r) n >= 4; and no worse than twice that.
+            // Discs of this radius cover the sphere, whose area is 4 pi: 2 (1 - cos r) n >= 4; and no worse than twice
+            // that.
             EXPECT_LE(furthest, 2 * std::acos(1 - 2.0 / question.max_count));
         }
         std::vector<Seed> seeds;
         for (uint32_t i = 0; i < sampling.samples.size(); ++i) seeds.push_back({sampling.samples[i], 0, i});
         std::sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.vertex < b.vertex; });
-        const GraphField anew = solve_graph(mesh, make_graph(mesh), seeds);
+        const literal::GraphField anew(literal::geodesic_graph(mesh), seeds);
         EXPECT_EQ(sampling.field.distances, anew.distances) << "the field is that of all points together";
-        EXPECT_EQ(sampling.samples,
-                  sample(mesh, {.radius = question.radius, .max_count = question.max_count, .slice = 7}).samples);
+        EXPECT_EQ(
+            sampling.samples,
+            sample(mesh, {.radius = question.radius, .max_count = question.max_count, .haltingly = true}).samples);
     }
 }
 
 TEST(PoissonSampling, DependsOnItsSeedAndNotOnSlices) {
     const Mesh mesh = make_mesh(torus(30, 16));
-    const Sampling first = sample(mesh, {.seed = 1}), again = sample(mesh, {.seed = 1, .slice = 1}),
+    const Sampling first = sample(mesh, {.seed = 1}), again = sample(mesh, {.seed = 1, .haltingly = true}),
                    other = sample(mesh, {.seed = 2});
     EXPECT_EQ(first.samples, again.samples);
     EXPECT_EQ(first.field.labels, again.field.labels);
@@ -180,18 +202,13 @@ TEST(PoissonSampling, KeepsToTheRegionsAndAwayFromTheirBorders) {
 // By great circles: within a tenth of an edge (0.07) where cells meet.
 TEST(PoissonSampling, IsAsGoodAsItsSolver) {
     const Mesh mesh = make_mesh(sphere(4));
-    GeodesicBlocks blocks(test_memory());
-    GeodesicBlocksKernel blocks_kernel(mesh, blocks, test_memory());
-    while (!blocks_kernel.run(1000)) {}
-    RefinedSolver solver(blocks, test_memory());
-    const SolveLimits limits;
-    solver.begin({}, limits, true);
-    while (!solver.run(1000)) {}
+    const Geodesics geodesics(mesh);
+    RefinedSolver solver(geodesics.blocks, test_memory());
+    solve(solver, {}, {}, true);
     constexpr float radius = 0.3f;
     const RegionSet regions(test_memory());
-    PoissonSamplingKernel kernel(mesh, regions, solver, radius, no_index, 1, test_memory());
-    while (!kernel.run(1000)) {}
-    const auto& samples = kernel.samples();
+    const Buffer<uint32_t> samples = run_now(
+        test_memory(), [&](Pace& pace) { return sample_poisson(pace, mesh, regions, solver, radius, no_index, 1); });
     const auto angle = [&](uint32_t a, uint32_t b) {
         return std::acos(std::clamp(mesh.position(a).dot(mesh.position(b)), -1.0, 1.0));
     };

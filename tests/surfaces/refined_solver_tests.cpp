@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/refined_solver.h"
+#include "surfaces/geodesics/refined_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ TEST(RefinedSolver, FindsStraightLinesInThePlane) {
     }
 }
 
-// The polyhedron's own distances are off by (edge / radius)^2 / 24, here 0.0015 %; the wave's curvature is carried on to the
-// second order.
+// The polyhedron's own distances are off by (edge / radius)^2 / 24, here 0.0015 %; the wave's curvature is carried on
+// to the second order.
 TEST(RefinedSolver, FindsGreatCirclesOnTheSphere) {
     const Mesh mesh = make_mesh(sphere(6));
     const auto distances = Geodesics(mesh).distances({{0, 0, 0}});
@@ -84,10 +84,10 @@ TEST(RefinedSolver, KeepsStraightFrontsStraight) {
     }
 }
 
-// In the plane and on the sphere the distance from some points is the least of those from each. What is left of the error is
-// within two edges of where fronts meet: both ends of an edge rarely tell both fronts.
+// In the plane and on the sphere the distance from some points is the least of those from each. What is left of the
+// error is within two edges of where fronts meet: both ends of an edge rarely tell both fronts.
 double front_error(Geodesics& geodesics, const std::vector<Seed>& seeds) {
-    std::vector<float> least(geodesics.vertex_count, unreachable);
+    std::vector<float> least(geodesics.blocks.vertex_count(), unreachable);
     for (const Seed& seed : seeds) {
         const auto alone = geodesics.distances({seed});
         for (size_t v = 0; v < least.size(); ++v) least[v] = std::min(least[v], alone[v]);
@@ -95,8 +95,8 @@ double front_error(Geodesics& geodesics, const std::vector<Seed>& seeds) {
     return rms_error(geodesics.distances(seeds), [&](uint32_t v) { return least[v]; });
 }
 
-// Unfolded together, without a look at whose fronts the ends of an edge have, the errors would be 0.0011, 0.005, 0.008 and
-// 0.012.
+// Unfolded together, without a look at whose fronts the ends of an edge have, the errors would be 0.0011, 0.005, 0.008
+// and 0.012.
 TEST(RefinedSolver, KeepsFrontsApartWhereTheyMeet) {
     const auto some = [](uint32_t vertex_count, uint32_t count) {
         std::vector<Seed> seeds;
@@ -105,9 +105,9 @@ TEST(RefinedSolver, KeepsFrontsApartWhereTheyMeet) {
     };
     Geodesics even(make_mesh(plane(60))), uneven(make_mesh(plane(60, 0.3))), round(make_mesh(sphere(4)));
     EXPECT_LT(front_error(even, {{61 * 20 + 15, 0, 0}, {61 * 40 + 45, 0, 1}}), 0.0002);
-    EXPECT_LT(front_error(even, some(even.vertex_count, 9)), 0.001);
-    EXPECT_LT(front_error(uneven, some(uneven.vertex_count, 9)), 0.002);
-    EXPECT_LT(front_error(round, some(round.vertex_count, 60)), 0.0025);
+    EXPECT_LT(front_error(even, some(even.blocks.vertex_count(), 9)), 0.001);
+    EXPECT_LT(front_error(uneven, some(uneven.blocks.vertex_count(), 9)), 0.002);
+    EXPECT_LT(front_error(round, some(round.blocks.vertex_count(), 60)), 0.0025);
 }
 
 // A prism of 200 sides unrolls to a plane whose width is 200 chords.
@@ -139,8 +139,8 @@ TEST(RefinedSolver, ComesNearToExactDistances) {
     }
 }
 
-// Angles of a rough mesh lack much of a full turn here and have too much of it there. Without a bound for what they make of
-// the wave the error would be 0.0048; without curvature, 0.0044.
+// Angles of a rough mesh lack much of a full turn here and have too much of it there. Without a bound for what they
+// make of the wave the error would be 0.0048; without curvature, 0.0044.
 TEST(RefinedSolver, IsNotLedAstrayByRoughness) {
     Soup soup = plane(40, 0.45);
     for (uint32_t v = 0; v < soup.positions.size(); ++v) {
@@ -154,8 +154,8 @@ TEST(RefinedSolver, IsNotLedAstrayByRoughness) {
     EXPECT_LT(rms_error(distances, [&](uint32_t v) { return exact[v]; }), 0.0035);
 }
 
-// Behind bumps of a few edges fronts close in, and other ways are soon shorter. If fronts went on as hollow as either end of an
-// edge tells, the error would be 0.0029.
+// Behind bumps of a few edges fronts close in, and other ways are soon shorter. If fronts went on as hollow as either
+// end of an edge tells, the error would be 0.0029.
 TEST(RefinedSolver, IsNotLedAstrayBehindBumps) {
     Soup soup = plane(50);
     for (Position& p : soup.positions) {
@@ -169,9 +169,9 @@ TEST(RefinedSolver, IsNotLedAstrayBehindBumps) {
 
 TEST(RefinedSolver, DoesNotDependOnSlicesOrRegisters) {
     const Mesh mesh = make_mesh(torus(60, 40));
-    Geodesics geodesics(mesh), sliced(mesh, 1);
+    Geodesics geodesics(mesh), sliced(mesh, true);
     const auto whole = geodesics.distances({{7, 0, 0}});
-    EXPECT_EQ(sliced.distances({{7, 0, 0}}, {}, 1), whole);
+    EXPECT_EQ(sliced.distances({{7, 0, 0}}, {}, true), whole);
 
     std::vector<WaveStepFunction> others = {choose_wave_step()};
 #ifdef FLG_WAVE_STEP_DISPATCH
@@ -272,8 +272,7 @@ TEST(RefinedSolver, LabelsTheNearestSource) {
     const std::vector<Seed> seeds = {{5, 0, 50}, {300, 0, 60}, {2000, 0, 70}};
     RefinedSolver solver(geodesics.blocks, test_memory());
     const SolveLimits limits;
-    solver.begin(seeds, limits, true);
-    while (!solver.run(100)) {}
+    solve(solver, seeds, limits, true);
     std::vector<std::vector<float>> alone;
     for (const Seed& seed : seeds) alone.push_back(geodesics.distances({seed}));
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -292,10 +291,8 @@ TEST(RefinedSolver, ExtendsAFieldBySources) {
     RefinedSolver solver(geodesics.blocks, test_memory());
     const SolveLimits limits;
     const std::vector<Seed> first = {{7, 0, 0}}, second = {{1300, 0, 1}};
-    solver.begin(first, limits, false);
-    while (!solver.run(100)) {}
-    solver.extend(second, limits);
-    while (!solver.run(100)) {}
+    solve(solver, first, limits);
+    run_now(test_memory(), [&](Pace& pace) { return extend_distances(pace, solver, second, limits); });
     const auto together = geodesics.distances({{7, 0, 0}, {1300, 0, 1}});
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) EXPECT_NEAR(solver.distance(v), together[v], 0.01);
 }
@@ -308,9 +305,9 @@ TEST(RefinedSolver, IsAsGoodAsNewAfterAnotherField) {
     SolveLimits near;
     near.distance = 0.3f;
     const auto again = [&](const std::vector<Seed>& seeds, const SolveLimits& limits) {
-        solver.begin(seeds, limits, false);
+        solve(solver, seeds, limits);
         const auto fresh = geodesics.distances(seeds, limits);
-        EXPECT_EQ(solve(solver, geodesics.vertex_count), fresh);
+        EXPECT_EQ(read(solver), fresh);
         for (uint32_t v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(solver.distance(v), fresh[v]);
     };
     again({{7, 0, 0}}, near);
@@ -326,10 +323,16 @@ TEST(RefinedSolver, CostsWhatItTouches) {
     SolveLimits near;
     near.distance = 0.02f;
     const std::vector<Seed> seeds = {{mesh.vertex_count() / 3, 0, 0}};
-    uint32_t units = 0;
+    // A slice is 100 vertices, or 256 pages of which hardly any was touched.
+    uint32_t slices = 0;
     for (int round = 0; round < 2; ++round) {
-        solver.begin(seeds, near, false);
-        for (units = 1; !solver.run(1); ++units) {}
+        slices = 0;
+        run_haltingly(
+            test_memory(), [&](Pace& pace) { return solve_distances(pace, solver, seeds, near, false); },
+            [&](const auto& slice) {
+                slice();
+                ++slices;
+            });
     }
     uint32_t pages = 0;
     for (uint32_t p = 0; p < solver.page_count(); ++p) {
@@ -342,7 +345,7 @@ TEST(RefinedSolver, CostsWhatItTouches) {
     }
     EXPECT_GT(pages, 0u);
     EXPECT_LT(pages, 20u);
-    EXPECT_LT(units, mesh.vertex_count() / 20);
+    EXPECT_LT(100 * slices, mesh.vertex_count() / 20);
 }
 
 TEST(RefinedSolver, DoesNotReachOtherComponents) {
@@ -366,10 +369,9 @@ TEST(RefinedSolver, StaysWithinRegions) {
     Geodesics geodesics(mesh);
     const uint32_t inside[] = {0};
     const RegionSet within(inside, 1, test_memory());
-    GeodesicRegion region(test_memory());
-    GeodesicRegionKernel kernel(mesh, geodesics.blocks, within, region, test_memory());
-    while (!kernel.run(10)) {}
-    const auto distances = geodesics.distances({{0, 0, 0}}, {}, 100, &region);
+    const GeodesicRegion region =
+        run_haltingly(test_memory(), [&](Pace& pace) { return bound_region(pace, mesh, geodesics.blocks, within); });
+    const auto distances = geodesics.distances({{0, 0, 0}}, {}, true, &region);
     for (uint32_t v = 0; v < distances.size(); ++v) {
         const Vec3 p = mesh.position(v);
         if (std::abs(p.x() - 0.5) < 0.049 && p.y() < 0.799) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/region_set.h"
+#include "surfaces/mesh/region_set.h"
 
 #include <gtest/gtest.h>
 

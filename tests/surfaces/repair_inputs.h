@@ -6,9 +6,10 @@
 #include <string>
 
 #include "core/failure.h"
+#include "runtime/run_now.h"
 #include "surfaces/expect_valid.h"
-#include "surfaces/mesh_repair.h"
-#include "surfaces/run_task.h"
+#include "surfaces/repair/mesh_repair.h"
+#include "surfaces/test_meshes.h"
 
 namespace flg::test {
 
@@ -71,7 +72,8 @@ inline void expect_maps(const RepairInput& input, const RepairedMesh& repaired, 
 
 inline RepairedMesh repair(const RepairInput& input, RepairOptions options = {}, bool haltingly = false) {
     RepairedMesh repaired(test_memory());
-    run_task([&](Pace& pace) { return repair_mesh(pace, input.view, options, repaired); }, haltingly);
+    const auto make = [&](Pace& pace) { return repair_mesh(pace, input.view, options, repaired); };
+    run_now(test_memory(), make, haltingly);
     expect_valid(repaired.mesh);
     EXPECT_EQ(repaired.report.topology.euler_number, euler_number(repaired.mesh));
     expect_maps(input, repaired, options.weld_distance.value_or(0));
@@ -147,7 +149,7 @@ inline void append_cube(Soup& soup, const Vec3& corner) {
 inline std::string failure_of(const RepairInput& input, RepairOptions options = {}) {
     try {
         RepairedMesh repaired(test_memory());
-        run_task([&](Pace& pace) { return repair_mesh(pace, input.view, options, repaired); });
+        run_now(test_memory(), [&](Pace& pace) { return repair_mesh(pace, input.view, options, repaired); });
     } catch (const Failure& failure) {
         return failure.what();
     }

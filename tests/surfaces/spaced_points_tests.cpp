@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/spaced_points.h"
+#include "surfaces/sampling/spaced_points.h"
 
 #include <gtest/gtest.h>
 
+#include "runtime/run_now.h"
 #include "surfaces/test_meshes.h"
 
 namespace flg::test {
 namespace {
 
 std::vector<uint32_t> choose(const Mesh& mesh, float spacing, uint32_t most, float away = 1e30f,
-                             uint32_t slice = 1000) {
-    SpacedPointsKernel kernel(mesh, 1, test_memory());
-    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) kernel.add(v, v == 0 ? 0 : away);
-    kernel.begin(spacing, most);
-    while (!kernel.run(slice)) {}
-    return {kernel.points().begin(), kernel.points().begin() + kernel.point_count()};
+                             bool haltingly = false) {
+    Buffer<SpacedCandidate> candidates(mesh.vertex_count(), test_memory());
+    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) candidates[v] = {v, v == 0 ? 0 : away};
+    const auto points = run_now(
+        test_memory(), [&](Pace& pace) { return choose_spaced_points(pace, mesh, candidates, spacing, most, 1); },
+        haltingly);
+    return {points.begin(), points.end()};
 }
 
 // Each is the vertex that is furthest from those before it, by brute force.
@@ -38,13 +40,13 @@ TEST(SpacedPoints, AreTheFurthestInSpace) {
             EXPECT_NEAR(distance(points[i], i), furthest, 1e-6);
         }
     }
-    EXPECT_EQ(choose(mesh, 0.3f, 1000, 1e30f, 1), points) << "slices of one unit";
+    EXPECT_EQ(choose(mesh, 0.3f, 1000, 1e30f, true), points) << "with pauses";
 }
 
 TEST(SpacedPoints, KeepAwayAndStopAtTheMost) {
     const Mesh mesh = make_mesh(torus(40, 20));
     EXPECT_EQ(choose(mesh, 0.01f, 7).size(), 7u);
-    EXPECT_EQ(choose(mesh, 1e-9f, 1u << 20).size(), SpacedPointsKernel::most_points);
+    EXPECT_EQ(choose(mesh, 1e-9f, 1u << 20).size(), max_spaced_points);
     EXPECT_TRUE(choose(mesh, 0.3f, 1000, 0.2f).empty()) << "everything is nearer to what points keep away from";
     EXPECT_TRUE(choose(mesh, 0.3f, 0).empty());
 }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "surfaces/surface_walk.h"
+#include "surfaces/tracing/surface_walk.h"
 
 #include <gtest/gtest.h>
 
+#include "runtime/run_now.h"
 #include "surfaces/curve_checks.h"
-#include "surfaces/geodesic_path.h"
-#include "surfaces/nearest_points.h"
+#include "surfaces/mesh/nearest_points.h"
+#include "surfaces/tracing/geodesic_path.h"
 
 namespace flg::test {
 namespace {
 
 SurfacePoint nearest_to(const Mesh& mesh, const Vec3& place) {
-    NearestPoints nearest(mesh, test_memory());
-    while (!nearest.build(10'000)) {}
+    NearestPoints nearest(mesh);
+    run_now(test_memory(), [&](Pace& pace) { return build(pace, nearest); });
     nearest.begin(to_position(place));
     while (!nearest.find(10'000)) {}
     return nearest.found();
@@ -24,17 +25,17 @@ struct Walk {
     double length = 0;
 };
 
-void walk_on(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, Walk& walk, uint32_t slice = 1000) {
-    SurfaceWalkKernel kernel(mesh, from, to, walk.curves);
-    while (!kernel.run(slice)) {}
-    walk.found = kernel.found();
-    walk.length += kernel.length();
+void walk_on(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, Walk& walk, bool haltingly = false) {
+    const SurfaceWalk found = run_now(
+        test_memory(), [&](Pace& pace) { return add_surface_walk(pace, mesh, from, to, walk.curves); }, haltingly);
+    walk.found = found.found;
+    walk.length += found.length;
 }
 
 // As a curve that is complete.
-Walk walk_between(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, uint32_t slice = 1000) {
+Walk walk_between(const Mesh& mesh, const SurfacePoint& from, const SurfacePoint& to, bool haltingly = false) {
     Walk walk;
-    walk_on(mesh, from, to, walk, slice);
+    walk_on(mesh, from, to, walk, haltingly);
     if (walk.found) end_polyline(walk.curves, false, walk.length);
     return walk;
 }
@@ -106,7 +107,7 @@ TEST(SurfaceWalk, FollowsGreatCircles) {
 TEST(SurfaceWalk, SameBitsInSlices) {
     const Mesh mesh = make_mesh(sphere(4));
     const SurfacePoint from = nearest_to(mesh, {1, 0.1, 0.2}), to = nearest_to(mesh, {-0.3, 1, -0.5});
-    const Walk whole = walk_between(mesh, from, to), sliced = walk_between(mesh, from, to, 1);
+    const Walk whole = walk_between(mesh, from, to), sliced = walk_between(mesh, from, to, true);
     ASSERT_TRUE(whole.found);
     EXPECT_GT(whole.curves.points.size(), 20u);
     expect_same(whole.curves, sliced.curves);

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "core/random.h"
-#include "surfaces/adjacency.h"
-#include "surfaces/mesh.h"
+#include "runtime/run_now.h"
+#include "surfaces/mesh/adjacency.h"
+#include "surfaces/mesh/mesh.h"
 
 namespace flg::test {
 
@@ -32,8 +33,7 @@ inline Mesh make_mesh(const Soup& soup) {
     std::copy(soup.positions.begin(), soup.positions.end(), mesh.positions.begin());
     std::copy(soup.triangles.begin(), soup.triangles.end(), mesh.triangles.begin());
     std::fill(mesh.regions.begin(), mesh.regions.end(), 0u);
-    AdjacencyKernel kernel(mesh, test_memory());
-    while (!kernel.run(1000)) {}
+    run_now(test_memory(), [&](Pace& pace) { return find_neighbours(pace, mesh); });
     return mesh;
 }
 

@@ -148,8 +148,8 @@ inline std::map<uint32_t, uint32_t> count_pieces(const FlgSurfaceView& view) {
     return pieces;
 }
 
-// Labels are the leaves, each in one piece; areas of children add up to their parent's, leaves to the surface. Parents with
-// joined children are left out: what was joined may lie beyond them.
+// Labels are the leaves, each in one piece; areas of children add up to their parent's, leaves to the surface. Parents
+// with joined children are left out: what was joined may lie beyond them.
 inline void expect_valid(const TangleHost& host, FlgSurface surface, FlgTangle tangle, double area) {
     const FlgSurfaceView view = host.view(surface);
     expect_valid(view);

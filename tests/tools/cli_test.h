@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
 
 #include "program.h"
 
@@ -13,8 +15,17 @@ namespace flg::test {
 
 class Cli : public ::testing::Test {
 protected:
+    // What a slow machine's run says of its progress is apart from what is wrong.
     Outcome run(const std::vector<std::string>& arguments) const {
-        return run_program(FLG_CLI_PROGRAM, arguments, folder.path());
+        Outcome outcome = run_program(FLG_CLI_PROGRAM, arguments, folder.path());
+        static const std::regex said("filigree: [0-9]+ s: ");
+        std::istringstream lines(outcome.err);
+        outcome.err.clear();
+        progress.clear();
+        for (std::string line; std::getline(lines, line);)
+            (std::regex_search(line, said, std::regex_constants::match_continuous) ? progress : outcome.err) +=
+                line + "\n";
+        return outcome;
     }
 
     // Runs and expects success.
@@ -44,6 +55,7 @@ protected:
     }
 
     Folder folder;
+    mutable std::string progress;  // of the last run
 };
 
 }  // namespace flg::test

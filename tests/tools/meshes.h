@@ -34,8 +34,8 @@ struct TestMesh {
         return text.str();
     }
 
-    // Adds n x n squares, each halved: (u, v) in [0, 1] x [0, 1] goes to `place`. Vertices are row by row, from the next
-    // number on.
+    // Adds n x n squares, each halved: (u, v) in [0, 1] x [0, 1] goes to `place`. Vertices are row by row, from the
+    // next number on.
     template <class Place>
     void add_grid(size_t n, Place place) {
         const size_t first = points.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Filigree and Curve Analogies side by side (sec. 7 and Fig. 11 of the paper): all built-in styles, each on a target with an
-// inflection (s_curve) and on one of high torsion (flourish), with the same predefined guide. The worst style counts.
+// Filigree and Curve Analogies side by side (sec. 7 and Fig. 11 of the paper): all built-in styles, each on a target
+// with an inflection (s_curve) and on one of high torsion (flourish), with the same predefined guide. The worst style
+// counts.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,7 @@ constexpr double kSpeedBar = 30.0;
 // Of the displacement's rms: rounding of results to float.
 constexpr double kLeanBar = 1e-3;
 constexpr float kScale = 1.0f;
-constexpr int kRuns = 3;
+constexpr int kAnalogyRuns = 3;
 constexpr uint32_t kNoBlending = 0;
 
 // How far the style leans over: the largest change of the displacement's part along the curve, over the displacement's
@@ -59,7 +60,7 @@ std::vector<Row> run_analogies() {
     char cold_note[128] = "", warm_note[128] = "";
     for (const std::string& style : scenes::style_names()) {
         for (const char* target : {"s_curve", "flourish"}) {
-            const AnalogiesScene scene = make_analogies_scene(style, target, kScale, kRuns);
+            const AnalogiesScene scene = make_analogies_scene(style, target, kScale, kAnalogyRuns);
             const auto describe = [&](char(&note)[128], double ours_ms) {
                 std::snprintf(note, sizeof note, "%s on %s, %zu points: %.3g ms against %.3g ms", style.c_str(), target,
                               scene.target.size(), ours_ms, scene.theirs_ms);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The table of bars: what Filigree promises to reach, measured. One file a group; groups.cpp lists them. Figures are medians
-// of several runs in one process, on one core,
-// in processor time; ticks and chunks in wall time, as a host sees them.
+// The table of bars: what Filigree promises to reach, measured. One file a group; groups.cpp lists them. Figures are
+// medians of several runs in one process, on one core, in processor time; ticks and chunks in wall time, as a host sees
+// them.
 #pragma once
 
 #include <functional>
@@ -39,7 +39,8 @@ double median(std::vector<double> values);
 // Runs `work`, which returns the milliseconds that count, several times; the median.
 double median_ms(int runs, const std::function<double()>& work);
 
-// Milliseconds of processor time that this thread has had: what a call costs on one core, whatever else the machine does.
+// Milliseconds of processor time that this thread has had: what a call costs on one core, whatever else the machine
+// does.
 double thread_ms();
 
 // Milliseconds of it that a call takes.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Baseline: A. Hertzmann, N. Oliver, B. Curless, S. M. Seitz, "Curve Analogies" (Eurographics Workshop on Rendering 2002),
-// extended to space curves as naively as Minarcik, Fiser, Sykora did for their sec. 7: neighbourhoods of points are compared
-// after the rigid motion that aligns them best; no moving frame is carried along.
+// Baseline: A. Hertzmann, N. Oliver, B. Curless, S. M. Seitz, "Curve Analogies" (Eurographics Workshop on Rendering
+// 2002), extended to space curves as naively as Minarcik, Fiser, Sykora did for their sec. 7: neighbourhoods of points
+// are compared after the rigid motion that aligns them best; no moving frame is carried along.
 //
-// For each point of the target in order: its neighbourhood, which is the target around it and the result made so far before
-// it, is compared with the same neighbourhood (guide around, style before) of every point of the exemplar. The best
-// match, or the one that continues the last match if it is about as good, gives its offset from guide to style,
+// For each point of the target in order: its neighbourhood, which is the target around it and the result made so far
+// before it, is compared with the same neighbourhood (guide around, style before) of every point of the exemplar. The
+// best match, or the one that continues the last match if it is about as good, gives its offset from guide to style,
 // turned as the alignment turns.
 //
 // Departures from the 2002 paper

@@ -12,12 +12,12 @@ namespace {
 
 constexpr uint32_t kTriangles = 2'000'000;
 constexpr double kOneLevelMs = 25, kTenLevelsMs = 50, kUpdateMs = 60;
-constexpr int kRuns = 3;
+constexpr int kCutRuns = 3;
 
 void add_rows(CutMesh& mesh, uint32_t levels, double bar_ms, const char* what, std::vector<Row>& rows) {
     std::vector<double> cut_ms, update_ms;
     double longest_us = HUGE_VAL;
-    for (int run = 0; run < kRuns; ++run) {
+    for (int run = 0; run < kCutRuns; ++run) {
         mesh.reset();
         const CutMesh::Times times = mesh.cut_isolines(levels);
         cut_ms.push_back(times.cut_ms);

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Geodesic distances on a bumpy torus, against the visit of geoTangle's own graph, literally: lists of arcs a vertex, a
-// deque, SLF and LLL (Nazzaro, Puppo, Pellacini: geoTangle (2021), algorithm 1); and against exact distances.
+// deque, SLF and LLL (tests/reference/literal_geodesics.h); and against exact distances.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <deque>
 #include <numbers>
+#include <optional>
 #include <thread>
 
 #include "bench/groups.h"
 #include "reference/literal_geodesics.h"
-#include "surfaces/adjacency.h"
-#include "surfaces/geodesic_blocks_update.h"
-#include "surfaces/graph_solver.h"
-#include "surfaces/refined_solver.h"
+#include "runtime/run_now.h"
+#include "surfaces/geodesics/refined_solver.h"
+#include "surfaces/mesh/adjacency.h"
 
 namespace flg::bench {
 namespace {
@@ -61,43 +60,6 @@ Mesh bumpy_torus(uint32_t around, uint32_t tube, Memory* memory) {
     return mesh;
 }
 
-std::vector<float> visit_graph(const literal::GeodesicGraph& graph, uint32_t source) {
-    std::vector<float> distances(graph.size(), unreachable);
-    std::vector<bool> waits(graph.size(), false);
-    std::deque<uint32_t> queue = {source};
-    double weight = 0;
-    distances[source] = 0;
-    waits[source] = true;
-    while (!queue.empty()) {
-        const double mean = weight / static_cast<double>(queue.size());
-        for (size_t turns = queue.size(); distances[queue.front()] > mean && turns > 0; --turns) {
-            queue.push_back(queue.front());
-            queue.pop_front();
-        }
-        const uint32_t node = queue.front();
-        queue.pop_front();
-        waits[node] = false;
-        weight -= distances[node];
-        for (const literal::Arc& arc : graph[node]) {
-            const float found = distances[node] + arc.length, old = distances[arc.target];
-            if (found >= old) continue;
-            if (waits[arc.target]) {
-                weight -= old;
-            } else {
-                waits[arc.target] = true;
-                if (queue.empty() || found < distances[queue.front()]) {
-                    queue.push_front(arc.target);
-                } else {
-                    queue.push_back(arc.target);
-                }
-            }
-            weight += found;
-            distances[arc.target] = found;
-        }
-    }
-    return distances;
-}
-
 template <class Kernel>
 void finish(Kernel&& kernel) {
     while (!kernel.run(1000)) {}
@@ -110,55 +72,42 @@ double wall_ms(const std::function<void()>& call) {
 }
 
 // A field from one vertex, copied out.
-void solve(RefinedSolver& solver, uint32_t source, uint32_t vertex_count, Memory* memory, DistanceField& field) {
+void solve(RefinedSolver& solver, uint32_t source, Memory* memory, DistanceField& field) {
     const SolveLimits limits;
     const Seed seed = {source, 0, 0};
-    solver.begin({&seed, 1}, limits, false);
-    finish(solver);
-    finish(DistanceFieldKernel(solver, vertex_count, false, field, memory));
+    const std::span<const Seed> seeds(&seed, 1);
+    run_now(memory, [&](Pace& pace) { return solve_distances(pace, solver, seeds, limits, false); });
+    run_now(memory, [&](Pace& pace) { return take_field(pace, solver, false, field); });
 }
 
-// Each solver in turn with the visit, source by source: what else the machine does meets all of them.
+GeodesicBlocks blocks_of(const Mesh& mesh, Memory* memory) {
+    return run_now(memory, [&](Pace& pace) { return make_blocks(pace, mesh, mesh.positions); });
+}
+
+// In turn with the visit, source by source: what else the machine does meets both.
 void add_solves(std::vector<Row>& rows, const std::string& mesh_name, const Mesh& mesh, const GeodesicBlocks& blocks,
-                const GeodesicGraph& graph, Memory* memory) {
-    const literal::GeodesicGraph literal_graph = literal::geodesic_graph(mesh);
-    RefinedSolver refined(blocks, memory);
-    GraphSolver by_graph(mesh, mesh.positions, graph, memory);
-    const RegionSet everywhere(memory);
-    const SolveLimits limits;
-    std::vector<double> visits, refined_solves, graph_solves;
-    uint32_t different = 0;
+                Memory* memory) {
+    const literal::GeodesicGraph graph = literal::geodesic_graph(mesh);
+    RefinedSolver solver(blocks, memory);
+    std::vector<double> visits, solves;
     for (uint32_t source : {0u, mesh.vertex_count() / 3, mesh.vertex_count() / 2, 7u, 99u}) {
-        std::vector<float> expected;
-        visits.push_back(time_ms([&] { expected = visit_graph(literal_graph, source); }));
+        visits.push_back(time_ms([&] { literal::visit_graph(graph, source); }));
         DistanceField field;
-        refined_solves.push_back(time_ms([&] { solve(refined, source, mesh.vertex_count(), memory, field); }));
-        graph_solves.push_back(time_ms([&] {
-            const Seed seed = {source, 0, 0};
-            by_graph.begin({&seed, 1}, limits, everywhere, false);
-            finish(by_graph);
-            for (uint32_t v = 0; v < mesh.vertex_count(); ++v) different += by_graph.distance(v) != expected[v];
-        }));
+        solves.push_back(time_ms([&] { solve(solver, source, memory, field); }));
     }
-    const double visit = median(visits);
-    const auto add = [&](const char* solver, const std::vector<double>& solves) {
-        char note[96];
-        std::snprintf(note, sizeof note, "%.1f ms, the graph's visit %.1f ms", median(solves), visit);
-        rows.push_back(at_least(std::string(solver) + " distances over the graph's visit" + mesh_name,
-                                visit / median(solves), "x", 2, note));
-    };
-    add("refined", refined_solves);
-    add("graph", graph_solves);
-    rows.push_back(within("graph distances that are not the visit's" + mesh_name, different, "", 0, 0));
+    char note[96];
+    std::snprintf(note, sizeof note, "%.1f ms, the graph's visit %.1f ms", median(solves), median(visits));
+    rows.push_back(at_least("refined distances over the graph's visit" + mesh_name, median(visits) / median(solves),
+                            "x", 2, note));
 }
 
-void add_threads(std::vector<Row>& rows, const std::string& mesh_name, const Mesh& mesh, const GeodesicBlocks& blocks) {
+void add_threads(std::vector<Row>& rows, const std::string& mesh_name, const GeodesicBlocks& blocks) {
     Memory* memory = std::pmr::new_delete_resource();
     RefinedSolver one(blocks, memory), other(blocks, memory);
     const auto run = [&](RefinedSolver& solver, uint32_t first) {
         for (uint32_t i = 0; i < 4; ++i) {
             DistanceField field;
-            solve(solver, (first + i) * 1000, mesh.vertex_count(), memory, field);
+            solve(solver, (first + i) * 1000, memory, field);
         }
     };
     double alone = HUGE_VAL, together = HUGE_VAL;
@@ -175,39 +124,37 @@ void add_threads(std::vector<Row>& rows, const std::string& mesh_name, const Mes
 }
 
 void add_rows(std::vector<Row>& rows, const char* size, uint32_t around, uint32_t tube, double build_bar_ms,
-              double graph_bar_ms, double memory_bar_mb) {
+              double memory_bar_mb) {
     CountingMemory memory;
     Mesh mesh = bumpy_torus(around, tube, &memory);
     const std::string mesh_name = std::string(" (") + size + " triangles)";
-    GeodesicBlocks blocks(&memory);
+    std::optional<GeodesicBlocks> built;
     const double build_ms = median_ms(3, [&] {
         return time_ms([&] {
-            finish(AdjacencyKernel(mesh, &memory));
-            finish(GeodesicBlocksKernel(mesh, blocks, &memory));
+            run_now(&memory, [&](Pace& pace) { return find_neighbours(pace, mesh); });
+            built.reset();
+            built.emplace(blocks_of(mesh, &memory));
         });
     });
+    GeodesicBlocks& blocks = *built;
     rows.push_back(below("adjacency and blocks built" + mesh_name, build_ms, "ms", build_bar_ms));
     {
         RefinedSolver solver(blocks, &memory);
         DistanceField field;
-        solve(solver, 0, mesh.vertex_count(), &memory, field);
+        solve(solver, 0, &memory, field);
         rows.push_back(below("mesh, blocks, solver and field" + mesh_name, memory.held_mb(), "MB", memory_bar_mb));
     }
-    GeodesicGraph graph(&memory);
-    rows.push_back(below(
-        "graph built" + mesh_name,
-        median_ms(3,
-                  [&] { return time_ms([&] { finish(GeodesicGraphKernel(mesh, mesh.positions, graph, &memory)); }); }),
-        "ms", graph_bar_ms));
-    add_solves(rows, mesh_name, mesh, blocks, graph, &memory);
-    add_threads(rows, mesh_name, mesh, blocks);
+    add_solves(rows, mesh_name, mesh, blocks, &memory);
+    add_threads(rows, mesh_name, blocks);
     // What a long slice touches: a strip of triangles around the torus and across it.
-    std::vector<uint32_t> touched;
+    std::pmr::deque<uint32_t> touched;
     for (uint32_t i = 0; i < around; ++i) {
         for (uint32_t j = 0; j < 2; ++j) touched.push_back(i * tube + j);
     }
-    const double update_ms = median_ms(
-        5, [&] { return time_ms([&] { finish(GeodesicBlocksUpdateKernel(mesh, mesh.positions, touched, blocks)); }); });
+    const double update_ms = median_ms(5, [&] {
+        return time_ms(
+            [&] { run_now(&memory, [&](Pace& pace) { return update_blocks(pace, mesh, touched, blocks); }); });
+    });
     rows.push_back(below("blocks updated along a slice" + mesh_name, update_ms, "ms", 60));
 }
 
@@ -215,16 +162,15 @@ void add_rows(std::vector<Row>& rows, const char* size, uint32_t around, uint32_
 void add_error(std::vector<Row>& rows) {
     Memory* memory = std::pmr::new_delete_resource();
     Mesh mesh = bumpy_torus(140, 70, memory);
-    GeodesicBlocks blocks(memory);
-    finish(AdjacencyKernel(mesh, memory));
-    finish(GeodesicBlocksKernel(mesh, blocks, memory));
+    run_now(memory, [&](Pace& pace) { return find_neighbours(pace, mesh); });
+    const GeodesicBlocks blocks = blocks_of(mesh, memory);
     RefinedSolver solver(blocks, memory);
     double squares = 0;
     uint64_t count = 0;
     for (uint32_t source : {0u, mesh.vertex_count() / 3, mesh.vertex_count() / 2}) {
         const std::vector<double> exact = literal::exact_distances(mesh, source);
         DistanceField field;
-        solve(solver, source, mesh.vertex_count(), memory, field);
+        solve(solver, source, memory, field);
         for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
             if (v == source) continue;
             const double error = field.distances[v] / exact[v] - 1;
@@ -240,8 +186,8 @@ void add_error(std::vector<Row>& rows) {
 
 std::vector<Row> run_geodesics() {
     std::vector<Row> rows;
-    add_rows(rows, "278k", 527, 264, 50, 50, 50);
-    add_rows(rows, "2M", 1414, 708, 400, 400, 300);
+    add_rows(rows, "278k", 527, 264, 50, 50);
+    add_rows(rows, "2M", 1414, 708, 400, 300);
     add_error(rows);
     return rows;
 }

@@ -13,7 +13,9 @@ const std::vector<Group>& groups() {
 #endif
         {"stylization", "growth", run_growth},
         {"stylization", "analogies", run_analogies},
+#if defined(FLG_WITH_REFERENCE)
         {"stylization", "fig14", run_matching_kinds},
+#endif
         {"stylization", "hair", run_hair},
         {"stylization", "ribbon", run_ribbon},
         {"runtime", "ticks", run_ticks},

@@ -14,7 +14,6 @@ std::vector<Row> run_live();
 std::vector<Row> run_live_style();
 std::vector<Row> run_growth();
 std::vector<Row> run_analogies();
-std::vector<Row> run_matching_kinds();
 std::vector<Row> run_hair();
 std::vector<Row> run_ribbon();
 std::vector<Row> run_cutting();
@@ -34,6 +33,7 @@ std::vector<Row> run_drawing();
 #if defined(FLG_WITH_REFERENCE)
 // Against the literal versions, which are built with the tests.
 std::vector<Row> run_matching();
+std::vector<Row> run_matching_kinds();
 std::vector<Row> run_geodesics();
 // A program of the tests.
 std::vector<Row> run_soak();

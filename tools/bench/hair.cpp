@@ -16,7 +16,7 @@ namespace {
 constexpr uint32_t kStrands = 2000, kStrandPoints = 100;
 constexpr double kBarMs = 60.0, kRatioBar = 1.5;
 constexpr float kRadiusWeight = 1.0f;
-constexpr int kRuns = 9;
+constexpr int kHairRuns = 9;
 
 std::vector<float> radii_of(std::span<const scenes::Curve> curves) {
     std::vector<float> radii;
@@ -109,7 +109,7 @@ double busiest_ms(uint32_t workers) {
     Host host({}, times.hooks(), workers);
     const Hair hair = prepare(host);
     double least_ms = 1e30;
-    for (int i = 0; i < kRuns; ++i) {
+    for (int i = 0; i < kHairRuns; ++i) {
         times.clear();
         check(flgCurveSetRelease(host.context(), stylize(host, hair)));
         least_ms = std::min(least_ms, times.most_ms());
@@ -121,7 +121,7 @@ double busiest_ms(uint32_t workers) {
 
 std::vector<Row> run_hair() {
     char note[96];
-    const double whole_ms = median_ms(kRuns, [&] {
+    const double whole_ms = median_ms(kHairRuns, [&] {
         Host host;
         const Hair hair = prepare(host);
         FlgCurveSet result = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From ten drawn parts to one skinned surface of 10,000 vertices, kernel by kernel, and the Cholesky factorization in it against
+// From ten drawn parts to one skinned surface of 10,000 vertices, step by step, and its Cholesky factorization against
 // Eigen's.
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -10,23 +10,26 @@
 #include <numbers>
 
 #include "bench/groups.h"
+#include "bench/pool.h"
 #include "inflation/bone_weights.h"
-#include "inflation/height_field.h"
+#include "inflation/inflate_part.h"
 #include "inflation/merge_parts.h"
-#include "inflation/part_mesh.h"
-#include "inflation/part_raster.h"
+#include "linear/dissection_order.h"
+#include "linear/sparse_cholesky.h"
+#include "runtime/run_now.h"
 
 namespace flg::bench {
 namespace {
 
-constexpr int kRuns = 7;
-constexpr uint32_t kChunk = 30, kMergeChunk = 15;  // as the jobs have it
+constexpr int kInflationRuns = 7;
 constexpr double kInflateMs = 40, kMergeMs = 120, kWeightsMs = 100, kAllMs = 500, kChunkUs = 100;
 
 using Ring = std::vector<Point2>;
 
 Memory* memory() {
-    return std::pmr::new_delete_resource();
+    static Pool pool;
+    static HostMemory memory(pool.hooks());
+    return &memory;
 }
 
 // A drawn line around a way with radii, of `n` points, a little off.
@@ -90,20 +93,21 @@ Animal animal() {
     return all;
 }
 
-// The duration of each chunk, the shortest of several runs, in which chunks are the same: what the machine does meanwhile falls out.
-class Chunks {
+// The duration of each slice, the shortest of several runs, in which slices are the same: what the machine does
+// meanwhile falls out.
+class Slices {
 public:
-    template <class Kernel>
-    void run(Kernel& kernel, uint32_t count) {
+    template <class Make>
+    auto run(const Make& make) {
         using Clock = std::chrono::steady_clock;
-        for (bool done = false; !done;) {
+        return run_haltingly(memory(), make, [this](const auto& slice) {
             const auto begin = Clock::now();
-            done = kernel.run(count);
+            slice();
             const double us = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
             if (at_ == shortest_.size()) shortest_.push_back(us);
             shortest_[at_] = std::min(shortest_[at_], us);
             ++at_;
-        }
+        });
     }
     void begin_run() { at_ = 0; }
     double longest_us() const { return *std::max_element(shortest_.begin(), shortest_.end()); }
@@ -113,16 +117,11 @@ private:
     size_t at_ = 0;
 };
 
-void inflate(Animal& all, Chunks& chunks) {
+void inflate(Animal& all, Slices& slices) {
     for (size_t i = 0; i < all.shapes.size(); ++i) {
         InflatedPart& part = all.shapes[i] = InflatedPart(memory());
         part.contour = all.contours[i];
-        PartMesh mesh({}, part, memory());
-        chunks.run(mesh, kChunk);
-        HeightField heights(part, memory());
-        chunks.run(heights, kChunk);
-        PartRasterKernel raster(part, memory());
-        chunks.run(raster, kChunk);
+        slices.run([&](Pace& pace) { return inflate_part(pace, {}, part); });
     }
 }
 
@@ -133,15 +132,13 @@ struct Times {
 // The matrix that weights are solved with, of the surface without areas and reach: its pattern is what counts.
 std::vector<Row> cholesky_rows(const MergedMesh& mesh) {
     const auto n = static_cast<uint32_t>(mesh.positions.size());
-    SymmetricMatrix matrix;
     std::vector<std::array<double, 3>> cotangents(mesh.triangles.size(), {0.29, 0.29, 0.29});
     std::vector<double> mass(n, 0.05);
-    MeshLaplacian laplacian({.triangles = {mesh.triangles.data(), mesh.triangles.size()},
-                             .cotangents = cotangents,
-                             .row_count = n,
-                             .mass = mass},
-                            matrix, memory());
-    while (!laplacian.run(1000)) continue;
+    const LaplacianInput input{.triangles = {mesh.triangles.data(), mesh.triangles.size()},
+                               .cotangents = cotangents,
+                               .row_count = n,
+                               .mass = mass};
+    const SymmetricMatrix matrix = run_now(memory(), [&](Pace& pace) { return mesh_laplacian(pace, input); });
     std::vector<Eigen::Triplet<double>> entries;
     for (uint32_t i = 0; i < n; ++i) {
         entries.emplace_back(i, i, matrix.diagonal[i]);
@@ -153,25 +150,23 @@ std::vector<Row> cholesky_rows(const MergedMesh& mesh) {
     std::vector<double> factor_ratios, solve_ratios, factor_ms;
     size_t ours_entries = 0;
     Eigen::Index eigen_entries = 0;
-    for (int k = 0; k < kRuns; ++k) {
-        std::optional<SparseCholesky> ours;
+    for (int k = 0; k < kInflationRuns; ++k) {
+        CholeskyFactor ours;
         std::optional<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>> eigen;
         const double ours_ms = time_ms([&] {
-            DissectionOrder order(matrix, {mesh.positions.data(), n}, memory());
-            while (!order.run(kChunk)) continue;
-            ours.emplace(matrix, order.take_order(), memory());
-            while (!ours->run(kChunk)) continue;
+            Buffer<uint32_t> order = run_now(memory(), [&](Pace& pace) {
+                return dissection_order(pace, matrix, {mesh.positions.data(), n});
+            });
+            ours = run_now(memory(), [&](Pace& pace) { return factorize(pace, matrix, std::move(order)); });
         });
         factor_ms.push_back(ours_ms);
         factor_ratios.push_back(time_ms([&] { eigen.emplace(sparse); }) / ours_ms);
-        std::vector<double> values(size_t{CholeskySolve::width} * n, 1.0);
-        const double solve_ms = time_ms([&] {
-            CholeskySolve solve(*ours, values, memory());
-            while (!solve.run(kChunk)) continue;
-        });
-        Eigen::MatrixXd right = Eigen::MatrixXd::Ones(n, CholeskySolve::width);
+        std::vector<double> values(size_t{solve_width} * n, 1.0);
+        const double solve_ms =
+            time_ms([&] { run_now(memory(), [&](Pace& pace) { return solve(pace, ours, values); }); });
+        Eigen::MatrixXd right = Eigen::MatrixXd::Ones(n, solve_width);
         solve_ratios.push_back(time_ms([&] { right = eigen->solve(right).eval(); }) / solve_ms);
-        ours_entries = ours->entries();
+        ours_entries = ours.entries();
         eigen_entries = eigen->matrixL().nestedExpression().nonZeros();
     }
     char note[120];
@@ -186,32 +181,28 @@ std::vector<Row> cholesky_rows(const MergedMesh& mesh) {
 
 std::vector<Row> run_inflation() {
     Animal all = animal();
-    Chunks inflating, merging, weighing;
+    Slices inflating, merging, weighing;
     std::vector<double> inflate_ms, merge_ms, weights_ms, sum_ms;
     std::optional<MergedMesh> kept;
     size_t plane_vertices = 0;
-    for (int k = 0; k < kRuns; ++k) {
-        for (Chunks* chunks : {&inflating, &merging, &weighing}) chunks->begin_run();
+    for (int k = 0; k < kInflationRuns; ++k) {
+        for (Slices* slices : {&inflating, &merging, &weighing}) slices->begin_run();
         MergedMesh& mesh = kept.emplace();
         BoneWeights weights;
         inflate_ms.push_back(time_ms([&] { inflate(all, inflating); }));
-        merge_ms.push_back(time_ms([&] {
-            MergeParts merge(all.parts, {}, mesh, memory());
-            merging.run(merge, kMergeChunk);
-        }));
-        weights_ms.push_back(time_ms([&] {
-            BoneWeightsKernel kernel(mesh, all.bones, {}, weights, memory());
-            weighing.run(kernel, kChunk);
-        }));
+        merge_ms.push_back(
+            time_ms([&] { mesh = merging.run([&](Pace& pace) { return merge_parts(pace, all.parts, {}); }); }));
+        weights_ms.push_back(time_ms(
+            [&] { weights = weighing.run([&](Pace& pace) { return bone_weights(pace, mesh, all.bones, {}); }); }));
         sum_ms.push_back(inflate_ms.back() + merge_ms.back() + weights_ms.back());
     }
     for (const InflatedPart& part : all.shapes) plane_vertices += part.points.size();
     char inflated[80], merged[80], weighed[80];
-    std::snprintf(inflated, sizeof inflated, "%zu vertices in their planes; longest chunk %.0f us", plane_vertices,
+    std::snprintf(inflated, sizeof inflated, "%zu vertices in their planes; longest slice %.0f us", plane_vertices,
                   inflating.longest_us());
-    std::snprintf(merged, sizeof merged, "%zu vertices; longest chunk %.0f us", kept->positions.size(),
+    std::snprintf(merged, sizeof merged, "%zu vertices; longest slice %.0f us", kept->positions.size(),
                   merging.longest_us());
-    std::snprintf(weighed, sizeof weighed, "%zu joints; longest chunk %.0f us", all.bones.size(),
+    std::snprintf(weighed, sizeof weighed, "%zu joints; longest slice %.0f us", all.bones.size(),
                   weighing.longest_us());
     const double longest = std::max({inflating.longest_us(), merging.longest_us(), weighing.longest_us()});
     std::vector<Row> rows = {
@@ -219,7 +210,7 @@ std::vector<Row> run_inflation() {
         below("merge: them to one surface", median(merge_ms), "ms", kMergeMs, merged),
         below("weights: for its joints", median(weights_ms), "ms", kWeightsMs, weighed),
         below("drawn parts to a skinned surface, in all", median(sum_ms), "ms", kAllMs),
-        below("the longest chunk of these", longest, "us", kChunkUs, "each the shortest of seven runs")};
+        below("the longest slice of these", longest, "us", kChunkUs, "each the shortest of seven runs")};
     for (Row& row : cholesky_rows(*kept)) rows.push_back(std::move(row));
     return rows;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Live strokes, sample by sample, as a host pushes them: the built-in scene drawn by hands as recordings have them, evenly,
-// densely, sparsely and with jumps, under the style at several sizes, with a pool as allocator that counts. (Recordings
-// themselves: filigree replay --fast.)
+// Live strokes, sample by sample, as a host pushes them: the built-in scene drawn by hands as recordings have them,
+// evenly, densely, sparsely and with jumps, under the style at several sizes, with a pool as allocator that counts.
+// (Recordings themselves: filigree replay --fast.)
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,8 +25,8 @@ constexpr float kJump = 0.9f;                            // metres; longer ones 
 constexpr double kHandSpeed = 0.5, kSpeedChange = 0.45;  // metres a second, and how far it goes up and down
 constexpr double kTremor = 2e-4;                         // metres
 constexpr double kP99BarUs = 20.0, kMaxBarUs = 100.0, kWholeShare = 0.99;
-// The same strokes make the same work: a push counts with the median of so many rounds, without what the machine did besides
-// in some of them.
+// The same strokes make the same work: a push counts with the median of so many rounds, without what the machine did
+// besides in some of them.
 constexpr int kRounds = 7;
 constexpr uint32_t kMaxPoints = 1u << 18;
 

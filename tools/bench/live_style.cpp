@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stroke just drawn becomes a style: from the release of the trigger to the first frame that finds the style prepared, at
-// 90 Hz with one worker.
+// A stroke just drawn becomes a style: from the release of the trigger to the first frame that finds the style
+// prepared, at 90 Hz with one worker.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 constexpr uint32_t kSamples = 600, kOtherSamples[] = {300, 1200, 2400}, kFrameUs = 11'000;
-constexpr int kRuns = 15, kOtherRuns = 5;
+constexpr int kLiveRuns = 15, kOtherRuns = 5;
 constexpr uint32_t kPatienceUs = 100'000;
 
 // Curls of 5 cm, once in 63 samples, on a bend.
@@ -100,7 +100,7 @@ std::vector<Row> run_live_style() {
     check(flgStyleWarm(host.context(), pen, 0, nullptr, nullptr));
     host.run();
     std::vector<double> frames, wall_ms;
-    for (int run = 0; run < kRuns; ++run) {
+    for (int run = 0; run < kLiveRuns; ++run) {
         frames.push_back(frames_until_ready(host, drawn_stroke(host, pen)));
         wall_ms.push_back(ms_until_ready(host, drawn_stroke(host, pen)));
     }

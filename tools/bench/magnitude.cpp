@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A change of magnitude after the fact (sec. 4.5.3) on the paper's largest example: what it costs the host when the renderer
-// has the curves, and what the next frame then uploads.
+// A change of magnitude after the fact (sec. 4.5.3) on the paper's largest example: what it costs the host when the
+// renderer has the curves, and what the next frame then uploads.
 #include <cmath>
 #include <cstdio>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kTargetPoints = 369'400, kStylePoints = 600;
 constexpr double kCallBarUs = 1.0, kUploadBarBytes = 1.0;
-constexpr int kCalls = 10'000, kRuns = 7;
+constexpr int kCalls = 10'000, kMagnitudeRuns = 7;
 constexpr uint32_t kWidth = 320, kHeight = 180;  // whatever draws fastest: only the host's side counts
 
 FlgCurveSet stylize(Host& host) {
@@ -52,7 +52,7 @@ std::vector<Row> run_magnitude() {
         };
         draw();  // uploads the curves
         const double still_ms = draw();
-        const double call_us = 1e3 * median_ms(kRuns, [&] {
+        const double call_us = 1e3 * median_ms(kMagnitudeRuns, [&] {
                                    return time_ms([&] {
                                               for (int i = 0; i < kCalls; ++i)
                                                   renderer.set_magnitude_offset(id, i % 2 == 0 ? -0.5f : -1.0f);

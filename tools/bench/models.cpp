@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A drawn animal of eight contours: its bones, as a host gets them from contours; another pose of a part; and its skin, also while
-// the host goes on with its frames.
+// A drawn animal of eight contours: its bones, as a host gets them from contours; another pose of a part; and its skin,
+// also while the host goes on with its frames.
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -12,7 +12,7 @@
 namespace flg::bench {
 namespace {
 
-constexpr int kRuns = 15;
+constexpr int kModelRuns = 15;
 constexpr double kBonesMs = 2, kMoveMs = 0.5, kSkinMs = 500, kTickUs = 2500, kChunkUs = 100;
 constexpr uint32_t kVertices = 10000, kBudgetUs = 2000;
 constexpr double kFrameMs = 1000.0 / 90;
@@ -120,7 +120,7 @@ private:
 };
 
 double bones_ms(Animal& animal, uint32_t& joints) {
-    return median_ms(kRuns, [&] {
+    return median_ms(kModelRuns, [&] {
         FlgModel model{};
         const double ms = time_ms([&] {
             animal.add_parts();
@@ -138,7 +138,7 @@ double move_ms(Animal& animal) {
     animal.add_parts();
     animal.host().run();
     double x = 0;
-    return median_ms(kRuns, [&] {
+    return median_ms(kModelRuns, [&] {
         animal.move_tail(x += 0.01);
         FlgModel model{};
         const double ms = time_ms([&] {

@@ -7,14 +7,15 @@
 
 #include "bench/groups.h"
 #include "bench/stage_inputs.h"
+#include "runtime/run_now.h"
 
 namespace flg::bench {
 namespace {
 
-constexpr uint32_t kPoints = 4096, kChunk = 50;
+constexpr uint32_t kPoints = 4096;
 constexpr uint32_t kPatches[] = {1, 10, 100};
 constexpr double kBarMs = 150.0, kPatchShareBar = 1.25, kMemoryGrowthBar = 2.2;
-constexpr int kRuns = 5;
+constexpr int kGraphRuns = 5;
 
 // Passes on to the default resource, and remembers the most that was held.
 class CountingMemory : public std::pmr::memory_resource {
@@ -50,11 +51,8 @@ Displacement swing(uint32_t count, Memory* memory) {
 
 double build_ms(const Displacement& displacement, uint32_t patch, Memory* memory) {
     const std::array<uint32_t, 2> boundaries = {0, displacement.size()};
-    return time_ms([&] {
-        PatchGraphKernel kernel({&displacement, boundaries, patch}, memory);
-        while (!kernel.run(kChunk)) continue;
-        kernel.take();
-    });
+    const StyleScene scene{&displacement, boundaries, patch};
+    return time_ms([&] { run_now(memory, [&](Pace& pace) { return patch_graph(pace, scene); }); });
 }
 
 size_t peak_bytes(uint32_t count) {
@@ -72,7 +70,7 @@ std::vector<Row> run_patch_graph() {
     std::vector<double> times;
     std::string note;
     for (uint32_t patch : kPatches) {
-        times.push_back(median_ms(kRuns, [&] { return build_ms(displacement, patch, memory); }));
+        times.push_back(median_ms(kGraphRuns, [&] { return build_ms(displacement, patch, memory); }));
         char text[48];
         std::snprintf(text, sizeof text, "%sp = %u: %.1f ms", note.empty() ? "" : ", ", patch, times.back());
         note += text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A host's allocator that gives blocks out again, as engines' pools do: in steady state no page is touched for the first
-// time. (First touches cost what the operating system makes of them; under a hypervisor up to half a millisecond.) For
-// contexts without workers: it does not lock.
+// A host's allocator that gives blocks out again, as engines' pools do: in steady state no page is touched for the
+// first time. (First touches cost what the operating system makes of them; under a hypervisor up to half a
+// millisecond.) For contexts without workers: it does not lock.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Preparing a style of 600 points (guide, matching, displacement, patch graph) within one frame of a VR headset (90 Hz). The
-// paper's own implementation takes 5.5 s.
+// Preparing a style of 600 points (guide, matching, displacement, patch graph) within one frame of a VR headset (90
+// Hz). The paper's own implementation takes 5.5 s.
 #include <algorithm>
 
 #include "bench/groups.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kStylePoints = 600;
 constexpr double kBarMs = 11.0;
-constexpr int kRuns = 15;
+constexpr int kPrepareRuns = 15;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::vector<Row> run_prepare() {
     std::vector<Row> rows;
     for (const std::string& name : scenes::style_names()) {
         const FlgCurveSet curve = host.add(scenes::make_style(name));
-        const double ms = median_ms(kRuns, [&] {
+        const double ms = median_ms(kPrepareRuns, [&] {
             FlgStyle style = {};
             const double elapsed_ms = time_ms([&] {
                 style = host.prepare(curve, kStylePoints);

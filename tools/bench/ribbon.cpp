@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Thomas attractor as a two-sided ribbon (Fig. 7 of the paper): shape and angle (S1) of a style on 369,400 points. The
-// paper's own implementation takes 51 s.
+// The Thomas attractor as a two-sided ribbon (Fig. 7 of the paper): shape and angle (S1) of a style on 369,400 points.
+// The paper's own implementation takes 51 s.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -16,7 +16,7 @@ constexpr double kBarMs = 150.0;
 constexpr float kAngleWeight = 0.01f;
 // The ribbon of the style sways to and fro around its curve.
 constexpr double kSways = 4.0, kSwayRad = 2.0;
-constexpr int kRuns = 7;
+constexpr int kRibbonRuns = 7;
 
 FlgStyle prepare(Host& host) {
     const scenes::Curve loops = scenes::make_style("loops");
@@ -45,7 +45,7 @@ std::vector<Row> run_ribbon() {
     const double length = length_of(target);
     Host host;
     const FlgCurveSet target_set = host.add(target);
-    const double elapsed_ms = median_ms(kRuns, [&] {
+    const double elapsed_ms = median_ms(kRibbonRuns, [&] {
         // A style of its own each time: no path tree is known yet.
         FlgStylizeDesc desc = flgStylizeDefaults();
         desc.style = prepare(host);

@@ -11,15 +11,25 @@
 #endif
 #include "bench/pool.h"
 #include "core/random.h"
+#include "runtime/run_now.h"
 #include "skeletons/straight_skeleton.h"
 
 namespace flg::bench {
 namespace {
 
-constexpr uint32_t kChunk = 25;
-constexpr int kRuns = 15, kChunkRounds = 4;
+constexpr int kSkeletonRuns = 15, kChunkRounds = 4;
 
 using Ring = std::vector<Point2>;
+
+// Within one job.
+Task<void> time_skeletons(Pace& pace, const std::vector<Contour>& contours, double& ms) {
+    const double begin_ms = thread_ms();
+    for (const Contour& contour : contours) {
+        StraightSkeleton skeleton(pace.memory());
+        co_await straight_skeleton(pace, contour, skeleton);
+    }
+    ms = thread_ms() - begin_ms;
+}
 
 double skeleton_ms(const std::vector<Ring>& rings) {
     Memory* memory = std::pmr::new_delete_resource();
@@ -28,14 +38,10 @@ double skeleton_ms(const std::vector<Ring>& rings) {
         const uint32_t offsets[] = {0, static_cast<uint32_t>(ring.size())};
         contours.push_back(clean_contour(ring, offsets, memory));
     }
-    return median_ms(kRuns, [&] {
-        return time_ms([&] {
-            for (const Contour& contour : contours) {
-                StraightSkeleton skeleton(memory);
-                StraightSkeletonKernel kernel(contour, skeleton, memory);
-                while (!kernel.run(kChunk)) continue;
-            }
-        });
+    return median_ms(kSkeletonRuns, [&] {
+        double ms = 0;
+        run_now(memory, [&](Pace& pace) { return time_skeletons(pace, contours, ms); });
+        return ms;
     });
 }
 
@@ -95,13 +101,15 @@ double longest_chunk_us(const Ring& ring) {
     std::vector<double> least_us;
     for (int round = 0; round < kChunkRounds; ++round) {
         StraightSkeleton skeleton(&memory);
-        StraightSkeletonKernel kernel(contour, skeleton, &memory);
         size_t chunk = 0;
-        for (bool done = false; !done; ++chunk) {
-            const double us = 1e3 * time_ms([&] { done = kernel.run(kChunk); });
+        const auto time = [&](const auto& slice) {
+            const double us = 1e3 * time_ms(slice);
             if (chunk == least_us.size()) least_us.push_back(us);
             least_us[chunk] = std::min(least_us[chunk], us);
-        }
+            ++chunk;
+        };
+        run_haltingly(
+            &memory, [&](Pace& pace) { return straight_skeleton(pace, contour, skeleton); }, time);
     }
     return *std::max_element(least_us.begin(), least_us.end());
 }

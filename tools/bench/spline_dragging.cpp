@@ -55,8 +55,8 @@ struct Frames {
     double longest_tick_us = 0;
 };
 
-// At 90 Hz in real time: what was asked for after the last tick is to be there after this one. Without a worker all of it is
-// done in ticks, whose budget is processor time then: what else the machine does is left out.
+// At 90 Hz in real time: what was asked for after the last tick is to be there after this one. Without a worker all of
+// it is done in ticks, whose budget is processor time then: what else the machine does is left out.
 Frames drag_frames(const MeshArrays& mesh, uint32_t workers) {
     using Clock = std::chrono::steady_clock;
     SplineBench bench(mesh, workers, workers > 0 ? FlgClock{} : FlgClock{nullptr, processor_ns});

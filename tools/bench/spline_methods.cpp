@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// How many rounds the optimizer takes, against plain projected gradient descent (the literal version) and the paper's footpoint
-// cone, from the same first chain to the same residual. Few nodes: the plain one's rounds grow with the fourth power of their number.
+// How many rounds the optimizer takes, against plain projected gradient descent and the paper's footpoint cone (the
+// literal versions), from the same first chain to the same residual. Few nodes: the plain one's rounds grow with the
+// fourth power of their number.
 #include <algorithm>
 #include <cmath>
 
 #include "bench/splines.h"
 #include "core/vec.h"
 #include "reference/literal_splines.h"
-#include "splines/implicit_surfaces.h"
-#include "splines/spline_kernel.h"
+#include "runtime/run_now.h"
+#include "splines/manifolds/implicit_surfaces.h"
+#include "splines/optimizer/spline_optimizer.h"
 
 namespace flg::bench {
 namespace {
 
-constexpr uint32_t kMostRounds = 5000, kTimedRounds = 2000, kTimedIntervals = 32;
+constexpr uint32_t kMostRounds = 5000;
 
 struct Chain {
     uint32_t intervals;
@@ -40,18 +42,11 @@ Chain chain_on(const Manifold& torus, uint32_t intervals) {
     return chain;
 }
 
-struct Run {
-    uint32_t rounds = 0;
-    double ms = 0;
-};
-
-Run run_kernel(const Manifold& torus, const Chain& chain, SplineMethod method) {
+uint32_t newton_rounds(const Manifold& torus, const Chain& chain) {
     Memory* const memory = std::pmr::new_delete_resource();
     SplineProblem problem;
     problem.manifold = &torus;
-    problem.method = method;
     problem.tolerance = kSplineTolerance;
-    problem.max_rounds = kTimedRounds;
     problem.points = Buffer<double>(3 * chain.nodes.size(), memory);
     problem.knots = Buffer<uint32_t>(kSplinePoints, memory);
     problem.given = Buffer<double>(size_t{3} * kSplinePoints, memory);
@@ -62,16 +57,12 @@ Run run_kernel(const Manifold& torus, const Chain& chain, SplineMethod method) {
         std::copy_n(chain.given[i].data(), 3, &problem.given[size_t{3} * i]);
         problem.parameters[i] = i;
     }
-    Run run;
-    run.ms = time_ms([&] {
-        SplineKernel kernel(problem, memory);
-        while (!kernel.run(1000)) continue;
-        run.rounds = kernel.report().rounds;
-    });
-    return run;
+    SplineOptimizer optimizer(problem, memory);
+    run_now(memory, [&](Pace& pace) { return SplineOptimizer::minimize(pace, optimizer); });
+    return optimizer.report().rounds;
 }
 
-uint32_t plain_rounds(const Manifold& torus, const Chain& chain) {
+reference::LiteralSpline literal_of(const Manifold& torus, const Chain& chain) {
     reference::LiteralSpline literal;
     literal.manifold = &torus;
     literal.steps.assign(chain.nodes.size() - 1, 1.0 / chain.intervals);
@@ -80,7 +71,7 @@ uint32_t plain_rounds(const Manifold& torus, const Chain& chain) {
         literal.points.col(static_cast<Eigen::Index>(i)) = chain.nodes[i];
         literal.fixed.push_back(i % chain.intervals == 0);
     }
-    return reference::minimize_by_gradient(literal, kSplineTolerance, kMostRounds).rounds;
+    return literal;
 }
 
 }  // namespace
@@ -91,23 +82,18 @@ std::vector<Row> spline_methods() {
     char note[128];
     for (const uint32_t intervals : {4u, 8u}) {
         const Chain chain = chain_on(torus, intervals);
-        const uint32_t newton = run_kernel(torus, chain, SplineMethod::newton).rounds;
-        const uint32_t cone = run_kernel(torus, chain, SplineMethod::footpoint_cone).rounds;
-        const uint32_t plain = plain_rounds(torus, chain);
+        const uint32_t newton = newton_rounds(torus, chain);
+        reference::LiteralSpline by_cone = literal_of(torus, chain), by_descent = by_cone;
+        const uint32_t cone = reference::minimize(by_cone, kSplineTolerance, kMostRounds).rounds;
+        const uint32_t plain = reference::minimize_by_gradient(by_descent, kSplineTolerance, kMostRounds).rounds;
+        const std::string about = std::to_string(intervals) + " intervals";
         std::snprintf(note, sizeof note, "%u rounds, plain %u%s, cone %u", newton, plain,
                       plain == kMostRounds ? " and not there yet" : "", cone);
-        rows.push_back(below("rounds over those of plain descent, " + std::to_string(intervals) + " intervals",
-                             static_cast<double>(newton) / plain, "", 0.1, note));
+        rows.push_back(
+            below("rounds over those of plain descent, " + about, static_cast<double>(newton) / plain, "", 0.1, note));
+        rows.push_back(below("rounds over those of the footpoint cone, " + about, static_cast<double>(newton) / cone,
+                             "", 1, note));
     }
-    const Chain chain = chain_on(torus, kTimedIntervals);
-    Run newton, cone;
-    const double newton_ms =
-        median_ms(21, [&] { return (newton = run_kernel(torus, chain, SplineMethod::newton)).ms; });
-    const double cone_ms =
-        median_ms(5, [&] { return (cone = run_kernel(torus, chain, SplineMethod::footpoint_cone)).ms; });
-    std::snprintf(note, sizeof note, "%u rounds of %u, %.3g ms of %.3g", newton.rounds, cone.rounds, newton_ms,
-                  cone_ms);
-    rows.push_back(below("Newton over the footpoint cone, M = 279, time", newton_ms / cone_ms, "", 1, note));
     return rows;
 }
 

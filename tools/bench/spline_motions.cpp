@@ -8,7 +8,7 @@ namespace flg::bench {
 namespace {
 
 constexpr double kMotionMs = 5, kPositionUs = 17;
-constexpr int kRuns = 31;
+constexpr int kMotionRuns = 31;
 
 struct Keys {
     std::vector<double> times, poses;
@@ -46,7 +46,7 @@ std::vector<Row> spline_motions() {
         const double box[3] = {4, 1, 2};
         std::copy_n(box, 3, desc.body_box);
         std::string note;
-        const double ms = median_ms(kRuns, [&] {
+        const double ms = median_ms(kMotionRuns, [&] {
             FlgMotion motion{};
             FlgJob job{};
             const double took = time_ms([&] {

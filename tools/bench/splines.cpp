@@ -12,10 +12,9 @@
 namespace flg::bench {
 namespace {
 
-constexpr double kConeShare = 1.1;  // where the surface hardly bends against the curve they are alike
 constexpr double kSurfaceMs = 150, kSplineMs = 10, kChunkUs = 100;
 constexpr uint32_t kTriangles = 70'000;
-constexpr int kRuns = 21, kFirstRuns = 5;
+constexpr int kSplineRuns = 21, kFirstRuns = 5;
 
 struct Chunk {
     float us = 0;
@@ -53,20 +52,14 @@ std::vector<Row> spline_rows(const MeshArrays& mesh, const std::string& name) {
         made.push_back(bench.make_manifold());
         first.push_back(bench.spline_ms(bench.desc(points), view));
     }
-    const double again = median_ms(kRuns, [&] { return bench.spline_ms(bench.desc(points), view); });
+    const double again = median_ms(kSplineRuns, [&] { return bench.spline_ms(bench.desc(points), view); });
     const std::string about = rounds_note(view);
-    FlgSplineDesc by_cone = bench.desc(points);
-    by_cone.method = FLG_SPLINE_FOOTPOINT_CONE;
-    const double cone = median_ms(kFirstRuns, [&] { return bench.spline_ms(by_cone, view); });
-    char more[96];
-    std::snprintf(more, sizeof more, "cone: %.3g ms, %s", cone, rounds_note(view).c_str());
     const Chunk chunk = longest_chunk(mesh);
     return {
         below(name + ": its smooth surface, once", median(made), "ms", kSurfaceMs,
               std::to_string(mesh.triangles.size() / 3) + " triangles"),
         below(name + ": first spline, M = 288", median(first), "ms", kSplineMs, about),
         below(name + ": spline again, M = 288", again, "ms", kSplineMs, about),
-        below(name + ": Newton over the footpoint cone, time", again / cone, "", kConeShare, more),
         below(name + ": longest chunk of a spline", chunk.us, "us", kChunkUs, chunk.stage),
     };
 }

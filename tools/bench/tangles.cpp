@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A session of tangles on a mesh of 2 million triangles: what operators cost, everything included, what it costs to take
-// them back, and how much memory the surface, its solvers and the history have in the end; and what a host's frames see of it.
+// A session of tangles on a mesh of 2 million triangles: what operators cost, everything included, what it costs to
+// take them back, and how much memory the surface, its solvers and the history have in the end; and what a host's
+// frames see of it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t kTargetPoints = 369'400, kStylePoints = 600;
 constexpr double kColdBarMs = 100.0, kWarmBarMs = 40.0;
 [[maybe_unused]] constexpr double kLiteralBar = 20.0;
-constexpr int kRuns = 7;
+constexpr int kThomasRuns = 7;
 
 // From submission to published result.
 double stylize_ms(Host& host, FlgStyle style, FlgCurveSet target, float scale, uint64_t seed) {
@@ -42,7 +42,7 @@ std::vector<Row> run_thomas() {
     const FlgCurveSet target_set = host.add(target);
     const FlgCurveSet loops = host.add(scenes::make_style("loops"));
     std::vector<double> cold, warm;
-    for (int i = 0; i < kRuns; ++i) {
+    for (int i = 0; i < kThomasRuns; ++i) {
         // A style of its own each time: no path tree is known yet.
         const FlgStyle style = host.prepare(loops, kStylePoints);
         host.run();

@@ -11,8 +11,8 @@ struct LiteralTimes {
     double all_ms;    // with resampling, frames and displacement
 };
 
-// `style` must be prepared from the built-in style `name`. The graph is not part of the time: it is prepared, as for the
-// fast one.
+// `style` must be prepared from the built-in style `name`. The graph is not part of the time: it is prepared, as for
+// the fast one.
 LiteralTimes literal_stylize(Host& host, FlgStyle style, const char* name, const scenes::Curve& target, uint32_t count);
 
 }  // namespace flg::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames under load: flgTick with a budget of 2 ms and no workers, while styles are prepared, curves resampled and attractors
-// stylized. What a game sees of Filigree, with a pool as allocator.
+// Frames under load: flgTick with a budget of 2 ms and no workers, while styles are prepared, curves resampled and
+// attractors stylized. What a game sees of Filigree, with a pool as allocator.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -28,9 +28,9 @@ def table(rows):
     lines = ["| what | figure | asked for | |", "|---|---|---|---|"]
     for row in rows:
         figure = f"{number(row['figure'])} {row['unit']}".rstrip()
-        held = "held" if row["held"] else "**not held**"
+        met = "met" if row["held"] else "**missed**"
         note = f"; {row['note']}" if row.get("note") else ""
-        cells = (row["name"], figure, row["bar"], held + note)
+        cells = (row["name"], figure, row["bar"], met + note)
         lines.append("| " + " | ".join(cell.replace("|", "/") for cell in cells) + " |")
     return "\n".join(lines) + "\n"
 
@@ -39,8 +39,8 @@ def main():
     if len(sys.argv) != 3:
         raise SystemExit(__doc__)
     rows = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))["bars"]
-    held = sum(row["held"] for row in rows)
-    parts = [f"{held} of {len(rows)} bars held. {sys.argv[2]}.\n"]
+    met = sum(row["held"] for row in rows)
+    parts = [f"{met} of {len(rows)} bars met. {sys.argv[2]}.\n"]
     for name, group in itertools.groupby(rows, ability_of):
         parts.append(f"**{name[:1].upper()}{name[1:]}**\n\n{table(group)}")
     text = PAGE.read_text(encoding="utf-8")

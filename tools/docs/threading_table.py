@@ -18,10 +18,11 @@ PAGE = ROOT / "sdk/docs/threading.md"
 BEGIN, END = "<!-- table: begin -->\n", "<!-- table: end -->\n"
 
 THREADS = {"any": "any", "FlgContext": "context", "FlgPickScene": "scene"}  # others are files
-GETTERS = re.compile(r"^flg\w*(Get\w+|Init)$|^flg(Version|LastError|IoLastError|PickLastError|ResultName|FormulaName)$")
+GETTERS = re.compile(r"^flg\w*(Get\w+|Init)$|^flg(Version|LastError|IoLastError|PickLastError|ResultName|FormulaName|TangleOperatorName|TangleMacroName|CurveSetViewColumn|MeshViewColumn)$")
 SPECIAL = {
     "flgTick": "its budget and a chunk (100 us) at most",
     "flgContextWait": "sleeps, up to its timeout",
+    "flgContextRun": "ticks and sleeps, up to its seconds",
     "flgContextDestroy": "a chunk (100 us) at most, and freeing all it holds",
 }
 
@@ -57,7 +58,8 @@ def page():
     parts = []
     for header in abi["headers"]:
         functions = [f for f in abi["functions"] if f["header"] == header["name"]]
-        parts.append(f"### {header['name']}\n\n{table(functions)}")
+        if functions:
+            parts.append(f"### {header['name']}\n\n{table(functions)}")
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
     return before + BEGIN + "\n" + "\n".join(parts) + "\n" + END + rest.split(END)[1]
 

@@ -7,6 +7,7 @@ namespace flg::cli {
 namespace {
 
 constexpr int kBasisNumbers = 9;
+const std::string kAuto = "auto";
 
 const std::map<std::string, FlgStart> kStarts = {
     {"auto", FLG_START_AUTO}, {"style", FLG_START_STYLE}, {"random", FLG_START_RANDOM}};
@@ -24,9 +25,17 @@ void ApplyOptions::add_to(CLI::App& app, const std::map<std::string, FlgFrameMet
                    "distance of a patch to the one most like it")
         ->capture_default_str()
         ->check(at_least_zero());
-    app.add_option("--scale", scale_, "Size of the style on the curves, > 0; 1 = as drawn")
-        ->capture_default_str()
-        ->check(above_zero());
+    app.add_option_function<std::string>(
+           "--scale",
+           [this](const std::string& text) {
+               scale_.reset();
+               if (text != kAuto) scale_ = static_cast<float>(std::stod(text));
+           },
+           "Size of the style on the curves, > 0; 1 = as drawn. auto: each curve gets it in the proportion that the "
+           "example has, and finer where its stroke is thin; its line is thinner than the stroke then")
+        ->type_name("S|auto")
+        ->default_str(kAuto)
+        ->check(auto_or(above_zero()));
     add_choice(app, "--frame", frame_, frames, frame_help);
     app.add_option("--basis", basis_,
                    "3 x 3 row by row: turns the style (tangent, first and second normal) within the curves' frame")
@@ -42,7 +51,11 @@ void ApplyOptions::add_to(CLI::App& app, const std::map<std::string, FlgFrameMet
 void ApplyOptions::describe(Report& report) const {
     report.parameters["sigma"] = as_written(magnitude_);
     report.parameters["tau"] = as_written(temperature_);
-    report.parameters["scale"] = as_written(scale_);
+    if (scale_) {
+        report.parameters["scale"] = as_written(*scale_);
+    } else {
+        report.parameters["scale"] = kAuto;
+    }
     report.parameters["frame"] = name_of(*frames_, frame_);
     report.parameters["start"] = name_of(kStarts, start_);
     for (float value : basis_) report.parameters["basis"].push_back(as_written(value));

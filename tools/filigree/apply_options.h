@@ -5,11 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "documents/report.h"
 #include "filigree/filigree.h"
-#include "report.h"
 
 namespace flg::cli {
 
@@ -20,14 +21,14 @@ public:
     void describe(Report& report) const;
 
     float temperature() const { return temperature_; }
-    float scale() const { return scale_; }
+    // None: the target's curves decide (relative_size.h).
+    std::optional<float> scale() const { return scale_; }
 
-    // Into FlgStylizeDesc or FlgLiveStrokeDesc.
+    // Into FlgStylizeDesc or FlgLiveStrokeDesc; not the scale.
     template <class Desc>
     void set(Desc& desc) const {
         desc.magnitude = magnitude_;
         desc.temperature = temperature_;
-        desc.scale = scale_;
         desc.frame = frame_;
         desc.start = start_;
         std::copy(basis_.begin(), basis_.end(), desc.basis);
@@ -35,8 +36,8 @@ public:
 
 private:
     // The SDK's defaults are the commands'.
-    float magnitude_ = flgStylizeDefaults().magnitude, temperature_ = flgStylizeDefaults().temperature,
-          scale_ = flgStylizeDefaults().scale;
+    float magnitude_ = flgStylizeDefaults().magnitude, temperature_ = flgStylizeDefaults().temperature;
+    std::optional<float> scale_;
     FlgFrameMethod frame_ = flgStylizeDefaults().frame;
     FlgStart start_ = flgStylizeDefaults().start;
     std::vector<float> basis_;  // empty: the identity

@@ -2,15 +2,14 @@
 // filigree bench: the table of bars.
 #include "bench/bench.h"
 
-#include <unistd.h>
-
 #include <iostream>
 #include <memory>
 
 #include "command.h"
-#include "failure.h"
-#include "report.h"
-#include "text_file.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
+#include "documents/report.h"
+#include "documents/text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -30,8 +29,7 @@ void append(nlohmann::ordered_json& list, const bench::Group& group, const std::
 
 void print_row(const bench::Row& row) {
     std::printf("%-46s %12.4g %-4s %-16s %s%s%s\n", row.name.c_str(), row.figure, row.unit.c_str(),
-                row.bar_text().c_str(), row.held() ? "held" : "NOT HELD", row.note.empty() ? "" : "  ",
-                row.note.c_str());
+                row.bar_text().c_str(), row.held() ? "met" : "MISSED", row.note.empty() ? "" : "  ", row.note.c_str());
     std::fflush(stdout);
 }
 
@@ -42,12 +40,11 @@ void run_bench(const std::string& filter, bool as_json, const CommonOptions& com
     nlohmann::ordered_json bars = nlohmann::ordered_json::array();
     uint32_t held = 0;
     std::string ability;
-    const bool shows_progress = !common.quiet && isatty(STDERR_FILENO) != 0;
     for (const bench::Group& group : bench::groups()) {
         if (group.name.find(filter) == std::string::npos) continue;
-        if (shows_progress) std::cerr << "\r\033[K" << group.name << " ..." << std::flush;
+        say_step("measuring " + group.name);
         const std::vector<bench::Row> added = group.run();
-        if (shows_progress) std::cerr << "\r\033[K" << std::flush;
+        clear_progress_line();
         append(bars, group, added);
         for (const bench::Row& row : added) held += row.held();
         if (as_json) continue;
@@ -66,15 +63,15 @@ void run_bench(const std::string& filter, bool as_json, const CommonOptions& com
     report.write();
     if (held < bars.size()) {
         throw InputError("bench: " + std::to_string(bars.size() - held) + " of " + std::to_string(bars.size()) +
-                         " bars are not held");
+                         " targets missed");
     }
 }
 
 }  // namespace
 
 Command add_bench(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand(
-        "bench", "Measures what has a bar, and says whether it is held; exit status 1 if one is not");
+    CLI::App* app =
+        program.add_subcommand("bench", "Measures all targets and reports pass or fail; exit status 1 if one fails");
     const auto filter = std::make_shared<std::string>();
     const auto as_json = std::make_shared<bool>(false);
     app->add_option("FILTER", *filter, "Only groups whose name contains this");

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "failure.h"
-#include "motion_file.h"
+#include "documents/failure.h"
+#include "documents/motion_file.h"
 
 namespace flg::cli {
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "documents/session.h"
 #include "filigree/filigree_motion.h"
 #include "filigree_renderer/camera.h"
-#include "session.h"
 
 namespace flg::cli {
 
@@ -20,8 +20,8 @@ public:
     double end() const { return view_.times[position_count() - 1]; }
     bool closed() const { return view_.closed != 0; }
 
-    // At a time, closed motions at any: between the motion's positions, which are close together. `middle`: what the picture
-    // is about, metres; only how far away that is counts.
+    // At a time, closed motions at any: between the motion's positions, which are close together. `middle`: what the
+    // picture is about, metres; only how far away that is counts.
     render::Camera at(double time, const glm::vec3& middle) const;
 
 private:

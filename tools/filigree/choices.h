@@ -8,8 +8,6 @@
 #include <map>
 #include <string>
 
-#include "filigree/filigree_io.h"
-
 namespace flg::cli {
 
 template <class T>
@@ -35,9 +33,12 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value, cons
         ->default_str(name_of(names, value));
 }
 
-inline const std::map<std::string, FlgGeometry>& geometry_names() {
-    static const std::map<std::string, FlgGeometry> names = {
-        {"lines", FLG_GEOMETRY_LINES}, {"ribbon", FLG_GEOMETRY_RIBBON}, {"tube", FLG_GEOMETRY_TUBE}};
+// What a .glb of curves holds.
+enum class Shapes { automatic, lines, ribbon, tube };
+
+inline const std::map<std::string, Shapes>& shape_names() {
+    static const std::map<std::string, Shapes> names = {
+        {"auto", Shapes::automatic}, {"lines", Shapes::lines}, {"ribbon", Shapes::ribbon}, {"tube", Shapes::tube}};
     return names;
 }
 
@@ -78,6 +79,17 @@ inline CLI::Validator between(double low, double high) {
 }
 inline CLI::Validator between_including(double low, double high) {
     return number_that([=](double v) { return v >= low && v <= high; }, "a number from 0 to 1");
+}
+
+// The word auto, or what `number` lets pass.
+inline CLI::Validator auto_or(const CLI::Validator& number) {
+    return CLI::Validator(
+        [number](std::string& text) {
+            if (text == "auto") return std::string();
+            const std::string fault = number(text);
+            return fault.empty() ? fault : fault + ", nor auto";
+        },
+        "");
 }
 
 // CLI11 takes what strtoull takes, which wraps -1 and cuts what is too long.

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "common.h"
+#include "documents/common.h"
 
 namespace flg::cli {
 

@@ -6,11 +6,11 @@
 
 #include "choices.h"
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/text_file.h"
 #include "geodesic_options.h"
 #include "path_curves.h"
 #include "support/curve_source.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An allocator as engines have one: blocks that came back are given out again, and new ones are touched once, so that
-// nothing is touched for the first time while strokes are drawn. Counts its calls, thread by thread: what workers do meanwhile
-// is not what a call on the host's thread does.
+// nothing is touched for the first time while strokes are drawn. Counts its calls, thread by thread: what workers do
+// meanwhile is not what a call on the host's thread does.
 #pragma once
 
 #include <cstring>

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "failure.h"
+#include "documents/failure.h"
 
 namespace flg::cli {
 

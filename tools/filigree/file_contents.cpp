@@ -5,11 +5,13 @@
 #include <cctype>
 #include <filesystem>
 
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
 
 namespace flg::cli {
 
 FileContents read_contents(const std::string& name) {
+    say_step("reading " + name);
     std::string extension = std::filesystem::path(name).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return std::tolower(c); });

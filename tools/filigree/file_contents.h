@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "mesh_file.h"
+#include "documents/mesh_file.h"
 #include "skin_file.h"
 #include "support/curve_source.h"
 

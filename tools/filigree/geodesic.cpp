@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/text_file.h"
 #include "geodesic_options.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -46,7 +46,7 @@ void run_geodesic(const Options& options, const CommonOptions& common) {
 }  // namespace
 
 Command add_geodesic(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("geodesic", "Distances along a mesh");
+    CLI::App* app = program.add_subcommand("geodesic", "Measures distances along a mesh");
     const auto o = std::make_shared<Options>();
     o->distances.add_to(*app);
     app->add_option("-o,--output", o->output,

@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/text_file.h"
 #include "file_contents.h"
 #include "info.h"
-#include "text_file.h"
 
 namespace flg::cli {
 
@@ -174,7 +174,7 @@ void run_info(const std::string& name, const CommonOptions& common) {
 }  // namespace
 
 Command add_info(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("info", "What is in a file: counts, sizes, units, oddities");
+    CLI::App* app = program.add_subcommand("info", "Shows what is in a file: counts, sizes, units, oddities");
     const auto file = std::make_shared<std::string>();
     app->add_option("FILE", *file, "Curves or a mesh: a file or builtin:NAME")->required();
     return {app, [file, &common] { run_info(*file, common); }};

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "mesh_file.h"
-#include "report.h"
+#include "documents/mesh_file.h"
+#include "documents/report.h"
 #include "skin_file.h"
 
 namespace flg::cli {

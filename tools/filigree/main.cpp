@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command line: everything the SDK does, without a window. Exit status: 0 done, 1 bad input or failed work, 2 bad usage.
+// The command line: everything the SDK does, without a window. Exit status: 0 done, 1 bad input or failed work, 2 bad
+// usage.
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -9,7 +10,8 @@
 
 #include "choices.h"
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
 #include "support/curve_source.h"
 
 namespace {
@@ -50,6 +52,18 @@ void add_common_options(CLI::App& program, flg::cli::CommonOptions& common) {
     program.add_flag("--quiet", common.quiet, "No progress and no warnings on stderr");
 }
 
+// What a value is, in place of its type in the program.
+void name_values(CLI::App& program) {
+    static const std::map<std::string, std::string> names = {{"TEXT", "FILE"}, {"FLOAT", "X"}, {"UINT", "N"}};
+    for (CLI::App* app : program.get_subcommands({})) {
+        for (CLI::Option* option : app->get_options()) {
+            const auto found = names.find(option->get_type_name());
+            if (found != names.end()) option->type_name(found->second);
+        }
+        name_values(*app);
+    }
+}
+
 // Of two outputs in one file only one would be left.
 void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
     std::map<std::filesystem::path, std::string> options;  // by their file
@@ -72,15 +86,20 @@ void refuse_shared_outputs(const CLI::App& program, const CLI::App& command) {
 
 int main(int argc, char** argv) {
     CLI::App program(
-        "Filigree: real-time expressive curves. Curves are read from .xyz, .obj, .gltf, .glb, .tilt and .svg files,\n"
-        "or made: builtin:NAME or builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...).\n"
-        "Meshes are read from .ply, .obj, .off, .gltf and .glb files.",
+        "Filigree draws curves in the style of an example, and works on the surfaces that curves live on.\n"
+        "Curves are read from .xyz, .obj, .gltf, .glb, .tilt and .svg files, or built in: builtin:NAME or\n"
+        "builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...). Meshes are read from .ply, .obj, .off, .gltf "
+        "and\n"
+        ".glb files.",
         "filigree");
     flg::cli::CommonOptions common;
     common.workers = std::clamp(std::thread::hardware_concurrency(), 1u, kMaxWorkers);
     add_common_options(program, common);
     program.set_version_flag("--version", version_text());
     program.require_subcommand(1);
+    program.footer(
+        "filigree COMMAND --help tells a command's options. For a start:\n"
+        "  filigree stylize --style builtin:curls --target builtin:flourish -o curls.glb --as tube");
     // Common options may also follow the command.
     program.fallthrough();
 
@@ -101,6 +120,8 @@ int main(int argc, char** argv) {
 #endif
     commands.push_back(flg::cli::add_bench(program, common));
 
+    name_values(program);
+
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help, --version
@@ -117,6 +138,7 @@ int main(int argc, char** argv) {
         for (const flg::cli::Command& command : commands) {
             if (!command.app->parsed()) continue;
             refuse_shared_outputs(program, *command.app);
+            const flg::cli::Progress progress(common.quiet, command.app->get_name());
             command.run();
         }
     } catch (const flg::cli::UsageError& error) {

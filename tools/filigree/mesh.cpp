@@ -5,9 +5,10 @@
 
 #include "choices.h"
 #include "command.h"
-#include "failure.h"
-#include "mesh_surface.h"
-#include "text_file.h"
+#include "documents/failure.h"
+#include "documents/mesh_surface.h"
+#include "documents/text_file.h"
+#include "settled_mesh.h"
 
 namespace flg::cli {
 namespace {
@@ -68,7 +69,18 @@ void run_repair(const Options& options, const CommonOptions& common) {
     Report report = start_report("mesh repair", options, common);
     Session session(common);
     const MeshSurface surface(session, options.mesh, options.weld, report);
-    write_as_stored(options.output, surface.file(), surface.view().mesh, report);
+    const SettledMesh settled(session, surface, report);
+    write_as_stored(options.output, surface.file(), settled.view(), report);
+    const std::string defects = surface.defects();
+    const FlgSurfaceReport& made = surface.report();
+    std::cout << options.mesh << ": " << (defects.empty() ? "nothing to repair" : defects) << "\n";
+    if (settled.moved_vertices() > 0) {
+        std::cout << "vertices moved apart: " << settled.moved_vertices() << ", by " << settled.farthest_move()
+                  << " m at most\n";
+    }
+    std::cout << options.output << ": vertices " << settled.view().vertex_count << ", triangles "
+              << settled.view().triangle_count << ", components " << made.component_count << ", borders "
+              << made.border_count << "\n";
     report.write();
 }
 
@@ -120,13 +132,15 @@ Command add(CLI::App& app, const std::string& name, const std::string& descripti
 }  // namespace
 
 std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("mesh", "Meshes as surfaces: what they are like, repaired, made finer");
+    CLI::App* app = program.add_subcommand("mesh", "Inspects, repairs or refines a mesh");
     app->require_subcommand(1);
     const auto o = std::make_shared<Options>();
     std::vector<Command> commands = {
-        add(*app, "info", "Components, borders, Euler number, and what a repair would do", run_info, o, common),
-        add(*app, "repair", "Writes the mesh as a manifold surface", run_repair, o, common),
-        add(*app, "refine", "Writes the mesh with four triangles for each, once or more", run_refine, o, common)};
+        add(*app, "info", "Shows components, borders, Euler number, and what a repair would do", run_info, o, common),
+        add(*app, "repair",
+            "Writes the mesh as a manifold surface that needs no further repair, and says what was wrong", run_repair,
+            o, common),
+        add(*app, "refine", "Splits each triangle into four, one or more times", run_refine, o, common)};
     for (size_t i = 1; i < commands.size(); ++i) {
         commands[i]
             .app->add_option("-o,--output", o->output, "Result: .ply, .obj, .off or .glb")
@@ -134,12 +148,12 @@ std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common) {
             ->type_name("OUT");
     }
     CLI::App* refine = commands.back().app;
-    refine->add_option("--levels", o->levels, "How often each triangle becomes four, 1 to 8")
+    refine->add_option("--levels", o->levels, "Number of splits, 1 to 8")
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1u, kMostLevels).description(""));
     add_choice(*refine, "--scheme", o->scheme, kSchemes,
-               "Where new vertices go: the middle of their edges, or by Loop's scheme, which smoothes");
+               "Places new vertices in the middle of their edges, or by Loop's scheme, which smoothes");
     return commands;
 }
 

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "extensions.h"
-#include "failure.h"
-#include "mesh_surface.h"
+#include "documents/extensions.h"
+#include "documents/failure.h"
+#include "documents/mesh_surface.h"
 
 namespace flg::cli {
 

@@ -2,7 +2,7 @@
 // Meshes as parts that nobody drew: by their silhouettes.
 #pragma once
 
-#include "model_drawing.h"
+#include "documents/model_drawing.h"
 
 namespace flg::cli {
 

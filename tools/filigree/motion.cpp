@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "command.h"
-#include "extensions.h"
-#include "failure.h"
+#include "documents/extensions.h"
+#include "documents/failure.h"
+#include "documents/mesh_file.h"
+#include "documents/motion_file.h"
+#include "documents/session.h"
+#include "documents/text_file.h"
 #include "filigree/filigree_io.h"
-#include "mesh_file.h"
-#include "motion_file.h"
-#include "session.h"
 #include "spline_obstacles.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -189,10 +189,9 @@ void run_motion(const Options& options, const CommonOptions& common) {
 
 Command add_motion(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        program.add_subcommand("motion", "From keyframes to a smooth motion of a rigid body or a camera");
+    CLI::App* command = program.add_subcommand("motion", "Makes keyframes a smooth motion of a rigid body or a camera");
     command
-        ->add_option("keys", options->keys,
+        ->add_option("KEYS", options->keys,
                      "Times in seconds and poses, which body, which energy (e1, e2 or et), how many positions")
         ->type_name("KEYS.json")
         ->required();

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "command.h"
-#include "failure.h"
-#include "mesh_places.h"
+#include "documents/failure.h"
+#include "documents/mesh_places.h"
+#include "documents/text_file.h"
 #include "path_curves.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -76,12 +76,10 @@ void run_path(const Options& options, const CommonOptions& common) {
 }  // namespace
 
 Command add_path(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("path", "A locally shortest path along a mesh");
+    CLI::App* app = program.add_subcommand("path", "Finds a locally shortest path along a mesh");
     const auto o = std::make_shared<Options>();
     app->add_option("MESH", o->mesh, "The mesh: .ply, .obj, .off, .gltf or .glb")->required();
-    const std::string what =
-        ": a vertex of the file, counted from 0, or a point (metres), for which the nearest of the "
-        "surface stands";
+    const std::string what = ": a vertex of the file, counted from 0, or a point (metres), snapped to the surface";
     add_place(*app, "--from", o->from, "Its start" + what)->required();
     add_place(*app, "--to", o->to, "Its end" + what)->required();
     app->add_option("-o,--output", o->output, "Result: .xyz, .obj or .glb")->required()->type_name("CURVE");

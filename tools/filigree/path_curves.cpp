@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "path_curves.h"
 
-#include "extensions.h"
-#include "failure.h"
+#include "documents/extensions.h"
+#include "documents/failure.h"
+#include "documents/text_file.h"
 #include "filigree/filigree_io.h"
-#include "text_file.h"
 
 namespace flg::cli {
 

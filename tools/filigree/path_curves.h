@@ -2,9 +2,9 @@
 // Curves on a surface, written as curves in space.
 #pragma once
 
+#include "documents/report.h"
+#include "documents/session.h"
 #include "filigree/filigree_surface.h"
-#include "report.h"
-#include "session.h"
 
 namespace flg::cli {
 

@@ -10,15 +10,14 @@
 #include "camera_motion.h"
 #include "choices.h"
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
+#include "documents/text_file.h"
 #include "render_scene.h"
 #include "support/vulkan_loader.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
-
-using render::Shape;
 
 constexpr uint32_t kMaxFrames = 10'000;
 constexpr uint32_t kMaxPixels = 16'384;
@@ -28,7 +27,6 @@ constexpr float kSunAside = 0.5f, kSunHeight = 0.93f;  // radians
 
 const std::map<std::string, FlgSkinning> kSkinnings = {{"linear", FLG_SKINNING_LINEAR},
                                                        {"dual", FLG_SKINNING_DUAL_QUATERNION}};
-const std::map<std::string, Shape> kShapes = {{"lines", Shape::line}, {"ribbon", Shape::ribbon}, {"tube", Shape::tube}};
 
 struct Options {
     SceneOptions scene;
@@ -114,7 +112,7 @@ void run_render(const Options& options, const CommonOptions& common) {
     Report report("render", common);
     report.parameters = {{"files", options.scene.files},
                          {"size", {width, height}},
-                         {"as", name_of(kShapes, options.scene.as)},
+                         {"as", name_of(shape_names(), options.scene.as)},
                          {"camera", options.camera},
                          {"frames", options.frames}};
     if (!options.scene.field.empty()) report.parameters["field"] = options.scene.field;
@@ -132,6 +130,7 @@ void run_render(const Options& options, const CommonOptions& common) {
         motion.emplace(options.scene.camera_motion, session, report);
         check_time(options, *motion);
     }
+    say_step("starting the renderer");
     samples::calm_vulkan_loader();
     render::Renderer renderer;
     scene.upload(renderer);
@@ -148,6 +147,7 @@ void run_render(const Options& options, const CommonOptions& common) {
     renderer.set_scene(light);
     std::vector<float> cpu_ms;
     for (uint32_t i = 0; i < options.frames; ++i) {
+        say_step("drawing " + frame_path(options, i));
         renderer.draw(target, camera(i));
         cpu_ms.push_back(static_cast<float>(renderer.stats().cpu_ms));
         write_png(renderer.capture(target), frame_path(options, i));
@@ -169,7 +169,8 @@ Command add_render(CLI::App& program, const CommonOptions& common) {
     app->add_option("FILE", o->scene.files, "Curves and meshes: files or builtin:NAME")->required();
     app->add_option("-o,--output", o->output, "The picture")->required()->type_name("OUT.png");
     app->add_option("--size", o->size, "Pixels, 1 to 16384 each")->type_name("WxH")->capture_default_str();
-    add_choice(*app, "--as", o->scene.as, kShapes, "How curves are drawn");
+    add_choice(*app, "--as", o->scene.as, shape_names(),
+               "How curves are drawn. auto: tubes, but of a sketch (.tilt) ribbons where its brushes are flat");
     app->add_option(
            "--camera", o->camera,
            "YAW,PITCH[,ZOOM] of a camera that sees all (degrees; 0,0 looks along -z, positive pitch from above), "

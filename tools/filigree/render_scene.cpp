@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "failure.h"
+#include "documents/failure.h"
 #include "field_file.h"
+#include "joined_curves.h"
 #include "render_bones.h"
+#include "support/brush_shape.h"
 
 namespace flg::cli {
 namespace {
@@ -51,6 +53,19 @@ std::vector<render::Material> materials_of(const std::vector<FlgMeshMaterial>& g
     return materials;
 }
 
+bool have_colors(const FlgMeshView& mesh) {
+    const auto is_color = [](const FlgColumn& column) { return column.attribute == FLG_ATTRIBUTE_COLOR; };
+    return std::any_of(mesh.columns, mesh.columns + mesh.column_count, is_color);
+}
+
+bool look_alike(const std::vector<render::Material>& materials) {
+    return std::all_of(materials.begin(), materials.end(), [&](const render::Material& material) {
+        const render::Material& first = materials.front();
+        return material.color == first.color && material.metallic == first.metallic &&
+               material.roughness == first.roughness && material.border_width_px == 0.0f;
+    });
+}
+
 // 1, 2 or 5 times a power of ten: the one that gives the most levels up to the usual number.
 double round_spacing(double span) {
     const double least = span / kUsualLevels;
@@ -59,6 +74,11 @@ double round_spacing(double span) {
         if (step * power >= least * (1.0 - 1e-9)) return step * power;
     }
     return 10.0 * power;
+}
+
+render::Shape shape_of(Shapes shapes) {
+    if (shapes == Shapes::lines) return render::Shape::line;
+    return shapes == Shapes::ribbon ? render::Shape::ribbon : render::Shape::tube;
 }
 
 }  // namespace
@@ -135,7 +155,7 @@ render::SurfaceLook RenderScene::look_of(const MeshFile& mesh) const {
     if (mesh.info().region_count > 1 && materials.empty()) {
         look.regions = region_materials();
         look.border_width_px = kBorderWidthPx;
-    } else if (mesh.info().region_count > 1) {
+    } else if (mesh.info().region_count > 1 && !(have_colors(mesh.view()) && look_alike(materials))) {
         look.regions = materials;
     } else if (!materials.empty()) {
         look.material = materials[0];
@@ -164,19 +184,48 @@ void RenderScene::upload_skins(render::Renderer& renderer) const {
     for (const Skin& skin : skins_) upload_bones(renderer, skin.file.view(), skin.pose.joint_positions, size);
 }
 
-void RenderScene::upload(render::Renderer& renderer) const {
-    for (const MeshFile& mesh : meshes_) renderer.upload(mesh.view(), look_of(mesh), field_);
-    upload_skins(renderer);
+void RenderScene::upload_curves(render::Renderer& renderer) const {
+    // Curves of one shape: those of a file, or of a sketch those of flat and of round brushes.
+    struct Part {
+        JoinedCurves joined;
+        FlgCurveSetView view;
+        render::Shape shape;
+    };
+    std::vector<Part> parts;
+    parts.reserve(2 * curves_.size());
+    for (const samples::CurveSource& source : curves_) {
+        const std::vector<FlgGeometry> brushes = samples::shapes_of_strokes(source);
+        if (options_.as != Shapes::automatic || brushes.empty()) {
+            parts.push_back({{}, source.view(), shape_of(options_.as)});
+            continue;
+        }
+        for (const FlgGeometry geometry : {FLG_GEOMETRY_RIBBON, FLG_GEOMETRY_TUBE}) {
+            Part& part = parts.emplace_back();
+            for (uint32_t c = 0; c < brushes.size(); ++c) {
+                if (brushes[c] == geometry) part.joined.add(source.view(), c);
+            }
+            part.view = part.joined.view();
+            part.shape = geometry == FLG_GEOMETRY_RIBBON ? render::Shape::ribbon : render::Shape::tube;
+            if (part.joined.curve_count() == 0) parts.pop_back();
+        }
+    }
     render::CurveLook look;
     look.shape = render::Shape::line;
     std::vector<render::CurvesId> ids;
-    for (const samples::CurveSource& source : curves_) ids.push_back(renderer.upload(source.view(), look));
-    if (options_.as == look.shape) return;
+    for (const Part& part : parts) ids.push_back(renderer.upload(part.view, look));
     // Now that the size of the whole is known, so is a sensible radius.
-    look.shape = options_.as;
     look.radius = options_.radius > 0.0 ? static_cast<float>(options_.radius)
                                         : renderer.bounds().diagonal() * kDefaultRadiusShare;
-    for (size_t i = 0; i < ids.size(); ++i) renderer.update(ids[i], curves_[i].view(), look);
+    for (size_t i = 0; i < ids.size(); ++i) {
+        look.shape = parts[i].shape;
+        if (look.shape != render::Shape::line) renderer.update(ids[i], parts[i].view, look);
+    }
+}
+
+void RenderScene::upload(render::Renderer& renderer) const {
+    for (const MeshFile& mesh : meshes_) renderer.upload(mesh.view(), look_of(mesh), field_);
+    upload_skins(renderer);
+    upload_curves(renderer);
 }
 
 std::vector<glm::vec3> RenderScene::points() const {

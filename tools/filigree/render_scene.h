@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "choices.h"
+#include "documents/report.h"
 #include "file_contents.h"
 #include "filigree_renderer/renderer.h"
-#include "report.h"
 
 namespace flg::cli {
 
 struct SceneOptions {
     std::vector<std::string> files;
-    render::Shape as = render::Shape::tube;
+    Shapes as = Shapes::automatic;
     double radius = 0.0;        // of curves that bring none, metres; 0 = from the size of the whole
     std::string field;          // a file, or empty
     double every = 0.0;         // between isolines; 0 = a round number that gives about 20
@@ -41,6 +42,7 @@ private:
     void add_skin(FileContents& contents, const std::string& name, Report& report);
     void read_field(Report& report);
     void upload_skins(render::Renderer& renderer) const;
+    void upload_curves(render::Renderer& renderer) const;
     render::SurfaceLook look_of(const MeshFile& mesh) const;
 
     const SceneOptions& options_;

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: MIT
 // filigree replay: recorded strokes, drawn again through live strokes, sample by sample.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <map>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "apply_options.h"
 #include "choices.h"
 #include "command.h"
 #include "counting_pool.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
+#include "documents/report.h"
+#include "documents/session.h"
+#include "documents/text_file.h"
 #include "filigree/filigree_live.h"
-#include "report.h"
-#include "session.h"
+#include "joined_curves.h"
+#include "relative_size.h"
 #include "style_options.h"
+#include "styled_curves.h"
 #include "stylize_output.h"
+#include "support/brush_shape.h"
 #include "support/curve_source.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -33,6 +40,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kSampleSeconds = 1.0 / 90.0;
 // A host's frame in between two strokes.
 constexpr uint32_t kTickUs = 2000;
+// Share of the full radius that a stroke has at pressure 0, as painting programs have it.
+constexpr float kLightest = 0.1f;
 // Memory for so many times the points that a stroke's length asks for.
 constexpr double kPointsReserve = 2.0;
 
@@ -45,7 +54,15 @@ struct Options {
     std::string strokes, output;
     bool fast = false;
     FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
-    FlgGeometry as = FLG_GEOMETRY_LINES;
+    std::optional<float> radius_min, radius_max;
+    SurfaceOptions surface;
+};
+
+// One of the recorded strokes, as a hand would draw it.
+struct Recording {
+    std::vector<FlgLiveSample> samples;
+    float scale, radius_min, radius_max;
+    std::optional<std::array<float, 4>> color;
 };
 
 // Microseconds of each push: on the wall's clock, and of this thread's processor time.
@@ -83,13 +100,49 @@ std::vector<FlgLiveSample> samples_of(const FlgCurveSetView& view, uint32_t curv
     return out;
 }
 
+// The radius that a recorded stroke has at pressure 1; 0: it has none.
+float full_radius(const FlgCurveSetView& view, uint32_t curve) {
+    const FlgColumn* radii = find_column(view, FLG_ATTRIBUTE_RADIUS);
+    const FlgColumn* pressures = find_column(view, FLG_ATTRIBUTE_PRESSURE);
+    float radius = 0.0f;
+    for (uint32_t i = view.curve_offsets[curve]; radii != nullptr && i < view.curve_offsets[curve + 1]; ++i) {
+        const float pressure = pressures == nullptr ? 1.0f : std::clamp(*value_at(*pressures, i), 0.0f, 1.0f);
+        radius = std::max(radius, *value_at(*radii, i) / (kLightest + (1.0f - kLightest) * pressure));
+    }
+    return radius;
+}
+
+// Sizes are the recorded stroke's, unless --scale gives one; radii likewise, unless they are given.
+Recording record(const Options& options, const RelativeSize& relative, const FlgCurveSetView& view, uint32_t curve,
+                 uint64_t& retimed) {
+    const CurveSize size = relative.of(view, curve);
+    Recording recording = {samples_of(view, curve, retimed), options.apply.scale().value_or(size.scale),
+                           options.live.radius_min, options.live.radius_max, std::nullopt};
+    if (!options.apply.scale()) {
+        const float radius = full_radius(view, curve);
+        recording.radius_max = radius > 0.0f ? size.thickness * radius : relative.radius_at(size.scale);
+        recording.radius_min = kLightest * recording.radius_max;
+    }
+    if (options.radius_min) recording.radius_min = *options.radius_min;
+    if (options.radius_max) recording.radius_max = *options.radius_max;
+    if (const FlgColumn* colors = find_column(view, FLG_ATTRIBUTE_COLOR)) {
+        const float* c = value_at(*colors, view.curve_offsets[curve]);
+        recording.color = {c[0], c[1], c[2], c[3]};
+    }
+    return recording;
+}
+
 class Player {
 public:
     Player(FlgContext context, const CountingPool& pool, const FlgLiveStrokeDesc& desc, bool fast)
         : context_(context), pool_(pool), desc_(desc), fast_(fast) {}
 
-    void play(const std::vector<FlgLiveSample>& samples) {
+    void play(const Recording& recording) {
+        const std::vector<FlgLiveSample>& samples = recording.samples;
         const auto start = Clock::now();
+        desc_.scale = recording.scale;
+        desc_.radius_min = recording.radius_min;
+        desc_.radius_max = recording.radius_max;
         begin();
         bool drawn = false;
         for (const FlgLiveSample& sample : samples) {
@@ -169,43 +222,18 @@ private:
     uint64_t refused_ = 0, jumps_ = 0, filled_ = 0;
 };
 
-// All strokes as one set.
-FlgCurveSet join(FlgContext context, const std::vector<FlgCurveSet>& sets) {
-    std::vector<std::vector<float>> values;
-    std::vector<FlgColumn> columns;
-    std::vector<uint32_t> offsets = {0};
-    for (const FlgCurveSet& set : sets) {
-        FlgCurveSetView view = flgCurveSetViewDefaults();
-        check(flgCurveSetGetView(context, set, &view), "stroke");
-        columns.assign(view.columns, view.columns + view.column_count);
-        values.resize(view.column_count);
-        for (uint32_t k = 0; k < view.column_count; ++k) {
-            const float* data = view.columns[k].data;
-            values[k].insert(values[k].end(), data, data + size_t{view.curve_offsets[1]} * columns[k].components);
-        }
-        offsets.push_back(offsets.back() + view.curve_offsets[1]);
-    }
-    for (size_t k = 0; k < columns.size(); ++k) columns[k].data = values[k].data();
-    FlgCurveSetView view = flgCurveSetViewDefaults();
-    view.curve_count = static_cast<uint32_t>(sets.size());
-    view.curve_offsets = offsets.data();
-    view.columns = columns.data();
-    view.column_count = static_cast<uint32_t>(columns.size());
-    FlgCurveSet joined = {};
-    check(flgCurveSetCreate(context, &view, &joined), "strokes");
-    return joined;
-}
-
-// Enough for the longest stroke; all get the same, so that memory goes from one to the next.
-void reserve(const FlgCurveSetView& strokes, double spacing, FlgLiveStrokeDesc& desc) {
+// Enough for the longest stroke; all get the same, so that memory goes from one to the next. `spacing` at scale 1.
+void reserve(const FlgCurveSetView& strokes, const std::vector<Recording>& recordings, double spacing,
+             FlgLiveStrokeDesc& desc) {
     constexpr double samples_limit = 1 << 20, points_limit = 1 << 24;
-    double samples = 1, length = 0;
+    double samples = 1, steps = 0;
     for (uint32_t c = 0; c < strokes.curve_count; ++c) {
         samples = std::max<double>(samples, strokes.curve_offsets[c + 1] - strokes.curve_offsets[c]);
-        length = std::max(length, samples::curve_length(strokes, c));
+        steps =
+            std::max(steps, samples::curve_length(strokes, c) / (spacing * static_cast<double>(recordings[c].scale)));
     }
     desc.max_samples = static_cast<uint32_t>(std::min(samples, samples_limit));
-    desc.max_points = static_cast<uint32_t>(std::min(kPointsReserve * (length / spacing + 1.0), points_limit));
+    desc.max_points = static_cast<uint32_t>(std::min(kPointsReserve * (steps + 1.0), points_limit));
 }
 
 void add_latencies(const Latencies& latencies, Report& report) {
@@ -237,18 +265,19 @@ void describe(const Options& options, Report& report) {
     options.apply.describe(report);
     report.parameters["smoothing"] = as_written(options.live.smoothing);
     report.parameters["max_jump"] = as_written(options.live.max_jump);
-    report.parameters["as"] = name_of(geometry_names(), options.as);
+    options.surface.describe(report);
 }
 
 void run_replay(Options options, const CommonOptions& common) {
     StylizeOutput output = {};
     output.curves = options.output;
-    output.geometry = options.as;
+    output.surface = options.surface;
     output.check_paths();
     options.style.check_usage();
     require_writable(common.report);
     Report report("replay", common);
     describe(options, report);
+    say_step("reading " + options.strokes);
     const CurveSource strokes(options.strokes);
     for (const std::string& warning : strokes.warnings()) report.warn(options.strokes + ": " + warning);
 
@@ -261,12 +290,22 @@ void run_replay(Options options, const CommonOptions& common) {
     FlgStyleInfo info = {};
     info.struct_size = sizeof info;
     check(flgStyleGetInfo(context, options.live.style, &info), options.style.subject());
-    reserve(strokes.view(), static_cast<double>(info.spacing) * static_cast<double>(options.apply.scale()),
-            options.live);
-
-    Player player(context, pool, options.live, options.fast);
+    const FlgCurveSetView& view = strokes.view();
+    const RelativeSize relative = relative_size_of(context, options.live.style);
     uint64_t retimed = 0;
-    for (uint32_t c = 0; c < strokes.view().curve_count; ++c) player.play(samples_of(strokes.view(), c, retimed));
+    std::vector<Recording> recordings;
+    for (uint32_t c = 0; c < view.curve_count; ++c) recordings.push_back(record(options, relative, view, c, retimed));
+    reserve(view, recordings, info.spacing, options.live);
+
+    const std::vector<FlgGeometry> brushes = samples::shapes_of_strokes(strokes);
+    std::vector<uint32_t> drawn;  // the recording of each result
+    Player player(context, pool, options.live, options.fast);
+    for (uint32_t c = 0; c < recordings.size(); ++c) {
+        say_share("drawing stroke " + std::to_string(c + 1) + " of " + std::to_string(recordings.size()),
+                  static_cast<double>(c) / static_cast<double>(recordings.size()));
+        player.play(recordings[c]);
+        drawn.resize(player.results().size(), c);
+    }
     FlgFrameReport frame = {};
     frame.struct_size = sizeof frame;
     do {
@@ -299,7 +338,16 @@ void run_replay(Options options, const CommonOptions& common) {
                     " places and were broken there");
     }
     add_latencies(player.latencies(), report);
-    output.write(context, options.live.style, join(context, player.results()), report);
+    JoinedCurves joined;
+    std::vector<FlgGeometry> shapes;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        FlgCurveSetView stroke = flgCurveSetViewDefaults();
+        check(flgCurveSetGetView(context, player.results()[i], &stroke), "stroke");
+        joined.add(stroke, 0);
+        if (recordings[drawn[i]].color) joined.set_color(recordings[drawn[i]].color->data());
+        if (!brushes.empty()) shapes.push_back(brushes[drawn[i]]);
+    }
+    output.write(context, options.live.style, {joined.view(), shapes, std::nullopt}, report);
     report.write();
 }
 
@@ -321,13 +369,13 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     app->add_option("--max-jump", live.max_jump, "Strokes are broken where samples are further apart, metres, > 0")
         ->capture_default_str()
         ->check(above_zero());
-    app->add_option("--radius-min", live.radius_min, "Radius at pressure 0, metres, >= 0")
-        ->capture_default_str()
+    app->add_option("--radius-min", o->radius_min,
+                    "Radius at pressure 0, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.001")
         ->check(at_least_zero());
-    app->add_option("--radius-max", live.radius_max, "Radius at pressure 1, metres, >= 0")
-        ->capture_default_str()
+    app->add_option("--radius-max", o->radius_max,
+                    "Radius at pressure 1, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.005")
         ->check(at_least_zero());
-    add_choice(*app, "--as", o->as, geometry_names(), "What a .glb holds");
+    o->surface.add_to(*app);
     return {app, [o, &common] { run_replay(*o, common); }};
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // filigree skeleton: from contours to bones.
 #include "command.h"
-#include "extensions.h"
-#include "failure.h"
+#include "documents/extensions.h"
+#include "documents/failure.h"
+#include "documents/test_motion.h"
+#include "documents/text_file.h"
 #include "filigree/filigree_io.h"
 #include "mesh_outline_part.h"
-#include "test_motion.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -123,15 +123,15 @@ void run_skeleton(const Options& options, const CommonOptions& common) {
 
 Command add_skeleton(CLI::App& program, const CommonOptions& common) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = program.add_subcommand("skeleton", "From drawn contours to a model with bones");
+    CLI::App* command = program.add_subcommand("skeleton", "Turns drawn outlines into a model with bones");
     command
-        ->add_option("contours", options->contours,
+        ->add_option("CONTOUR", options->contours,
                      "Contours, a part each in the order they were drawn: .poly.txt, .svg, SketchPolyline*.txt; "
                      "meshes, taken by their silhouettes; or one drawing (.json)")
         ->required();
     command->add_option("-o,--output", options->output, "The model: surface, joints, weights and a test animation")
         ->type_name("MODEL.glb");
-    command->add_option("--vertices", options->vertices, "Of the surface, about, if no part is too thin")
+    command->add_option("--vertices", options->vertices, "Approximate vertex count of the surface")
         ->check(CLI::Range(100u, 200000u))
         ->capture_default_str();
     command->add_flag("--repair", options->repair, "Contours may cross themselves: the largest piece within is taken");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "skin_file.h"
 
-#include "failure.h"
+#include "documents/failure.h"
 
 namespace flg::cli {
 namespace {

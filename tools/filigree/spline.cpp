@@ -8,12 +8,12 @@
 
 #include "choices.h"
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/space_lines.h"
+#include "documents/text_file.h"
 #include "path_curves.h"
-#include "space_lines.h"
 #include "spline_manifold.h"
 #include "spline_obstacles.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -26,7 +26,6 @@ struct Options {
     uint32_t nodes = 0, rounds = 200;
     bool closed = false, inside = false;
     FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
-    FlgSplineMethod method = FLG_SPLINE_NEWTON;
 };
 
 const std::map<std::string, FlgSplineEnergy>& energy_names() {
@@ -37,11 +36,6 @@ const std::map<std::string, FlgSplineEnergy>& energy_names() {
 const std::map<std::string, FlgSplineStart>& start_names() {
     static const std::map<std::string, FlgSplineStart> names = {{"geodesic", FLG_SPLINE_START_GEODESIC},
                                                                 {"projected", FLG_SPLINE_START_PROJECTED}};
-    return names;
-}
-const std::map<std::string, FlgSplineMethod>& method_names() {
-    static const std::map<std::string, FlgSplineMethod> names = {{"newton", FLG_SPLINE_NEWTON},
-                                                                 {"cone", FLG_SPLINE_FOOTPOINT_CONE}};
     return names;
 }
 const char* ending_name(FlgSplineEnding ending) {
@@ -80,7 +74,6 @@ Made make_one(Session& session, const Options& options, const SplineManifold& ma
     desc.node_count = options.nodes;
     desc.max_rounds = options.rounds;
     desc.start = options.start;
-    desc.method = options.method;
     if (obstacles) {
         desc.obstacles = obstacles->handle;
         desc.sides = obstacles->sides.data();
@@ -199,7 +192,8 @@ void run_spline(const Options& options, const CommonOptions& common) {
 }  // namespace
 
 Command add_spline(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("spline", "A smooth curve through points, on a surface or among obstacles");
+    CLI::App* app =
+        program.add_subcommand("spline", "Lays a smooth curve through points, on a surface or around obstacles");
     const auto o = std::make_shared<Options>();
     app->add_option("SURFACE", o->surface,
                     "Where it stays: a mesh (.ply, .obj, .off, .glb), a cloud of points (.xyz), sphere:R, torus:R,r, "
@@ -240,13 +234,24 @@ Command add_spline(CLI::App& program, const CommonOptions& common) {
     app->add_option("--obstacles", o->obstacles,
                     "Solids to keep out of (sdk/splines/README.md), with SURFACE plane or space")
         ->type_name("FILE.json");
-    app->add_option("--tolerance", o->tolerance, "Of the residual")
+    app->add_option("--tolerance", o->tolerance, "Residual at which the optimizer stops")
         ->check(CLI::Range(1e-12, 1.0))
         ->capture_default_str();
-    app->add_option("--rounds", o->rounds, "At most so many")->check(CLI::Range(1u, 10000u))->capture_default_str();
+    app->add_option("--rounds", o->rounds, "Maximum rounds of the optimizer")
+        ->check(CLI::Range(1u, 10000u))
+        ->capture_default_str();
     add_choice(*app, "--start", o->start, start_names(),
                "Where to begin: about geodesics, or the free spline projected");
-    add_choice(*app, "--method", o->method, method_names(), "Newton's method, or the stepsize of the paper");
+    // For scripts from when there was a choice.
+    const auto check_method = [](const std::string& word) {
+        if (word == "cone") {
+            throw CLI::ValidationError("--method", "the footpoint cone has left the product, newton is the one method");
+        }
+        if (word != "newton") throw CLI::ValidationError("--method", "'" + word + "' is not newton");
+    };
+    app->add_option_function<std::string>("--method", check_method, "How a round steps: by Newton's method")
+        ->type_name("newton")
+        ->default_str("newton");
     return {app, [o, &common] { run_spline(*o, common); }};
 }
 

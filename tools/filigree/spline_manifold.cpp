@@ -4,9 +4,9 @@
 #include <charconv>
 #include <vector>
 
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/space_lines.h"
 #include "filigree/filigree_io.h"
-#include "space_lines.h"
 
 namespace flg::cli {
 namespace {

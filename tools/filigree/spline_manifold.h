@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "documents/mesh_surface.h"
 #include "filigree/filigree_spline.h"
-#include "mesh_surface.h"
 
 namespace flg::cli {
 

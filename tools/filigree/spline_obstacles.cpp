@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "failure.h"
-#include "json_place.h"
+#include "documents/failure.h"
+#include "documents/json_place.h"
 
 namespace flg::cli {
 namespace {

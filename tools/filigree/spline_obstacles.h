@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "documents/session.h"
 #include "filigree/filigree_spline.h"
-#include "session.h"
 #include "spline_manifold.h"
 
 namespace flg::cli {

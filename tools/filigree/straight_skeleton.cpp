@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "command.h"
-#include "contour_file.h"
-#include "failure.h"
+#include "documents/contour_file.h"
+#include "documents/failure.h"
+#include "documents/session.h"
+#include "documents/text_file.h"
 #include "filigree/filigree_skeleton.h"
-#include "session.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -106,9 +106,9 @@ void run_straight_skeleton(const Options& options, const CommonOptions& common) 
 }  // namespace
 
 Command add_straight_skeleton(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("straight-skeleton", "The straight skeleton of a drawn shape");
+    CLI::App* app = program.add_subcommand("straight-skeleton", "Computes the straight skeleton of a drawn shape");
     const auto o = std::make_shared<Options>();
-    app->add_option("contour", o->contour, "Contour: .poly.txt (rings apart by empty lines), SketchPolyline*.txt, .svg")
+    app->add_option("CONTOUR", o->contour, "Contour: .poly.txt (rings apart by empty lines), SketchPolyline*.txt, .svg")
         ->required()
         ->type_name("CONTOUR");
     app->add_option("-o,--output", o->output,

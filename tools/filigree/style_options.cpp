@@ -7,9 +7,10 @@
 #include <map>
 
 #include "choices.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
+#include "documents/text_file.h"
 #include "support/curve_source.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -17,7 +18,8 @@ namespace {
 using samples::CurveSource;
 
 constexpr uint32_t kMostPatchSizes = 8, kMostPatch = 1024;
-// Weight of attributes that are not lengths, where none is given: this share of the style's length for a difference of 1.
+// Weight of attributes that are not lengths, where none is given: this share of the style's length for a difference of
+// 1.
 constexpr double kWeightPerLength = 0.01;
 
 const std::map<std::string, FlgAttribute> kAttributes = {
@@ -25,8 +27,7 @@ const std::map<std::string, FlgAttribute> kAttributes = {
     {"width", FLG_ATTRIBUTE_WIDTH},   {"speed", FLG_ATTRIBUTE_SPEED}, {"color", FLG_ATTRIBUTE_COLOR}};
 constexpr std::string_view kUser = "user";
 const std::map<std::string, FlgMetric> kAngles = {{"s1", FLG_METRIC_CIRCLE}, {"rp1", FLG_METRIC_PROJECTIVE}};
-const std::map<std::string, FlgMatching> kMatchings = {{"semi", FLG_MATCHING_SEMI_DISCRETE},
-                                                       {"discrete", FLG_MATCHING_DISCRETE}};
+constexpr const char* kMatching = "semi";
 
 // FLG_ATTRIBUTE_POSITION, which no style transfers, for other words.
 FlgAttribute attribute_of(const std::string& word) {
@@ -73,6 +74,7 @@ FlgCurveSet create_set(FlgContext context, const FlgCurveSetView& view, const st
 }
 
 CurveSource load_curves(const std::string& name, Report& report) {
+    say_step("reading " + name);
     CurveSource source(name);
     for (const std::string& warning : source.warnings()) report.warn(source.name() + ": " + warning);
     return source;
@@ -84,12 +86,20 @@ double total_length(const FlgCurveSetView& view) {
     return length;
 }
 
+void check_matching(const std::string& word) {
+    if (word == "discrete") throw CLI::ValidationError("--matching", "discrete matching has left the product");
+    if (word != kMatching) throw CLI::ValidationError("--matching", "'" + word + "' is none of " + kMatching);
+}
+
 }  // namespace
 
 StyleOptions::StyleOptions() : desc_(flgStyleDefaults()) {}
 
 void StyleOptions::add_to(CLI::App& app) {
-    app.add_option("--style", style_, "The example: all curves of a file as one style, or builtin:NAME");
+    std::string names;
+    for (const std::string& name : scenes::style_names()) names += (names.empty() ? "" : ", ") + name;
+    app.add_option("--style", style_,
+                   "The example: all curves of a file as one style, or builtin:NAME (" + names + ")");
     app.add_option("--style-file", style_file_,
                    "With --style: write the prepared style there. Without: read it from there, and prepare nothing")
         ->type_name("CACHE");
@@ -110,8 +120,10 @@ void StyleOptions::add_to(CLI::App& app) {
     add(app.add_option("--beta", desc_.beta, "Closeness against evenness in the matching, between 0 and 1")
             ->capture_default_str()
             ->check(between(0.0, 1.0)));
-    add(add_choice(app, "--matching", desc_.matching, kMatchings,
-                   "Places on the style that guide points are matched with: anywhere, or its points only"));
+    add(app.add_option_function<std::string>("--matching", &check_matching,
+                                             "How guide points find their places on the style: anywhere on it")
+            ->type_name(kMatching)
+            ->default_str(kMatching));
     add(app.add_option_function<std::vector<std::string>>(
                "--attributes", [this](const auto& words) { parse_attributes(words); },
                "What is transferred besides the shape, of the columns that the style's file has: radius, radii, width, "
@@ -184,7 +196,7 @@ void StyleOptions::describe(Report& report) const {
     }
     report.parameters["alpha"] = as_written(desc_.alpha);
     report.parameters["beta"] = as_written(desc_.beta);
-    report.parameters["matching"] = name_of(kMatchings, desc_.matching);
+    report.parameters["matching"] = kMatching;
     for (const Attribute& a : attributes_) report.parameters["attributes"].push_back(name_of_attribute(a.attribute));
     if (angle_ != FLG_METRIC_AUTO) report.parameters["angle"] = name_of(kAngles, angle_);
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "documents/report.h"
 #include "filigree/filigree.h"
-#include "report.h"
 
 namespace flg::cli {
 

@@ -8,13 +8,15 @@
 #include "apply_options.h"
 #include "choices.h"
 #include "command.h"
-#include "failure.h"
-#include "report.h"
-#include "session.h"
+#include "documents/failure.h"
+#include "documents/progress.h"
+#include "documents/report.h"
+#include "documents/session.h"
+#include "documents/text_file.h"
 #include "style_options.h"
+#include "styled_curves.h"
 #include "stylize_output.h"
-#include "support/curve_source.h"
-#include "text_file.h"
+#include "support/brush_shape.h"
 
 namespace flg::cli {
 namespace {
@@ -27,7 +29,7 @@ struct Options {
     std::string target, output;
     uint32_t strokes = flgStylizeDefaults().strokes, max_points = flgStylizeDefaults().max_points;
     bool closed = false, network = false, columns = false;
-    FlgGeometry as = FLG_GEOMETRY_LINES;
+    SurfaceOptions surface;
     std::string save_guide, save_matching, save_path;
 };
 
@@ -35,16 +37,6 @@ constexpr uint32_t kMostStrokes = 1024;
 
 const std::map<std::string, FlgFrameMethod> kFrames = {
     {"rmf", FLG_FRAME_ROTATION_MINIMIZING}, {"frenet", FLG_FRAME_FRENET}, {"supplied", FLG_FRAME_SUPPLIED}};
-
-// The target's curves; all of them closed if so wanted.
-FlgCurveSet create_target(FlgContext context, const CurveSource& source, bool closed) {
-    FlgCurveSetView view = source.view();
-    const std::vector<uint8_t> flags(view.curve_count, FLG_CURVE_CLOSED);
-    if (closed) view.curve_flags = flags.data();
-    FlgCurveSet set = {};
-    check(flgCurveSetCreate(context, &view, &set), source.name());
-    return set;
-}
 
 void describe(const Options& options, Report& report) {
     options.style.describe(report);
@@ -54,12 +46,12 @@ void describe(const Options& options, Report& report) {
     report.parameters["network"] = options.network;
     report.parameters["strokes"] = options.strokes;
     report.parameters["columns"] = options.columns;
-    report.parameters["as"] = name_of(geometry_names(), options.as);
+    options.surface.describe(report);
 }
 
 void run_stylize(const Options& options, const CommonOptions& common) {
     const StylizeOutput output{options.output,    options.save_guide, options.save_matching,
-                               options.save_path, options.as,         options.columns};
+                               options.save_path, options.surface,    options.columns};
     output.check_paths();
     options.style.check_usage();
     require_writable(common.report);
@@ -68,36 +60,53 @@ void run_stylize(const Options& options, const CommonOptions& common) {
 
     Session session(common);
     FlgContext context = session.context();
-    FlgJob style_job = {}, stylize_job = {};
+    FlgJob style_job = {};
     FlgStylizeDesc desc = flgStylizeDefaults();
     options.apply.set(desc);
     desc.strokes = options.strokes;
     desc.max_points = options.max_points;
     desc.style = options.style.start(context, report, style_job);
+    say_step("reading " + options.target);
     const CurveSource target(options.target);
     for (const std::string& warning : target.warnings()) report.warn(target.name() + ": " + warning);
-    desc.target = create_target(context, target, options.closed);
+    FlgCurveSetView target_view = target.view();
+    const std::vector<uint8_t> closed(target_view.curve_count, FLG_CURVE_CLOSED);
+    if (options.closed) target_view.curve_flags = closed.data();
     desc.seed = common.seed;
     desc.pin_ends = options.network;
     desc.keep_displacement = options.columns;
-    FlgCurveSet result = {};
-    check(flgStylize(context, &desc, &result, &stylize_job), options.target);
+    report.counts["target_curves"] = target_view.curve_count;
+    report.counts["target_points"] = target.point_count();
+
     std::vector<Session::Pending> jobs;
     if (style_job.id != 0) jobs.push_back({style_job, options.style.subject()});
-    jobs.push_back({stylize_job, options.target});
-    session.finish(jobs, report);
-
-    report.counts["target_curves"] = target.view().curve_count;
-    report.counts["target_points"] = target.point_count();
-    options.style.save(context, desc.style, report);
-    output.write(context, desc.style, result, report);
+    std::vector<FlgGeometry> shapes;
+    for (const FlgGeometry shape : samples::shapes_of_strokes(target)) shapes.insert(shapes.end(), desc.strokes, shape);
+    if (options.apply.scale()) {
+        desc.scale = *options.apply.scale();
+        check(flgCurveSetCreate(context, &target_view, &desc.target), options.target);
+        FlgCurveSet result = {};
+        FlgJob stylize_job = {};
+        check(flgStylize(context, &desc, &result, &stylize_job), options.target);
+        jobs.push_back({stylize_job, options.target});
+        session.finish(jobs, report);
+        options.style.save(context, desc.style, report);
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        check(flgCurveSetGetView(context, result, &view), "result");
+        output.write(context, desc.style, {view, shapes, std::nullopt}, report);
+    } else {
+        session.finish(jobs, report);
+        options.style.save(context, desc.style, report);
+        StyledCurves styled = style_by_size(session, desc, target_view, options.target, report);
+        output.write(context, desc.style, {styled.curves.view(), shapes, styled.default_radius}, report);
+    }
     report.write();
 }
 
 }  // namespace
 
 Command add_stylize(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("stylize", "Applies the style of curves to others");
+    CLI::App* app = program.add_subcommand("stylize", "Draws curves in the style of an example");
     const auto o = std::make_shared<Options>();
     o->style.add_to(*app);
     app->add_option("--target", o->target, "The curves to stylize: a file, or builtin:NAME")->required();
@@ -108,13 +117,13 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
         "NORMAL of a .glb)");
     app->add_flag("--closed", o->closed, "Take all target curves as closed, their last point joined to the first");
     app->add_flag("--network", o->network, "Ends stay where they are, so that curves that meet still meet");
-    app->add_option("--strokes", o->strokes, "How often each curve is stylized, 1 to 1024")
+    app->add_option("--strokes", o->strokes, "Stylized copies of each curve, 1 to 1024")
         ->capture_default_str()
         ->check(CLI::Range(1u, kMostStrokes).description(""));
-    app->add_option("--max-points", o->max_points, "Points that the result may have, to 2^31; 0 = so many")
+    app->add_option("--max-points", o->max_points, "Maximum points of the result; 0 = 2^31")
         ->capture_default_str()
         ->check(CLI::Range(0u, 1u << 31).description(""));
-    add_choice(*app, "--as", o->as, geometry_names(), "What a .glb holds");
+    o->surface.add_to(*app);
     app->add_flag("--columns", o->columns,
                   "Write all columns of the result (.xyz: behind a line `# columns x y z ...`; .glb: lines with "
                   "_ATTRIBUTES): frames, style index, displacement at --sigma 1, attributes; else radii alone");

@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "extensions.h"
-#include "failure.h"
+#include "documents/extensions.h"
+#include "documents/failure.h"
+#include "documents/text_file.h"
 #include "support/curve_source.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -20,28 +20,18 @@ using samples::value_at;
 // Radius of curves that bring none: this share of the diagonal of all points' box.
 constexpr float kDefaultRadiusShare = 1.0f / 500.0f;
 
-float default_radius(const FlgCurveSetView& view) {
+float diagonal_of(const FlgCurveSetView& view) {
     const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
     const float* first = value_at(positions, 0);
     std::array<float, 3> low = {first[0], first[1], first[2]}, high = low;
     for (uint32_t i = 0; i < view.curve_offsets[view.curve_count]; ++i) {
         const float* p = value_at(positions, i);
-        for (int k = 0; k < 3; ++k) {
+        for (size_t k = 0; k < 3; ++k) {
             low[k] = std::min(low[k], p[k]);
             high[k] = std::max(high[k], p[k]);
         }
     }
-    const float diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    return diagonal > 0.0f ? diagonal * kDefaultRadiusShare : kDefaultRadiusShare;
-}
-
-void write_curves(const std::string& path, const FlgCurveSetView& view, FlgGeometry geometry, bool all_columns) {
-    FlgCurveWriteDesc desc = {};
-    flgCurveWriteDescInit(&desc, sizeof desc);
-    desc.geometry = geometry;
-    desc.all_columns = all_columns;
-    desc.default_radius = default_radius(view);
-    if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw InputError(flgIoLastError());
+    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
 // Calls visit(curve, point, style_index) for all points of a result.
@@ -102,10 +92,8 @@ void StylizeOutput::check_paths() const {
     if (!ends_with_one_of(curves, {".xyz", ".txt", ".obj", ".glb"})) {
         throw UsageError(curves + ": the result is written as .xyz, .obj or .glb");
     }
-    if (geometry != FLG_GEOMETRY_LINES && !curves.ends_with(".glb")) {
-        throw UsageError(curves + ": only .glb holds ribbons and tubes");
-    }
-    if (all_columns && (geometry != FLG_GEOMETRY_LINES || curves.ends_with(".obj"))) {
+    surface.check_usage(curves, all_columns);
+    if (all_columns && (surface.is_surface() || curves.ends_with(".obj"))) {
         throw UsageError("--columns: " + curves + " holds no columns; lines in .xyz and .glb do");
     }
     if (!guide.empty() && !ends_with_one_of(guide, {".xyz", ".txt", ".obj", ".glb"})) {
@@ -114,35 +102,39 @@ void StylizeOutput::check_paths() const {
     for (const std::string* file : {&curves, &guide, &matching, &path}) require_writable(*file);
 }
 
-void StylizeOutput::write(FlgContext context, FlgStyle style, FlgCurveSet result, Report& report) const {
+void StylizeOutput::write(FlgContext context, FlgStyle style, const StylizedCurves& result, Report& report) const {
     FlgStyleInfo info = {};
     info.struct_size = sizeof info;
     check(flgStyleGetInfo(context, style, &info), "style");
-    FlgCurveSetView view = flgCurveSetViewDefaults();
-    check(flgCurveSetGetView(context, result, &view), "result");
 
     report.counts["style_points"] = info.point_count;
     report.counts["patch_graph_edges"] = info.edge_count;
     report.counts["flow_steps"] = info.flow_steps;
-    report.counts["result_points"] = view.curve_offsets[view.curve_count];
+    report.counts["result_points"] = result.view.curve_offsets[result.view.curve_count];
     report.quality["style_length"] = info.style_length;
     report.quality["guide_length"] = info.guide_length;
     report.quality["spacing"] = info.spacing;
     report.quality["displacement_rms"] = info.displacement_rms;
     report.quality["matching_energy"] = info.matching_energy;
     report.quality["temperature_unit"] = info.temperature_unit;
-    add_runs(view, report);
+    add_runs(result.view, report);
 
+    FlgCurveWriteDesc desc = {};
+    flgCurveWriteDescInit(&desc, sizeof desc);
+    desc.all_columns = all_columns;
+    const float diagonal = diagonal_of(result.view);
+    const float usual = diagonal > 0.0f ? diagonal * kDefaultRadiusShare : kDefaultRadiusShare;
+    desc.default_radius = result.default_radius.value_or(usual);
     if (!guide.empty()) {
         FlgCurveSet set = {};
         check(flgStyleGetGuide(context, style, &set), "guide");
         FlgCurveSetView guide_view = flgCurveSetViewDefaults();
         check(flgCurveSetGetView(context, set, &guide_view), "guide");
-        write_curves(guide, guide_view, FLG_GEOMETRY_LINES, all_columns);
+        if (flgCurveFileWrite(guide.c_str(), &guide_view, &desc) != FLG_OK) throw InputError(flgIoLastError());
     }
     if (!matching.empty()) write_text_file(matching, matching_text(info));
-    if (!path.empty()) write_text_file(path, path_text(view));
-    write_curves(curves, view, geometry, all_columns);
+    if (!path.empty()) write_text_file(path, path_text(result.view));
+    surface.write(curves, result.view, desc, result.shapes, diagonal, report);
 }
 
 }  // namespace flg::cli

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "command.h"
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/tangle_script.h"
+#include "documents/text_file.h"
 #include "path_curves.h"
 #include "tangle_document.h"
-#include "tangle_script.h"
-#include "text_file.h"
 
 namespace flg::cli {
 namespace {
@@ -142,7 +142,7 @@ void run_tangle(const Options& options, const CommonOptions& common) {
 }  // namespace
 
 Command add_tangle(CLI::App& program, const CommonOptions& common) {
-    CLI::App* app = program.add_subcommand("tangle", "Decorates a mesh with recursive ornament, by a script");
+    CLI::App* app = program.add_subcommand("tangle", "Cuts recursive ornament into a mesh, by a script");
     const auto o = std::make_shared<Options>();
     app->add_option("MESH", o->mesh, "Mesh: .obj, .ply, .off, .gltf or .glb")->required();
     app->add_option(

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "failure.h"
+#include "documents/failure.h"
 #include "filigree/filigree_io.h"
 
 namespace flg::cli {

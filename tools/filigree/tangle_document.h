@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "documents/session.h"
 #include "filigree/filigree_tangle.h"
-#include "session.h"
 
 namespace flg::cli {
 

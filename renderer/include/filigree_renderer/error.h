@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the renderer says that it can't go on: one sentence that names the argument and its value, or Vulkan's reason.
+// The renderer's exceptions: one sentence that names the argument and its value, or Vulkan's reason.
 #pragma once
 
 #include <stdexcept>
@@ -11,8 +11,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-// The device is gone: unplugged, reset, hung up, or taken back by the system. Until Renderer::recover() succeeds, whatever
-// needs the device throws this; everything can be destroyed as ever.
+// The device is gone: unplugged, reset, hung up, or taken back by the system. Until Renderer::recover() succeeds, every
+// call that needs the device throws this; objects can still be destroyed.
 class DeviceLost : public Error {
 public:
     using Error::Error;

@@ -8,7 +8,7 @@
 
 namespace flg::render {
 
-// 8 bits a channel, RGBA in sRGB, rows from the top, tightly packed.
+// 8 bits per channel, RGBA in sRGB, rows from the top, tightly packed.
 struct Image {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -17,7 +17,7 @@ struct Image {
     const uint8_t* at(uint32_t x, uint32_t y) const { return pixels.data() + 4 * (size_t{y} * width + x); }
 };
 
-// Writes the file whole or not at all (through a temporary file next to it); throws Error.
+// Writes the file completely or not at all (through a temporary file next to it); throws Error.
 void write_png(const Image& image, const std::string& path);
 
 }  // namespace flg::render

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user interface draws over the picture: triangles with textures, in pixels of the target. The layout is that of
-// Dear ImGui's draw lists, which can be handed over as they are; nothing here depends on it.
+// A user interface over the picture: textured triangles, in pixels of the target. The layout matches Dear ImGui's draw
+// lists, which can be passed unchanged; nothing here depends on ImGui.
 #pragma once
 
 #include <cstdint>
@@ -17,23 +17,23 @@ struct UiVertex {
 };
 static_assert(sizeof(UiVertex) == 20);
 
-// A texture that is uploaded; zero is white.
+// An uploaded texture; zero is white.
 struct TextureId {
     uint64_t value = 0;
     bool operator==(const TextureId&) const = default;
 };
 
-// Triangles of one texture within one rectangle.
+// Triangles with one texture, clipped to one rectangle.
 struct UiCommand {
     uint32_t first_index = 0;
     uint32_t index_count = 0;
-    uint32_t first_vertex = 0;  // is added to each index
+    uint32_t first_vertex = 0;  // added to each index
     TextureId texture{};
-    glm::ivec4 clip{0};  // x, y, width, height in pixels: nothing is drawn outside; may reach over the target's edges
+    glm::ivec4 clip{0};  // x, y, width, height in pixels: clips drawing; may extend beyond the target's edges
 };
 
-// Commands are drawn in their order, each over those before. Colours are blended as their sRGB values are, as ImGui expects.
-// Read by draw() only.
+// Commands are drawn in order, each over the previous ones. Colours are blended as sRGB values, as ImGui expects. Read
+// only by draw().
 struct UiFrame {
     std::span<const UiVertex> vertices{};
     std::span<const uint16_t> indices{};

@@ -2,9 +2,8 @@
 #include "scene/mesh_sources.h"
 
 #include <filesystem>
-#include <memory>
+#include <fstream>
 
-#include "filigree/filigree_io.h"
 #include "scenes/scenes.h"
 #include "shell/studio_error.h"
 
@@ -26,7 +25,14 @@ scenes::Mesh make_builtin(const std::string& name) {
     throw StudioError("There is no built-in mesh \"" + name + "\"; there are " + names + ".");
 }
 
-OpenedMesh open_builtin(filigree::Context& context, const std::string& name) {
+}  // namespace
+
+bool is_builtin_mesh(const std::string& source) {
+    return source.starts_with(kPrefix);
+}
+
+OpenedMesh open_builtin(filigree::Context& context, const std::string& source) {
+    const std::string name = source.substr(std::string(kPrefix).size());
     const scenes::Mesh mesh = make_builtin(name);
     const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
     FlgSurfaceDesc desc = flgSurfaceDefaults();
@@ -49,20 +55,23 @@ OpenedMesh open_builtin(filigree::Context& context, const std::string& name) {
     return opened;
 }
 
-}  // namespace
-
 std::span<const char* const> builtin_meshes() {
     return kBuiltin;
 }
 
-OpenedMesh open_mesh(filigree::Context& context, const std::string& source) {
-    if (source.starts_with(kPrefix)) return open_builtin(context, source.substr(std::string(kPrefix).size()));
-    FlgMeshFile read = nullptr;
-    if (flgMeshFileRead(source.c_str(), &read) != FLG_OK) throw StudioError(flgIoLastError());
-    const std::unique_ptr<FlgMeshFileT, decltype(&flgMeshFileRelease)> file(read, flgMeshFileRelease);
+std::future<MeshFile> read_mesh(const std::string& path) {
+    if (!std::ifstream(path, std::ios::binary)) throw StudioError(path + " cannot be read: there is no such file.");
+    return std::async(std::launch::async, [path] {
+        FlgMeshFile read = nullptr;
+        if (flgMeshFileRead(path.c_str(), &read) != FLG_OK) return MeshFile{nullptr, flgIoLastError()};
+        return MeshFile{std::shared_ptr<FlgMeshFileT>(read, flgMeshFileRelease), {}};
+    });
+}
+
+OpenedMesh open_file(filigree::Context& context, const MeshFile& file, const std::string& path) {
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    if (flgMeshFileGetView(read, &desc.mesh) != FLG_OK) throw StudioError(flgIoLastError());
-    OpenedMesh opened{{}, {}, std::filesystem::path(source).stem().string()};
+    if (flgMeshFileGetView(file.file.get(), &desc.mesh) != FLG_OK) throw StudioError(flgIoLastError());
+    OpenedMesh opened{{}, {}, std::filesystem::path(path).stem().string()};
     opened.surface = context.surface(desc, &opened.job);
     return opened;
 }

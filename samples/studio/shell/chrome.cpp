@@ -25,10 +25,12 @@ void Studio::draw_chrome() {
     draw_tabs();
     draw_panel();
     draw_scene_panel();
+    draw_borders();
     draw_status();
     draw_shortcuts();
     draw_log();
-    if (shows_budget_) budget_.draw(view_.viewport, options_.budget_us, renderer_);
+    budget_.draw(view_.viewport, options_.budget_us, renderer_);
+    first_steps_.draw(view_.viewport);
     draw_questions();
     files_.draw();
 }
@@ -40,7 +42,9 @@ void Studio::draw_tabs() {
     const float gap = ImGui::GetStyle().ItemSpacing.x, width = 110.0f * scale_;
     const float whole = static_cast<float>(workspaces_.size()) * (width + gap) - gap;
     const auto middle = static_cast<float>(view_.viewport.x) + 0.5f * static_cast<float>(view_.viewport.z);
-    ImGui::SetCursorPos({std::max(middle - 0.5f * whole, 0.0f), 0.5f * (height - ImGui::GetFrameHeight())});
+    const float rightmost = static_cast<float>(target_->width()) - whole - gap;
+    ImGui::SetCursorPos(
+        {std::max(std::min(middle - 0.5f * whole, rightmost), gap), 0.5f * (height - ImGui::GetFrameHeight())});
     for (size_t i = 0; i < workspaces_.size(); ++i) {
         if (i > 0) ImGui::SameLine();
         const bool chosen = i == front_;
@@ -52,7 +56,7 @@ void Studio::draw_tabs() {
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         ui::mark(workspaces_[i]->title(), {{low.x, low.y}, {high.x, high.y}});
         const std::string said =
-            std::string("Goes to the workspace ") + workspaces_[i]->title() + ". Ctrl+" + std::to_string(i + 1) + ".";
+            std::string("Switch to ") + workspaces_[i]->title() + ". Ctrl+" + std::to_string(i + 1) + ".";
         ui::tip(said.c_str());
         if (clicked) bring_to_front(i);
     }
@@ -60,16 +64,27 @@ void Studio::draw_tabs() {
 }
 
 void Studio::draw_panel() {
+    if (left_.folded()) return;
     const auto top = static_cast<float>(view_.viewport.y);
-    begin_fixed("##panel", 0.0f, top, static_cast<float>(view_.viewport.x), static_cast<float>(view_.viewport.w));
+    const float width = static_cast<float>(view_.viewport.x) - SidePanel::kBorder * scale_;
+    begin_fixed("##panel", 0.0f, top, width, static_cast<float>(view_.viewport.w));
     ImGui::PushID(static_cast<int>(front_));
     front().panel();
     ImGui::PopID();
     ImGui::End();
 }
 
+void Studio::draw_borders() {
+    const auto top = static_cast<float>(view_.viewport.y), height = static_cast<float>(view_.viewport.w);
+    const float units = static_cast<float>(target_->width()) / scale_;
+    const auto left = static_cast<float>(view_.viewport.x), right = left + static_cast<float>(view_.viewport.z);
+    left_.draw_border("##tool panel border", left - SidePanel::kBorder * scale_, top, height, scale_, units, 1.0f);
+    right_.draw_border("##scene panel border", right, top, height, scale_, units, -1.0f);
+}
+
 void Studio::draw_scene_panel() {
-    const float left = static_cast<float>(view_.viewport.x + view_.viewport.z);
+    if (right_.folded()) return;
+    const float left = static_cast<float>(view_.viewport.x + view_.viewport.z) + SidePanel::kBorder * scale_;
     begin_fixed("##scene", left, static_cast<float>(view_.viewport.y), static_cast<float>(target_->width()) - left,
                 static_cast<float>(view_.viewport.w));
     ui::heading("Scene");
@@ -78,9 +93,8 @@ void Studio::draw_scene_panel() {
         ImGui::PushID(static_cast<int>(mesh->id));
         bool visible = mesh->visible;
         if (ui::toggle(("##see " + mesh->name).c_str(), &visible,
-                       "Whether this mesh can be seen, drawn on and picked.")) {
-            scene_.set_visible(*mesh, visible);
-            ++desk_.changes;
+                       "Shows or hides this mesh. A hidden mesh cannot be drawn on.")) {
+            steps_.set_visible(*mesh, visible);
         }
         ImGui::SameLine();
         const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight();
@@ -91,21 +105,24 @@ void Studio::draw_scene_panel() {
             scene_.set_active(mesh->id);
         ImGui::EndChild();
         ImGui::SameLine();
-        if (ui::button(("x##remove " + mesh->name).c_str(), "Takes this mesh out of the scene.")) removed = mesh->id;
+        if (ui::button(("x##remove " + mesh->name).c_str(), "Removes this mesh from the scene.")) removed = mesh->id;
         ImGui::PopID();
     }
-    if (removed != 0) removing_ = removed;
-    if (scene_.meshes().empty()) ui::hint("No mesh yet. Drop a file here, or begin with one of these:");
+    if (removed != 0) steps_.remove(removed);
+    if (scene_.meshes().empty()) ui::hint("No mesh yet. Drop a file here or add one below.");
+    ui::heading("Add");
     int row = 0;
     for (const char* name : builtin_meshes()) {
         if (row++ % 3 != 0) ui::same_row();
-        if (ui::row_button((std::string(name) + "##add").c_str(), 3, "Adds this built-in mesh to the scene.")) {
-            scene_.open(std::string("builtin:") + name);
-            ++desk_.changes;
-        }
+        if (ui::row_button((std::string(name) + "##add").c_str(), 3, "Adds this built-in mesh to the scene."))
+            open_mesh(std::string("builtin:") + name);
     }
+    gizmo_.panel();
+    if (SceneMesh* mesh = scene_.active(); mesh != nullptr && mesh->is_drawing() && front().shows_scene())
+        ui::toggle("Test motion##drawing", &mesh->plays,
+                   "Swings every joint a little. Strokes and ornament follow; a click on the picture ends it.");
     if (!jobs_.idle()) {
-        ui::heading("Work under way");
+        ui::heading("Progress");
         jobs_.draw();
     }
     ImGui::End();
@@ -116,7 +133,10 @@ void Studio::draw_status() {
     begin_fixed("##status", 0.0f, top, static_cast<float>(target_->width()),
                 static_cast<float>(target_->height()) - top, ImGuiWindowFlags_NoScrollbar);
     ImGui::SetCursorPosY(3.0f * scale_);
-    ImGui::TextDisabled("%s   Right button turns, middle moves, wheel zooms. F1: keys.", front().help().c_str());
+    constexpr const char* kCamera = "Right-drag: orbit. Middle-drag: pan. Wheel: zoom. F1: shortcuts. F2: frame graph.";
+    ImGui::TextUnformatted(front().help().c_str());
+    ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
+    if (ImGui::GetContentRegionAvail().x > ImGui::CalcTextSize(kCamera).x) ImGui::TextDisabled("%s", kCamera);
     ImGui::End();
 }
 
@@ -127,16 +147,18 @@ void Studio::draw_shortcuts() {
         {"Ctrl+Z, Ctrl+Shift+Z", "Undo, redo (also Ctrl+Y)"},
         {"Ctrl+S, Ctrl+Shift+S", "Save, save as"},
         {"Ctrl+O, Ctrl+N, Ctrl+Q", "Open, new, quit"},
-        {"F or Home", "See everything"},
-        {"Keypad 1, 3, 7", "From the front, the side, above"},
-        {"Right drag, Alt+drag", "Turn the camera"},
-        {"Middle drag, Shift+right drag", "Move the camera"},
+        {"F or Home", "Fit everything in the view"},
+        {"Keypad 1, 3, 7", "View from the front, the side, the top"},
+        {"Right drag, Alt+drag", "Orbit the camera"},
+        {"Middle drag, Shift+right drag", "Pan the camera"},
         {"Wheel", "Zoom"},
-        {"F1, F2", "These keys, the frame's budget"},
+        {"Tab", "Fold or unfold the panels"},
+        {"F1, F2", "These shortcuts, the frame graph"},
     };
     const float unit = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
-    ImGui::Begin("Keys and mouse", &shows_shortcuts_, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    ImGui::Begin("Keyboard and mouse", &shows_shortcuts_,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
     const auto rows = [&](const char* title, std::span<const Workspace::Shortcut> list) {
         ui::heading(title);
         for (const Workspace::Shortcut& shortcut : list) {
@@ -156,8 +178,8 @@ void Studio::draw_log() {
     const float unit = ImGui::GetFontSize();
     ImGui::SetNextWindowSize({40.0f * unit, 16.0f * unit}, ImGuiCond_Appearing);
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
-    ImGui::Begin("What was said", &shows_log_, ImGuiWindowFlags_NoCollapse);
-    if (notices_.log().empty()) ui::hint("Nothing so far.");
+    ImGui::Begin("Message log", &shows_log_, ImGuiWindowFlags_NoCollapse);
+    if (notices_.log().empty()) ui::hint("No messages yet.");
     for (const Notices::Notice& notice : notices_.log()) ImGui::TextWrapped("%s", notice.sentence.c_str());
     ImGui::End();
 }
@@ -165,39 +187,23 @@ void Studio::draw_log() {
 void Studio::draw_questions() {
     const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
     const float unit = ImGui::GetFontSize();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (removing_ != 0 && !ImGui::IsPopupOpen("Take a mesh out")) ImGui::OpenPopup("Take a mesh out");
+    if (when_safe_ && !ImGui::IsPopupOpen("Unsaved changes") && !files_.is_open()) ImGui::OpenPopup("Unsaved changes");
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (ImGui::BeginPopupModal("Take a mesh out", nullptr, flags)) {
-        ImGui::TextUnformatted("What was made on it goes with it, and can't be had back.");
-        ImGui::Dummy({28.0f * unit, 0.0f});
-        const bool remove = ui::row_button("Take it out", 2, "Takes the mesh out of the scene.");
-        ui::same_row();
-        const bool keep = ui::row_button("Keep it", 2, "Nothing happens. Escape.") || escape;
-        if (remove) {
-            scene_.remove(removing_);
-            ++desk_.changes;
-        }
-        if (remove || keep) {
-            removing_ = 0;
-            ImGui::CloseCurrentPopup();
-        }
-        ImGui::EndPopup();
-    }
-    if (when_safe_ && !ImGui::IsPopupOpen("Unsaved work") && !files_.is_open()) ImGui::OpenPopup("Unsaved work");
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (ImGui::BeginPopupModal("Unsaved work", nullptr, flags)) {
-        ImGui::TextUnformatted("There are changes that are not saved.");
+    if (ImGui::BeginPopupModal("Unsaved changes", nullptr, flags)) {
+        const std::string question = "Save your changes to " + document_name() + (closes_ ? " before closing?" : "?");
+        ImGui::TextUnformatted(question.c_str());
         ImGui::Dummy({26.0f * unit, 0.0f});
         std::function<void()> chosen;
-        if (ui::row_button("Save them", 3, "Saves, then goes on.")) {
+        if (ui::row_button("Save##changes", 3, "Saves the changes and continues. Enter.") || ui::enter()) {
             save();
+            guarded("save", [&] { finish_saving(true); });
             if (!unsaved()) chosen = when_safe_;
         }
         ui::same_row();
-        if (ui::row_button("Discard them", 3, "Goes on without them: they are lost.")) chosen = when_safe_;
+        if (ui::row_button("Discard##changes", 3, "Continues without saving. This cannot be undone."))
+            chosen = when_safe_;
         ui::same_row();
-        const bool stay = ui::row_button("Stay here", 3, "Nothing happens. Escape.") || escape;
+        const bool stay = ui::row_button("Cancel##changes", 3, "Returns to your work. Escape.") || ui::escape();
         if (chosen || stay || files_.is_open()) {
             if (!files_.is_open()) when_safe_ = nullptr;
             ImGui::CloseCurrentPopup();
@@ -205,19 +211,19 @@ void Studio::draw_questions() {
         ImGui::EndPopup();
         if (chosen) chosen();
     }
-    if (!left_behind_.empty() && !ImGui::IsPopupOpen("Work was left behind")) ImGui::OpenPopup("Work was left behind");
+    if (!left_behind_.empty() && !ImGui::IsPopupOpen("Recover unsaved work")) ImGui::OpenPopup("Recover unsaved work");
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (ImGui::BeginPopupModal("Work was left behind", nullptr, flags)) {
-        ImGui::TextUnformatted("The program ended last time without saving. Its work was kept.");
+    if (ImGui::BeginPopupModal("Recover unsaved work", nullptr, flags)) {
+        ImGui::TextUnformatted("The studio closed without saving. A copy of your work was kept.");
         ImGui::Dummy({28.0f * unit, 0.0f});
-        const bool restore = ui::row_button("Bring it back", 2, "Opens what was kept.");
+        const bool restore = ui::row_button("Recover##copy", 2, "Opens the copy. Enter.") || ui::enter();
         ui::same_row();
-        const bool discard = ui::row_button("Throw it away", 2, "It can't be had back.");
+        const bool discard = ui::row_button("Discard##copy", 2, "Deletes the copy. This cannot be undone.");
         const std::string left = restore || discard ? std::exchange(left_behind_, {}) : std::string();
         if (discard) std::remove(left.c_str());
         // What could not be taken whole is kept as it is, and offered again.
         if (restore && take_document(read_document(left))) autosave_.adopt(left);
-        if (restore) ++desk_.changes;
+        if (restore) ++app_.changes;
         if (restore || discard) {
             ImGui::CloseCurrentPopup();
         }

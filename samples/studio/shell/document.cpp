@@ -26,7 +26,7 @@ constexpr int kVersion = 1;
 constexpr const char *kPrefix = "autosave-", *kSuffix = ".filigree";
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
-    throw StudioError(path + " can't be " + what + ": " + std::strerror(errno) + ".");
+    throw StudioError(path + " cannot be " + what + ": " + std::strerror(errno) + ".");
 }
 
 void write_flushed(const std::string& path, const std::string& bytes) {
@@ -78,12 +78,12 @@ nlohmann::json read_document(const std::string& path) {
     try {
         document = nlohmann::json::parse(file);
     } catch (const nlohmann::json::exception& error) {
-        throw StudioError(path + " is no JSON: " + error.what() + ".");
+        throw StudioError(path + " is not valid JSON: " + error.what() + ".");
     }
     if (!document.is_object() || !document.contains(kFormat) || !document[kFormat].is_number_integer())
-        throw StudioError(path + " is no document of this program.");
+        throw StudioError(path + " is not a Filigree document.");
     if (document[kFormat] != kVersion)
-        throw StudioError(path + " is of version " + document[kFormat].dump() + "; this program reads version 1.");
+        throw StudioError(path + " has version " + document[kFormat].dump() + "; this program reads version 1.");
     return document;
 }
 
@@ -104,12 +104,12 @@ bool Autosave::due(double seconds, uint64_t changes) const {
     return !writing_.valid() || writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-void Autosave::write(nlohmann::json document, double seconds, uint64_t changes) {
+void Autosave::write(std::function<nlohmann::json()> document, double seconds, uint64_t changes) {
     last_s_ = seconds;
     copied_ = changes;
     if (writing_.valid()) writing_.get();
     writing_ = std::async(std::launch::async,
-                          [file = file_, document = std::move(document)] { write_document(file, document); });
+                          [file = file_, document = std::move(document)] { write_document(file, document()); });
 }
 
 void Autosave::forget(uint64_t changes) {

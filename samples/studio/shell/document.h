@@ -2,6 +2,7 @@
 // Documents on disk: one JSON file, written whole or not at all, and the copy that survives a crash.
 #pragma once
 
+#include <functional>
 #include <future>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,13 +10,14 @@
 
 namespace flg::studio {
 
-// Through a file beside it that is flushed to the disk before it takes the name: whenever the program or the machine stops,
-// `path` holds the old document or the new one. Throws StudioError.
+// Through a file beside it that is flushed to the disk before it takes the name: whenever the program or the machine
+// stops, `path` holds the old document or the new one. Throws StudioError.
 void write_document(const std::string& path, const nlohmann::json& document);
 // Throws StudioError for what is no document of ours.
 nlohmann::json read_document(const std::string& path);
 
-// Keeps a copy of a document that has changes which are not saved. One file a process, removed when it ends in good order.
+// Keeps a copy of a document that has changes which are not saved. One file a process, removed when it ends in good
+// order.
 class Autosave {
 public:
     // Empty folder: off.
@@ -26,8 +28,10 @@ public:
 
     // Whether it is time for a copy: `changes` are newer than the last one and it is long enough ago.
     bool due(double seconds, uint64_t changes) const;
+    // Whether there will be.
+    bool waits(uint64_t changes) const { return !file_.empty() && changes != copied_; }
     // In a thread of its own. Errors come with the next call, as StudioError.
-    void write(nlohmann::json document, double seconds, uint64_t changes);
+    void write(std::function<nlohmann::json()> document, double seconds, uint64_t changes);
     // What was saved has no need of a copy.
     void forget(uint64_t changes);
 
@@ -44,8 +48,8 @@ private:
     uint64_t copied_ = 0;
 };
 
-// Where a program of this user keeps what is to survive it: below $XDG_STATE_HOME, else ~/.local/state; empty if there is
-// neither.
+// Where a program of this user keeps what is to survive it: below $XDG_STATE_HOME, else ~/.local/state; empty if there
+// is neither.
 std::string state_folder();
 
 }  // namespace flg::studio

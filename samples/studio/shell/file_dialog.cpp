@@ -13,6 +13,12 @@ namespace flg::studio {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr int kFramesToFocus = 8;  // at most: ImGui takes two or three
+
+}  // namespace
+
 void FileDialog::open(For what_for, std::string title, std::vector<std::string> extensions, std::string offered,
                       std::function<void(const std::string&)> done) {
     for_ = what_for;
@@ -23,6 +29,7 @@ void FileDialog::open(For what_for, std::string title, std::vector<std::string> 
     std::error_code error;
     if (folder_.empty()) folder_ = fs::current_path(error).string();
     open_ = opening_ = true;
+    frames_to_focus_ = kFramesToFocus;
     asks_to_replace_ = false;
     list();
 }
@@ -50,6 +57,7 @@ void FileDialog::choose() {
     if (fs::is_directory(path, error)) {
         folder_ = path.string();
         name_.clear();
+        frames_to_focus_ = kFramesToFocus;
         list();
         return;
     }
@@ -86,19 +94,21 @@ void FileDialog::draw() {
     ImGui::EndChild();
     if (!entered.empty()) {
         folder_ = entered;
+        frames_to_focus_ = kFramesToFocus;
         list();
     }
-    if (ui::text("File name", &name_, "The file; a folder is entered, a whole path is taken as it is."))
+    if (ui::text("File name", &name_, "A file name or a full path. The path of a folder opens that folder.",
+                 frames_to_focus_ > 0))
         asks_to_replace_ = false;
-    const bool entered_name = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    const char* verb = asks_to_replace_ ? "Replace it" : for_ == For::reading ? "Open" : "Save";
+    if (frames_to_focus_ > 0) frames_to_focus_ = ImGui::IsItemActive() ? 0 : frames_to_focus_ - 1;
+    const char* verb = asks_to_replace_ ? "Replace" : for_ == For::reading ? "Open" : "Save";
     const bool chosen =
         ui::row_button((std::string(verb) + "##file").c_str(), 2,
-                       asks_to_replace_ ? "There is such a file: it will be lost." : "", {.enabled = !name_.empty()});
+                       asks_to_replace_ ? "A file of this name exists. Replacing it cannot be undone." : "",
+                       {.enabled = !name_.empty()});
     ui::same_row();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (ui::row_button("Cancel##file", 2, "") || !stays || escape) open_ = false;
-    if (open_ && !name_.empty() && (chosen || entered_name)) choose();
+    if (ui::row_button("Cancel##file", 2, "") || !stays || ui::escape()) open_ = false;
+    if (open_ && !name_.empty() && (chosen || ui::enter())) choose();
     if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -4,16 +4,21 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <span>
+
+#include "shell/frame_budget.h"
 
 namespace flg::studio {
 namespace {
 
 constexpr float kFontUnits = 15.0f;
+constexpr float kDoubleClick_s = 0.3f, kSlowDoubleClick_s = 0.6f;
 static_assert(sizeof(ImDrawVert) == sizeof(render::UiVertex) && sizeof(ImDrawIdx) == sizeof(uint16_t));
 
 ImVec4 rgb(int hex, float alpha = 1.0f) {
@@ -66,6 +71,23 @@ void set_look(float scale) {
     style.ScaleAllSizes(scale);
 }
 
+// Fowler, Noll and Vo's hash, by words.
+constexpr uint64_t kBasis = 0xcbf29ce484222325u;
+uint64_t with(uint64_t hash, uint64_t word) {
+    return (hash ^ word) * 0x100000001b3u;
+}
+template <class T>
+uint64_t with(uint64_t hash, const ImVector<T>& values) {
+    const auto bytes = std::as_bytes(std::span(values.Data, static_cast<size_t>(values.Size)));
+    uint64_t word = 0;
+    for (size_t i = 0; i < bytes.size(); i += sizeof word) {
+        word = 0;
+        std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
+        hash = with(hash, word);
+    }
+    return with(hash, bytes.size());
+}
+
 void map_keys(ImGuiIO& io) {
     const std::pair<ImGuiKey, int> keys[] = {
         {ImGuiKey_Tab, GLFW_KEY_TAB},
@@ -102,6 +124,7 @@ Gui::Gui(render::Renderer& renderer, float scale) : renderer_(renderer), context
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
+    io.ConfigInputTextCursorBlink = false;  // nothing moves where nothing happens
     map_keys(io);
     set_look(scale);
     // Debian's fonts-dejavu-core; elsewhere ImGui's own, which is plain but complete for our texts.
@@ -139,6 +162,8 @@ void Gui::begin(const Input& input, uint32_t width, uint32_t height, float secon
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = std::max(seconds, 1e-4f);
+    // A click takes two frames at least, however slow they are; but a frame may also have slept.
+    io.MouseDoubleClickTime = std::clamp(3.0f * io.DeltaTime, kDoubleClick_s, kSlowDoubleClick_s);
     io.MousePos = input.px.x < 0.0f ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(input.px.x, input.px.y);
     for (int b = 0; b < kButtons; ++b) io.MouseDown[b] = input.down[b] || input.pressed[b];
     io.MouseWheelH = input.scrolled.x;
@@ -147,9 +172,6 @@ void Gui::begin(const Input& input, uint32_t width, uint32_t height, float secon
     io.KeyShift = input.shift();
     io.KeyAlt = input.alt();
     std::copy(std::begin(input.keys), std::end(input.keys), std::begin(io.KeysDown));
-    // Pressed and let go between two frames.
-    for (const int key : input.pressed_keys)
-        if (key >= 0 && key < 512) io.KeysDown[key] = true;
     for (const char32_t character : input.text) io.AddInputCharacter(character);
     ImGui::NewFrame();
 }
@@ -160,9 +182,12 @@ render::UiFrame Gui::end() {
     vertices_.clear();
     indices_.clear();
     commands_.clear();
+    fingerprint_ = kBasis;
     const glm::vec2 size(data.DisplaySize.x, data.DisplaySize.y);
     for (int l = 0; l < data.CmdListsCount; ++l) {
         const ImDrawList& list = *data.CmdLists[l];
+        if (list._OwnerName == nullptr || std::strcmp(list._OwnerName, FrameBudget::kWindow) != 0)
+            fingerprint_ = with(with(fingerprint_, list.VtxBuffer), list.IdxBuffer);
         const auto first_vertex = static_cast<uint32_t>(vertices_.size());
         const auto first_index = static_cast<uint32_t>(indices_.size());
         vertices_.resize(vertices_.size() + static_cast<size_t>(list.VtxBuffer.Size));
@@ -176,6 +201,7 @@ render::UiFrame Gui::end() {
             const glm::vec2 high =
                 glm::clamp(glm::ceil(glm::vec2(command.ClipRect.z, command.ClipRect.w)), glm::vec2(0.0f), size);
             if (high.x <= low.x || high.y <= low.y || command.ElemCount == 0) continue;
+            fingerprint_ = with(fingerprint_, reinterpret_cast<uintptr_t>(command.TextureId));
             commands_.push_back({first_index + command.IdxOffset,
                                  command.ElemCount,
                                  first_vertex + command.VtxOffset,
@@ -189,8 +215,25 @@ render::UiFrame Gui::end() {
 bool Gui::wants_mouse() const {
     return ImGui::GetIO().WantCaptureMouse;
 }
-bool Gui::wants_keys() const {
-    return ImGui::GetIO().WantTextInput;
+Gui::Keys Gui::keys() const {
+    if (ImGui::GetTopMostPopupModal() != nullptr) return Keys::dialog;
+    if (ImGui::GetIO().WantTextInput) return Keys::text;
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) ? Keys::popup : Keys::app;
+}
+
+void Gui::close_popups() {
+    if (ImGui::GetTopMostPopupModal() == nullptr) ImGui::ClosePopupToLevel(0, false);
+}
+
+std::vector<std::string> Gui::windows() const {
+    std::vector<std::string> titles;
+    for (const ImGuiWindow* window : context_->Windows)
+        if (window->WasActive && !window->Hidden) titles.emplace_back(window->Name);
+    return titles;
+}
+
+bool Gui::holds_widget() const {
+    return ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }
 
 }  // namespace flg::studio

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// ImGui between the app's input and the renderer's UI pass: one context, one font, one look. What ImGui's own backends would
-// do, without a second renderer in the program.
+// ImGui between the app's input and the renderer's UI pass: one context, one font, one look. What ImGui's own backends
+// would do, without a second renderer in the program.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "filigree_renderer/renderer.h"
@@ -25,9 +26,20 @@ public:
     // Valid until the next begin().
     render::UiFrame end();
 
-    // Whether the mouse, and the keys, are the widgets' in this frame.
+    // Of all that end() gave to draw, but for what tells of frames: that alone is no reason for one.
+    uint64_t fingerprint() const { return fingerprint_; }
+
+    // Whether the mouse is the widgets' in this frame.
     bool wants_mouse() const;
-    bool wants_keys() const;
+    // Whose the keys are: of what is in front of the others.
+    enum class Keys { app, popup, text, dialog };
+    Keys keys() const;
+    // Closes menus and lists, not dialogs.
+    void close_popups();
+    // A widget is held by the mouse: it may change by itself, as what scrolls.
+    bool holds_widget() const;
+    // Titles of those that are to be seen.
+    std::vector<std::string> windows() const;
     void device_lost();
 
 private:
@@ -36,6 +48,7 @@ private:
     render::Renderer& renderer_;
     ImGuiContext* context_;
     render::TextureId font_{};
+    uint64_t fingerprint_ = 0;
     std::vector<render::UiVertex> vertices_;
     std::vector<uint16_t> indices_;
     std::vector<render::UiCommand> commands_;

@@ -52,11 +52,10 @@ void Jobs::draw() {
         char text[96];
         std::snprintf(text, sizeof text, "%s %.0f %%", stage, 100.0 * static_cast<double>(status.progress));
         ImGui::ProgressBar(status.progress, {width, 0.0f}, text);
-        ui::tip("What this job is at, and how far it is.");
+        ui::tip("The job's current stage and its progress.");
         ImGui::SameLine();
         const std::string label = "x##cancel " + running.name + std::to_string(number);
-        if (ui::button(label.c_str(), "Cancels this job: what it would have made does not come, nothing else is lost.",
-                       {.enabled = !running.cancelled})) {
+        if (ui::button(label.c_str(), "Cancels this job. Nothing else is lost.", {.enabled = !running.cancelled})) {
             running.job.cancel();
             running.cancelled = true;
         }

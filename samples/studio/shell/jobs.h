@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every job that the app starts, by a name that the user understands: progress, cancel, and what follows when it is done.
+// Every job that the app starts, by a name that the user understands: progress, cancel, and what follows when it is
+// done.
 #pragma once
 
 #include <functional>
@@ -15,9 +16,10 @@ class Jobs {
 public:
     explicit Jobs(Notices& notices) : notices_(notices) {}
 
-    // `done` is called once, by update(), in the frame in which the job is finished, whatever its result; it may add jobs.
-    // Failures other than a cancelled job, or one that a failed job leads to, also become a notice: "NAME: why".
-    // Quiet jobs are not listed: for what takes no longer than a frame or two. Where a failure is told by the caller it becomes no notice.
+    // `done` is called once, by update(), in the frame in which the job is finished, whatever its result; it may add
+    // jobs. Failures other than a cancelled job, or one that a failed job leads to, also become a notice: "NAME: why".
+    // Quiet jobs are not listed: for what takes no longer than a frame or two. Where a failure is told by the caller it
+    // becomes no notice.
     enum class Shown { listed, quiet };
     enum class Failure { noticed, told_by_caller };
     using Done = std::function<void(const FlgJobStatus&)>;

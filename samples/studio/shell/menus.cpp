@@ -10,20 +10,21 @@
 namespace flg::studio {
 namespace {
 
-void mark_last(const char* label) {
+// Anywhere in the window, not within what is scrolled.
+void mark_item(const char* label) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ui::mark(label, {{low.x, low.y}, {high.x, high.y}});
 }
 
 bool item(const char* label, const char* keys, bool enabled = true, bool chosen = false) {
     const bool clicked = ImGui::MenuItem(label, keys, chosen, enabled);
-    mark_last(label);
+    mark_item(label);
     return clicked;
 }
 
 bool begin(const char* label) {
     const bool open = ImGui::BeginMenu(label);
-    mark_last(label);
+    mark_item(label);
     return open;
 }
 
@@ -35,13 +36,11 @@ void Studio::draw_menu() {
     draw_edit_menu();
     draw_view_menu();
     if (begin("Help")) {
-        if (item("Keys and mouse", "F1")) shows_shortcuts_ = true;
-        if (item("What was said", "")) shows_log_ = true;
+        if (item("Keyboard and mouse", "F1")) shows_shortcuts_ = true;
+        if (item("Message log", "")) shows_log_ = true;
         ImGui::EndMenu();
     }
-    const size_t slash = path_.find_last_of('/');
-    const std::string name = path_.empty() ? "untitled" : path_.substr(slash == std::string::npos ? 0 : slash + 1);
-    const std::string shown = name + (unsaved() ? " *" : "");
+    const std::string shown = document_name() + (unsaved() ? " *" : "");
     ImGui::SameLine(static_cast<float>(target_->width()) - ImGui::CalcTextSize(shown.c_str()).x - 14.0f * scale_);
     ImGui::TextDisabled("%s", shown.c_str());
     ImGui::EndMainMenuBar();
@@ -54,12 +53,9 @@ void Studio::draw_file_menu() {
     if (item("Save", "Ctrl+S")) save();
     if (item("Save as...", "Ctrl+Shift+S")) ask_save_as();
     ImGui::Separator();
-    if (begin("Add a mesh")) {
+    if (begin("Add mesh")) {
         for (const char* name : builtin_meshes())
-            if (item(name, "")) {
-                scene_.open(std::string("builtin:") + name);
-                ++desk_.changes;
-            }
+            if (item(name, "")) open_mesh(std::string("builtin:") + name);
         ImGui::EndMenu();
     }
     if (begin("Export")) {
@@ -78,21 +74,23 @@ void Studio::draw_file_menu() {
 
 void Studio::draw_edit_menu() {
     if (!begin("Edit")) return;
-    if (item("Undo", "Ctrl+Z", front().can_undo())) front().undo();
-    if (item("Redo", "Ctrl+Shift+Z", front().can_redo())) front().redo();
+    if (item("Undo", "Ctrl+Z", can_undo())) undo();
+    if (item("Redo", "Ctrl+Shift+Z", timeline_.can_redo())) timeline_.redo();
     ImGui::Separator();
-    if (item("Cancel all work", "", !jobs_.idle())) jobs_.cancel_all();
+    if (item("Cancel all jobs", "", !jobs_.idle())) jobs_.cancel_all();
     ImGui::EndMenu();
 }
 
 void Studio::draw_view_menu() {
     if (!begin("View")) return;
-    if (item("See everything", "F")) view_.frame(renderer_.bounds());
-    if (item("From the front", "Keypad 1")) view_.frame(renderer_.bounds(), {0, 0, -1});
-    if (item("From the side", "Keypad 3")) view_.frame(renderer_.bounds(), {-1, 0, 0});
-    if (item("From above", "Keypad 7")) view_.frame(renderer_.bounds(), {0, -1, 0});
+    if (item("Fit all", "F")) view_.frame(renderer_.bounds());
+    if (item("Front", "Keypad 1")) view_.frame(renderer_.bounds(), {0, 0, -1});
+    if (item("Side", "Keypad 3")) view_.frame(renderer_.bounds(), {-1, 0, 0});
+    if (item("Top", "Keypad 7")) view_.frame(renderer_.bounds(), {0, -1, 0});
     ImGui::Separator();
-    if (item("Frame's budget", "F2", true, shows_budget_)) shows_budget_ = !shows_budget_;
+    if (item("Tool panel", "Tab", true, !left_.folded())) left_.fold(!left_.folded());
+    if (item("Scene panel", "Tab", true, !right_.folded())) right_.fold(!right_.folded());
+    if (item("Frame graph", "F2", true, budget_.shows())) budget_.show_more();
     render::Scene look = renderer_.scene();
     if (item("Floor", "", true, look.ground)) {
         look.ground = !look.ground;

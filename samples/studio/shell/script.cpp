@@ -3,6 +3,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 #include <cmath>
 #include <cstdio>
@@ -72,6 +73,16 @@ double number(const std::string& text) {
     return values[0];
 }
 
+// GLFW's bit for a modifier's key.
+int bit_of(int key) {
+    switch (key) {
+        case GLFW_KEY_LEFT_CONTROL: return GLFW_MOD_CONTROL;
+        case GLFW_KEY_LEFT_SHIFT: return GLFW_MOD_SHIFT;
+        case GLFW_KEY_LEFT_ALT: return GLFW_MOD_ALT;
+        default: return 0;
+    }
+}
+
 int button_of(const ScriptStep& step) {
     for (const std::string& word : step.words) {
         if (word == "right") return kRight;
@@ -103,12 +114,32 @@ bool ScriptPlayer::frame() {
         throw StudioError(name_ + ":" + std::to_string(steps_[next_].line) + ": " + error.what());
     }
     if (beats_.empty()) return true;
-    for (InputEvent& event : beats_.front()) {
-        event.seconds = host_.seconds();
-        host_.input().push(std::move(event));
-    }
+    for (const InputEvent& event : beats_.front()) perform(event);
     beats_.pop_front();
     return true;
+}
+
+void ScriptPlayer::perform(const InputEvent& event) {
+    switch (event.kind) {
+        case Kind::move: return heard::cursor(nullptr, event.px.x, event.px.y);
+        case Kind::press: return heard::button(nullptr, event.code, GLFW_PRESS, modifiers_);
+        case Kind::release: return heard::button(nullptr, event.code, GLFW_RELEASE, modifiers_);
+        case Kind::scroll: return heard::scroll(nullptr, event.px.x, event.px.y);
+        case Kind::key_press:
+            heard::key(nullptr, event.code, 0, GLFW_PRESS, modifiers_);
+            modifiers_ |= bit_of(event.code);
+            return;
+        case Kind::key_release:
+            heard::key(nullptr, event.code, 0, GLFW_RELEASE, modifiers_);
+            modifiers_ &= ~bit_of(event.code);
+            return;
+        case Kind::text: return heard::character(nullptr, static_cast<unsigned>(event.code));
+        case Kind::drop: {
+            const char* path = event.path.c_str();
+            return heard::drop(nullptr, 1, &path);
+        }
+        case Kind::expose: return heard::refresh(nullptr);
+    }
 }
 
 void ScriptPlayer::start(const ScriptStep& step) {
@@ -233,8 +264,11 @@ void ScriptPlayer::slide(const ScriptStep& step) {
     const ui::Rect rect = *ui::find_widget(step.words[1]);
     const auto share = static_cast<float>(number(step.words[2]));
     ++next_;
-    const float y = 0.5f * (rect.low.y + rect.high.y), width = rect.high.x - rect.low.x;
-    drag({{rect.low.x + 0.5f * width, y}, {rect.low.x + share * width, y}}, step, 3);
+    // The grab's middle goes from half a grab within the one end to half a grab within the other.
+    const float inset = 2.0f + 0.5f * ImGui::GetStyle().GrabMinSize;
+    const float y = 0.5f * (rect.low.y + rect.high.y), width = rect.high.x - rect.low.x - 2.0f * inset;
+    const auto at = [&](float part) { return glm::vec2(rect.low.x + inset + part * width, y); };
+    drag({at(0.5f), at(share)}, step, 3);
 }
 
 void ScriptPlayer::keys(const std::string& chord) {

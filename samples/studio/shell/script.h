@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scripts that use the app as a person would: mouse and keys go the way that a window's events go, a frame each; commands open,
-// save, take pictures and say what is expected. A step a line; README.md lists them.
+// Scripts that use the app as a person would: mouse and keys come as GLFW's do (shell/input.h), a frame each; commands
+// open, save, take pictures and say what is expected. A step a line; README.md lists them.
 #pragma once
 
 #include <deque>
@@ -25,8 +25,6 @@ class ScriptHost {
 public:
     virtual ~ScriptHost() = default;
     virtual View& view() = 0;
-    virtual Input& input() = 0;
-    virtual double seconds() const = 0;
     virtual bool idle() const = 0;
     virtual void open_path(const std::string& path) = 0;
     virtual void save_path(const std::string& path) = 0;
@@ -44,12 +42,15 @@ public:
     // `name` for errors.
     ScriptPlayer(ScriptHost& host, std::string name, std::vector<ScriptStep> steps);
 
-    // Before each frame: pushes its events. False once all is done. Throws StudioError for a step that fails: "FILE:LINE: why".
+    // Before each frame: performs its events. False once all is done. Throws StudioError for a step that fails:
+    // "FILE:LINE: why".
     bool frame();
 
 private:
     using Beat = std::vector<InputEvent>;  // of one frame
 
+    // As GLFW would.
+    void perform(const InputEvent& event);
     void start(const ScriptStep& step);
     bool start_mouse(const ScriptStep& step);
     void start_command(const ScriptStep& step);
@@ -68,7 +69,8 @@ private:
     std::vector<ScriptStep> steps_;
     size_t next_ = 0;
     std::deque<Beat> beats_;
-    int tries_ = 0;  // frames that the present step waits already
+    int modifiers_ = 0;  // GLFW's bits, of keys that are down
+    int tries_ = 0;      // frames that the present step waits already
 };
 
 }  // namespace flg::studio

@@ -8,7 +8,7 @@ namespace flg::studio {
 
 std::vector<ScriptStep> read_script(const std::string& path) {
     std::ifstream file(path);
-    if (!file) throw StudioError("The script " + path + " can't be read.");
+    if (!file) throw StudioError("The script " + path + " cannot be read.");
     std::vector<ScriptStep> steps;
     std::string line;
     for (int number = 1; std::getline(file, line); ++number) {

@@ -2,6 +2,7 @@
 // Documents and files of the app.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "shell/studio.h"
 #include "shell/studio_error.h"
@@ -26,40 +27,53 @@ glm::vec3 to_vec3(const nlohmann::json& v) {
 
 }  // namespace
 
-nlohmann::json Studio::document() const {
+std::function<nlohmann::json()> Studio::document() const {
     nlohmann::json whole;
     whole["scene"] = scene_.save();
-    const render::Camera& camera = view_.orbit.camera;
+    const render::Camera* of_scene = workspaces_[front_]->scene_camera();
+    const render::Camera& camera = of_scene != nullptr ? *of_scene : view_.orbit.camera;
     whole["camera"] = {{"eye", to_json(camera.eye)}, {"target", to_json(camera.target)}};
-    for (const auto& workspace : workspaces_) whole[key_of(*workspace)] = workspace->save();
     whole["front"] = key_of(*workspaces_[front_]);
-    return whole;
+    std::map<std::string, std::function<nlohmann::json()>> parts;
+    for (const auto& workspace : workspaces_) parts.emplace(key_of(*workspace), workspace->saver());
+    return [whole = std::move(whole), parts = std::move(parts)] {
+        nlohmann::json filled = whole;
+        for (const auto& [key, part] : parts) filled[key] = part();
+        return filled;
+    };
 }
 
 bool Studio::take_document(const nlohmann::json& whole) {
     const auto part = [&](const std::string& key) { return whole.value(key, nlohmann::json::object()); };
-    // A part that can't be taken leaves the others: as much as possible of a damaged document, and nothing of the one before.
-    bool all = guarded("The scene", [&] { scene_.load(part("scene")); });
+    const size_t front_before = front_;
+    bring_to_front(0);  // which looks at the scene
+    // A part that can't be taken leaves the others: as much as possible of a damaged document, and nothing of the one
+    // before.
+    bool all = guarded("load the scene", [&] { scene_.load(part("scene")); });
+    steps_.reset();
+    timeline_.reset();
     for (const auto& workspace : workspaces_) {
-        if (guarded(workspace->title(), [&] { workspace->load(part(key_of(*workspace))); })) continue;
-        guarded(workspace->title(), [&] { workspace->load(nlohmann::json::object()); });
+        if (guarded("load a workspace", [&] { workspace->load(part(key_of(*workspace))); })) continue;
+        guarded("clear a workspace", [&] { workspace->load(nlohmann::json::object()); });
         all = false;
     }
-    all = guarded("The camera",
+    all = guarded("load the camera",
                   [&] {
                       framed_ = whole.contains("camera");
+                      wants_frame_ = !framed_;
                       if (!framed_) return;
                       view_.orbit.camera.eye = to_vec3(whole.at("camera").at("eye"));
                       view_.orbit.camera.target = to_vec3(whole.at("camera").at("target"));
                       view_.orbit.camera.up = {0.0f, 1.0f, 0.0f};
                   }) &&
           all;
-    guarded("The workspace in front", [&] {
+    guarded("choose a workspace", [&] {
+        const std::string key = whole.value("front", key_of(*workspaces_[front_before]));
         for (size_t i = 0; i < workspaces_.size(); ++i)
-            if (whole.value("front", "") == key_of(*workspaces_[i])) bring_to_front(i);
+            if (key == key_of(*workspaces_[i])) bring_to_front(i);
     });
-    saved_changes_ = desk_.changes;
-    if (!all) ++desk_.changes;
+    saved_changes_ = app_.changes;
+    if (!all) ++app_.changes;
     return all;
 }
 
@@ -76,12 +90,16 @@ void Studio::open_any(const std::string& path) {
         if (!workspace->open(path)) continue;
         for (size_t i = 0; i < workspaces_.size(); ++i)
             if (workspaces_[i].get() == workspace) bring_to_front(i);
-        ++desk_.changes;
+        wants_frame_ = wants_frame_ || !workspace->box().empty();
+        ++app_.changes;
         return;
     }
-    scene_.open(path);
-    framed_ = false;
-    ++desk_.changes;
+    open_mesh(path);
+}
+
+void Studio::open_mesh(const std::string& source) {
+    steps_.open(source);
+    wants_frame_ = true;
 }
 
 void Studio::load_path(const std::string& path) {
@@ -89,33 +107,48 @@ void Studio::load_path(const std::string& path) {
     path_.clear();
     if (take_document(whole)) {
         path_ = path;
-        autosave_.forget(desk_.changes);
+        autosave_.forget(app_.changes);
     } else {
         notices_.add(Weight::warning,
-                     "Not all of " + path + " could be taken. It stays as it is: saving asks for a name.");
+                     "Some of " + path + " could not be loaded. The file is unchanged; saving asks for a new name.");
     }
 }
 
+void Studio::begin_saving(const std::string& path) {
+    finish_saving(true);
+    saving_ =
+        Saving{std::async(std::launch::async, [path, document = document()] { write_document(path, document()); }),
+               path, app_.changes};
+}
+
+void Studio::finish_saving(bool waits) {
+    if (!saving_) return;
+    if (!waits && saving_->written.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    Saving saving = std::move(*std::exchange(saving_, std::nullopt));
+    saving.written.get();
+    path_ = saving.path;
+    saved_changes_ = saving.changes;
+    autosave_.forget(saving.changes);
+    notices_.add(Weight::info, "Saved " + path_ + ".");
+}
+
 void Studio::save_path(const std::string& path) {
-    write_document(path, document());
-    path_ = path;
-    saved_changes_ = desk_.changes;
-    autosave_.forget(desk_.changes);
-    notices_.add(Weight::info, "Saved as " + path + ".");
+    begin_saving(path);
+    finish_saving(true);
 }
 
 void Studio::save() {
     if (path_.empty())
         ask_save_as();
     else
-        save_path(path_);
+        begin_saving(path_);
 }
 
 void Studio::ask_save_as() {
     files_.open(FileDialog::For::writing, "Save as", {kExtension}, "untitled.filigree",
                 [this](const std::string& path) {
-                    guarded("save", [&] { save_path(path); });
-                    // It was asked for because of something else.
+                    // Where it was asked for because of something else, that waits for it.
+                    guarded("save", [&] { when_safe_ ? save_path(path) : begin_saving(path); });
                     if (!unsaved() && when_safe_) std::exchange(when_safe_, nullptr)();
                 });
 }
@@ -130,7 +163,7 @@ void Studio::ask_export(Workspace& workspace, const Workspace::Export& what) {
                 [this, &workspace, what](const std::string& path) {
                     guarded("export", [&] {
                         workspace.write(what, path);
-                        notices_.add(Weight::info, std::string(what.what) + " written to " + path + ".");
+                        notices_.add(Weight::info, std::string(what.what) + " exported to " + path + ".");
                     });
                 });
 }
@@ -147,7 +180,12 @@ void Studio::export_path(const std::string& what, const std::string& path) {
     throw StudioError("there is no export \"" + what + "\" as " + extension + ".");
 }
 
-void Studio::when_safe(std::function<void()> action) {
+std::string Studio::document_name() const {
+    return path_.empty() ? "untitled" : std::filesystem::path(path_).filename().string();
+}
+
+void Studio::when_safe(std::function<void()> action, bool closes) {
+    closes_ = closes;
     if (unsaved())
         when_safe_ = std::move(action);
     else
@@ -157,7 +195,7 @@ void Studio::when_safe(std::function<void()> action) {
 void Studio::new_document() {
     take_document(nlohmann::json::object());
     path_.clear();
-    autosave_.forget(desk_.changes);
+    autosave_.forget(app_.changes);
 }
 
 }  // namespace flg::studio

@@ -3,12 +3,12 @@
 
 namespace flg::studio {
 
-std::vector<std::unique_ptr<Workspace>> make_workspaces(Desk& desk) {
+std::vector<std::unique_ptr<Workspace>> make_workspaces(AppContext& app) {
     std::vector<std::unique_ptr<Workspace>> all;
-    all.push_back(make_strokes(desk));
-    all.push_back(make_tangles(desk));
-    all.push_back(make_skeletons(desk));
-    all.push_back(make_splines(desk));
+    all.push_back(make_strokes(app));
+    all.push_back(make_tangles(app));
+    all.push_back(make_skeletons(app));
+    all.push_back(make_splines(app));
     return all;
 }
 

@@ -33,7 +33,7 @@ std::vector<glm::vec2> BranchTool::branch_in_window(const DrawnPart& part, const
     std::vector<glm::vec2> line;
     for (uint32_t s = axis.branches[4 * branch + 2]; s < axis.branches[4 * branch + 3]; ++s) {
         const glm::dvec4 at = matrix * glm::dvec4(axis.samples[s].x, axis.samples[s].y, 0.0, 1.0);
-        if (const auto px = editor_.desk.view.project(glm::vec3(at))) line.push_back(*px);
+        if (const auto px = editor_.app.view.project(glm::vec3(at))) line.push_back(*px);
     }
     return line;
 }
@@ -43,7 +43,7 @@ std::optional<uint32_t> BranchTool::branch_at(glm::vec2 px) const {
     const FlgPartView* axis = part && part->visible ? editor_.live.axis_of(part->contour) : nullptr;
     if (axis == nullptr) return std::nullopt;
     std::optional<uint32_t> found;
-    float nearest = kReach * editor_.desk.scale;
+    float nearest = kReach * editor_.app.scale;
     for (uint32_t b = 0; b < axis->branch_count; ++b) {
         const float distance = distance_to(branch_in_window(*part, *axis, b), px);
         if (distance >= nearest) continue;
@@ -76,7 +76,7 @@ void BranchTool::overlay(ImDrawList& list) const {
     const DrawnPart* part = editor_.selected();
     const FlgPartView* axis = part && part->visible ? editor_.live.axis_of(part->contour) : nullptr;
     if (axis == nullptr) return;
-    const float unit = editor_.desk.scale;
+    const float unit = editor_.app.scale;
     for (uint32_t b = 0; b < axis->branch_count; ++b) {
         const std::vector<glm::vec2> line = branch_in_window(*part, *axis, b);
         if (line.size() < 2) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Closed lines as they are drawn by hand: made even, and looked at for what is wrong with them. In the units of a drawing.
+// Closed lines as they are drawn by hand: made even, and looked at for what is wrong with them. In the units of a
+// drawing.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,9 +18,9 @@ struct Contour {
 };
 using ContourPtr = std::shared_ptr<const Contour>;
 
-// The closed line that a hand meant by a path: ends that overshoot each other are cut where they cross, what is open is closed by a
-// straight line, points are about `spacing` apart and the hand's tremor is smoothed away. Empty if the path is no larger than
-// some times the spacing, a click that is.
+// The closed line that a hand meant by a path: ends that overshoot each other are cut where they cross, what is open is
+// closed by a straight line, points are about `spacing` apart and the hand's tremor is smoothed away. Empty if the path
+// is no larger than some times the spacing, a click that is.
 Ring ring_of_path(std::span<const glm::dvec2> path, double spacing);
 
 double area_of(const Ring& ring);  // not negative

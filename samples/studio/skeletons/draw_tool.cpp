@@ -59,18 +59,18 @@ void DrawTool::finish(bool hole) {
 std::vector<glm::dvec2> DrawTool::path_on_plane(double z) const {
     std::vector<glm::dvec2> points;
     for (const glm::vec2& px : path_) {
-        const auto at = meet_plane(editor_.desk.view.ray(px), {0.0f, 0.0f, static_cast<float>(z)}, {0.0f, 0.0f, 1.0f});
+        const auto at = meet_plane(editor_.app.view.ray(px), {0.0f, 0.0f, static_cast<float>(z)}, {0.0f, 0.0f, 1.0f});
         if (at) points.emplace_back(at->x, at->y);
     }
     return points;
 }
 
 double DrawTool::spacing_at(const glm::vec3& place) const {
-    return kSpacing_px * static_cast<double>(editor_.desk.scale * editor_.desk.view.metres_per_px(place));
+    return kSpacing_px * static_cast<double>(editor_.app.scale * editor_.app.view.metres_per_px(place));
 }
 
 void DrawTool::make_part() {
-    const glm::vec3 sight = editor_.desk.view.orbit.camera.target - editor_.desk.view.orbit.camera.eye;
+    const glm::vec3 sight = editor_.app.view.orbit.camera.target - editor_.app.view.orbit.camera.eye;
     double z = depth;
     const double spacing = spacing_at({0.0f, 0.0f, depth});
     Ring ring = ring_of_path(path_on_plane(z), spacing);
@@ -79,7 +79,7 @@ void DrawTool::make_part() {
         return editor_.select(hit ? hit->id : 0);
     }
     if (std::abs(glm::normalize(sight).z) < 0.2f)
-        throw StudioError("The picture's plane is seen from its edge: draw from the front (button Front view).");
+        throw StudioError("The drawing plane is seen edge-on. Press Front view to draw.");
     DrawnPart part = editor_.brush;
     if (editor_.brush_mirror == MirrorAs::front_back && z == 0.0) {
         z = depth_beside(editor_.drawing(), ring, part.thickness);
@@ -98,11 +98,11 @@ void DrawTool::make_part() {
 
 void DrawTool::make_hole() {
     const auto hit = pick_part(editor_, path_.front());
-    if (!hit) throw StudioError("A hole is drawn inside of a part: begin it there, with Shift held down.");
+    if (!hit) throw StudioError("A hole must start inside a part, with Shift held down.");
     const DrawnPart& part = *editor_.drawing().find(hit->id);
     std::vector<glm::dvec2> points;
     for (const glm::vec2& px : path_)
-        if (const auto at = meet_part(editor_.desk.view, part, px)) points.push_back(*at);
+        if (const auto at = meet_part(editor_.app.view, part, px)) points.push_back(*at);
     const double spacing = spacing_at(hit->position) / part.scale;
     const Ring hole = rounded(ring_of_path(points, spacing), spacing);
     if (hole.empty()) return editor_.select(hit->id);
@@ -110,7 +110,7 @@ void DrawTool::make_hole() {
         bool is_free = is_inside(part.contour->rings[0], p);
         for (size_t r = 1; r < part.contour->rings.size(); ++r)
             is_free = is_free && !is_inside(part.contour->rings[r], p);
-        if (!is_free) throw StudioError("The hole must be all inside of '" + part.name + "', and touch no other hole.");
+        if (!is_free) throw StudioError("The hole must lie inside '" + part.name + "' and touch no other hole.");
     }
     auto contour = std::make_shared<Contour>(*part.contour);
     contour->rings.push_back(hole);
@@ -123,8 +123,8 @@ void DrawTool::make_hole() {
 }
 
 void DrawTool::overlay(ImDrawList& list) const {
-    const float unit = editor_.desk.scale;
-    const View& view = editor_.desk.view;
+    const float unit = editor_.app.scale;
+    const View& view = editor_.app.view;
     // The line that both halves meet at.
     if (editor_.brush_mirror == MirrorAs::left_right && editor_.drawing().mirror == glm::vec4(1, 0, 0, 0)) {
         const glm::vec3& aim = view.orbit.camera.target;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the user has drawn: parts in their places, the picture they are drawn over, and the pose. Copies are cheap (contours are shared), so undo
-// keeps whole drawings.
+// What the user has drawn: parts in their places, the picture they are drawn over, and the pose. Copies are cheap
+// (contours are shared), so undo keeps whole drawings.
 #pragma once
 
 #include <array>
@@ -76,7 +76,8 @@ struct Drawing {
 
 glm::dvec3 mirrored(const glm::vec4& plane, const glm::dvec3& point);
 
-// How far from the mirror's plane z = 0 a part must be so that it and its image are two limbs of the body that it meets.
+// How far from the mirror's plane z = 0 a part must be so that it and its image are two limbs of the body that it
+// meets.
 double depth_beside(const Drawing& drawing, const Ring& outline, float thickness);
 
 // A placement of rotation, one scale and translation, as at, turn and scale.

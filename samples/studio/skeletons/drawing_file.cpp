@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "failure.h"
-#include "model_drawing.h"
+#include "documents/failure.h"
+#include "documents/model_drawing.h"
 #include "shell/studio_error.h"
 
 namespace flg::studio {
@@ -105,7 +105,7 @@ Drawing with_sentence(const std::string& subject, Read read) {
     } catch (const cli::InputError& error) {
         throw StudioError(error.what());
     } catch (const nlohmann::json::exception& error) {
-        throw StudioError(subject + " is not what the studio writes: " + error.what());
+        throw StudioError(subject + " is not a drawing of the studio: " + error.what());
     }
 }
 
@@ -137,7 +137,7 @@ nlohmann::json drawing_json(const Drawing& drawing) {
 }
 
 void write_drawing(const Drawing& drawing, const std::string& path) {
-    if (drawing.parts.empty()) throw StudioError("There is no part to be written: draw one first.");
+    if (drawing.parts.empty()) throw StudioError("There is no drawing to export. Draw a part first.");
     const std::string text = drawing_json(drawing).dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     // Whole or not at all.
     const std::string beside = path + ".part";
@@ -148,7 +148,7 @@ void write_drawing(const Drawing& drawing, const std::string& path) {
     if (file) std::filesystem::rename(beside, path, error);
     if (!file || error) {
         std::filesystem::remove(beside, error);
-        throw StudioError("The drawing can't be written to " + path + ".");
+        throw StudioError("The drawing cannot be written to " + path + ".");
     }
 }
 

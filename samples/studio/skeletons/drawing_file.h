@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drawings as the command line reads them (sdk/bones/README.md), and as part of a document, with what only the studio knows.
+// Drawings as the command line reads them (sdk/bones/README.md), and as part of a document, with what only the studio
+// knows.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -7,14 +7,14 @@
 namespace flg::studio {
 
 Drawing& Editor::change(const char* act) {
-    history_.begin(now_, act);
+    if (history_.begin(now_, act) && did) did();
     ++revision_;
-    ++desk.changes;
+    ++app.changes;
     return now_.drawing;
 }
 
 void Editor::commit() {
-    history_.commit();
+    if (history_.commit() && did) did();
 }
 
 void Editor::cancel() {
@@ -34,8 +34,7 @@ void Editor::set_plane(Drawing& drawing, MirrorAs as) {
         std::abs(drawing.mirror.z) > std::abs(drawing.mirror.x) ? MirrorAs::front_back : MirrorAs::left_right;
     if (before == as) return;
     if (drawing.has_mirrored_parts())
-        desk.notices.add(Weight::info,
-                         "A drawing has one mirror: all parts that are there twice are mirrored this way now.");
+        app.notices.add(Weight::info, "A drawing has one mirror. All mirrored parts use this one now.");
     drawing.mirror = as == MirrorAs::front_back ? glm::vec4(0, 0, -1, 0) : glm::vec4(1, 0, 0, 0);
 }
 
@@ -96,8 +95,8 @@ void Editor::repair(uint32_t id) {
 }
 
 void Editor::trace_mesh() {
-    const SceneMesh* mesh = desk.scene.active();
-    if (mesh == nullptr || !mesh->ready) throw StudioError("There is no mesh in the scene to be traced.");
+    const SceneMesh* mesh = app.scene.active();
+    if (mesh == nullptr || !mesh->ready) throw StudioError("There is no mesh to trace. Add one under Scene.");
     contours.trace(mesh->surface,
                    [this, name = mesh->name](ContourPtr contour, const std::array<double, 12>& placement) {
                        DrawnPart part = brush;
@@ -145,7 +144,7 @@ void Editor::redo() {
 void Editor::restore(State state) {
     now_ = std::move(state);
     ++revision_;
-    ++desk.changes;
+    ++app.changes;
 }
 
 void Editor::number(Drawing& drawing) {

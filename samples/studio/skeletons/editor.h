@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The drawing that is being worked on: what is selected, acts with undo, and what jobs make of it. Tools and panel change it here and nowhere else.
+// The drawing that is being worked on: what is selected, acts with undo, and what jobs make of it. Tools and panel
+// change it here and nowhere else.
 #pragma once
+
+#include <functional>
 
 #include "shell/workspace.h"
 #include "skeletons/contour_jobs.h"
@@ -13,9 +16,9 @@ enum class MirrorAs { single, left_right, front_back };
 
 class Editor {
 public:
-    explicit Editor(Desk& of) : desk(of), live(of.context, of.jobs, of.notices), contours(of.context, of.jobs) {}
+    explicit Editor(AppContext& of) : app(of), live(of.context, of.jobs, of.notices), contours(of.context, of.jobs) {}
 
-    Desk& desk;
+    AppContext& app;
     LiveModel live;
     ContourJobs contours;
     // What the next part is made with.
@@ -27,6 +30,8 @@ public:
     Drawing& change(const char* act);
     // The act ends: a step of undo.
     void commit();
+    // Called with each step that is made.
+    std::function<void()> did;
     // The act has not been.
     void cancel();
     bool is_acting() const { return history_.is_acting(); }
@@ -39,7 +44,8 @@ public:
     // The part being changed; there must be a selected one.
     DrawnPart& change_selected(const char* act) { return *change(act).find(now_.selected); }
 
-    // With a number of its own, a free name, selected; a whole act. The mirror is the drawing's: all mirrored parts have one.
+    // With a number of its own, a free name, selected; a whole act. The mirror is the drawing's: all mirrored parts
+    // have one.
     void add(DrawnPart part, MirrorAs as);
     void remove_selected();
     void duplicate_selected();
@@ -55,6 +61,7 @@ public:
     bool can_redo() const { return history_.can_redo(); }
     void undo();
     void redo();
+    void forget_undone() { history_.forget_undone(); }
     // Another drawing in place of all there is; `drawing`'s parts get numbers.
     void replace(Drawing drawing);
     // The same as an act, for files that are opened.

@@ -13,13 +13,14 @@ namespace flg::studio {
 template <class State>
 class History {
 public:
-    // An act begins: what is done until commit() is one step. Acts of the same name that were not committed go on; another
-    // name commits the one before.
-    void begin(const State& state, const std::string& act) {
-        if (before_ && act == act_) return;
-        commit();
+    // An act begins: what is done until commit() is one step. Acts of the same name that were not committed go on;
+    // another name commits the one before. Returns whether it did.
+    bool begin(const State& state, const std::string& act) {
+        if (before_ && act == act_) return false;
+        const bool was_act = commit();
         before_ = state;
         act_ = act;
+        return was_act;
     }
     // Whether there was an act.
     bool commit() {
@@ -49,6 +50,7 @@ public:
         return then;
     }
     void clear() { *this = {}; }
+    void forget_undone() { redo_.clear(); }
 
 private:
     static constexpr size_t kMost = 500;

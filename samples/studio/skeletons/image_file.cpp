@@ -47,7 +47,7 @@ render::Image halved(const render::Image& image) {
 ImageSize image_size(const std::string& path) {
     int width = 0, height = 0, channels = 0;
     if (stbi_info(path.c_str(), &width, &height, &channels) == 0)
-        throw StudioError("The picture " + path + " can't be read: " + stbi_failure_reason() + ".");
+        throw StudioError("The picture " + path + " cannot be read: " + stbi_failure_reason() + ".");
     return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
 }
 
@@ -55,7 +55,7 @@ render::Image read_image(const std::string& path) {
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
         stbi_load(path.c_str(), &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) throw StudioError("The picture " + path + " can't be read: " + stbi_failure_reason() + ".");
+    if (!pixels) throw StudioError("The picture " + path + " cannot be read: " + stbi_failure_reason() + ".");
     render::Image image;
     image.width = static_cast<uint32_t>(width);
     image.height = static_cast<uint32_t>(height);

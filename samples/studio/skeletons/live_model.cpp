@@ -143,7 +143,7 @@ void LiveModel::start_model(const Drawing& drawing) {
     FlgModel handle{};
     if (flgModelCreate(context_.get(), &desc, &handle, nullptr) != FLG_OK) {
         model_failed_ = true;
-        notices_.add(Weight::error, std::string("No bones can be made of this: ") + flgLastError());
+        notices_.add(Weight::error, std::string("The bones cannot be built: ") + flgLastError());
         return;
     }
     coming_model_ = ModelOwner(context_.get(), handle);
@@ -160,7 +160,7 @@ void LiveModel::take_model() {
         // A part that failed says so itself, and is left out the next time.
         if (result == FLG_ERROR_DEPENDENCY || coming_recipe_ != wanted_) return;
         model_failed_ = true;
-        notices_.add(Weight::error, std::string("No bones can be made of this: ") + flgLastError());
+        notices_.add(Weight::error, std::string("The bones cannot be built: ") + flgLastError());
         return;
     }
     model_ = std::move(coming_model_);
@@ -184,7 +184,7 @@ void LiveModel::start_skin(uint32_t vertices) {
     FlgJob job{};
     if (flgSkinCreate(context_.get(), &desc, &handle, &job) != FLG_OK) {
         skin_failed_ = true;
-        notices_.add(Weight::error, std::string("No body can be made of this: ") + flgLastError());
+        notices_.add(Weight::error, std::string("The body cannot be built: ") + flgLastError());
         return;
     }
     coming_skin_ = SkinOwner(context_.get(), handle);
@@ -200,7 +200,7 @@ void LiveModel::start_skin(uint32_t vertices) {
     for (const ModelRecipe::Part& part : recipe_.parts) placed.parts.emplace_back().placement = part.placement;
     coming_skinned_.motion = cli::make_test_motion(view, placed);
     coming_vertices_ = vertices;
-    jobs_.add("Making the body", filigree::Job(context_.get(), job), {},
+    jobs_.add("Building the body", filigree::Job(context_.get(), job), {},
               vertices == kFineVertices ? Jobs::Shown::listed : Jobs::Shown::quiet);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The bones and the body of a drawing, made by jobs while it is drawn and changed: always at most one job for the newest state behind the one that
-// runs, so that what is seen follows the mouse.
+// The bones and the body of a drawing, made by jobs while it is drawn and changed: always at most one job for the
+// newest state behind the one that runs, so that what is seen follows the mouse.
 #pragma once
 
+#include "documents/test_motion.h"
 #include "filigree/filigree.hpp"
 #include "filigree/filigree_model.h"
 #include "shell/jobs.h"
 #include "skeletons/rig.h"
-#include "test_motion.h"
 
 namespace flg::studio {
 

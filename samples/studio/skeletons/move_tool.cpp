@@ -26,16 +26,16 @@ double angle_of(glm::vec2 px) {
 std::optional<MoveTool::Knobs> MoveTool::knobs() const {
     const DrawnPart* part = editor_.selected();
     if (part == nullptr || !part->visible) return std::nullopt;
-    const auto centre = editor_.desk.view.project(glm::vec3(part->centre()));
+    const auto centre = editor_.app.view.project(glm::vec3(part->centre()));
     if (!centre) return std::nullopt;
-    const float radius = kRing * editor_.desk.scale;
+    const float radius = kRing * editor_.app.scale;
     return Knobs{*centre, *centre + radius * kTurnAt, *centre + radius * kSizeAt, *centre + radius * kDepthAt, radius};
 }
 
 MoveTool::Knob MoveTool::knob_at(glm::vec2 px) const {
     const auto around = knobs();
     if (!around) return Knob::none;
-    const float reach = kReach * editor_.desk.scale;
+    const float reach = kReach * editor_.app.scale;
     if (glm::distance(px, around->turn) < reach) return Knob::turn;
     if (glm::distance(px, around->size) < reach) return Knob::size;
     if (glm::distance(px, around->depth) < reach) return Knob::depth;
@@ -91,7 +91,7 @@ void MoveTool::grab(const Pointer& mouse) {
 
 glm::dvec3 MoveTool::moved_in_view(glm::vec2 px) const {
     constexpr float kFromFront = 0.9f;  // sights as near to z as this move parts in their plane
-    const View& view = editor_.desk.view;
+    const View& view = editor_.app.view;
     const glm::vec3 sight = glm::normalize(view.orbit.camera.target - view.orbit.camera.eye);
     const glm::vec3 normal = std::abs(sight.z) > kFromFront ? glm::vec3(0, 0, 1) : sight;
     const auto from = meet_plane(view.ray(grab_px_), grab_at_, normal), to = meet_plane(view.ray(px), grab_at_, normal);
@@ -101,7 +101,7 @@ glm::dvec3 MoveTool::moved_in_view(glm::vec2 px) const {
 
 double MoveTool::moved_in_depth(glm::vec2 px) const {
     constexpr float kLeastSeen = 0.3f;  // of a length across the view
-    const View& view = editor_.desk.view;
+    const View& view = editor_.app.view;
     const float metres = view.metres_per_px(grab_at_);
     const glm::vec2 moved = px - grab_px_;
     const auto here = view.project(grab_at_), nearer = view.project(grab_at_ + glm::vec3(0, 0, 10.0f * metres));
@@ -125,7 +125,7 @@ void MoveTool::drag(const Pointer& mouse) {
     } else if (drag_ == Knob::depth) {
         part.at = before_.at + glm::dvec3(0.0, 0.0, side * moved_in_depth(mouse.px));
     } else if (drag_ == Knob::turn) {
-        const glm::vec3 sight = editor_.desk.view.orbit.camera.target - editor_.desk.view.orbit.camera.eye;
+        const glm::vec3 sight = editor_.app.view.orbit.camera.target - editor_.app.view.orbit.camera.eye;
         double turned = angle_of(mouse.px - centre_px_) - angle_of(grab_px_ - centre_px_);
         if (sight.z > 0.0f) turned = -turned;
         glm::dvec3 turn = before_.turn;
@@ -142,7 +142,7 @@ void MoveTool::drag(const Pointer& mouse) {
 }
 
 void MoveTool::overlay(ImDrawList& list) const {
-    const float unit = editor_.desk.scale;
+    const float unit = editor_.app.scale;
     const auto around = knobs();
     if (!around) return;
     const Knob lit = drag_ != Knob::none ? drag_ : hovered_;
@@ -156,11 +156,12 @@ void MoveTool::overlay(ImDrawList& list) const {
         const char* what;
     };
     const Shown all[] = {
-        {Knob::part, around->centre, ink::kChosen, "move part",
-         "Move: drag it, or the part. With Shift: nearer or farther."},
-        {Knob::turn, around->turn, IM_COL32(60, 140, 200, 255), "turn part", "Turn. With Shift: by 15 degrees."},
-        {Knob::size, around->size, IM_COL32(90, 160, 70, 255), "size part", "Size."},
-        {Knob::depth, around->depth, IM_COL32(150, 90, 170, 255), "depth part", "Depth: down is nearer to you."}};
+        {Knob::part, around->centre, ink::kChosen, "move part", "Drag to move. Shift-drag moves nearer or farther."},
+        {Knob::turn, around->turn, IM_COL32(60, 140, 200, 255), "turn part",
+         "Drag to turn. Shift snaps to 15 degrees."},
+        {Knob::size, around->size, IM_COL32(90, 160, 70, 255), "size part", "Drag to resize."},
+        {Knob::depth, around->depth, IM_COL32(150, 90, 170, 255), "depth part",
+         "Drag to change the depth. Down is nearer to you."}};
     for (const Shown& shown : all) {
         const bool is_lit = lit == shown.knob;
         ink::knob(list, shown.at, kKnob, shown.color, is_lit, unit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drags parts in the plane of the view, along their depth with Shift, and turns and sizes the selected one by knobs around it.
+// Drags parts in the plane of the view, along their depth with Shift, and turns and sizes the selected one by knobs
+// around it.
 #pragma once
 
 #include "skeletons/part_picking.h"

@@ -35,7 +35,7 @@ void Skeletons::name_field() {
     // Another one was selected while this was typed.
     if (name_of_ != 0 && name_of_ != id) take_name();
     std::string text = name_of_ != 0 ? name_text_ : id != 0 ? editor_.selected()->name : editor_.brush.name;
-    ui::text("Name", &text, "What this part and its joints are called.");
+    ui::text("Name", &text, "Name of the part and its joints.");
     if (id == 0) {
         editor_.brush.name = text;
     } else if (ui::active()) {
@@ -49,6 +49,12 @@ void Skeletons::name_field() {
 void Skeletons::part_panel() {
     const bool is_next = editor_.selected() == nullptr;
     ui::heading(is_next ? "Next part" : "Selected part");
+    if (mode_ == Mode::draw &&
+        ui::row_button("New part", 1, "Clears the selection: the settings below are then those of the next part.",
+                       {.enabled = !is_next})) {
+        take_name();
+        return editor_.select(0);
+    }
     name_field();
     const DrawnPart& part = is_next ? editor_.brush : *editor_.selected();
     const MirrorAs mirror = is_next ? editor_.brush_mirror : editor_.mirror_of(part);
@@ -57,37 +63,39 @@ void Skeletons::part_panel() {
         const char* label;
         const char* tip;
     };
-    constexpr Choice kMirrors[] = {{MirrorAs::single, "Single", "There once, as it is drawn."},
-                                   {MirrorAs::left_right, "Left, right",
-                                    "There twice, left and right of the dashed line: arms of who looks at you."},
-                                   {MirrorAs::front_back, "Near, far",
-                                    "There twice, on the side of the body near to you and on the far one: legs of an "
-                                    "animal drawn from its side."}};
+    ui::hint("Copies");
+    constexpr Choice kMirrors[] = {
+        {MirrorAs::single, "Single", "One part, as you draw it."},
+        {MirrorAs::left_right, "Left, right",
+         "Two mirrored parts, left and right of the dashed line: the arms of a figure that faces you."},
+        {MirrorAs::front_back, "Near, far",
+         "Two parts, on the near and the far side of the body: the legs of an animal "
+         "drawn from its side."}};
     for (const Choice& choice : kMirrors) {
         if (choice.as != MirrorAs::single) ui::same_row();
         if (ui::row_button(choice.label, 3, choice.tip, {.pressed = mirror == choice.as}))
             editor_.set_mirror(choice.as);
     }
+    glm::vec3 color = part.color;
+    if (ui::color("Colour", &color, "Colour of the part.")) {
+        editor_.brush.color = color;
+        if (!is_next) editor_.change_selected("colour").color = color;
+    }
+    end_slider();
     float thickness = 100.0f * part.thickness;
     if (ui::slider("Thickness", &thickness, 10.0f, 200.0f, "%.0f %%",
-                   "How deep the part is. 100 %: a disc becomes a ball. More is thicker, less is flatter.")) {
+                   "Depth of the part. At 100 % a disc becomes a ball. Less is flatter.")) {
         editor_.brush.thickness = 0.01f * thickness;
         if (!is_next) editor_.change_selected("thickness").thickness = 0.01f * thickness;
     }
     end_slider();
     float depth = is_next ? draw_.depth : static_cast<float>(part.at.z);
-    if (ui::slider("Depth", &depth, -reach_, reach_, "%.2f m",
-                   "How near to you the part's plane is. More is nearer; 0 is the plane of the picture.")) {
+    if (ui::length("Depth", &depth, -reach_, reach_,
+                   "Distance of the part from the drawing plane. More is nearer to you.")) {
         if (is_next)
             draw_.depth = depth;
         else
             editor_.change_selected("depth").at.z = static_cast<double>(depth);
-    }
-    end_slider();
-    glm::vec3 color = part.color;
-    if (ui::color("Colour", &color, "The colour of the part.")) {
-        editor_.brush.color = color;
-        if (!is_next) editor_.change_selected("colour").color = color;
     }
     end_slider();
 }
@@ -95,7 +103,7 @@ void Skeletons::part_panel() {
 void Skeletons::move_panel() {
     if (editor_.selected() == nullptr) {
         ui::heading("Selected part");
-        return ui::hint("Click a part in the picture or in the list.");
+        return ui::hint("Click a part in the view or in the list.");
     }
     part_panel();
     place_panel();
@@ -107,18 +115,17 @@ void Skeletons::place_panel() {
         int axis;
         const char* tip;
     };
-    constexpr Axis kPlaces[] = {{"Right", 0, "How far the part is moved to the right from where it was drawn."},
-                                {"Up", 1, "How far the part is moved up from where it was drawn."}};
+    constexpr Axis kPlaces[] = {{"Right", 0, "Distance to the right of where you drew the part."},
+                                {"Up", 1, "Distance above where you drew the part."}};
     for (const Axis& along : kPlaces) {
         auto value = static_cast<float>(editor_.selected()->at[along.axis]);
-        if (ui::slider(along.label, &value, -reach_, reach_, "%.2f m", along.tip))
+        if (ui::length(along.label, &value, -reach_, reach_, along.tip))
             editor_.change_selected(along.label).at[along.axis] = static_cast<double>(value);
         end_slider();
     }
-    constexpr Axis kTurns[] = {
-        {"Tilt", 0, "Turns the part about the line from left to right: more leans its top to you."},
-        {"Swing", 1, "Turns the part about the upright line, as a door."},
-        {"Turn", 2, "Turns the part in its own plane; more is counter-clockwise."}};
+    constexpr Axis kTurns[] = {{"Tilt", 0, "Turns the part about the horizontal axis. More leans its top towards you."},
+                               {"Swing", 1, "Turns the part about the vertical axis, like a door."},
+                               {"Turn", 2, "Turns the part in its plane. More is counter-clockwise."}};
     for (const Axis& about : kTurns) {
         auto value = static_cast<float>(editor_.selected()->turn[about.axis]);
         if (ui::slider(about.label, &value, -180.0f, 180.0f, "%.0f deg", about.tip)) {
@@ -131,8 +138,7 @@ void Skeletons::place_panel() {
     }
     const double drawn = width_of(*editor_.selected());
     auto size = static_cast<float>(editor_.selected()->scale * drawn);
-    if (ui::slider("Size", &size, 0.05f, 20.0f, "%.2f m",
-                   "How long the part is, from corner to corner. More is larger.", true)) {
+    if (ui::length("Size", &size, 0.05f, 20.0f, "Length of the part from corner to corner.", true)) {
         DrawnPart& part = editor_.change_selected("size");
         part.place(part.turn, static_cast<double>(size) / drawn);
     }
@@ -140,43 +146,42 @@ void Skeletons::place_panel() {
 }
 
 void Skeletons::parts_panel() {
-    ui::heading("Parts");
+    if (!ui::section("Parts")) return;
     const Drawing& drawing = editor_.drawing();
-    if (drawing.parts.empty()) return ui::hint("None yet. Draw the body first, then what hangs on it.");
+    if (drawing.parts.empty()) return ui::hint("No parts yet. Draw the body first, then the limbs.");
     uint32_t clicked = 0;
     for (const DrawnPart& part : drawing.parts) {
         const bool is_wrong = !editor_.live.state_of(part.contour).fault.empty();
-        const std::string label = (is_wrong ? "! " : "") + part.name + (part.mirrored ? "  (two)" : "") +
+        const std::string label = (is_wrong ? "! " : "") + part.name + (part.mirrored ? "  (mirrored)" : "") +
                                   (!part.visible                    ? "  (hidden)"
                                    : editor_.live.is_loose(part.id) ? "  (loose)"
                                                                     : "") +
                                   "###" + part.name + " in list";
         if (ui::selectable(label.c_str(), part.id == editor_.selected_id(),
-                           "A part: click to select it. It hangs on the part above that it meets."))
+                           "Click to select this part. A part attaches to the part above that it touches."))
             clicked = part.id;
     }
     if (clicked != 0) editor_.select(clicked == editor_.selected_id() ? 0 : clicked);
-    if (editor_.live.has_loose_parts())
-        ui::hint("Loose parts meet no other: move them into the one that is to carry them.");
+    if (editor_.live.has_loose_parts()) ui::hint("Loose parts touch no other part. Move them until they do.");
     const DrawnPart* part = editor_.selected();
     const ui::State state = {.enabled = part != nullptr};
-    if (ui::row_button("Duplicate", 3, "A second one beside it. Ctrl+D.", state)) editor_.duplicate_selected();
+    if (ui::row_button("Duplicate", 3, "Adds a copy beside the part. Ctrl+D.", state)) editor_.duplicate_selected();
     ui::same_row();
     const bool is_hidden = part != nullptr && !part->visible;
-    if (ui::row_button(is_hidden ? "Show" : "Hide", 3, "Hidden parts are left out of body and bones.", state)) {
+    if (ui::row_button(is_hidden ? "Show" : "Hide", 3, "Leaves the part out of the body and the bones.", state)) {
         editor_.commit();
         editor_.change_selected("hide").visible = is_hidden;
         editor_.commit();
     }
     ui::same_row();
-    if (ui::row_button("Delete", 3, "Deletes the selected part. Key Delete.", state)) {
+    if (ui::row_button("Delete", 3, "Deletes the selected part. Delete.", state)) {
         drop_tools();
         editor_.remove_selected();
     }
-    if (ui::row_button("Earlier", 2, "Moves the part up in the list: later parts may hang on it.", state))
+    if (ui::row_button("Earlier", 2, "Moves the part up in the list. Later parts can attach to it.", state))
         editor_.shift_selected(-1);
     ui::same_row();
-    if (ui::row_button("Later", 2, "Moves the part down in the list: it may hang on those above.", state))
+    if (ui::row_button("Later", 2, "Moves the part down in the list. It can attach to parts above.", state))
         editor_.shift_selected(1);
 }
 

@@ -39,7 +39,7 @@ std::optional<PartHit> pick_body(const LiveModel::Skinned& skin, const Ray& ray)
 }  // namespace
 
 std::optional<PartHit> pick_part(const Editor& editor, glm::vec2 px) {
-    const View& view = editor.desk.view;
+    const View& view = editor.app.view;
     const Ray ray = view.ray(px);
     if (const LiveModel::Skinned* skin = editor.live.skin()) {
         const auto hit = pick_body(*skin, ray);

@@ -20,7 +20,7 @@ constexpr float kTurn_per_unit = 0.0125f;  // radians
 }  // namespace
 
 std::optional<uint32_t> PoseTool::joint_at(glm::vec2 px, const Rig& rig, const PosedJoints& joints) const {
-    const View& view = editor_.desk.view;
+    const View& view = editor_.app.view;
     std::optional<uint32_t> found;
     float nearest = std::numeric_limits<float>::infinity();
     for (uint32_t j = 0; j < rig.count(); ++j) {
@@ -28,7 +28,7 @@ std::optional<uint32_t> PoseTool::joint_at(glm::vec2 px, const Rig& rig, const P
         if (!at) continue;
         const float ball = joint_radius(rig, j) / std::max(view.metres_per_px(joints.at[j]), 1e-9f);
         const float distance = glm::distance(*at, px);
-        if (distance > std::max(kReach * editor_.desk.scale, ball) || distance >= nearest) continue;
+        if (distance > std::max(kReach * editor_.app.scale, ball) || distance >= nearest) continue;
         nearest = distance;
         found = j;
     }
@@ -61,10 +61,10 @@ void PoseTool::pointer(const Pointer& mouse, const Rig& rig, const PosedJoints& 
     // The bones may be others by now.
     if (*dragged_ >= rig.count() || rig.names[*dragged_] != name_) return leave();
     if (mouse.px != grab_px_ || editor_.is_acting()) {
-        const View& view = editor_.desk.view;
+        const View& view = editor_.app.view;
         Pose pose = before_;
         if (is_twist_) {
-            twist(rig, pose, *dragged_, kTurn_per_unit * (mouse.px.x - grab_px_.x) / editor_.desk.scale);
+            twist(rig, pose, *dragged_, kTurn_per_unit * (mouse.px.x - grab_px_.x) / editor_.app.scale);
         } else {
             const glm::vec3 sight = glm::normalize(view.orbit.camera.target - view.orbit.camera.eye);
             const auto from = meet_plane(view.ray(grab_px_), grab_at_, sight),
@@ -80,8 +80,8 @@ void PoseTool::pointer(const Pointer& mouse, const Rig& rig, const PosedJoints& 
 }
 
 void PoseTool::overlay(ImDrawList& list, const Rig& rig, const PosedJoints& joints) const {
-    const View& view = editor_.desk.view;
-    const float unit = editor_.desk.scale;
+    const View& view = editor_.app.view;
+    const float unit = editor_.app.scale;
     for (uint32_t j = 0; j < rig.count(); ++j) {
         const auto at = view.project(joints.at[j]);
         if (at) ui::mark("joint " + rig.names[j], {*at - kReach * unit, *at + kReach * unit});

@@ -36,13 +36,15 @@ struct PosedJoints {
 };
 PosedJoints posed(const Rig& rig, std::span<const glm::quat> turns, const glm::vec3& shift);
 
-// The joints that turn when a joint is pulled, its parent first: up to the next joint that carries others too, or the root.
+// The joints that turn when a joint is pulled, its parent first: up to the next joint that carries others too, or the
+// root.
 std::vector<uint32_t> chain_of(const Rig& rig, uint32_t joint);
 
-// Turns the joints of the chain so that the joint comes as near to a place as it can: cyclic coordinate descent (Wang and Chen 1991). A
-// root takes the model with it. Bones keep their lengths.
+// Turns the joints of the chain so that the joint comes as near to a place as it can: cyclic coordinate descent (Wang
+// and Chen 1991). A root takes the model with it. Bones keep their lengths.
 void pull(const Rig& rig, Pose& pose, uint32_t joint, const glm::vec3& to);
-// Turns the bone that ends at the joint about itself, with all that hangs on its upper joint; of a root the whole model about y.
+// Turns the bone that ends at the joint about itself, with all that hangs on its upper joint; of a root the whole model
+// about y.
 void twist(const Rig& rig, Pose& pose, uint32_t joint, float angle_rad);
 
 }  // namespace flg::studio

@@ -14,34 +14,54 @@
 
 namespace flg::studio {
 
-Skeletons::Skeletons(Desk& desk)
-    : Workspace(desk), editor_(desk), picture_(desk.renderer), layer_(desk.renderer, desk.notices) {}
+Skeletons::Skeletons(AppContext& app)
+    : Workspace(app), editor_(app), picture_(app.renderer), layer_(app.renderer, app.notices) {
+    editor_.did = [this] { app_.timeline.push(*this); };
+}
 
 std::string Skeletons::help() const {
     switch (mode_) {
         case Mode::draw:
-            return editor_.drawing().parts.empty() ? "Draw a closed line with the left button: it becomes a body with "
-                                                     "bones. Drop a picture to draw over it."
-                                                   : "Draw the next part where it meets the others. With Shift inside "
-                                                     "of a part: a hole. Click selects.";
+            return editor_.drawing().parts.empty()
+                       ? "Drag a closed outline. It becomes a body with bones. Drop a "
+                         "picture to trace it."
+                       : "Draw the next part so that it overlaps the body. Shift-drag inside a "
+                         "part cuts a hole. Click selects.";
         case Mode::move:
-            return "Drag a part; with Shift nearer or farther. The knobs turn, size and move the selected one.";
+            return "Drag a part to move it, Shift-drag for depth. The handles turn and resize the selected part.";
         case Mode::refine:
-            return "Fewer or more bones by the sliders. Click a part, then a branch of it, to refine that alone.";
-        default: return "Drag a joint to pose; with Shift its bone turns about itself. Double click puts a joint back.";
+            return "Set the number of bones with the sliders. Click a part, then a branch, to refine only that.";
+        default: return "Drag a joint to pose it. Shift-drag twists its bone. Double-click resets a joint.";
     }
 }
 
 void Skeletons::enter() {
     is_in_front_ = true;
+    app_.scene.stop_playing();
+    // The paper is looked at by itself.
+    scene_camera_ = app_.view.orbit.camera;
+    if (own_camera_)
+        app_.view.orbit.camera = *std::exchange(own_camera_, std::nullopt);
+    else
+        wants_frame_ = true;
+}
+
+bool Skeletons::is_settled() const {
+    const bool is_shown = (app_.scene.drawing() != nullptr) == !editor_.drawing().parts.empty();
+    return !editor_.is_acting() && !editor_.contours.busy() && is_shown;
 }
 
 void Skeletons::leave() {
     is_in_front_ = false;
-    play(false);
+    // It goes on in the scene.
+    if (SceneMesh* mesh = app_.scene.drawing()) mesh->plays = is_playing_;
+    is_playing_ = false;
     drop_tools();
-    for (const auto& mesh : desk_.scene.meshes())
-        if (mesh->drawn.value != 0) desk_.renderer.set_visible(mesh->drawn, mesh->visible);
+    if (!wants_frame_) own_camera_ = app_.view.orbit.camera;
+    if (scene_camera_) app_.view.orbit.camera = *std::exchange(scene_camera_, std::nullopt);
+    app_.scene.set_in_sight(true);
+    for (const auto& mesh : app_.scene.meshes())
+        if (mesh->drawn.value != 0) app_.renderer.set_visible(mesh->drawn, mesh->visible);
 }
 
 void Skeletons::drop_tools() {
@@ -62,20 +82,28 @@ void Skeletons::play(bool on) {
     is_playing_ = on;
     if (!on) return;
     was_played_ = true;
-    play_from_ = desk_.seconds;
+    play_from_ = app_.seconds;
 }
 
 void Skeletons::frame_drawing(const glm::vec3& sight) {
-    constexpr glm::vec3 kPaper{2.0f, 1.4f, 0.1f};  // half of what is seen while there is nothing, metres
+    // Half of what is seen while there is nothing: of a size that fits what is in the scene, else metres.
+    constexpr glm::vec3 kPaper{2.0f, 1.4f, 0.1f};
+    constexpr float kOfScene = 0.3f;
     render::Box box = editor_.drawing().box();
-    if (box.empty()) box = {-kPaper, kPaper};
-    desk_.view.frame(box, sight);
+    if (box.empty()) {
+        const render::Box scene = app_.scene.box();
+        const glm::vec3 half = scene.empty() ? kPaper : kPaper * (kOfScene * scene.diagonal());
+        box = {-half, half};
+    }
+    app_.view.frame(box, sight);
 }
 
-// Those of the scene are in the way here, unless they are wanted.
+// Those of the scene are in the way here with all that is on them, unless they are wanted.
 void Skeletons::hide_meshes() {
-    for (const auto& mesh : desk_.scene.meshes())
-        if (mesh->drawn.value != 0) desk_.renderer.set_visible(mesh->drawn, mesh->visible && shown_.meshes);
+    app_.scene.set_in_sight(shown_.meshes);
+    for (const auto& mesh : app_.scene.meshes())
+        if (mesh->drawn.value != 0)
+            app_.renderer.set_visible(mesh->drawn, mesh->visible && shown_.meshes && !mesh->is_drawing());
 }
 
 void Skeletons::update() {
@@ -84,12 +112,46 @@ void Skeletons::update() {
     const bool is_changing = move_.is_dragging() || is_sliding_;
     const Body body = is_sliding_ && mode_ == Mode::refine ? Body::none : is_changing ? Body::quick : Body::fine;
     editor_.live.update(editor_.drawing(), body);
+    app_.scene.set_drawing(!editor_.drawing().parts.empty());
+    give_surface();
+    play_in_scene();
     if (is_in_front_) hide_meshes();
-    if (is_in_front_ && wants_frame_ && desk_.view.viewport.z > 1) {
+    if (is_in_front_ && wants_frame_ && app_.view.viewport.z > 1) {
         wants_frame_ = false;
         frame_drawing({0.0f, 0.0f, -1.0f});
     }
     show_model();
+}
+
+void Skeletons::give_surface() {
+    const LiveModel::Skinned* skin = editor_.live.skin();
+    SceneMesh* mesh = app_.scene.drawing();
+    if (skin == nullptr || mesh == nullptr || editor_.live.busy() || editor_.is_acting()) return;
+    std::vector<glm::vec3> colors;
+    for (const uint32_t id : skin->parts) {
+        const DrawnPart* part = editor_.drawing().find(id);
+        colors.push_back(part != nullptr ? glm::min(part->color, 1.0f) : glm::vec3(0.5f));
+    }
+    if (mesh->surface && given_revision_ == editor_.live.skin_revision() && given_colors_ == colors) return;
+    const FlgSkinView& view = skin->view;
+    std::vector<float> color_of;
+    for (uint32_t v = 0; v < view.vertex_count; ++v) {
+        const glm::vec3& color = colors[view.vertex_parts[v]];
+        color_of.insert(color_of.end(), {color.x, color.y, color.z, 1.0f});
+    }
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, view.positions, 0, 0},
+                                 {FLG_ATTRIBUTE_COLOR, 4, color_of.data(), 0, 0}};
+    FlgSurfaceDesc desc = flgSurfaceDefaults();
+    desc.mesh.vertex_count = view.vertex_count;
+    desc.mesh.triangle_count = view.triangle_count;
+    desc.mesh.columns = columns;
+    desc.mesh.column_count = 2;
+    desc.mesh.triangles = view.triangles;
+    filigree::Job job;
+    filigree::Surface surface = app_.context.surface(desc, &job);
+    app_.scene.supply(*mesh, std::move(surface), std::move(job));
+    given_revision_ = editor_.live.skin_revision();
+    given_colors_ = std::move(colors);
 }
 
 const Rig* Skeletons::shown_rig() const {
@@ -106,24 +168,52 @@ std::vector<glm::quat> Skeletons::shown_turns(const Rig& rig) const {
     if (mode_ != Mode::pose) return std::vector<glm::quat>(rig.count(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
     std::vector<glm::quat> turns = turns_of(rig, editor_.drawing().pose);
     const LiveModel::Skinned* skin = editor_.live.skin();
-    if (!is_playing_ || skin == nullptr) return turns;
+    return is_playing_ && skin != nullptr ? moved_turns(std::move(turns), app_.seconds - play_from_) : turns;
+}
+
+std::vector<glm::quat> Skeletons::moved_turns(std::vector<glm::quat> turns, double seconds) const {
+    const LiveModel::Skinned* skin = editor_.live.skin();
     const FlgSkinAnimation animation = skin->motion.animation();
-    const double length = static_cast<double>(skin->motion.times.back());
-    const auto time = static_cast<float>(std::fmod(desk_.seconds - play_from_, length));
-    std::vector<float> moved(4 * rig.count());
+    const auto time = static_cast<float>(std::fmod(seconds, static_cast<double>(skin->motion.times.back())));
+    std::vector<float> moved(4 * turns.size());
     filigree::check(flgSkinAnimationSample(&animation, skin->view.joint_count, time, moved.data(), nullptr));
-    for (size_t j = 0; j < rig.count(); ++j)
+    for (size_t j = 0; j < turns.size(); ++j)
         turns[j] =
             glm::normalize(turns[j] * glm::quat(moved[4 * j + 3], moved[4 * j], moved[4 * j + 1], moved[4 * j + 2]));
     return turns;
 }
 
+void Skeletons::play_in_scene() {
+    SceneMesh* mesh = app_.scene.drawing();
+    const LiveModel::Skinned* skin = editor_.live.skin();
+    if (mesh == nullptr) return;
+    const bool is_of_skin = skin != nullptr && given_revision_ == editor_.live.skin_revision();
+    if (!mesh->plays || is_in_front_ || !is_of_skin) return mesh->bend.rest();
+    if (bent_revision_ != given_revision_ || mesh->bend.skin() == nullptr) {
+        mesh->bend.take(skin->view);
+        bent_revision_ = given_revision_;
+    }
+    if (mesh->bent() == nullptr) play_from_ = app_.seconds;
+    const std::vector<glm::quat> still(skin->rig.count(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
+    std::vector<float> rotations, joints(8 * skin->rig.count());
+    for (const glm::quat& turn : moved_turns(still, app_.seconds - play_from_))
+        rotations.insert(rotations.end(), {turn.x, turn.y, turn.z, turn.w});
+    filigree::check(flgSkinPose(&skin->view, rotations.data(), nullptr, nullptr, joints.data()));
+    mesh->bend.pose(std::move(joints));
+}
+
 void Skeletons::show_model() {
     const LiveModel::Skinned* skin = editor_.live.skin();
     const uint32_t chosen = is_in_front_ && mode_ != Mode::pose ? editor_.selected_id() : 0;
-    picture_.set_body_visible(shown_.body || !is_in_front_);
+    picture_.set_body_visible(shown_.body && is_in_front_);
     if (picture_.show_body(skin, editor_.live.skin_revision(), editor_.drawing(), chosen)) transforms_.clear();
     const glm::vec3 shift = mode_ == Mode::pose ? editor_.drawing().pose.shift : glm::vec3(0.0f);
+    if (skin != nullptr && skin_floor_of_ != editor_.live.skin_revision()) {
+        skin_floor_of_ = editor_.live.skin_revision();
+        skin_floor_ = skin->view.positions[1];
+        for (uint32_t v = 1; v < skin->view.vertex_count; ++v)
+            skin_floor_ = std::min(skin_floor_, skin->view.positions[3 * v + 1]);
+    }
     if (skin != nullptr) {
         const std::vector<glm::quat> turns = shown_turns(skin->rig);
         std::vector<float> rotations;
@@ -159,7 +249,7 @@ void Skeletons::pointer(const Pointer& mouse) {
 }
 
 void Skeletons::overlay(ImDrawList& list) {
-    if (mode_ == Mode::draw || mode_ == Mode::move) layer_.draw(list, desk_.view, editor_.drawing().picture);
+    if (mode_ == Mode::draw || mode_ == Mode::move) layer_.draw(list, app_.view, editor_.drawing().picture);
     if (mode_ != Mode::pose) draw_outlines(list);
     if (mode_ == Mode::draw && editor_.drawing().parts.empty() && !draw_.is_drawing() && !layer_.is_shown())
         draw_invitation(list);
@@ -173,21 +263,21 @@ void Skeletons::overlay(ImDrawList& list) {
 void Skeletons::draw_invitation(ImDrawList& list) const {
     constexpr const char* kText = "Draw the outline of a body here";
     constexpr int kDashes = 48;
-    const glm::vec4 v(desk_.view.viewport);
+    const glm::vec4 v(app_.view.viewport);
     const glm::vec2 middle(v.x + 0.5f * v.z, v.y + 0.5f * v.w), half = 0.28f * glm::vec2(v.z, 0.7f * v.w);
     for (int i = 0; i < kDashes; ++i) {
         const auto at = [&](float step) {
             const float angle = 6.2831853f * (static_cast<float>(i) + step) / kDashes;
             return ImVec2(middle.x + half.x * std::cos(angle), middle.y + half.y * std::sin(angle));
         };
-        list.AddLine(at(0.0f), at(0.55f), ink::kFaint, 2.0f * desk_.scale);
+        list.AddLine(at(0.0f), at(0.55f), ink::kFaint, 2.0f * app_.scale);
     }
     const ImVec2 size = ImGui::CalcTextSize(kText);
     list.AddText({middle.x - 0.5f * size.x, middle.y - 0.5f * size.y}, ink::kLine, kText);
 }
 
 void Skeletons::draw_outlines(ImDrawList& list) const {
-    const float unit = desk_.scale;
+    const float unit = app_.scale;
     for (const DrawnPart& part : editor_.drawing().parts) {
         if (!part.visible) continue;
         const LiveModel::PartState& state = editor_.live.state_of(part.contour);
@@ -198,18 +288,17 @@ void Skeletons::draw_outlines(ImDrawList& list) const {
             if (is_image && (!part.mirrored || is_wrong)) continue;
             if (!shown_.outlines && !is_wrong && !is_chosen && !is_hovered) continue;
             for (const Ring& ring : part.contour->rings) {
-                const auto line =
-                    ring_in_window(desk_.view, part, ring, is_image ? &editor_.drawing().mirror : nullptr);
+                const auto line = ring_in_window(app_.view, part, ring, is_image ? &editor_.drawing().mirror : nullptr);
                 ink::line(list, line, color, (is_chosen || is_hovered || is_wrong ? 2.5f : 1.2f) * unit, true);
             }
         }
         for (const glm::dvec2& place : state.crossings) {
-            const auto at = desk_.view.project(glm::vec3(part.matrix() * glm::dvec4(place, 0.0, 1.0)));
+            const auto at = app_.view.project(glm::vec3(part.matrix() * glm::dvec4(place, 0.0, 1.0)));
             if (!at) continue;
             list.AddCircle({at->x, at->y}, 11.0f * unit, ink::kShade, 0, 5.0f * unit);
             list.AddCircle({at->x, at->y}, 11.0f * unit, ink::kWrong, 0, 3.0f * unit);
         }
-        if (const auto at = desk_.view.project(glm::vec3(part.centre())))
+        if (const auto at = app_.view.project(glm::vec3(part.centre())))
             ui::mark("part " + part.name, {*at - 6.0f * unit, *at + 6.0f * unit});
     }
 }
@@ -247,13 +336,25 @@ bool Skeletons::shortcut(const Chord& chord) {
 
 std::span<const Workspace::Shortcut> Skeletons::shortcuts() const {
     static constexpr Shortcut kShortcuts[] = {
-        {"Q, W, E, R", "Draw, move, refine, pose"},    {"Shift+drag in Draw", "A hole in the part under the mouse"},
-        {"Shift+drag in Move", "Nearer or farther"},   {"Shift+drag in Pose", "Turns a bone about itself"},
-        {"Double click in Pose", "Puts a joint back"}, {"Space in Pose", "Plays or stops the test motion"},
-        {"Delete", "Deletes the selected part"},       {"Ctrl+D", "Duplicates the selected part"},
-        {"Escape", "Lets go; selects nothing"},
+        {"Q, W, E, R", "Draw, move, refine, pose"},
+        {"Shift+drag in Draw", "Cut a hole in the part"},
+        {"Shift+drag in Move", "Move nearer or farther"},
+        {"Shift+drag in Pose", "Twist a bone"},
+        {"Double-click in Pose", "Reset a joint"},
+        {"Space in Pose", "Play or stop the test motion"},
+        {"Delete", "Delete the selected part"},
+        {"Ctrl+D", "Duplicate the selected part"},
+        {"Escape", "Drop the drag, or clear the selection"},
     };
     return kShortcuts;
+}
+
+bool Skeletons::give_up() {
+    const bool has_some = draw_.is_drawing() || editor_.is_acting();
+    if (!has_some) return false;
+    draw_.drop(), move_.drop(), pose_.drop();
+    editor_.cancel();
+    return true;
 }
 
 void Skeletons::undo() {
@@ -264,6 +365,13 @@ void Skeletons::undo() {
 void Skeletons::redo() {
     draw_.drop(), move_.drop(), pose_.drop();
     editor_.redo();
+}
+
+// Under the body at rest, which stands still while it is posed.
+float Skeletons::floor() const {
+    const LiveModel::Skinned* skin = editor_.live.skin();
+    if (shown_.meshes || skin == nullptr) return app_.scene.floor();
+    return skin_floor_;
 }
 
 bool Skeletons::busy() const {
@@ -295,11 +403,11 @@ double Skeletons::count(const std::string& name) const {
     if (name == "playing") return is_playing_ ? 1.0 : 0.0;
     if (name == "picture") return layer_.is_shown() ? 1.0 : 0.0;
     if (name == "mode") return static_cast<double>(mode_);
-    throw StudioError("the workspace Skeletons has nothing to count by the name " + name + ".");
+    throw StudioError("skeletons has no value named " + name + ".");
 }
 
-std::unique_ptr<Workspace> make_skeletons(Desk& desk) {
-    return std::make_unique<Skeletons>(desk);
+std::unique_ptr<Workspace> make_skeletons(AppContext& app) {
+    return std::make_unique<Skeletons>(app);
 }
 
 }  // namespace flg::studio

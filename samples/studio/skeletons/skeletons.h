@@ -21,7 +21,7 @@ struct Shown {
 
 class Skeletons final : public Workspace {
 public:
-    explicit Skeletons(Desk& desk);
+    explicit Skeletons(AppContext& app);
 
     const char* title() const override { return "Skeletons"; }
     std::string help() const override;
@@ -37,11 +37,18 @@ public:
     bool can_redo() const override { return editor_.can_redo(); }
     void undo() override;
     void redo() override;
+    void forget_undone() override { editor_.forget_undone(); }
+    bool give_up() override;
+    void settle() override { editor_.commit(); }
+    bool is_settled() const override;
     bool open(const std::string& path) override;
     nlohmann::json save() const override;
     void load(const nlohmann::json& part) override;
     std::span<const Export> exports() const override;
     void write(const Export& what, const std::string& path) override;
+    const render::Camera* scene_camera() const override { return scene_camera_ ? &*scene_camera_ : nullptr; }
+    bool shows_scene() const override { return shown_.meshes; }
+    float floor() const override;
     bool busy() const override;
     void device_lost() override;
     double count(const std::string& name) const override;
@@ -51,7 +58,13 @@ private:
     void drop_tools();
     void frame_drawing(const glm::vec3& sight);
     void hide_meshes();
+    // The body at rest becomes the scene's drawn model.
+    void give_surface();
     void open_picture(const std::string& path);
+
+    // The scene's drawn model plays its motion while another workspace is in front.
+    void play_in_scene();
+    std::vector<glm::quat> moved_turns(std::vector<glm::quat> turns, double seconds) const;
 
     // What is shown of the pose: at rest but in Pose, where the bones are those of the body.
     const Rig* shown_rig() const;
@@ -92,6 +105,12 @@ private:
     Mode mode_ = Mode::draw;
     Shown shown_;
     bool is_in_front_ = false;
+    std::optional<render::Camera> scene_camera_, own_camera_;  // of the one of the two that is not looked through
+    uint64_t given_revision_ = 0;                              // of the skin that the scene's model was made of
+    uint64_t bent_revision_ = 0;                               // the same, that it is bent by
+    std::vector<glm::vec3> given_colors_;
+    uint64_t skin_floor_of_ = 0;  // the same, that the floor lies under
+    float skin_floor_ = 0.0f;
     bool wants_frame_ = true;  // the camera is to see the drawing, or the empty paper
     bool refines_part_ = false;
     float reach_ = 1.0f;       // of sliders that move parts, metres

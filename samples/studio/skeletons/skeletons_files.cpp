@@ -34,14 +34,14 @@ void Skeletons::open_picture(const std::string& path) {
     const ImageSize size = image_size(path);
     editor_.commit();
     // Before it is seen for the first time there is no camera to go by.
-    if (wants_frame_ && desk_.view.viewport.z > 1) {
+    if (wants_frame_ && app_.view.viewport.z > 1) {
         frame_drawing({0.0f, 0.0f, -1.0f});
         wants_frame_ = false;
     }
-    const glm::vec3& aim = desk_.view.orbit.camera.target;
-    const double metres = static_cast<double>(desk_.view.metres_per_px({aim.x, aim.y, 0.0f}));
-    const double fit = std::min(static_cast<double>(desk_.view.viewport.w),
-                                desk_.view.viewport.z * static_cast<double>(size.height) / size.width);
+    const glm::vec3& aim = app_.view.orbit.camera.target;
+    const double metres = static_cast<double>(app_.view.metres_per_px({aim.x, aim.y, 0.0f}));
+    const double fit = std::min(static_cast<double>(app_.view.viewport.w),
+                                app_.view.viewport.z * static_cast<double>(size.height) / size.width);
     TracedPicture& picture = editor_.change("picture").picture;
     picture.path = std::filesystem::absolute(path).string();
     picture.centre = {aim.x, aim.y};
@@ -85,8 +85,8 @@ void Skeletons::load(const nlohmann::json& part) {
     const int mode = part.contains("mode") && part["mode"].is_number_integer() ? part["mode"].get<int>() : 0;
     mode_ = static_cast<Mode>(std::clamp(mode, 0, 3));
     draw_.depth = 0.0f;
-    // The document has the camera that it was left with.
-    wants_frame_ = editor_.drawing().parts.empty();
+    wants_frame_ = true;
+    own_camera_.reset();
 }
 
 std::span<const Workspace::Export> Skeletons::exports() const {
@@ -96,8 +96,8 @@ std::span<const Workspace::Export> Skeletons::exports() const {
 void Skeletons::write(const Export& what, const std::string& path) {
     if (std::string(what.extension) == ".json") return write_drawing(editor_.drawing(), path);
     const LiveModel::Skinned* skin = editor_.live.skin();
-    if (skin == nullptr) throw StudioError("There is no body to be written: draw a part, or wait until it is made.");
-    if (editor_.live.busy()) throw StudioError("The body is still being made: try again in a moment.");
+    if (skin == nullptr) throw StudioError("There is no body to export. Draw a part first.");
+    if (editor_.live.busy()) throw StudioError("The body is still being built. Export again when it is done.");
     const Pose& pose = editor_.drawing().pose;
     std::vector<FlgSkinAnimation> animations;
     const float start = 0.0f;

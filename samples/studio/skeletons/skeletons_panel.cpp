@@ -36,10 +36,10 @@ void Skeletons::panel() {
         const char* label;
         const char* tip;
     };
-    constexpr Choice kModes[] = {{Mode::draw, "Draw", "Draw contours: each becomes a part with bones. Key Q."},
-                                 {Mode::move, "Move", "Put parts in their places. Key W."},
-                                 {Mode::refine, "Refine", "Fewer or more bones. Key E."},
-                                 {Mode::pose, "Pose", "Drag joints of the finished body. Key R."}};
+    constexpr Choice kModes[] = {{Mode::draw, "Draw", "Draw outlines. Each becomes a part with bones. Q."},
+                                 {Mode::move, "Move", "Move, turn and resize parts. W."},
+                                 {Mode::refine, "Refine", "Change the number of bones. E."},
+                                 {Mode::pose, "Pose", "Pose the body by its joints. R."}};
     for (const Choice& choice : kModes) {
         if (choice.mode != Mode::draw) ui::same_row();
         if (ui::row_button(choice.label, 4, choice.tip, {.pressed = mode_ == choice.mode})) set_mode(choice.mode);
@@ -52,6 +52,7 @@ void Skeletons::panel() {
         default: pose_panel();
     }
     if (mode_ != Mode::pose) parts_panel();
+    if (mode_ == Mode::draw) picture_panel();
     shown_panel();
 }
 
@@ -59,17 +60,17 @@ void Skeletons::fault_panel() {
     for (const DrawnPart& part : editor_.drawing().parts) {
         const LiveModel::PartState& state = editor_.live.state_of(part.contour);
         if (state.fault.empty()) continue;
-        ui::heading("This line can't be a part yet");
+        ui::heading("Repair this line");
         const bool crosses = !state.crossings.empty();
-        ui::hint(crosses ? ("The line of '" + part.name + "' crosses itself where the red rings are.").c_str()
+        ui::hint(crosses ? ("The line of '" + part.name + "' crosses itself at the red rings.").c_str()
                          : ("'" + part.name + "': " + state.fault + ".").c_str());
         const uint32_t id = part.id;
-        if (ui::row_button("Repair", 2, "Keeps what the line goes around, without its loops.")) {
+        if (ui::row_button("Repair", 2, "Removes the loops and keeps the outline.")) {
             editor_.select(id);
             return editor_.repair(id);
         }
         ui::same_row();
-        if (ui::row_button("Discard", 2, "Deletes this line, so that you can draw it again.")) {
+        if (ui::row_button("Discard", 2, "Deletes this line.")) {
             editor_.select(id);
             return editor_.remove_selected();
         }
@@ -79,31 +80,27 @@ void Skeletons::fault_panel() {
 
 void Skeletons::draw_panel() {
     part_panel();
-    if (ui::row_button("Front view", 2, "Looks at the paper from the front, so that all of the drawing is seen."))
-        frame_drawing({0.0f, 0.0f, -1.0f});
+    if (ui::row_button("Front view", 2, "Looks at the drawing from the front.")) frame_drawing({0.0f, 0.0f, -1.0f});
     ui::same_row();
-    const SceneMesh* mesh = desk_.scene.active();
-    if (ui::row_button("Trace mesh", 2,
-                       "Makes a part of the silhouette of the scene's active mesh, seen from the front.",
+    const SceneMesh* mesh = app_.scene.active();
+    if (ui::row_button("Trace mesh", 2, "Makes a part from the front silhouette of the active mesh.",
                        {.enabled = mesh != nullptr && mesh->ready}))
         editor_.trace_mesh();
-    picture_panel();
 }
 
 void Skeletons::picture_panel() {
     const TracedPicture& picture = editor_.drawing().picture;
-    ui::heading("Picture");
-    if (picture.path.empty()) return ui::hint("Drop a picture here (.png, .jpg) to draw over it.");
+    if (!ui::section("Picture", !picture.path.empty())) return;
+    if (picture.path.empty()) return ui::hint("Drop a picture here (.png, .jpg) to trace it.");
     float opacity = 100.0f * picture.opacity;
-    if (ui::slider("Opacity", &opacity, 0.0f, 100.0f, "%.0f %%",
-                   "How much of the picture is seen over the body. 0 hides it."))
+    if (ui::slider("Opacity", &opacity, 0.0f, 100.0f, "%.0f %%", "Opacity of the picture. 0 hides it."))
         editor_.change("opacity").picture.opacity = 0.01f * opacity;
     end_slider();
     auto height = static_cast<float>(picture.height);
-    if (ui::slider("Picture height", &height, 0.1f, 20.0f, "%.2f m", "How large the picture is. More is larger.", true))
+    if (ui::length("Picture size", &height, 0.1f, 20.0f, "Height of the picture in the scene.", true))
         editor_.change("picture height").picture.height = static_cast<double>(height);
     end_slider();
-    if (ui::row_button("Remove picture", 1, "Takes the picture away; what was drawn stays.")) {
+    if (ui::row_button("Remove picture", 1, "Removes the picture. The drawing stays.")) {
         editor_.commit();
         editor_.change("picture").picture = {};
         editor_.commit();
@@ -141,12 +138,12 @@ void Skeletons::branch_slider(uint32_t branch) {
     shares.resize(axis->branch_count, -1.0f);
     float percent = 100.0f * (shares[branch] < 0.0f ? thresholds().simplify : shares[branch]);
     if (ui::slider("This branch", &percent, 0.0f, 5.0f, "%.2f %%",
-                   "As Simplify, of the chosen branch alone: more leaves fewer joints along it.")) {
+                   "Simplify for the chosen branch only. More leaves fewer joints along it.")) {
         shares[branch] = 0.01f * percent;
         editor_.change_selected("branch").branch_simplify = shares;
     }
     end_slider();
-    if (ui::row_button("As its part", 1, "The branch follows Simplify of its part again.",
+    if (ui::row_button("Reset branch", 1, "The branch uses the settings of its part again.",
                        {.enabled = !part.branch_simplify.empty() && shares[branch] >= 0.0f})) {
         shares[branch] = -1.0f;
         editor_.commit();
@@ -159,22 +156,22 @@ void Skeletons::refine_panel() {
     ui::heading("Bones");
     const bool has_part = editor_.selected() != nullptr;
     const bool of_part = refines_part_ && has_part;
-    if (ui::row_button("Whole model", 2, "The sliders are of all parts that have none of their own.",
+    if (ui::row_button("Whole model", 2, "The sliders set all parts without settings of their own.",
                        {.pressed = !of_part})) {
         editor_.commit();
         refines_part_ = false;
     }
     ui::same_row();
-    if (ui::row_button("This part", 2, "The sliders are of the selected part alone.",
+    if (ui::row_button("This part", 2, "The sliders set the selected part only.",
                        {.enabled = has_part, .pressed = of_part})) {
         editor_.commit();
         refines_part_ = true;
     }
     char text[96];
     const Rig* rig = editor_.live.rig();
-    std::snprintf(text, sizeof text, "%zu joints, %zu bones. Shares are of the model's size, %.1f m.",
+    std::snprintf(text, sizeof text, "%zu joints, %zu bones. 100 %% is the model's size, %s.",
                   rig ? rig->count() : size_t{0}, rig ? rig->bone_count() : size_t{0},
-                  rig ? static_cast<double>(rig->size) : 0.0);
+                  ui::length_text(rig ? static_cast<double>(rig->size) : 0.0).c_str());
     ui::hint(text);
     struct Preset {
         const char* label;
@@ -182,8 +179,8 @@ void Skeletons::refine_panel() {
         const FlgBoneThresholds* thresholds;
     };
     const Preset presets[] = {{"Fine", "Many short bones that follow every bend.", &kFineBones},
-                              {"Usual", "A few bones a limb, as for toys.", &kUsualBones},
-                              {"Coarse", "As few bones as can be posed.", &kCoarseBones}};
+                              {"Usual", "A few bones per limb.", &kUsualBones},
+                              {"Coarse", "As few bones as possible.", &kCoarseBones}};
     for (const Preset& preset : presets) {
         if (&preset != presets) ui::same_row();
         if (!ui::row_button(preset.label, 3, preset.tip)) continue;
@@ -192,14 +189,14 @@ void Skeletons::refine_panel() {
         editor_.commit();
     }
     threshold_slider("Simplify", &FlgBoneThresholds::simplify, 5.0f,
-                     "How far bones may be off the middle of a limb. More leaves fewer joints along it.");
+                     "How far bones may lie off the middle of a limb. More leaves fewer joints.");
     threshold_slider("Merge", &FlgBoneThresholds::merge, 15.0f,
-                     "Forks nearer to each other than this become one. More leaves fewer forks.");
+                     "Forks closer together than this become one. More leaves fewer forks.");
     threshold_slider("Prune", &FlgBoneThresholds::prune, 20.0f,
                      "Twigs shorter than this are removed. More leaves fewer ends.");
     threshold_slider("Collapse", &FlgBoneThresholds::collapse, 10.0f,
-                     "Bones in between that are shorter than this vanish. More leaves longer bones.");
-    if (of_part && ui::row_button("As the model", 1, "The part follows the sliders of the whole model again.",
+                     "Inner bones shorter than this are removed. More leaves longer bones.");
+    if (of_part && ui::row_button("Reset part", 1, "The part uses the settings of the whole model again.",
                                   {.enabled = editor_.selected()->thresholds.has_value()})) {
         editor_.commit();
         editor_.change_selected("bones").thresholds.reset();
@@ -211,37 +208,36 @@ void Skeletons::refine_panel() {
 void Skeletons::pose_panel() {
     ui::heading("Pose");
     const bool has_skin = editor_.live.skin() != nullptr;
-    if (!has_skin) ui::hint("Draw a part first: it becomes a body that can be posed.");
+    if (!has_skin) ui::hint("Draw a part first. Then pose it here.");
     if (ui::row_button(is_playing_ ? "Stop" : "Test motion", 2,
-                       "Swings every joint a little, so that you see how the body follows. Key Space.",
+                       "Swings every joint a little to show how the body follows. Space.",
                        {.enabled = has_skin, .pressed = is_playing_}))
         play(!is_playing_);
     ui::same_row();
-    if (ui::row_button("Rest pose", 2, "Puts all joints back.", {.enabled = !editor_.drawing().pose.is_rest()})) {
+    if (ui::row_button("Rest pose", 2, "Returns all joints to the rest pose.",
+                       {.enabled = !editor_.drawing().pose.is_rest()})) {
         editor_.commit();
         editor_.change("rest").pose = {};
         editor_.commit();
     }
-    ui::heading("How skin follows bones");
+    ui::heading("Skinning");
     const bool is_linear = skinning_ == FLG_SKINNING_LINEAR;
-    if (ui::row_button("Linear", 2, "The mean of where the joints take it: gets thin where bones are twisted.",
-                       {.pressed = is_linear}))
+    if (ui::row_button("Soft", 2, "Blends joints softly. Thins out where bones twist.", {.pressed = is_linear}))
         skinning_ = FLG_SKINNING_LINEAR;
     ui::same_row();
-    if (ui::row_button("Dual quaternion", 2,
-                       "One rigid motion between the joints': keeps its girth where bones are twisted.",
-                       {.pressed = !is_linear}))
+    if (ui::row_button("Keeps volume", 2, "Keeps the body as thick where bones twist.", {.pressed = !is_linear}))
         skinning_ = FLG_SKINNING_DUAL_QUATERNION;
 }
 
 void Skeletons::shown_panel() {
-    ui::heading("Show");
-    ui::toggle("Body", &shown_.body, "The body that is made of the parts.");
+    if (!ui::section("Display")) return;
+    ui::toggle("Body", &shown_.body, "Shows the body.");
     ui::same_row();
-    ui::toggle("Bones", &shown_.bones, "Bones and joints, seen through the body.");
-    ui::toggle("Lines", &shown_.outlines, "The contours as they were drawn.");
+    ui::toggle("Bones", &shown_.bones, "Shows bones and joints through the body.");
+    ui::toggle("Lines", &shown_.outlines, "Shows the outlines you drew.");
     ui::same_row();
-    ui::toggle("Meshes", &shown_.meshes, "The meshes of the scene, which are put out of sight here otherwise.");
+    ui::toggle("Meshes", &shown_.meshes,
+               "Shows the meshes of the scene and what is on them, which are hidden here otherwise.");
 }
 
 }  // namespace flg::studio

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kNames[] = {"paper plane", "hammer", "top", "oar"};
 
-gallery::Body of_length_1(gallery::Body body) {
+samples::Body of_length_1(samples::Body body) {
     glm::dvec3 low(1e9), high(-1e9);
     for (const glm::dvec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
     const glm::dvec3 sides = high - low;
@@ -23,10 +23,10 @@ std::span<const char* const> body_names() {
     return kNames;
 }
 
-const gallery::Body& unit_body(int index) {
-    static const std::array<gallery::Body, std::size(kNames)> bodies = {
-        of_length_1(gallery::glider()), of_length_1(gallery::hammer()), of_length_1(gallery::top()),
-        of_length_1(gallery::oar())};
+const samples::Body& unit_body(int index) {
+    static const std::array<samples::Body, std::size(kNames)> bodies = {
+        of_length_1(samples::glider()), of_length_1(samples::hammer()), of_length_1(samples::top()),
+        of_length_1(samples::oar())};
     return bodies.at(static_cast<size_t>(index));
 }
 

@@ -29,16 +29,23 @@ double smoothing_of(const Curve& curve) {
 
 }  // namespace
 
-std::vector<FlgObstacle> solids_of(const std::vector<Obstacle>& obstacles, bool is_shape) {
-    const auto turned = [&](const glm::dvec3& world) { return is_shape ? to_shape(world) : world; };
+std::vector<FlgObstacle> solids_of(const std::vector<Obstacle>& obstacles, bool is_shape,
+                                   const render::Placement& placement) {
+    const glm::dquat back = glm::conjugate(glm::dquat(placement.turn));
+    const double size = 1.0 / static_cast<double>(placement.scale);
+    const bool is_placed = !placement.is_identity();
+    const auto turned = [&](const glm::dvec3& world) {
+        return is_shape ? to_shape(world) : is_placed ? back * world : world;
+    };
+    const auto moved = [&](const glm::dvec3& world) { return size * turned(world - glm::dvec3(placement.at)); };
     std::vector<FlgObstacle> solids;
     for (const Obstacle& obstacle : obstacles) {
         FlgObstacle& solid = solids.emplace_back(flgObstacleDefaults());
         solid.kind = obstacle.kind;
-        solid.radius = obstacle.radius;
-        copy(turned(obstacle.centre), solid.centre);
-        copy(turned(obstacle.to), solid.to);
-        copy(obstacle.half, solid.half);
+        solid.radius = size * obstacle.radius;
+        copy(moved(obstacle.centre), solid.centre);
+        copy(moved(obstacle.to), solid.to);
+        copy(size * obstacle.half, solid.half);
         for (glm::length_t c = 0; c < 3; ++c) {
             glm::dvec3 axis(0.0);
             axis[c] = 1.0;
@@ -48,7 +55,8 @@ std::vector<FlgObstacle> solids_of(const std::vector<Obstacle>& obstacles, bool 
     return solids;
 }
 
-CurveProblem problem_of(const Curve& curve, const Grounds::Surface& surface, const std::vector<Obstacle>& obstacles) {
+CurveProblem problem_of(const Curve& curve, const SurfaceLookup::Surface& surface,
+                        const std::vector<Obstacle>& obstacles) {
     CurveProblem problem;
     problem.points = curve.points;
     problem.closed = curve.closed && curve.points.size() > 2;
@@ -66,6 +74,7 @@ CurveProblem problem_of(const Curve& curve, const Grounds::Surface& surface, con
     if (curve.inside) problem.border = surface.mesh.id;
     if (curve.avoid) problem.obstacles = obstacles;
     // Nothing else asks for it, and then a thicker curve is no other one.
+    if (!problem.obstacles.empty()) problem.placement = surface.placement;
     if (!problem.obstacles.empty() && curve.look.form != Form::line)
         problem.clearance = static_cast<double>(curve.look.radius);
     return problem;
@@ -78,7 +87,7 @@ struct CurveSolver::Ended {
     float busy_ms = 0.0f;
 };
 
-CurveSolver::CurveSolver(Desk& desk) : desk_(desk) {}
+CurveSolver::CurveSolver(AppContext& app) : app_(app) {}
 
 bool CurveSolver::busy() const {
     return ended_ != nullptr || (wanted_ && wanted_ != submitted_);
@@ -90,7 +99,7 @@ void CurveSolver::want(const std::optional<CurveProblem>& problem, const std::st
 }
 
 filigree::Obstacles CurveSolver::obstacles_of(const CurveProblem& problem) {
-    std::vector<FlgObstacle> solids = solids_of(problem.obstacles, problem.is_shape);
+    std::vector<FlgObstacle> solids = solids_of(problem.obstacles, problem.is_shape, problem.placement);
     if (problem.border != 0) {
         FlgObstacle& border = solids.emplace_back(flgObstacleDefaults());
         border.kind = FLG_OBSTACLE_BORDER;
@@ -101,7 +110,7 @@ filigree::Obstacles CurveSolver::obstacles_of(const CurveProblem& problem) {
     desc.obstacles = solids.data();
     desc.obstacle_count = static_cast<uint32_t>(solids.size());
     desc.clearance = problem.clearance;
-    return desk_.context.obstacles(desc);
+    return app_.context.obstacles(desc);
 }
 
 void CurveSolver::submit() {
@@ -135,10 +144,10 @@ void CurveSolver::submit() {
         const filigree::Obstacles obstacles = obstacles_of(problem);
         desc.obstacles = obstacles.get();
         filigree::Job job;
-        running_ = desk_.context.spline(desc, &job);
+        running_ = app_.context.spline(desc, &job);
         frames_ = 0;
         ended_ = std::make_shared<Ended>();
-        desk_.jobs.add(
+        app_.jobs.add(
             name_, std::move(job),
             [ended = std::weak_ptr(ended_)](const FlgJobStatus& status) {
                 const auto mine = ended.lock();
@@ -151,13 +160,13 @@ void CurveSolver::submit() {
             found_.busy_ms > kListedMs ? Jobs::Shown::listed : Jobs::Shown::quiet, Jobs::Failure::told_by_caller);
     } catch (const filigree::Error& failed) {
         error_ = in_words(failed.what(), problem.obstacles);
-        desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
+        app_.notices.add(Weight::error, name_ + ": " + error_ + ".");
     }
 }
 
 void CurveSolver::take(const filigree::Spline& spline, bool final) {
     FlgSplineView view = flgSplineViewDefaults();
-    if (flgSplineGetView(desk_.context.get(), spline.get(), &view) != FLG_OK) return;
+    if (flgSplineGetView(app_.context.get(), spline.get(), &view) != FLG_OK) return;
     if (!final && !found_.final && view.rounds == found_.rounds && found_.nodes.size() == view.node_count) return;
     const bool is_shape = submitted_->is_shape;
     const float sign = submitted_->is_inside_out ? -1.0f : 1.0f;
@@ -183,11 +192,13 @@ void CurveSolver::take(const filigree::Spline& spline, bool final) {
 }
 
 // Rounds and curves among obstacles come without: then they are the drawn surface's, evened out along the curve.
-void CurveSolver::find_normals(const Ground& ground, const Grounds& grounds) {
+void CurveSolver::find_normals(const SurfaceRef& ground, const SurfaceLookup& surfaces) {
     constexpr int kReach = 3;
     const auto count = static_cast<int>(found_.nodes.size());
     std::vector<glm::vec3> raw;
-    for (const glm::vec3& node : found_.nodes) raw.emplace_back(grounds.normal(ground, node));
+    const render::Placement back = surfaces.placement(ground).inverse();
+    for (const glm::vec3& node : found_.nodes)
+        raw.emplace_back(back.direction(glm::vec3(surfaces.normal(ground, surfaces.to_world(ground, node)))));
     for (int i = 0; i < count; ++i) {
         glm::vec3 sum(0.0f);
         for (int j = std::max(i - kReach, 0); j <= std::min(i + kReach, count - 1); ++j)
@@ -197,7 +208,7 @@ void CurveSolver::find_normals(const Ground& ground, const Grounds& grounds) {
     }
 }
 
-void CurveSolver::update(const Ground& ground, const Grounds& grounds) {
+void CurveSolver::update(const SurfaceRef& ground, const SurfaceLookup& surfaces) {
     const uint64_t before = version_;
     if (ended_ && ended_->done) {
         if (ended_->result == FLG_OK) {
@@ -212,7 +223,7 @@ void CurveSolver::update(const Ground& ground, const Grounds& grounds) {
             if (ended_->result != FLG_ERROR_CANCELLED) {
                 error_ = in_words(ended_->error, submitted_->obstacles);
                 // While it is dragged the next wish may be a better one.
-                if (wanted_ == submitted_) desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
+                if (wanted_ == submitted_) app_.notices.add(Weight::error, name_ + ": " + error_ + ".");
             }
             running_.reset();
         }
@@ -220,7 +231,7 @@ void CurveSolver::update(const Ground& ground, const Grounds& grounds) {
     } else if (ended_ && ++frames_ > kPatience) {
         take(running_, false);
     }
-    if (version_ != before && found_.normals.empty() && ground.kind != "space") find_normals(ground, grounds);
+    if (version_ != before && found_.normals.empty() && ground.kind != "space") find_normals(ground, surfaces);
     if (!wanted_) {
         if (!found_.nodes.empty()) found_ = {}, ++version_;
         submitted_.reset();

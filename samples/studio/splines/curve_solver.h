@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The spline of one curve, kept up to date while its points are dragged: one job at a time, which begins where the last one
-// ended; what is wanted meanwhile is asked for when it is done, the latest alone. Rounds of a running job can be seen.
+// The spline of one curve, kept up to date while its points are dragged: one job at a time, which begins where the last
+// one ended; what is wanted meanwhile is asked for when it is done, the latest alone. Rounds of a running job can be
+// seen.
 #pragma once
 
 #include <memory>
@@ -8,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "splines/grounds.h"
 #include "splines/model.h"
+#include "splines/surface_lookup.h"
 
 namespace flg::studio::splines {
 
@@ -26,12 +27,14 @@ struct CurveProblem {
     uint64_t border = 0;  // an open surface whose borders are kept within
     std::vector<Obstacle> obstacles;
     double clearance = 0.0;
+    render::Placement placement{};  // of the mesh, among obstacles
     bool operator==(const CurveProblem&) const = default;
 };
 
-CurveProblem problem_of(const Curve& curve, const Grounds::Surface& surface, const std::vector<Obstacle>& obstacles);
+CurveProblem problem_of(const Curve& curve, const SurfaceLookup::Surface& surface,
+                        const std::vector<Obstacle>& obstacles);
 
-// A curve as it is known. Of the world.
+// A curve as it is known, in the space of what it lies on.
 struct FoundCurve {
     std::vector<glm::vec3> nodes, normals;  // no normals: in space
     std::vector<uint32_t> point_nodes;      // a node a point
@@ -45,12 +48,12 @@ struct FoundCurve {
 
 class CurveSolver {
 public:
-    explicit CurveSolver(Desk& desk);
+    explicit CurveSolver(AppContext& app);
 
     // What the curve is to be; `name` is for the user. None: there is nothing to be solved.
     void want(const std::optional<CurveProblem>& problem, const std::string& name);
     // After want(); once a frame. `ground` is what the curve lies on.
-    void update(const Ground& ground, const Grounds& grounds);
+    void update(const SurfaceRef& ground, const SurfaceLookup& surfaces);
     bool busy() const;
     const FoundCurve& found() const { return found_; }
     // Counts what found() was.
@@ -63,10 +66,10 @@ private:
 
     void submit();
     void take(const filigree::Spline& spline, bool final);
-    void find_normals(const Ground& ground, const Grounds& grounds);
+    void find_normals(const SurfaceRef& ground, const SurfaceLookup& surfaces);
     filigree::Obstacles obstacles_of(const CurveProblem& problem);
 
-    Desk& desk_;
+    AppContext& app_;
     std::optional<CurveProblem> wanted_, submitted_, solved_;
     std::string name_, error_;
     filigree::Spline running_, result_;
@@ -76,7 +79,8 @@ private:
     uint64_t version_ = 0;
 };
 
-// Solids in the coordinates of a shape, or of the world, as the SDK takes them.
-std::vector<FlgObstacle> solids_of(const std::vector<Obstacle>& obstacles, bool is_shape);
+// Solids in the coordinates of a shape, or of a mesh that is placed so, as the SDK takes them.
+std::vector<FlgObstacle> solids_of(const std::vector<Obstacle>& obstacles, bool is_shape,
+                                   const render::Placement& placement = {});
 
 }  // namespace flg::studio::splines

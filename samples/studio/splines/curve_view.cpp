@@ -34,29 +34,32 @@ float LiveCurve::height(const Curve& curve) {
     return (curve.look.form == Form::tube ? kTubeHeight : kBandHeight) * curve.look.radius;
 }
 
-void LiveCurve::update(const Curve& curve, const std::optional<Grounds::Surface>& surface,
-                       const std::vector<Obstacle>& obstacles, const Grounds& grounds) {
+void LiveCurve::update(const Curve& curve, const std::optional<SurfaceLookup::Surface>& surface,
+                       const std::vector<Obstacle>& obstacles, const SurfaceLookup& surfaces) {
     if (surface && curve.points.size() > 1)
         solver_.want(problem_of(curve, *surface, obstacles), curve.name);
     else if (curve.points.size() < 2)
         solver_.want(std::nullopt, curve.name);
-    solver_.update(curve.ground, grounds);
+    solver_.update(curve.ground, surfaces);
     decorator_.update(found(), solver_.version(), curve.ornament, height(curve), curve.name);
-    const Shown wanted{solver_.version(), decorator_.version(), curve.look, curve.visible && !found().nodes.empty(),
-                       decorated(curve)};
+    const bool is_seen =
+        curve.visible && !found().nodes.empty() && surfaces.is_seen(curve.ground) && app_.scene.in_sight();
+    const Shown wanted{solver_.version(), decorator_.version(), curve.look,
+                       is_seen,           decorated(curve),     surfaces.placement(curve.ground)};
     if (wanted == shown_ && (drawn_.value != 0) == wanted.visible) return;
     shown_ = wanted;
     if (!wanted.visible) {
-        desk_.renderer.remove(std::exchange(drawn_, {}));
+        app_.renderer.remove(std::exchange(drawn_, {}));
         return;
     }
-    render::CurveLook look = look_of(curve.look, desk_.scale);
+    render::CurveLook look = look_of(curve.look, app_.scale);
     if (wanted.decorated) look.radius_scale = kOrnamentThinning;
-    with_view(curve, [&](const FlgCurveSetView& view) {
+    look.radius *= wanted.placement.scale;
+    with_view(curve, wanted.placement, [&](const FlgCurveSetView& view) {
         if (drawn_.value == 0)
-            drawn_ = desk_.renderer.upload(view, look);
+            drawn_ = app_.renderer.upload(view, look);
         else
-            desk_.renderer.update(drawn_, view, look);
+            app_.renderer.update(drawn_, view, look);
     });
 }
 

@@ -10,138 +10,131 @@
 namespace flg::studio::splines {
 namespace {
 
-constexpr const char* kEnergies[] = {"Smooth: bends least", "Shortest: straight on", "Taut: in between"};
+constexpr const char* kEnergies[] = {"Smooth", "Shortest", "Taut"};
 constexpr const char* kForms[] = {"Tube", "Ribbon", "Line"};
 
 const char* ending_words(FlgSplineEnding ending) {
     switch (ending) {
-        case FLG_SPLINE_RUNNING: return "still moving";
-        case FLG_SPLINE_CONVERGED: return "settled";
-        case FLG_SPLINE_ROUNDING: return "settled as far as numbers go";
-        case FLG_SPLINE_ROUNDS: return "not settled: all rounds are used up";
-        default: return "stalled: the surface is too sharp there, or obstacles leave no way";
+        case FLG_SPLINE_RUNNING: return "computing";
+        case FLG_SPLINE_CONVERGED: return "done";
+        case FLG_SPLINE_ROUNDING: return "done, at the limit of precision";
+        case FLG_SPLINE_ROUNDS: return "not finished: all iterations used";
+        default: return "stuck: the surface is too sharp, or obstacles block the way";
     }
 }
 
-void status(const Stage& stage, const Curve& curve) {
-    const LiveCurve* const live = stage.live_curve(curve.id);
-    if (!stage.grounds.exists(curve.ground)) {
-        ui::hint("The mesh that it lies on is gone. It stays as it is until you choose another surface.");
+void status(const SplineEditor& editor, const Curve& curve) {
+    const LiveCurve* const live = editor.live_curve(curve.id);
+    if (!editor.surfaces.exists(curve.ground)) {
+        ui::hint("The mesh of this curve was removed. Choose another surface under Stays on.");
         return;
     }
     if (live != nullptr && !live->error().empty()) {
-        ui::hint(("It can't be: " + live->error()).c_str());
+        ui::hint(("No curve: " + live->error() + ".").c_str());
         return;
     }
     if (live == nullptr || live->found().nodes.empty()) {
-        ui::hint(curve.points.size() < 2 ? "Click once more to see the curve." : "On its way.");
+        ui::hint(curve.points.size() < 2 ? "Click a second point." : "Computing.");
         return;
     }
     const FoundCurve& found = live->found();
+    std::string ending = ending_words(found.ending);
+    ending[0] = static_cast<char>(ending[0] - 'a' + 'A');
+    ui::hint((ending + ".").c_str());
     char text[240];
-    std::snprintf(text, sizeof text, "%s, %u rounds%s. %zu nodes, %.3g m long, energy %.3g.",
-                  ending_words(found.ending), found.rounds, in_milliseconds(stage.desk, found.busy_ms).c_str(),
-                  found.nodes.size(), found.length, found.energy);
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    ui::hint(text);
+    std::snprintf(text, sizeof text, "%s long, %u iterations%s, %zu nodes, energy %.3g.",
+                  ui::length_text(found.length).c_str(), found.rounds,
+                  in_milliseconds(editor.app, found.busy_ms).c_str(), found.nodes.size(), found.energy);
+    ui::tip(text);
 }
 
-void list(Stage& stage) {
-    for (size_t i = 0; i < stage.document.curves.size(); ++i) {
-        Curve& curve = stage.document.curves[i];
-        ui::toggle(("##show curve " + std::to_string(i + 1)).c_str(), &curve.visible, "Whether this curve is shown.");
+void list(SplineEditor& editor) {
+    for (size_t i = 0; i < editor.document.curves.size(); ++i) {
+        Curve& curve = editor.document.curves[i];
+        ui::toggle(("##show curve " + std::to_string(i + 1)).c_str(), &curve.visible, "Shows or hides this curve.");
         ui::same_row();
         const uint32_t id = curve.id;
-        const Row row = list_row(curve.name + (curve.closed ? " (closed)" : ""), id, id == stage.curve, "curve");
+        const Row row = list_row(curve.name + (curve.closed ? " (closed)" : ""), id,
+                                 id == editor.curve && !editor.begins_new, "curve");
         // Curves of one point may be gone after either.
-        if (row == Row::chosen) return stage.choose_curve(id);
-        if (row == Row::removed) return stage.remove_curve(id);
+        if (row == Row::chosen) return editor.choose_curve(id);
+        if (row == Row::removed) return editor.remove_curve(id);
     }
 }
 
-void shape_widgets(Stage& stage, Curve& curve) {
-    ui::toggle("Closed", &curve.closed, "The curve goes from its last point back to the first. Needs three points.",
+void shape_widgets(SplineEditor& editor, Curve& curve) {
+    ui::toggle("Closed", &curve.closed, "Joins the last point to the first. Needs three points.",
                curve.points.size() > 2);
     int energy = curve.energy;
     if (ui::choice("Bends", &energy, kEnergies,
-                   "Smooth curves make wide, even turns; the shortest ones run straight from point to point and turn "
-                   "there; taut "
-                   "ones lie between."))
+                   "Smooth curves turn evenly. Shortest curves run straight and turn at the points. Taut curves lie "
+                   "between the two."))
         curve.energy = static_cast<FlgSplineEnergy>(energy);
-    const double size = stage.size();
+    const double size = editor.size();
     if (curve.energy == FLG_SPLINE_ET) {
         auto tension = static_cast<float>(curve.tension);
         if (ui::slider("Tension", &tension, static_cast<float>(1.0 / (size * size)),
                        static_cast<float>(1e5 / (size * size)), "%.3g /m\xc2\xb2",
-                       "How hard the curve is pulled, per square metre. More: straighter between points, sharper at "
-                       "them; less: as the smooth one.",
-                       true))
+                       "Pull on the curve. More makes it straighter between points and sharper at them.", true))
             curve.tension = static_cast<double>(tension);
     }
+    if (!ui::section("Advanced", false)) return;
     auto waves = static_cast<float>(curve.waves);
-    if (ui::slider("Smooth away", &waves, 0.0f, static_cast<float>(4.0 * size),
-                   waves > 0.0f ? "waves below %.2f m" : "nothing: through the points",
-                   "Waves shorter than this many metres are smoothed away, so that the curve only passes near its "
-                   "points. 0: it "
-                   "goes through all of them.",
-                   false, !curve.avoid || stage.document.obstacles.empty()))
+    if (ui::length("Smoothing", &waves, 0.0f, static_cast<float>(4.0 * size),
+                   "Smooths out waves shorter than this; the curve then passes near its points. 0 passes through all "
+                   "of them.",
+                   false, !curve.avoid || editor.document.obstacles.empty(), "none"))
         curve.waves = static_cast<double>(waves);
-    ui::slider("Nodes", &curve.density, 4, 128, "%d from point to point",
-               "How finely the curve is computed. More nodes: rounder in tight turns, and slower.");
+    ui::slider("Nodes", &curve.density, 4, 128, "%d per span",
+               "Resolution between two points. More is rounder in tight turns, and slower.");
     bool steered = curve.begin_slope.has_value() || curve.end_slope.has_value();
     if (ui::toggle("Steer the ends", &steered,
-                   "Arrows at both ends say in which direction the curve begins and ends; drag their tips. Farther "
-                   "out: it keeps the "
-                   "direction for longer.",
+                   "Adds an arrow at each end for the direction of the curve. Drag its tip; a longer arrow keeps the "
+                   "direction longer.",
                    !curve.closed && curve.points.size() > 1)) {
         curve.begin_slope.reset();
         curve.end_slope.reset();
-        const LiveCurve* const live = stage.live_curve(curve.id);
+        const LiveCurve* const live = editor.live_curve(curve.id);
         if (steered && live != nullptr && live->found().nodes.size() > 1) {
             const std::vector<glm::vec3>& nodes = live->found().nodes;
             curve.begin_slope = glm::normalize(glm::dvec3(nodes[1] - nodes[0]));
             curve.end_slope = glm::normalize(glm::dvec3(nodes[nodes.size() - 1] - nodes[nodes.size() - 2]));
         }
     }
-    ui::toggle("Avoid obstacles", &curve.avoid,
-               "The curve goes around all obstacles, at the distance of its own radius.");
-    const SceneMesh* const mesh = stage.desk.scene.find(curve.ground.mesh);
+    ui::toggle("Avoid obstacles", &curve.avoid, "Leads the curve around all obstacles.");
+    const SceneMesh* const mesh = editor.app.scene.find(curve.ground.mesh);
     if (curve.ground.kind == "mesh" && mesh != nullptr && mesh->ready && mesh->surface.report().border_count > 0)
-        ui::toggle("Keep inside the borders", &curve.inside, "The mesh is open: the curve does not go over its edge.");
+        ui::toggle("Keep inside the borders", &curve.inside, "Keeps the curve from crossing the mesh's open borders.");
+    ui::text("Name", &curve.name, "Name of the curve in the list and in files.");
 }
 
-void look_widgets(Stage& stage, Curve& curve) {
-    ui::heading("Look");
+void look_widgets(SplineEditor& editor, Curve& curve) {
+    if (!ui::section("Look")) return;
     int form = static_cast<int>(curve.look.form);
     for (int i = 0; i < 3; ++i) {
         if (i > 0) ui::same_row();
-        constexpr const char* kTips[] = {"A round tube, half sunk into the surface.",
-                                         "A flat band that lies on the surface.",
-                                         "A line of three pixels, whatever the distance."};
+        constexpr const char* kTips[] = {"Draws a round tube.", "Draws a flat band that lies on the surface.",
+                                         "Draws a line three pixels wide at any distance."};
         if (ui::row_button(kForms[i], 3, kTips[i], {.enabled = true, .pressed = i == form}))
             curve.look.form = static_cast<Form>(i);
     }
-    ui::color("Colour", &curve.look.color, "The curve's colour.");
-    const auto size = static_cast<float>(stage.size());
+    ui::color("Colour", &curve.look.color, "Colour of the curve.");
+    const auto size = static_cast<float>(editor.size());
     if (curve.look.form != Form::line)
-        ui::slider(
-            "Radius", &curve.look.radius, 0.001f * size, 0.06f * size, "%.4f m",
-            "Of the tube, or half the width of the ribbon, in metres. More: thicker, and farther away from obstacles.",
-            true);
+        ui::length("Radius", &curve.look.radius, 0.001f * size, 0.06f * size,
+                   "Half the thickness of the curve. More also keeps it farther from obstacles.", true);
     Ornament& ornament = curve.ornament;
-    ui::toggle("Stylize", &ornament.on, "Lays a drawn style along the curve, in the directions of the surface.");
+    ui::toggle("Stylize", &ornament.on, "Applies a hand-drawn style to the curve.");
     if (!ornament.on) return;
     const auto names = style_names();
     auto style = static_cast<int>(std::find(names.begin(), names.end(), ornament.style) - names.begin());
-    if (ui::choice("Style", &style, names, "Which hand-drawn example the curve takes after."))
+    if (ui::choice("Style", &style, names, "Hand-drawn example to follow."))
         ornament.style = names[static_cast<size_t>(style)];
-    ui::toggle("Flat on the surface", &ornament.flat,
-               "The style lies down on the surface; else it stands upright on it.");
+    ui::toggle("Flat on the surface", &ornament.flat, "The style lies on the surface. Off: it stands upright.");
     ui::slider("Magnitude", &ornament.magnitude, 0.0f, 3.0f, "%.2f",
-               "How far the style swings away from the curve, 1 is as drawn. "
-               "More: wilder; 0: the curve itself.");
-    ui::slider("Style size", &ornament.size, 0.004f * size, 0.15f * size, "%.3f m",
-               "How large the style's strokes are, in metres that they swing away. More: larger and fewer.", true);
+               "Strength of the style. 0 is the plain curve, 1 matches the example, more exaggerates it.");
+    ui::length("Style size", &ornament.size, 0.004f * size, 0.15f * size,
+               "How far the style swings off the curve. More makes wider and fewer turns.", true);
 }
 
 }  // namespace
@@ -153,83 +146,77 @@ Row list_row(const std::string& name, uint32_t id, bool chosen, const char* what
     ImGui::BeginChild(("##row" + number).c_str(), {width, height}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::AlignTextToFramePadding();
-    const bool clicked =
-        ui::selectable((name + number).c_str(), chosen, "Click to choose it: its handles can be dragged then.");
+    const bool clicked = ui::selectable((name + number).c_str(), chosen, "Click to select it and show its handles.");
     ImGui::EndChild();
     ImGui::SameLine();
     const bool removed = ui::button(("x##remove " + name).c_str(), (std::string("Removes this ") + what + ".").c_str());
     return removed ? Row::removed : clicked ? Row::chosen : Row::none;
 }
 
-void ground_choice(Stage& stage, Ground* chosen) {
-    std::vector<Ground> grounds;
+void ground_choice(SplineEditor& editor, SurfaceRef* chosen) {
+    std::vector<SurfaceRef> surfaces;
     std::vector<std::string> titles;
-    for (const auto& mesh : stage.desk.scene.meshes()) {
-        grounds.push_back({"mesh", mesh->id});
-        titles.push_back("Mesh: " + mesh->name);
+    for (const auto& mesh : editor.app.scene.meshes()) {
+        surfaces.push_back({"mesh", mesh->id});
+        titles.push_back("Mesh " + mesh->name);
     }
-    if (grounds.empty()) {
-        grounds.push_back({"mesh", 0});
-        titles.emplace_back("The first mesh that is opened");
+    if (surfaces.empty()) {
+        surfaces.push_back({"mesh", 0});
+        titles.emplace_back("The first mesh you add");
     }
-    grounds.push_back({"space", 0});
-    titles.emplace_back("Space: a plane that faces you");
+    surfaces.push_back({"space", 0});
+    titles.emplace_back("Space, on a plane that faces you");
     for (const Shape& shape : shapes()) {
-        grounds.push_back({shape.name, 0});
+        surfaces.push_back({shape.name, 0});
         titles.emplace_back(shape.title);
     }
-    const Ground now = chosen != nullptr ? *chosen
-                       : stage.ground.kind == "mesh"
-                           ? Ground{"mesh", stage.desk.scene.active() ? stage.desk.scene.active()->id : 0}
-                           : stage.ground;
+    const SurfaceRef now = chosen != nullptr ? *chosen
+                           : editor.ground.kind == "mesh"
+                               ? SurfaceRef{"mesh", editor.app.scene.active() ? editor.app.scene.active()->id : 0}
+                               : editor.ground;
     int index = -1;
     std::vector<const char*> names;
-    for (size_t i = 0; i < grounds.size(); ++i) {
+    for (size_t i = 0; i < surfaces.size(); ++i) {
         names.push_back(titles[i].c_str());
-        if (grounds[i] == now) index = static_cast<int>(i);
+        if (surfaces[i] == now) index = static_cast<int>(i);
     }
-    if (!ui::choice(
-            "Stays on", &index, names,
-            "What points lie on, of the chosen one and of those that come: a mesh of the scene, space, or a surface by "
-            "formula.") ||
+    if (!ui::choice("Stays on", &index, names,
+                    "Surface that points lie on: a mesh, space, or a mathematical surface.") ||
         index < 0)
         return;
-    const Ground& taken = grounds[static_cast<size_t>(index)];
-    stage.ground = {taken.kind, 0};
-    if (taken.kind == "mesh" && taken.mesh != 0) stage.desk.scene.set_active(taken.mesh);
+    const SurfaceRef& taken = surfaces[static_cast<size_t>(index)];
+    editor.ground = {taken.kind, 0};
+    if (taken.kind == "mesh" && taken.mesh != 0) editor.app.scene.set_active(taken.mesh);
     if (chosen != nullptr) *chosen = taken;
 }
 
-void curves_panel(Stage& stage) {
-    Curve* curve = stage.chosen_curve();
-    const bool drawing = stage.drawing != 0 && stage.document.curve(stage.drawing) != nullptr;
-    ground_choice(stage, curve != nullptr && (drawing || curve->points.empty()) ? &curve->ground : nullptr);
-    if (ui::row_button("New curve", 2, "The next click begins another curve. (N)")) {
-        stage.end_drawing();
-        stage.point = -1;
+void curves_panel(SplineEditor& editor) {
+    Curve* curve = editor.chosen_curve();
+    const bool drawing = editor.drawing != 0 && editor.document.curve(editor.drawing) != nullptr;
+    const SurfaceRef before = curve != nullptr ? curve->ground : SurfaceRef{};
+    ground_choice(editor, curve != nullptr && !editor.begins_new ? &curve->ground : nullptr);
+    if (curve != nullptr && !(curve->ground == before)) {
+        for (glm::dvec3& point : curve->points)
+            point = editor.surfaces.to_own(curve->ground, editor.surfaces.to_world(before, point));
     }
+    if (ui::row_button("New curve", 2, "The next click starts another curve. N.")) editor.begin_new();
     ui::same_row();
-    if (ui::row_button("Done", 2, "Ends the curve that is being drawn; a double click or Enter does it too.",
-                       {.enabled = drawing}))
-        stage.end_drawing();
-    list(stage);
-    curve = stage.chosen_curve();
-    if (curve != nullptr && ui::row_button("Remove point", 1, "Removes the point with the ring around it. (Delete)",
-                                           {.enabled = stage.point >= 0})) {
-        stage.remove_point(*curve, stage.point);
-        curve = stage.chosen_curve();
+    if (ui::row_button("Done", 2, "Ends this curve. Enter or a double-click.", {.enabled = drawing}))
+        editor.end_drawing();
+    list(editor);
+    curve = editor.chosen_curve();
+    if (curve != nullptr &&
+        ui::row_button("Remove point", 1, "Removes the ringed point. Delete.", {.enabled = editor.point >= 0})) {
+        editor.remove_point(*curve, editor.point);
+        curve = editor.chosen_curve();
     }
     if (curve == nullptr) {
-        ui::hint(
-            "Click on the surface: each click is a point, and the curve goes through all of them. Drag points to "
-            "change it.");
+        ui::hint("Click points on the surface. A smooth curve passes through them. Drag points to change it.");
         return;
     }
-    ui::heading("Shape");
-    shape_widgets(stage, *curve);
-    status(stage, *curve);
-    look_widgets(stage, *curve);
-    ui::text("Name", &curve->name, "What the curve is called in the list and in files.");
+    look_widgets(editor, *curve);
+    if (ui::section("Shape")) shape_widgets(editor, *curve);
+    status(editor, *curve);
 }
 
 }  // namespace flg::studio::splines

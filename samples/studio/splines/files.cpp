@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "failure.h"
+#include "documents/failure.h"
+#include "documents/json_place.h"
+#include "documents/motion_file.h"
 #include "filigree/filigree_io.h"
-#include "json_place.h"
-#include "motion_file.h"
 #include "splines/bodies.h"
 #include "support/curve_source.h"
 
@@ -56,25 +56,25 @@ Obstacle read_obstacle(const JsonPlace& item, bool* flat) {
     return out;
 }
 
-void read_obstacles(Stage& stage, const JsonPlace& root) {
+void read_obstacles(SplineEditor& editor, const JsonPlace& root) {
     std::vector<Obstacle> read;
     bool flat = false;
     for (const JsonPlace& item : root.at("obstacles").items()) read.push_back(read_obstacle(item, &flat));
-    if (read.size() + stage.document.obstacles.size() > kMostObstacles)
+    if (read.size() + editor.document.obstacles.size() > kMostObstacles)
         root.fail("has more obstacles than there may be, " + std::to_string(kMostObstacles));
     for (Obstacle& obstacle : read) {
-        obstacle.id = ++stage.document.last_id;
-        obstacle.name = next_name("Obstacle", static_cast<uint32_t>(stage.document.obstacles.size()) + 1);
-        stage.obstacle = obstacle.id;
-        stage.document.obstacles.push_back(std::move(obstacle));
+        obstacle.id = ++editor.document.last_id;
+        obstacle.name = next_name("Obstacle", static_cast<uint32_t>(editor.document.obstacles.size()) + 1);
+        editor.obstacle = obstacle.id;
+        editor.document.obstacles.push_back(std::move(obstacle));
     }
-    if (flat) stage.ground = {"plane", 0};
-    stage.tool = Tool::obstacles;
+    if (flat) editor.ground = {"plane", 0};
+    editor.tool = Tool::obstacles;
 }
 
 // ---- Keys
 
-void read_keys(Stage& stage, const std::string& path) {
+void read_keys(SplineEditor& editor, const std::string& path) {
     const cli::MotionFile file = cli::read_motion_file(path);
     Motion motion;
     for (size_t i = 0; i < file.times.size(); ++i) {
@@ -82,7 +82,7 @@ void read_keys(Stage& stage, const std::string& path) {
         const glm::dmat3 turn(m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]);
         motion.keys.push_back({file.times[i], {m[3], m[7], m[11]}, glm::normalize(glm::quat_cast(turn))});
         if (i > 0 && !(file.times[i] > file.times[i - 1]))
-            throw StudioError(path + ": the times of its keys do not rise.");
+            throw StudioError(path + ": the times of its keys do not increase.");
     }
     if (motion.keys.size() < 2) throw StudioError(path + ": has fewer than two keys.");
     double reach = 0.0;
@@ -93,13 +93,13 @@ void read_keys(Stage& stage, const std::string& path) {
     motion.closed = file.desc.closed != 0;
     motion.energy = file.desc.energy;
     motion.tension = std::clamp(file.desc.tension, 1e-6, 1e12);
-    motion.id = ++stage.document.last_id;
+    motion.id = ++editor.document.last_id;
     motion.ground = {"space", 0};
     motion.name = std::filesystem::path(path).stem().string();
-    stage.motion = motion.id;
-    stage.key = -1;
-    stage.tool = Tool::motions;
-    stage.document.motions.push_back(std::move(motion));
+    editor.motion = motion.id;
+    editor.key = -1;
+    editor.tool = Tool::motions;
+    editor.document.motions.push_back(std::move(motion));
 }
 
 // ---- Curves out
@@ -129,7 +129,7 @@ struct Gathered {
 
 }  // namespace
 
-bool read_file(Stage& stage, const std::string& path) {
+bool read_file(SplineEditor& editor, const std::string& path) {
     if (std::filesystem::path(path).extension() != ".json") return false;
     nlohmann::json json;
     try {
@@ -140,23 +140,27 @@ bool read_file(Stage& stage, const std::string& path) {
     if (!json.is_object() || (!json.contains("keys") && !json.contains("obstacles"))) return false;
     try {
         if (json.contains("keys"))
-            read_keys(stage, path);
+            read_keys(editor, path);
         else
-            read_obstacles(stage, JsonPlace(json, path));
+            read_obstacles(editor, JsonPlace(json, path));
     } catch (const cli::InputError& error) {
         throw StudioError(error.what());
     }
     return true;
 }
 
-void write_curves(const Stage& stage, const std::string& path) {
+void write_curves(const SplineEditor& editor, const std::string& path) {
     Gathered all;
-    for (const Curve& curve : stage.document.curves) {
-        const LiveCurve* const live = stage.live_curve(curve.id);
+    for (const Curve& curve : editor.document.curves) {
+        const LiveCurve* const live = editor.live_curve(curve.id);
         if (!curve.visible || live == nullptr || live->found().nodes.empty()) continue;
-        live->with_view(curve, [&](const FlgCurveSetView& view) { all.add(view, curve.look); });
+        if (!editor.surfaces.is_seen(curve.ground)) continue;
+        const render::Placement placement = editor.surfaces.placement(curve.ground);
+        CurveLook look = curve.look;
+        look.radius *= placement.scale;
+        live->with_view(curve, placement, [&](const FlgCurveSetView& view) { all.add(view, look); });
     }
-    if (all.positions.empty()) throw StudioError("There are no curves to be written: click two points first.");
+    if (all.positions.empty()) throw StudioError("There are no curves to export. Click two points first.");
     const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, &all.positions[0].x, 0, 0},
                                  {FLG_ATTRIBUTE_COLOR, 4, &all.colors[0].x, 0, 0},
                                  {FLG_ATTRIBUTE_RADIUS, 1, all.radii.data(), 0, 0}};
@@ -172,13 +176,13 @@ void write_curves(const Stage& stage, const std::string& path) {
     if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw StudioError(flgIoLastError());
 }
 
-void write_motion(const Stage& stage, const std::string& path) {
-    const Motion* const motion = stage.chosen_motion();
-    const LiveMotion* const live = motion != nullptr ? stage.live_motion(motion->id) : nullptr;
+void write_motion(const SplineEditor& editor, const std::string& path) {
+    const Motion* const motion = editor.chosen_motion();
+    const LiveMotion* const live = motion != nullptr ? editor.live_motion(motion->id) : nullptr;
     if (live == nullptr || live->found().poses.empty())
-        throw StudioError("There is no motion to be written: put two keys first.");
+        throw StudioError("There is no motion to export. Add two keys first.");
     const FoundMotion& found = live->found();
-    gallery::Copies body;
+    samples::Copies body;
     body.add(unit_body(motion->body), rows_of(Pose{}, motion->size).data(), {}, 0.0f);
     const FlgMeshView mesh = body.view();
     // Players begin at 0.

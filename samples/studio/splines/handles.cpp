@@ -23,13 +23,13 @@ struct Nearest {
     }
 };
 
-float away(const Stage& stage, const glm::dvec3& place, glm::vec2 px) {
-    const auto at = stage.desk.view.project(place);
+float away(const SplineEditor& editor, const glm::dvec3& place, glm::vec2 px) {
+    const auto at = editor.app.view.project(place);
     if (!at) return FLT_MAX;
     const float distance = glm::distance(*at, px);
-    const bool near = distance < 2.0f * kReach * stage.desk.scale;
-    return near && stage.grounds.hidden(place, kSlack * stage.size()) ? distance + kBehind * stage.desk.scale
-                                                                      : distance;
+    const bool near = distance < 2.0f * kReach * editor.app.scale;
+    return near && editor.surfaces.hidden(place, kSlack * editor.size()) ? distance + kBehind * editor.app.scale
+                                                                         : distance;
 }
 
 double clearance(const Obstacle& obstacle, const glm::dvec3& p) {
@@ -59,77 +59,82 @@ std::optional<double> meet(const Obstacle& obstacle, const Ray& ray) {
     return std::nullopt;
 }
 
-void offer_curve(const Stage& stage, const Curve& curve, glm::vec2 px, Nearest& nearest) {
-    const float scale = stage.desk.scale;
-    const bool chosen = curve.id == stage.curve;
+void offer_curve(const SplineEditor& editor, const Curve& curve, glm::vec2 px, Nearest& nearest) {
+    const float scale = editor.app.scale;
+    const bool chosen = curve.id == editor.curve;
     if (chosen) {
         for (size_t i = 0; i < curve.points.size(); ++i)
-            nearest.offer({Grip::point, curve.id, static_cast<int>(i)}, away(stage, curve.points[i], px),
-                          kReach * scale);
+            nearest.offer({HandleKind::point, curve.id, static_cast<int>(i)},
+                          away(editor, editor.surfaces.to_world(curve.ground, curve.points[i]), px), kReach * scale);
         for (const bool begin : {true, false}) {
-            if (const auto tip = slope_tip(stage, curve, begin))
-                nearest.offer({begin ? Grip::begin_slope : Grip::end_slope, curve.id, 0}, away(stage, *tip, px),
-                              kReach * scale);
+            if (const auto tip = slope_tip(editor, curve, begin))
+                nearest.offer({begin ? HandleKind::begin_slope : HandleKind::end_slope, curve.id, 0},
+                              away(editor, *tip, px), kReach * scale);
         }
     }
-    const LiveCurve* const live = stage.live_curve(curve.id);
-    if (live == nullptr || nearest.handle.grip != Grip::none) return;
+    const LiveCurve* const live = editor.live_curve(curve.id);
+    if (live == nullptr || nearest.handle.kind != HandleKind::none) return;
     const FoundCurve& found = live->found();
+    const render::Placement placement = editor.surfaces.placement(curve.ground);
     const size_t count = found.nodes.size();
     for (size_t i = 0; i + (found.closed ? 0 : 1) < count; ++i) {
-        const auto a = stage.desk.view.project(found.nodes[i]),
-                   b = stage.desk.view.project(found.nodes[(i + 1) % count]);
+        const glm::vec3 from = placement.point(found.nodes[i]);
+        const auto a = editor.app.view.project(from),
+                   b = editor.app.view.project(placement.point(found.nodes[(i + 1) % count]));
         if (!a || !b) continue;
         const float distance = distance_to({*a, *b}, px);
-        if (distance > kCurveReach * scale || stage.grounds.hidden(found.nodes[i], kSlack * stage.size())) continue;
+        if (distance > kCurveReach * scale || editor.surfaces.hidden(from, kSlack * editor.size())) continue;
         const auto after = std::upper_bound(found.point_nodes.begin(), found.point_nodes.end(), i);
         const int span = static_cast<int>(after - found.point_nodes.begin()) - 1;
-        nearest.offer({chosen ? Grip::span : Grip::curve, curve.id, chosen ? span : 0}, distance, kCurveReach * scale);
+        nearest.offer({chosen ? HandleKind::span : HandleKind::curve, curve.id, chosen ? span : 0}, distance,
+                      kCurveReach * scale);
     }
 }
 
-void offer_motion(const Stage& stage, const Motion& motion, glm::vec2 px, Nearest& nearest) {
-    const float scale = stage.desk.scale;
+void offer_motion(const SplineEditor& editor, const Motion& motion, glm::vec2 px, Nearest& nearest) {
+    const float scale = editor.app.scale;
     for (size_t i = 0; i < motion.keys.size(); ++i) {
-        const auto at = stage.desk.view.project(motion.keys[i].place);
+        const auto at = editor.app.view.project(motion.keys[i].place);
         if (at)
-            nearest.offer({Grip::key, motion.id, static_cast<int>(i)}, glm::distance(*at, px), 1.4f * kReach * scale);
+            nearest.offer({HandleKind::key, motion.id, static_cast<int>(i)}, glm::distance(*at, px),
+                          1.4f * kReach * scale);
     }
-    if (nearest.handle.grip != Grip::none || stage.key < 0) return;
-    const Key& key = motion.keys[static_cast<size_t>(stage.key)];
+    if (nearest.handle.kind != HandleKind::none || editor.key < 0) return;
+    const Key& key = motion.keys[static_cast<size_t>(editor.key)];
     for (int axis = 0; axis < 3; ++axis) {
         const std::vector<glm::dvec3> ring = ring_of(motion, key, axis);
-        nearest.offer({Grip::ring, motion.id, axis}, distance_to(project(stage.desk.view, ring), px),
+        nearest.offer({HandleKind::ring, motion.id, axis}, distance_to(project(editor.app.view, ring), px),
                       kCurveReach * scale);
     }
 }
 
 // The first solid that is seen under the mouse.
-Handle solid_under(const Stage& stage, glm::vec2 px) {
-    const Ray ray = stage.desk.view.ray(px);
+Handle solid_under(const SplineEditor& editor, glm::vec2 px) {
+    const Ray ray = editor.app.view.ray(px);
     Handle found;
     double least = DBL_MAX;
-    for (const Obstacle& obstacle : stage.document.obstacles) {
+    for (const Obstacle& obstacle : editor.document.obstacles) {
         const auto way = meet(obstacle, ray);
         if (!way || *way >= least) continue;
-        if (stage.grounds.hidden(glm::dvec3(ray.origin) + *way * glm::dvec3(ray.direction), 1e-3 * stage.size()))
+        if (editor.surfaces.hidden(glm::dvec3(ray.origin) + *way * glm::dvec3(ray.direction), 1e-3 * editor.size()))
             continue;
         least = *way;
-        found = {Grip::solid, obstacle.id, 0};
+        found = {HandleKind::solid, obstacle.id, 0};
     }
     return found;
 }
 
 }  // namespace
 
-double slope_length(const Stage& stage) {
-    return kSlope * stage.size();
+double slope_length(const SplineEditor& editor) {
+    return kSlope * editor.size();
 }
 
-std::optional<glm::dvec3> slope_tip(const Stage& stage, const Curve& curve, bool begin) {
+std::optional<glm::dvec3> slope_tip(const SplineEditor& editor, const Curve& curve, bool begin) {
     const auto& slope = begin ? curve.begin_slope : curve.end_slope;
     if (!slope || curve.closed || curve.points.size() < 2) return std::nullopt;
-    return (begin ? curve.points.front() : curve.points.back()) + slope_length(stage) * *slope;
+    const glm::dvec3 from = editor.surfaces.to_world(curve.ground, begin ? curve.points.front() : curve.points.back());
+    return from + slope_length(editor) * (glm::dquat(editor.surfaces.placement(curve.ground).turn) * *slope);
 }
 
 std::vector<glm::dvec3> ring_of(const Motion& motion, const Key& key, int axis) {
@@ -150,8 +155,8 @@ double reach_of(const Obstacle& obstacle) {
            (obstacle.kind == FLG_OBSTACLE_CAPSULE ? glm::distance(obstacle.centre, obstacle.to) : 0.0);
 }
 
-glm::dvec3 size_handle(const Stage& stage, const Obstacle& obstacle) {
-    const render::Camera& camera = stage.desk.view.orbit.camera;
+glm::dvec3 size_handle(const SplineEditor& editor, const Obstacle& obstacle) {
+    const render::Camera& camera = editor.app.view.orbit.camera;
     const glm::dvec3 right = glm::normalize(glm::cross(camera.target - camera.eye, camera.up));
     const double far = obstacle.kind == FLG_OBSTACLE_BOX ? reach_of(obstacle) : obstacle.radius;
     return obstacle.centre + far * right;
@@ -176,28 +181,30 @@ float distance_to(const std::vector<glm::vec2>& chain, glm::vec2 px) {
     return least;
 }
 
-Handle find_handle(const Stage& stage, glm::vec2 px) {
+Handle find_handle(const SplineEditor& editor, glm::vec2 px) {
     Nearest nearest;
-    const float reach = kReach * stage.desk.scale;
-    if (const Obstacle* const obstacle = stage.chosen_obstacle(); obstacle && stage.tool == Tool::obstacles) {
-        nearest.offer({Grip::solid_size, obstacle->id, 0}, away(stage, size_handle(stage, *obstacle), px), reach);
+    const float reach = kReach * editor.app.scale;
+    if (const Obstacle* const obstacle = editor.chosen_obstacle(); obstacle && editor.tool == Tool::obstacles) {
+        nearest.offer({HandleKind::solid_size, obstacle->id, 0}, away(editor, size_handle(editor, *obstacle), px),
+                      reach);
         if (obstacle->kind == FLG_OBSTACLE_CAPSULE)
-            nearest.offer({Grip::solid_end, obstacle->id, 0}, away(stage, obstacle->to, px), reach);
+            nearest.offer({HandleKind::solid_end, obstacle->id, 0}, away(editor, obstacle->to, px), reach);
     }
-    if (stage.tool == Tool::curves) {
+    if (editor.tool == Tool::curves) {
         for (const bool chosen : {true, false}) {
-            for (const Curve& curve : stage.document.curves) {
-                if (curve.visible && (curve.id == stage.curve) == chosen && nearest.handle.grip == Grip::none)
-                    offer_curve(stage, curve, px, nearest);
+            for (const Curve& curve : editor.document.curves) {
+                if (curve.visible && editor.surfaces.is_seen(curve.ground) && (curve.id == editor.curve) == chosen &&
+                    nearest.handle.kind == HandleKind::none)
+                    offer_curve(editor, curve, px, nearest);
             }
         }
     }
-    if (stage.tool == Tool::motions) {
-        for (const Motion& motion : stage.document.motions) {
-            if (motion.visible && motion.id == stage.motion) offer_motion(stage, motion, px, nearest);
+    if (editor.tool == Tool::motions) {
+        for (const Motion& motion : editor.document.motions) {
+            if (motion.visible && motion.id == editor.motion) offer_motion(editor, motion, px, nearest);
         }
     }
-    return nearest.handle.grip != Grip::none ? nearest.handle : solid_under(stage, px);
+    return nearest.handle.kind != HandleKind::none ? nearest.handle : solid_under(editor, px);
 }
 
 }  // namespace flg::studio::splines

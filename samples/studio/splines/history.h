@@ -36,6 +36,7 @@ public:
         document_ = settled_;
         return true;
     }
+    void forget_undone() { redo_.clear(); }
     bool can_undo() const { return !undo_.empty(); }
     bool can_redo() const { return !redo_.empty(); }
     void undo() { step(undo_, redo_); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the user makes in the Splines workspace: curves through points, obstacles, motions through keys. Values only, so that
-// a step of undo is a copy. Metres, seconds, linear RGB.
+// What the user makes in the Splines workspace: curves through points, obstacles, motions through keys. Values only, so
+// that a step of undo is a copy. Metres, seconds, linear RGB.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@
 namespace flg::studio::splines {
 
 // What points lie on.
-struct Ground {
+struct SurfaceRef {
     std::string kind = "mesh";  // "mesh", "space" or the name of a shape (shapes.h)
     uint32_t mesh = 0;          // its id; 0: none
-    bool operator==(const Ground&) const = default;
+    bool operator==(const SurfaceRef&) const = default;
 };
 
 enum class Form { tube, ribbon, line };
@@ -45,7 +45,7 @@ struct Curve {
     uint32_t id = 0;
     std::string name;
     bool visible = true;
-    Ground ground;
+    SurfaceRef ground;
     std::vector<glm::dvec3> points;
     bool closed = false;
     FlgSplineEnergy energy = FLG_SPLINE_E2;
@@ -84,8 +84,8 @@ struct Motion {
     uint32_t id = 0;
     std::string name;
     bool visible = true;
-    Ground ground;  // where keys are placed
-    int body = 0;   // of body_names()
+    SurfaceRef ground;  // where keys are placed
+    int body = 0;       // of body_names()
     double size = 0.0;
     std::vector<Key> keys;
     bool closed = false;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "failure.h"
-#include "json_place.h"
+#include "documents/failure.h"
+#include "documents/json_place.h"
 #include "shell/studio_error.h"
 #include "splines/bodies.h"
 #include "splines/model.h"
@@ -53,13 +53,13 @@ int word(const JsonPlace& place, const Words& words) {
 
 // ---- Both ways
 
-json from_ground(const Ground& ground, const std::vector<uint32_t>& ids) {
+json from_ground(const SurfaceRef& ground, const std::vector<uint32_t>& ids) {
     if (ground.kind != "mesh") return ground.kind;
     const auto found = std::find(ids.begin(), ids.end(), ground.mesh);
     return found == ids.end() ? json(-1) : json(found - ids.begin());
 }
 
-Ground to_ground(const JsonPlace& place, const std::vector<uint32_t>& ids) {
+SurfaceRef to_ground(const JsonPlace& place, const std::vector<uint32_t>& ids) {
     if (place.is_string()) {
         const std::string kind = place.text();
         if (kind != "space" && find_shape(kind) == nullptr) place.fail("there is no surface " + kind);
@@ -67,6 +67,11 @@ Ground to_ground(const JsonPlace& place, const std::vector<uint32_t>& ids) {
     }
     const double index = place.real(-1.0, kFarthest);
     return {"mesh", index >= 0.0 && index < static_cast<double>(ids.size()) ? ids[static_cast<size_t>(index)] : 0};
+}
+
+// What is on a mesh that was taken out goes with it.
+bool is_there(const SurfaceRef& ground, const std::vector<uint32_t>& ids) {
+    return ground.kind != "mesh" || ground.mesh == 0 || std::find(ids.begin(), ids.end(), ground.mesh) != ids.end();
 }
 
 json from_curve(const Curve& c, const std::vector<uint32_t>& ids) {
@@ -195,7 +200,8 @@ Motion to_motion(const JsonPlace& j, const std::vector<uint32_t>& ids) {
 
 json to_json(const Document& document, const std::vector<uint32_t>& ids) {
     json curves = json::array(), obstacles = json::array(), motions = json::array();
-    for (const Curve& c : document.curves) curves.push_back(from_curve(c, ids));
+    for (const Curve& c : document.curves)
+        if (is_there(c.ground, ids)) curves.push_back(from_curve(c, ids));
     for (const Obstacle& o : document.obstacles) obstacles.push_back(from_obstacle(o));
     for (const Motion& m : document.motions) motions.push_back(from_motion(m, ids));
     return {{"curves", curves}, {"obstacles", obstacles}, {"motions", motions}};

@@ -72,7 +72,7 @@ void MotionSolver::submit() {
     desc.closed = problem.closed ? 1 : 0;
     desc.energy = problem.energy;
     desc.tension = problem.tension;
-    const gallery::Body& body = unit_body(problem.body);
+    const samples::Body& body = unit_body(problem.body);
     std::vector<glm::dvec3> points;
     double radius = 0.5 * problem.size;
     if (problem.inertia == Inertia::body) {
@@ -94,13 +94,13 @@ void MotionSolver::submit() {
             solid.obstacles = solids.data();
             solid.obstacle_count = static_cast<uint32_t>(solids.size());
             solid.clearance = radius;
-            obstacles = desk_.context.obstacles(solid);
+            obstacles = app_.context.obstacles(solid);
             desc.obstacles = obstacles.get();
         }
         filigree::Job job;
-        running_ = desk_.context.motion(desc, &job);
+        running_ = app_.context.motion(desc, &job);
         ended_ = std::make_shared<Ended>();
-        desk_.jobs.add(
+        app_.jobs.add(
             name_, std::move(job),
             [ended = std::weak_ptr(ended_)](const FlgJobStatus& status) {
                 const auto mine = ended.lock();
@@ -113,7 +113,7 @@ void MotionSolver::submit() {
             problem.obstacles.empty() ? Jobs::Shown::quiet : Jobs::Shown::listed, Jobs::Failure::told_by_caller);
     } catch (const filigree::Error& failed) {
         error_ = in_words(failed.what(), problem.obstacles);
-        desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
+        app_.notices.add(Weight::error, name_ + ": " + error_ + ".");
     }
 }
 
@@ -143,7 +143,7 @@ void MotionSolver::update() {
             error_ = "cancelled";
         } else {
             error_ = in_words(ended_->error, submitted_->obstacles);
-            if (wanted_ == submitted_) desk_.notices.add(Weight::error, name_ + ": " + error_ + ".");
+            if (wanted_ == submitted_) app_.notices.add(Weight::error, name_ + ": " + error_ + ".");
         }
         running_.reset();
         ended_.reset();

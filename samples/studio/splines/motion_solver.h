@@ -53,7 +53,7 @@ struct FoundMotion {
 
 class MotionSolver {
 public:
-    explicit MotionSolver(Desk& desk) : desk_(desk) {}
+    explicit MotionSolver(AppContext& app) : app_(app) {}
 
     void want(const std::optional<MotionProblem>& problem, const std::string& name);
     void update();
@@ -68,7 +68,7 @@ private:
     void submit();
     void take();
 
-    Desk& desk_;
+    AppContext& app_;
     std::optional<MotionProblem> wanted_, submitted_;
     std::string name_, error_;
     filigree::Motion running_;

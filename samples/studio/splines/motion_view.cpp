@@ -12,7 +12,8 @@ namespace {
 constexpr glm::vec3 kPale{0.78f, 0.74f, 0.66f}, kPath{0.85f, 0.36f, 0.03f};
 constexpr float kGhostFade = 0.72f, kKeyFade = 0.35f;
 constexpr float kPathRadius = 0.012f;  // of the body's length
-// Keys are left out of the ghosts' row: a ghost nearer than this to one, in shares of the ghosts' distance, is not drawn.
+// Keys are left out of the ghosts' row: a ghost nearer than this to one, in shares of the ghosts' distance, is not
+// drawn.
 constexpr double kApart = 0.3;
 
 render::SurfaceLook body_look() {
@@ -24,15 +25,15 @@ render::SurfaceLook body_look() {
 }  // namespace
 
 void LiveMotion::remove() {
-    desk_.renderer.remove(std::exchange(body_, {}));
-    desk_.renderer.remove(std::exchange(ghosts_, {}));
-    desk_.renderer.remove(std::exchange(path_, {}));
+    app_.renderer.remove(std::exchange(body_, {}));
+    app_.renderer.remove(std::exchange(ghosts_, {}));
+    app_.renderer.remove(std::exchange(path_, {}));
 }
 
 void LiveMotion::show_ghosts(const Motion& motion) {
-    const gallery::Body& body = unit_body(motion.body);
+    const samples::Body& body = unit_body(motion.body);
     const FoundMotion& found = solver_.found();
-    gallery::Copies copies;
+    samples::Copies copies;
     for (const Key& key : motion.keys)
         copies.add(body, rows_of({key.place, key.turn}, motion.size).data(), kPale, kKeyFade);
     const double apart = (found.end() - found.begin()) / (motion.ghosts + 1);
@@ -44,15 +45,15 @@ void LiveMotion::show_ghosts(const Motion& motion) {
     }
     const FlgMeshView view = copies.view();
     if (ghosts_.value == 0)
-        ghosts_ = desk_.renderer.upload(view, body_look());
+        ghosts_ = app_.renderer.upload(view, body_look());
     else
-        desk_.renderer.update(ghosts_, view, body_look());
+        app_.renderer.update(ghosts_, view, body_look());
 }
 
 void LiveMotion::show_path(const Motion& motion) {
     const FoundMotion& found = solver_.found();
     if (found.poses.size() < 2) {
-        desk_.renderer.remove(std::exchange(path_, {}));
+        app_.renderer.remove(std::exchange(path_, {}));
         return;
     }
     std::vector<glm::vec3> places;
@@ -71,9 +72,9 @@ void LiveMotion::show_path(const Motion& motion) {
     look.color = look.color_end = kPath;
     look.radius = kPathRadius * static_cast<float>(motion.size);
     if (path_.value == 0)
-        path_ = desk_.renderer.upload(view, look);
+        path_ = app_.renderer.upload(view, look);
     else
-        desk_.renderer.update(path_, view, look);
+        app_.renderer.update(path_, view, look);
 }
 
 void LiveMotion::show_body(const Motion& motion, double seconds) {
@@ -81,12 +82,12 @@ void LiveMotion::show_body(const Motion& motion, double seconds) {
     const Pose pose = !found.poses.empty() ? found.at(seconds) : Pose{motion.keys[0].place, motion.keys[0].turn};
     if (body_.value != 0 && pose.place == at_.place && pose.turn == at_.turn) return;
     at_ = pose;
-    gallery::Copies copy;
+    samples::Copies copy;
     copy.add(unit_body(motion.body), rows_of(pose, motion.size).data(), {}, 0.0f);
     if (body_.value == 0)
-        body_ = desk_.renderer.upload(copy.view(), body_look());
+        body_ = app_.renderer.upload(copy.view(), body_look());
     else
-        desk_.renderer.update(body_, copy.view(), body_look());
+        app_.renderer.update(body_, copy.view(), body_look());
 }
 
 void LiveMotion::update(const Motion& motion, const std::vector<Obstacle>& obstacles, double seconds) {
@@ -96,7 +97,7 @@ void LiveMotion::update(const Motion& motion, const std::vector<Obstacle>& obsta
         solver_.want(std::nullopt, motion.name);
     solver_.update();
     Shown wanted{solver_.version(), motion.keys, motion.body,
-                 motion.ghosts,     motion.size, motion.visible && !motion.keys.empty()};
+                 motion.ghosts,     motion.size, motion.visible && !motion.keys.empty() && app_.scene.in_sight()};
     if (wanted != shown_) {
         const bool other_body = wanted.body != shown_.body || wanted.size != shown_.size || !wanted.visible;
         shown_ = std::move(wanted);

@@ -8,7 +8,7 @@ namespace flg::studio::splines {
 
 class LiveMotion {
 public:
-    explicit LiveMotion(Desk& desk) : desk_(desk), solver_(desk) {}
+    explicit LiveMotion(AppContext& app) : app_(app), solver_(app) {}
     ~LiveMotion() { remove(); }
     LiveMotion(const LiveMotion&) = delete;
     LiveMotion& operator=(const LiveMotion&) = delete;
@@ -37,7 +37,7 @@ private:
     void show_path(const Motion& motion);
     void show_body(const Motion& motion, double seconds);
 
-    Desk& desk_;
+    AppContext& app_;
     MotionSolver solver_;
     render::SurfaceId body_{}, ghosts_{};
     render::CurvesId path_{};

@@ -20,18 +20,18 @@ std::span<const char* const> style_names() {
     return kStyles;
 }
 
-const filigree::Style* StyleShelf::find(const std::string& name) {
+const filigree::Style* StyleCache::find(const std::string& name) {
     auto found = styles_.find(name);
     if (found == styles_.end()) {
         if (std::find(std::begin(kStyles), std::end(kStyles), name) == std::end(kStyles))
             throw StudioError("There is no style " + name + ".");
         const samples::CurveSource source("builtin:" + name);
-        const filigree::CurveSet example = desk_.context.curves(source.view());
+        const filigree::CurveSet example = app_.context.curves(source.view());
         FlgStyleDesc desc = flgStyleDefaults();
         desc.style = example.get();
         filigree::Job job;
-        found = styles_.emplace(name, desk_.context.style(desc, &job)).first;
-        desk_.jobs.add("Style " + name, std::move(job), {}, Jobs::Shown::quiet);
+        found = styles_.emplace(name, app_.context.style(desc, &job)).first;
+        app_.jobs.add("Learning style " + name, std::move(job), {}, Jobs::Shown::quiet);
     }
     return found->second.ready() ? &found->second : nullptr;
 }
@@ -55,12 +55,12 @@ void Decorator::update(const FoundCurve& found, uint64_t version, const Ornament
     const Wanted wanted{version, ornament, height};
     wants_ = wanted != submitted_;
     if (!wants_ || ended_ || !found.final) return;
-    const filigree::Style* const style = shelf_.find(ornament.style);
+    const filigree::Style* const style = style_cache_.find(ornament.style);
     if (style == nullptr) return;
     submitted_ = wanted;
     wants_ = false;
     const NodeArrays nodes(found, height);
-    const filigree::CurveSet target = desk_.context.curves(nodes.view());
+    const filigree::CurveSet target = app_.context.curves(nodes.view());
     FlgStylizeDesc desc = flgStylizeDefaults();
     desc.style = style->get();
     desc.target = target.get();
@@ -70,10 +70,10 @@ void Decorator::update(const FoundCurve& found, uint64_t version, const Ornament
     if (ornament.flat) std::copy(std::begin(kFlat), std::end(kFlat), desc.basis);
     desc.max_points = kMostPoints;
     filigree::Job job;
-    running_ = desk_.context.stylize(desc, &job);
+    running_ = app_.context.stylize(desc, &job);
     ended_ = std::make_shared<Ended>();
-    desk_.jobs.add(
-        name + ", decorated", std::move(job),
+    app_.jobs.add(
+        "Stylizing " + name, std::move(job),
         [ended = std::weak_ptr(ended_)](const FlgJobStatus& status) {
             if (const auto mine = ended.lock()) mine->done = true, mine->good = status.result == FLG_OK;
         },

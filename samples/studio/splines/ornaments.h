@@ -14,20 +14,20 @@ namespace flg::studio::splines {
 
 std::span<const char* const> style_names();
 
-class StyleShelf {
+class StyleCache {
 public:
-    explicit StyleShelf(Desk& desk) : desk_(desk) {}
+    explicit StyleCache(AppContext& app) : app_(app) {}
     // Null until it is prepared; throws StudioError for a name that there is none of.
     const filigree::Style* find(const std::string& name);
 
 private:
-    Desk& desk_;
+    AppContext& app_;
     std::map<std::string, filigree::Style> styles_;
 };
 
 class Decorator {
 public:
-    Decorator(Desk& desk, StyleShelf& shelf) : desk_(desk), shelf_(shelf) {}
+    Decorator(AppContext& app, StyleCache& style_cache) : app_(app), style_cache_(style_cache) {}
 
     // The curve as it is now, lifted by `height` along its normals.
     void update(const FoundCurve& found, uint64_t version, const Ornament& ornament, float height,
@@ -48,8 +48,8 @@ private:
         bool done = false, good = false;
     };
 
-    Desk& desk_;
-    StyleShelf& shelf_;
+    AppContext& app_;
+    StyleCache& style_cache_;
     Wanted submitted_;
     bool wants_ = false;
     filigree::CurveSet running_, result_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that need no mesh: those the SDK knows exactly, with what it takes to draw and to hit them. They lie around the origin,
-// their z axis is the world's y axis.
+// Surfaces that need no mesh: those the SDK knows exactly, with what it takes to draw and to hit them. They lie around
+// the origin, their z axis is the world's y axis.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -69,14 +69,14 @@ SolidMesh mesh_of(const Obstacle& obstacle) {
 }
 
 SolidsView::~SolidsView() {
-    for (const auto& [id, drawn] : drawn_) desk_.renderer.remove(drawn.id);
+    for (const auto& [id, drawn] : drawn_) app_.renderer.remove(drawn.id);
 }
 
 void SolidsView::update(const std::vector<Obstacle>& obstacles, uint32_t chosen) {
     std::erase_if(drawn_, [&](const auto& entry) {
         const bool stays = std::any_of(obstacles.begin(), obstacles.end(),
                                        [&](const Obstacle& obstacle) { return obstacle.id == entry.first; });
-        if (!stays) desk_.renderer.remove(entry.second.id);
+        if (!stays) app_.renderer.remove(entry.second.id);
         return !stays;
     });
     for (const Obstacle& obstacle : obstacles) {
@@ -97,9 +97,9 @@ void SolidsView::update(const std::vector<Obstacle>& obstacles, uint32_t chosen)
         render::SurfaceLook look;
         look.material = {is_chosen ? kChosen : kColor, 0.0f, 0.9f};
         if (drawn.id.value == 0)
-            drawn.id = desk_.renderer.upload(view, look);
+            drawn.id = app_.renderer.upload(view, look);
         else
-            desk_.renderer.update(drawn.id, view, look);
+            app_.renderer.update(drawn.id, view, look);
     }
 }
 

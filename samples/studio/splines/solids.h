@@ -17,7 +17,7 @@ SolidMesh mesh_of(const Obstacle& obstacle);
 
 class SolidsView {
 public:
-    explicit SolidsView(Desk& desk) : desk_(desk) {}
+    explicit SolidsView(AppContext& app) : app_(app) {}
     ~SolidsView();
     SolidsView(const SolidsView&) = delete;
     SolidsView& operator=(const SolidsView&) = delete;
@@ -32,7 +32,7 @@ private:
         bool chosen = false;
         render::SurfaceId id{};
     };
-    Desk& desk_;
+    AppContext& app_;
     std::map<uint32_t, Drawn> drawn_;
 };
 

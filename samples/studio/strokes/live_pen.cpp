@@ -4,24 +4,30 @@
 #include <utility>
 
 namespace flg::studio {
+namespace {
 
-void LivePen::begin(const StrokeDocument& document, const StrokeSettings& settings, uint32_t number,
-                    const std::optional<glm::vec3>& color) {
+constexpr int kRests = 5;  // leave e^-5 of the lag
+
+}  // namespace
+
+void LivePen::begin(const StrokeDocument& document, const Stroke& like) {
+    const StrokeSettings& settings = *like.settings;
     lift();
-    stroke_ = {{}, color};
+    stroke_ = {};
+    if (like.drawn != nullptr) stroke_.size = like.drawn->size;
     down_ = true;
-    const filigree::Style* style = shelf_.get(document, settings.style, settings.patch);
+    const filigree::Style* style = style_cache_.get(document, settings.style, settings.patch);
     if (style == nullptr) return;
-    const float rms = shelf_.info(*style).displacement_rms;
-    if (!(rms > 0.0f) || !shelf_.warm(*style, settings.temperature)) return;
-    FlgLiveStrokeDesc desc = live_desc(settings, rms);
+    const float rms = style_cache_.info(*style).displacement_rms;
+    if (!(rms > 0.0f) || !style_cache_.warm(*style, settings.temperature)) return;
+    FlgLiveStrokeDesc desc = live_desc(settings, rms, stroke_.size);
     desc.style = style->get();
-    desc.seed += number;
-    live_ = desk_.context.begin(desc);
+    desc.seed += like.number;
+    live_ = app_.context.begin(desc);
     if (!live_) return;
     render::CurveLook look = look_of(settings);
-    if (color) look.color = *color;
-    drawn_ = desk_.renderer.begin_growing(look, desc.max_points);
+    if (like.drawn != nullptr && like.own_color && like.drawn->color) look.color = look.color_end = *like.drawn->color;
+    drawn_ = app_.renderer.begin_growing(look, desc.max_points);
 }
 
 void LivePen::add(const StrokeSample& sample) {
@@ -31,11 +37,22 @@ void LivePen::add(const StrokeSample& sample) {
     const FlgLiveSample live = live_sample(sample);
     FlgCurveSetView made = flgCurveSetViewDefaults();
     // A stroke that is full ends here on the screen; what is recorded goes on.
-    if (flgLiveStrokePush(desk_.context.get(), live_.get(), &live, 1, &made) != FLG_OK) return;
-    if (made.curve_count > 0 && drawn_.value != 0) desk_.renderer.append(drawn_, made);
+    if (flgLiveStrokePush(app_.context.get(), live_.get(), &live, 1, &made) != FLG_OK) return;
+    if (made.curve_count > 0 && drawn_.value != 0) app_.renderer.append(drawn_, made);
+}
+
+void LivePen::stand_on(uint32_t mesh, const render::Placement& placement) {
+    stroke_.on = mesh;
+    stroke_.stood = placement;
 }
 
 StrokePtr LivePen::end() {
+    // The line follows the hand with a lag: it catches up as if the hand had rested.
+    for (int i = 0; i < kRests && !stroke_.samples.empty(); ++i) {
+        StrokeSample rest = stroke_.samples.back();
+        rest.time += kHandSmoothing_s;
+        add(rest);
+    }
     down_ = false;
     live_.reset();
     bool moved = false;
@@ -49,7 +66,7 @@ StrokePtr LivePen::end() {
 }
 
 void LivePen::lift() {
-    desk_.renderer.remove(std::exchange(drawn_, {}));
+    app_.renderer.remove(std::exchange(drawn_, {}));
     live_.reset();
     down_ = false;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pen while it is down: samples go to a live stroke, and the points that each makes to the renderer, which uploads only these.
+// The pen while it is down: samples go to a live stroke, and the points that each makes to the renderer, which uploads
+// only these.
 #pragma once
 
 #include "strokes/stroke_layers.h"
@@ -8,17 +9,18 @@ namespace flg::studio {
 
 class LivePen {
 public:
-    LivePen(Desk& desk, StyleShelf& shelf) : desk_(desk), shelf_(shelf) {}
+    LivePen(AppContext& app, StyleCache& style_cache) : app_(app), style_cache_(style_cache) {}
     ~LivePen() { lift(); }
     LivePen(const LivePen&) = delete;
     LivePen& operator=(const LivePen&) = delete;
 
-    // `number`: of the stroke in its layer, which chooses its random numbers. While the style is not ready or not warm, the
-    // stroke is recorded and not seen.
-    void begin(const StrokeDocument& document, const StrokeSettings& settings, uint32_t number,
-               const std::optional<glm::vec3>& color);
+    // With the settings, number and colour of `like`, and, if it has been drawn before, its size. While the style is
+    // not ready or not warm, the stroke is recorded and not seen.
+    void begin(const StrokeDocument& document, const Stroke& like);
     void add(const StrokeSample& sample);
-    // What was drawn: null if it was no more than a dot. It stays on the screen until lift().
+    // What is drawn is on this mesh, which stands there.
+    void stand_on(uint32_t mesh, const render::Placement& placement);
+    // What was drawn, to where the hand let go: null if it was no more than a dot. It stays on the screen until lift().
     StrokePtr end();
     // Takes what it shows off the screen.
     void lift();
@@ -29,8 +31,8 @@ public:
     void device_lost() { drawn_ = {}; }
 
 private:
-    Desk& desk_;
-    StyleShelf& shelf_;
+    AppContext& app_;
+    StyleCache& style_cache_;
     DrawnStroke stroke_;
     filigree::LiveStroke live_;
     render::CurvesId drawn_{};

@@ -7,8 +7,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr float kHandSmoothing_s = 0.02f;  // of a mouse's steps
-constexpr float kLightest = 0.35f;         // the radius without pressure, of that with
+constexpr float kLightest = 0.35f;  // the radius without pressure, of that with
 constexpr float kAnyJump_m = 1e6f;
 constexpr uint32_t kMostPoints = 1u << 17;
 
@@ -24,9 +23,9 @@ glm::vec4 orientation_of(const glm::vec3& normal) {
 
 }  // namespace
 
-StrokeArrays::StrokeArrays(std::span<const StrokePtr> strokes) : view_(flgCurveSetViewDefaults()) {
-    for (const StrokePtr& stroke : strokes) {
-        for (const StrokeSample& s : stroke->samples) {
+StrokeArrays::StrokeArrays(std::span<const Stroke> strokes) : view_(flgCurveSetViewDefaults()) {
+    for (const Stroke& stroke : strokes) {
+        for (const StrokeSample& s : stroke.drawn->samples) {
             const glm::vec4 q = orientation_of(s.normal);
             positions_.insert(positions_.end(), {s.position.x, s.position.y, s.position.z});
             orientations_.insert(orientations_.end(), {q.x, q.y, q.z, q.w});
@@ -55,19 +54,19 @@ FlgLiveSample live_sample(const StrokeSample& sample) {
     return live;
 }
 
-FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms) {
+FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms, float size) {
     FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
-    const bool raw = settings.shape == StrokeShape::raw;
-    desc.magnitude = raw ? 0.0f : settings.magnitude;
+    const float larger = size > 0.0f ? size : 1.0f;
+    desc.magnitude = settings.styled ? settings.magnitude : 0.0f;
     desc.temperature = settings.temperature;
-    desc.scale = rms > 0.0f ? 0.01f * settings.scale_cm / rms : 1.0f;
-    desc.radius_max = 0.001f * settings.radius_mm;
-    desc.radius_min = kLightest * desc.radius_max;
+    desc.scale = rms > 0.0f ? 0.01f * larger * settings.scale_cm / rms : 1.0f;
+    desc.radius_max = 0.001f * larger * settings.radius_mm * (size > 0.0f && !settings.styled ? kThickness : 1.0f);
+    desc.radius_min = size > 0.0f ? 0.0f : kLightest * desc.radius_max;
     desc.smoothing = kHandSmoothing_s;
     desc.max_jump = kAnyJump_m;
     desc.max_points = kMostPoints;
     desc.frame = FLG_FRAME_SUPPLIED;
-    if (!settings.standing) {
+    if (!settings.upright) {
         // The style's first normal becomes the second one, which lies in the surface.
         constexpr float kLying[] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};
         std::copy(std::begin(kLying), std::end(kLying), desc.basis);

@@ -13,7 +13,7 @@ namespace flg::studio {
 // POSITION, ORIENTATION, PRESSURE, TIME, and COLOR for the renderer where there is one.
 class StrokeArrays {
 public:
-    explicit StrokeArrays(std::span<const StrokePtr> strokes);
+    explicit StrokeArrays(std::span<const Stroke> strokes);
     // Lives as long as this.
     const FlgCurveSetView& view() const { return view_; }
 
@@ -27,7 +27,9 @@ private:
 // What a controller would say whose y axis is the sample's normal.
 FlgLiveSample live_sample(const StrokeSample& sample);
 
-// A live stroke with these settings; `rms` of the style at scale 1, metres.
-FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms);
+constexpr float kHandSmoothing_s = 0.02f;  // of a mouse's steps
+
+// A live stroke with these settings; `rms` of the style at scale 1, metres, `size` of DrawnStroke.
+FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms, float size);
 
 }  // namespace flg::studio

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "strokes/stroke_replay.h"
 
+#include "strokes/standing_strokes.h"
+
 namespace flg::studio {
 namespace {
 
@@ -15,7 +17,7 @@ void StrokeReplay::start(const StrokeLayer& layer, float speed) {
     layer_ = layer.id;
     speed_ = speed;
     stroke_ = sample_ = 0;
-    stroke_start_s_ = desk_.seconds;
+    stroke_start_s_ = app_.seconds;
 }
 
 void StrokeReplay::stop() {
@@ -30,26 +32,44 @@ void StrokeReplay::update(const StrokeDocument& document) {
         stop();
         return;
     }
-    const std::vector<StrokeSample>& samples = layer->strokes[stroke_]->samples;
+    const Stroke& stroke = layer->strokes[stroke_];
+    const std::vector<StrokeSample>& samples = stroke.drawn->samples;
+    const render::Placement move = moved(app_.scene, *stroke.drawn);
+    if (!is_seen(app_.scene, *stroke.drawn)) {
+        ++stroke_;
+        return;
+    }
     if (sample_ == 0) {
-        const filigree::Style* style = shelf_.get(document, layer->settings.style, layer->settings.patch);
+        const filigree::Style* style = style_cache_.get(document, stroke.settings->style, stroke.settings->patch);
         if (style == nullptr) return stop();
         // The pen has to be warm before it is put down.
-        if (!(shelf_.info(*style).displacement_rms > 0.0f) || !shelf_.warm(*style, layer->settings.temperature)) {
-            stroke_start_s_ = desk_.seconds;
+        if (!(style_cache_.info(*style).displacement_rms > 0.0f) ||
+            !style_cache_.warm(*style, stroke.settings->temperature)) {
+            stroke_start_s_ = app_.seconds;
             return;
         }
-        pens_.push_back(std::make_unique<LivePen>(desk_, shelf_));
-        pens_.back()->begin(document, layer->settings, static_cast<uint32_t>(stroke_), layer->strokes[stroke_]->color);
+        pens_.push_back(std::make_unique<LivePen>(app_, style_cache_));
+        Stroke placed = stroke;
+        if (move.scale != 1.0f) {
+            StrokeSettings settings = *stroke.settings;
+            settings.radius_mm *= move.scale;
+            settings.scale_cm *= move.scale;
+            placed.settings = std::make_shared<StrokeSettings>(settings);
+        }
+        pens_.back()->begin(document, placed);
     }
-    const double now = (desk_.seconds - stroke_start_s_) * static_cast<double>(speed_);
+    const double now = (app_.seconds - stroke_start_s_) * static_cast<double>(speed_);
     const auto first = static_cast<double>(samples.front().time);
-    while (sample_ < samples.size() && static_cast<double>(samples[sample_].time) - first <= now)
-        pens_.back()->add(samples[sample_++]);
+    while (sample_ < samples.size() && static_cast<double>(samples[sample_].time) - first <= now) {
+        StrokeSample sample = samples[sample_++];
+        sample.position = move.point(sample.position);
+        sample.normal = move.direction(sample.normal);
+        pens_.back()->add(sample);
+    }
     if (sample_ < samples.size()) return;
     ++stroke_;
     sample_ = 0;
-    stroke_start_s_ = desk_.seconds;
+    stroke_start_s_ = app_.seconds;
 }
 
 void StrokeReplay::device_lost() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws a layer's strokes again, one after the other, as they were drawn: sample by sample, at their times, through the live pen.
+// Draws a layer's strokes again, one after the other, as they were drawn: sample by sample, at their times, through the
+// live pen.
 #pragma once
 
 #include "strokes/live_pen.h"
@@ -8,7 +9,7 @@ namespace flg::studio {
 
 class StrokeReplay {
 public:
-    StrokeReplay(Desk& desk, StyleShelf& shelf) : desk_(desk), shelf_(shelf) {}
+    StrokeReplay(AppContext& app, StyleCache& style_cache) : app_(app), style_cache_(style_cache) {}
 
     // `speed`: times as fast as the hand was.
     void start(const StrokeLayer& layer, float speed);
@@ -20,8 +21,8 @@ public:
     void device_lost();
 
 private:
-    Desk& desk_;
-    StyleShelf& shelf_;
+    AppContext& app_;
+    StyleCache& style_cache_;
     uint32_t layer_ = 0;
     float speed_ = 1.0f;
     size_t stroke_ = 0, sample_ = 0;

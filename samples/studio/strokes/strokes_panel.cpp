@@ -2,7 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "scenes/scenes.h"
 #include "shell/widgets.h"
@@ -24,158 +24,195 @@ constexpr Ink kInks[] = {
     {"Plum", {0.42f, 0.05f, 0.42f}, {0.12f, 0.03f, 0.32f}},  {"Ink", {0.03f, 0.035f, 0.05f}, {0.03f, 0.035f, 0.05f}},
 };
 
-}  // namespace
-
-void StrokesWorkspace::take(const StrokeSettings& changed, bool is_changed) {
-    if (is_changed) {
-        if (!slider_remembered_) remember();
-        slider_remembered_ = true;
-        document_.active_layer().settings = changed;
-    }
-    if (!ui::active()) return;
-    slider_remembered_ = slider_remembered_ || is_changed;
+// Of a value of another unit, so many metres each.
+void scaled_length(const char* label, float* value, float unit_m, float low, float high, const char* tip,
+                   bool logarithmic, bool enabled) {
+    constexpr double kFinest = 1e-3;  // so that what was typed stays as it was
+    float metres = unit_m * *value;
+    if (ui::length(label, &metres, unit_m * std::min(low, *value), unit_m * std::max(high, *value), tip, logarithmic,
+                   enabled))
+        *value = static_cast<float>(std::round(static_cast<double>(metres / unit_m) / kFinest) * kFinest);
 }
 
+}  // namespace
+
 void StrokesWorkspace::panel() {
-    if (!ImGui::IsMouseDown(0)) slider_remembered_ = false;
     draw_tools();
     draw_styles();
-    draw_sliders();
+    draw_colors();
+    draw_sizes();
+    draw_apply();
     draw_layers();
 }
 
 void StrokesWorkspace::draw_tools() {
-    ui::heading("Tool");
-    if (ui::row_button("Draw", 3, "Draws strokes that take on the style at once. B.", {.pressed = tool_ == Tool::draw}))
+    if (!ui::section("Tool")) return;
+    if (ui::row_button("Draw", 4, "Draws strokes in the chosen style. B.", {.pressed = tool_ == Tool::draw}))
         set_tool(Tool::draw);
     ui::same_row();
-    if (ui::row_button("Draw a style", 3, "The next stroke is learned as a style of its own. S.",
+    if (ui::row_button("New style", 4, "Turns the next stroke into a new style. S.",
                        {.pressed = tool_ == Tool::draw_style}))
         set_tool(Tool::draw_style);
     ui::same_row();
-    if (ui::row_button("Erase", 3, "Takes away the stroke that is clicked. E.", {.pressed = tool_ == Tool::erase}))
+    if (ui::row_button("Select", 4, "Selects the stroke you click. Shift adds. V.", {.pressed = tool_ == Tool::select}))
+        set_tool(Tool::select);
+    ui::same_row();
+    if (ui::row_button("Erase", 4, "Erases the stroke you click. E.", {.pressed = tool_ == Tool::erase}))
         set_tool(Tool::erase);
-    constexpr const char* kGrounds[] = {"On the mesh", "Facing plane", "Floor"};
+    constexpr const char* kGrounds[] = {"On mesh", "View plane", "Floor"};
     constexpr const char* kSaid[] = {
-        "Strokes lie on the mesh under the mouse; beside it they go on at the same depth. G.",
-        "Strokes lie on a plane that faces the camera, through what it turns about. G.",
-        "Strokes lie on the floor. G."};
+        "Draws on the mesh or the floor under the mouse. Strokes that leave a mesh continue at the same depth. G.",
+        "Draws on a plane that faces the camera. G.", "Draws on the floor. G."};
     for (int i = 0; i < 3; ++i) {
         if (i > 0) ui::same_row();
         if (ui::row_button(kGrounds[i], 3, kSaid[i], {.pressed = static_cast<int>(ground_) == i}))
             ground_ = static_cast<Ground>(i);
     }
-    ui::slider("Height", &height_mm_, 0.0f, 40.0f, "%.1f mm",
-               "How far above the mesh or floor strokes are drawn. More lets styles swing freely, less lies closer.");
 }
 
 void StrokesWorkspace::style_button(const std::string& name, const char* said) {
-    StrokeLayer& layer = document_.active_layer();
-    const bool chosen = layer.settings.style == name;
-    const std::string label = "##style " + name;
+    const float unit = app_.scale, font = 0.8f * ImGui::GetFontSize();
+    const bool chosen = next_.style == name;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0f * unit, 13.0f * unit});
     ImGui::PushID(name.c_str());
-    const bool clicked = ui::row_button(label.c_str(), kStylesInARow, nullptr, {.pressed = chosen});
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    ui::mark("style " + name, {{low.x, low.y},
-                               {high.x, high.y},
-                               {low.x, ImGui::GetWindowPos().y},
-                               {high.x, ImGui::GetWindowPos().y + ImGui::GetWindowSize().y}});
-    ui::tip(said);
+    const bool clicked = ui::row_button(("##style " + name).c_str(), kStylesInARow, said, {.pressed = chosen});
     ImGui::PopID();
-    // Its curve, as wide as the button.
-    const float margin = 4.0f * desk_.scale, size = std::min(high.x - low.x, 3.0f * (high.y - low.y)) - 2.0f * margin;
-    std::vector<ImVec2> line;
-    for (const glm::vec2& p : shelf_.preview(document_, name))
-        line.push_back({0.5f * (low.x + high.x) + (p.x - 0.5f) * size, 0.5f * (low.y + high.y) + (p.y - 0.5f) * size});
+    ImGui::PopStyleVar();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ui::mark_last("style " + name);
+    // Its curve, and its name below.
+    const float margin = 4.0f * unit, bottom = high.y - font - 4.0f * unit;
+    const float size = std::min(high.x - low.x, 3.5f * (bottom - low.y)) - 2.0f * margin;
+    const ImU32 ink = chosen ? IM_COL32(255, 240, 220, 255) : IM_COL32(205, 195, 180, 255);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(low, high, true);
-    list.AddPolyline(line.data(), static_cast<int>(line.size()),
-                     chosen ? IM_COL32(255, 240, 220, 255) : IM_COL32(205, 195, 180, 255), 0, 1.3f * desk_.scale);
+    std::vector<ImVec2> line;
+    for (const glm::vec3& p : style_cache_.preview(document_, name)) {
+        line.push_back({0.5f * (low.x + high.x) + (p.x - 0.5f) * size, 0.5f * (low.y + bottom) + (p.y - 0.5f) * size});
+        // Where it is thick.
+        if (p.z > 1.4f && line.size() > 1)
+            list.AddLine(line[line.size() - 2], line.back(), ink, 1.2f * unit * std::min(p.z, 5.0f));
+    }
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), ink, 0, 1.2f * unit);
+    const float width = ImGui::CalcTextSize(name.c_str()).x * font / ImGui::GetFontSize();
+    list.AddText(ImGui::GetFont(), font, {0.5f * (low.x + high.x - width), bottom + unit}, ink, name.c_str());
     list.PopClipRect();
-    if (!clicked || chosen) return;
-    remember();
-    layer.settings.style = name;
+    if (!clicked) return;
+    next_.style = name;
+    next_.styled = true;
 }
 
 void StrokesWorkspace::draw_styles() {
-    ui::heading("Style");
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0f * desk_.scale, 11.0f * desk_.scale});
+    if (!ui::section("Style")) return;
     int number = 0;
     for (const std::string& name : scenes::style_names()) {
         if (number++ % kStylesInARow != 0) ui::same_row();
-        style_button(name, (name + ": built in.").c_str());
+        style_button(name, ("Style " + name + ", built in.").c_str());
     }
     for (const DrawnStyle& style : document_.styles) {
         if (number++ % kStylesInARow != 0) ui::same_row();
-        style_button(style.name, (style.name + ": drawn by you.").c_str());
+        style_button(style.name, ("Style " + style.name + ", drawn by you.").c_str());
     }
-    ImGui::PopStyleVar();
+    const auto shape = [&](const char* label, StrokeShape which, const char* said) {
+        if (ui::row_button(label, 3, said, {.pressed = next_.shape == which})) next_.shape = which;
+    };
+    shape("Tube", StrokeShape::tube, "Draws strokes as round tubes.");
+    ui::same_row();
+    shape("Ribbon", StrokeShape::ribbon, "Draws strokes as flat bands that lie on the surface.");
+    ui::same_row();
+    if (ui::row_button("Unstyled", 3, "Shows strokes as you draw them, without a style.", {.pressed = !next_.styled}))
+        next_.styled = !next_.styled;
 }
 
-void StrokesWorkspace::draw_sliders() {
-    StrokeSettings s = document_.active_layer().settings;
-    const bool raw = s.shape == StrokeShape::raw;
-    const auto shape = [&](const char* label, StrokeShape which, const char* said) {
-        if (!ui::row_button(label, 3, said, {.pressed = s.shape == which}) || s.shape == which) return;
-        remember();
-        document_.active_layer().settings.shape = s.shape = which;
-    };
-    shape("Tube", StrokeShape::tube, "Strokes are round.");
-    ui::same_row();
-    shape("Ribbon", StrokeShape::ribbon, "Strokes are flat bands that lie on what they are drawn on.");
-    ui::same_row();
-    shape("Raw", StrokeShape::raw, "Strokes as they were drawn, without the style.");
-
-    take(s, ui::slider("Magnitude", &s.magnitude, 0.0f, 3.0f, "%.2f x",
-                       "How much of the style there is: 0 is the stroke alone, 1 as in the example, more exaggerates.",
-                       false, !raw));
-    take(s, ui::slider("Scale", &s.scale_cm, 0.1f, 10.0f, "%.2f cm",
-                       "Size of the style: how far it swings off the stroke. More makes its turns wider and fewer.",
-                       true, !raw));
-    take(s,
-         ui::slider("Temperature", &s.temperature, 0.0f, 10.0f, "%.2f",
-                    "How freely the example's parts are mixed: 0 copies long runs of it, 1 a dozen points at a time, "
-                    "10 jumps nearly always.",
-                    false, !raw));
-    take(s,
-         ui::toggle("Standing", &s.standing,
-                    "The style swings away from what it is drawn on, as a fence does; else along it, as an ornament.",
-                    !raw));
-    take(s, ui::slider("Patch", &s.patch, 1, 40, "%d points",
-                       "How long the pieces are that are compared when the style jumps: more keeps longer runs alike.",
-                       !raw));
-    take(s,
-         ui::slider("Radius", &s.radius_mm, 0.2f, 30.0f, "%.1f mm", "Half the thickness of a stroke. [ and ].", true));
-    take(s,
-         ui::slider("Seed", &s.seed, 1, 99, "%d", "Another one makes other choices among the example's parts.", !raw));
-
-    ui::heading("Colour");
+void StrokesWorkspace::draw_colors() {
+    if (!ui::section("Colour")) return;
     int number = 0;
+    const float unit = app_.scale;
     for (const Ink& ink : kInks) {
-        if (number++ % 3 != 0) ui::same_row();
-        if (!ui::row_button(ink.name, 3, "Both colours of the layer's strokes.", {.pressed = s.color == ink.color}))
-            continue;
-        remember();
-        document_.active_layer().settings.color = s.color = ink.color;
-        document_.active_layer().settings.color_end = s.color_end = ink.color_end;
+        if (number++ > 0) ui::same_row();
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, 4.0f * unit});
+        const bool clicked = ui::row_button(("##ink " + std::string(ink.name)).c_str(), std::size(kInks), ink.name);
+        ImGui::PopStyleVar();
+        ui::mark_last(ink.name);
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        const ImU32 from = ui::shown_color(ink.color), to = ui::shown_color(ink.color_end);
+        const float inset = 2.0f * unit;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilledMultiColor({low.x + inset, low.y + inset}, {high.x - inset, high.y - inset}, from, to, to,
+                                     from);
+        if (next_.color == ink.color)
+            list.AddRect(low, high, IM_COL32(255, 205, 120, 255), 3.0f * unit, 0, 2.0f * unit);
+        if (!clicked) continue;
+        next_.color = ink.color;
+        next_.color_end = ink.color_end;
     }
-    take(s, ui::color("From", &s.color, "Colour at a stroke's beginning."));
+    ui::color("From", &next_.color, "Colour at the start of a stroke.");
     ui::same_row();
-    take(s, ui::color("To", &s.color_end, "Colour at a stroke's end."));
+    ui::color("To", &next_.color_end, "Colour at the end of a stroke.");
+}
+
+void StrokesWorkspace::draw_sizes() {
+    if (ui::section("Size")) {
+        // Of what was opened sizes may be beyond those of what is drawn here.
+        scaled_length("Radius", &next_.radius_mm, 0.001f, 0.2f, 30.0f, "Half the thickness of a stroke. Keys [ and ].",
+                      true, true);
+        scaled_length("Style size", &next_.scale_cm, 0.01f, 0.1f, 10.0f,
+                      "How far the style swings off the stroke. More makes wider and fewer turns.", true, next_.styled);
+        ui::slider("Magnitude", &next_.magnitude, 0.0f, 3.0f, "%.2f x",
+                   "Strength of the style. 0 is the plain stroke, 1 matches the example, more exaggerates it.", false,
+                   next_.styled);
+    }
+    if (!ui::section("Advanced", false)) return;
+    ui::slider("Variation", &next_.temperature, 0.0f, 10.0f, "%.2f",
+               "How freely pieces of the example are mixed. 0 copies long runs, 1 about a dozen points at a time, "
+               "10 jumps almost everywhere.",
+               false, next_.styled);
+    ui::slider("Detail", &next_.patch, 1, 40, "%d points",
+               "Length compared before a jump, in points. More keeps longer runs of the example together.",
+               next_.styled);
+    ui::slider("Seed", &next_.seed, 1, 99, "%d",
+               "Number of the random choice. Each number mixes the example differently.", next_.styled);
+    scaled_length(
+        "Offset", &height_mm_, 0.001f, 0.0f, 40.0f,
+        "Distance between new strokes and the mesh or floor, at least: a style that swings inwards gets more.", false,
+        true);
+    ui::toggle("Upright", &next_.upright,
+               "The style stands up from the surface, like a fence. Off: it lies on the surface, like an ornament.",
+               next_.styled);
+}
+
+void StrokesWorkspace::draw_apply() {
+    if (!ui::section("Apply")) return;
+    if (document_.stroke_count() == 0) return ui::hint("These settings are for the strokes you draw next.");
+    const std::string selection = "Apply to selection" +
+                                  (selected_.empty() ? std::string() : " (" + std::to_string(selected_.size()) + ")") +
+                                  "###Apply to selection";
+    if (ui::row_button(selection.c_str(), 1, "Gives the selected strokes these settings. Select strokes with V.",
+                       {.enabled = !selected_.empty()}))
+        apply_to_selection();
+    ui::mark_last("Apply to selection");
+    if (ui::row_button("Apply to layer", 1, "Gives all strokes of the chosen layer these settings.",
+                       {.enabled = !document_.active_layer().strokes.empty()}))
+        apply_to_layer();
+    ui::toggle("Keep colours", &keeps_colors_, "Strokes keep their own colours when you apply settings.");
+    ui::same_row();
+    if (ui::button("Pick up", "Takes the settings of the selected stroke for the next strokes.",
+                   {.enabled = !selected_.empty()}))
+        take_from_selection();
 }
 
 void StrokesWorkspace::draw_layers() {
-    ui::heading("Layers");
+    if (!ui::section("Layers")) return;
     uint32_t chosen = 0, toggled = 0;
     for (const StrokeLayer& layer : document_.layers) {
         ImGui::PushID(static_cast<int>(layer.id));
         bool visible = layer.visible;
-        if (ui::toggle(("##see layer " + layer.name).c_str(), &visible, "Whether this layer can be seen."))
+        if (ui::toggle(("##see layer " + layer.name).c_str(), &visible, "Shows or hides this layer."))
             toggled = layer.id;
         ImGui::SameLine();
         const std::string label = layer.name + "  (" + std::to_string(layer.strokes.size()) + ")##layer";
         if (ui::selectable(label.c_str(), layer.id == document_.active,
-                           "Sliders and pen are this layer's. In brackets: its strokes."))
+                           "Makes this the layer you draw on. The number counts its strokes."))
             chosen = layer.id;
         ImGui::PopID();
     }
@@ -185,30 +222,31 @@ void StrokesWorkspace::draw_layers() {
         StrokeLayer& layer = *document_.find(toggled);
         layer.visible = !layer.visible;
     }
-    StrokeLayer& active = document_.active_layer();
-    if (ui::row_button("New layer", 2, "Strokes with settings of their own; they begin with these.")) {
+    if (ui::row_button("New layer", 2, "Adds an empty layer.")) {
         remember();
-        document_.add_layer("Layer " + std::to_string(document_.last_id + 1), active.settings);
+        document_.add_layer("Layer " + std::to_string(document_.last_id + 1));
     }
     ui::same_row();
-    if (ui::row_button("Delete layer", 2, "Takes the chosen layer away, with its strokes.",
-                       {.enabled = document_.layers.size() > 1 || !active.strokes.empty()})) {
+    if (ui::row_button("Delete layer", 2, "Deletes the chosen layer and its strokes.",
+                       {.enabled = document_.layers.size() > 1 || !document_.active_layer().strokes.empty()})) {
         remember();
         std::erase_if(document_.layers, [&](const StrokeLayer& layer) { return layer.id == document_.active; });
         document_.active_layer();
+        forget_gone();
         return;
     }
     const StrokeLayer& now = document_.active_layer();
     const bool playing = replay_.layer() != 0;
-    if (ui::row_button(playing ? "Stop##replay" : "Replay##replay", 2,
-                       "Draws the chosen layer again, stroke by stroke, as the hand drew it, through live strokes.",
+    if (ui::row_button(playing ? "Stop##replay" : "Replay##replay", 1,
+                       "Draws the chosen layer again, stroke by stroke, at the speed of your hand.",
                        {.enabled = playing || !now.strokes.empty()})) {
         if (playing)
             replay_.stop();
         else
             replay_.start(now, replay_speed_);
     }
-    ui::slider("Replay speed", &replay_speed_, 0.25f, 16.0f, "%.2f x", "How much faster than the hand was.", true);
+    ui::slider("Replay speed", &replay_speed_, 0.25f, 16.0f, "%.2f x",
+               "Speed of the replay. 1 is the speed of your hand.", true);
 }
 
 }  // namespace flg::studio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What regions look like: as they were painted, or the nearest region around them was; what operators make has colours of its own
-// until it is painted, every other part another than what it lies in.
+// What regions look like: as they were painted, or the nearest region around them was; what operators make has colours
+// of its own until it is painted, every other part another than what it lies in.
 #pragma once
 
 #include <map>

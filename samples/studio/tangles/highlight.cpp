@@ -5,34 +5,19 @@
 
 namespace flg::studio {
 
-void Highlight::show(std::span<const BorderLoop> loops, float lift, float scale) {
+void Highlight::show(std::span<const BorderLoop> loops, float lift, const render::Placement& placement, float scale) {
     points_.clear();
     normals_.clear();
     offsets_ = {0};
     flags_.clear();
     for (const BorderLoop& loop : loops) {
         for (size_t i = 0; i < loop.points.size(); ++i) {
-            points_.push_back(loop.points[i] + lift * loop.normals[i]);
-            normals_.push_back(loop.normals[i]);
+            points_.push_back(placement.point(loop.points[i] + lift * loop.normals[i]));
+            normals_.push_back(placement.direction(loop.normals[i]));
         }
         offsets_.push_back(static_cast<uint32_t>(points_.size()));
         flags_.push_back(FLG_CURVE_CLOSED);
     }
-    upload(scale);
-}
-
-void Highlight::show(const BorderLoop& loop, float begin, float end, float lift, float scale) {
-    points_.clear();
-    normals_.clear();
-    flags_ = {0};
-    const size_t n = loop.points.size();
-    for (size_t i = 0; i < 2 * n; ++i) {
-        const float share = loop.shares[i % n] + (i < n ? 0.0f : 1.0f);
-        if (share < begin || share > end) continue;
-        points_.push_back(loop.points[i % n] + lift * loop.normals[i % n]);
-        normals_.push_back(loop.normals[i % n]);
-    }
-    offsets_ = {0, static_cast<uint32_t>(points_.size())};
     upload(scale);
 }
 

@@ -17,10 +17,8 @@ public:
     Highlight(const Highlight&) = delete;
     Highlight& operator=(const Highlight&) = delete;
 
-    // Loops, `lift` metres above the surface; `scale` as Desk's.
-    void show(std::span<const BorderLoop> loops, float lift, float scale);
-    // A part of a loop, from a share of its length to another, which may be past 1.
-    void show(const BorderLoop& loop, float begin, float end, float lift, float scale);
+    // Loops of a mesh's own space, `lift` of its metres above the surface, placed as it is; `scale` as AppContext's.
+    void show(std::span<const BorderLoop> loops, float lift, const render::Placement& placement, float scale);
     void clear();
     void device_lost() { drawn_ = {}; }
 

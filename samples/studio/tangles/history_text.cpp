@@ -23,7 +23,7 @@ public:
     Folder() {
         std::string pattern = (fs::temp_directory_path() / "filigree-studio-XXXXXX").string();
         if (::mkdtemp(pattern.data()) == nullptr)
-            throw StudioError("No folder for temporary files can be made: " + pattern + ".");
+            throw StudioError("Cannot create a temporary folder: " + pattern + ".");
         path_ = pattern;
     }
     ~Folder() {
@@ -66,7 +66,7 @@ std::string decode(const std::string& text) {
     for (const char c : text) {
         if (c == '=') break;
         const int digit = value[static_cast<uint8_t>(c)];
-        if (digit < 0) throw StudioError("The arrays of a tangle in the document are damaged.");
+        if (digit < 0) throw StudioError("The ornament in the document is damaged.");
         word = word << 6 | static_cast<uint32_t>(digit);
         bits += 6;
         if (bits < 8) continue;
@@ -98,7 +98,7 @@ HistoryFile history_from_json(const nlohmann::json& json) {
         // Beside the document, and nowhere else.
         const std::string name = document.at("arrays").at("file").get<std::string>();
         if (name.find('/') != std::string::npos || !name.starts_with(kName))
-            throw StudioError("The tangle in the document names the file " + name + ", which is not its own.");
+            throw StudioError("The ornament in the document refers to another file, " + name + ".");
         std::ofstream(folder.file(name), std::ios::binary) << decode(json.at("arrays").get<std::string>());
     }
     std::ofstream(folder.file(kName)) << document.dump();

@@ -25,7 +25,7 @@ nlohmann::json color_json(const glm::vec3& c) {
 
 float share_of(const nlohmann::json& json, float most) {
     const float value = json.get<float>();
-    if (!(value >= 0.0f && value <= most)) throw StudioError("A material's value is outside of its range.");
+    if (!(value >= 0.0f && value <= most)) throw StudioError("A material in the document has a value out of range.");
     return value;
 }
 
@@ -87,7 +87,7 @@ Palette palette_from_json(const nlohmann::json& json) {
                                      share_of(m.at("border_px"), kWidest), color_of(m.at("border_color"))});
     }
     if (palette.materials.size() < house_palette().materials.size() || palette.materials.size() > kMostMaterials)
-        throw StudioError("The palette of the tangles has too few or too many materials.");
+        throw StudioError("The document has too few or too many materials.");
     palette.border_px = share_of(json.at("border_px"), kWidest);
     palette.border_color = color_of(json.at("border_color"));
     return palette;

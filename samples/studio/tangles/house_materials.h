@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What regions are painted with: a dozen materials of the house, which the user may change, and the lines between regions.
+// What regions are painted with: a dozen materials of the house, which the user may change, and the lines between
+// regions.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -15,7 +15,7 @@ constexpr int kMostLines = 40;
 
 // A length, about the one that was proposed.
 void length_slider(const char* label, float* value, float proposed, const char* tip) {
-    ui::slider(label, value, 0.1f * proposed, 8.0f * proposed, proposed < 0.02f ? "%.4f m" : "%.3f m", tip, true);
+    ui::length(label, value, 0.1f * proposed, 8.0f * proposed, tip, true);
 }
 
 struct SeedButton {
@@ -25,19 +25,19 @@ struct SeedButton {
     const char* tip;
 };
 constexpr SeedButton kSeeds[] = {
-    {"Borders", SeedKind::border, true, "From the borders of the selected regions together."},
-    {"Each", SeedKind::each, true, "From the borders of each region by itself."},
-    {"Points", SeedKind::points, false, "From points: click to add, drag to move, Delete takes one away."},
-    {"Scatter", SeedKind::samples, false, "From points scattered evenly by chance."},
-    {"Beads", SeedKind::spaced, true, "From points evenly along the borders."},
-    {"Picked", SeedKind::picked, true, "From borders that you click, or stretches that you drag along."},
+    {"Borders", SeedKind::border, true, "Starts at the outer borders of the selection."},
+    {"Each", SeedKind::each, true, "Starts at the borders of each region."},
+    {"Points", SeedKind::points, false, "Starts at points. Click to add, drag to move, Delete to remove."},
+    {"Scatter", SeedKind::samples, false, "Starts at points scattered at random."},
+    {"Beads", SeedKind::spaced, true, "Starts at evenly spaced points along the borders."},
+    {"Picked", SeedKind::picked, true, "Starts at borders you click, or at stretches you drag along."},
 };
 
-bool fits(Deed deed, SeedKind kind) {
-    switch (deed) {
-        case Deed::stream: return kind == SeedKind::border || kind == SeedKind::picked;
-        case Deed::voronoi: return kind == SeedKind::points || kind == SeedKind::samples;
-        case Deed::polyline: return kind == SeedKind::points;
+bool fits(Action action, SeedKind kind) {
+    switch (action) {
+        case Action::stream: return kind == SeedKind::border || kind == SeedKind::picked;
+        case Action::voronoi: return kind == SeedKind::points || kind == SeedKind::samples;
+        case Action::polyline: return kind == SeedKind::points;
         default: return true;
     }
 }
@@ -46,22 +46,22 @@ bool fits(Deed deed, SeedKind kind) {
 
 void TanglesWorkspace::draw_live(Ornament& ornament) {
     LiveStep& live = *ornament.live;
-    const DeedInfo& info = info_of(live.recipe.deed);
+    const ActionInfo& info = info_of(live.recipe.action);
     ui::heading(info.name);
-    if (ui::row_button("Keep", 2, "Keeps the step as it is. Enter. Other buttons and clicks keep it too."))
+    if (ui::row_button("Keep", 2, "Keeps this step. Enter. Other buttons and clicks keep it too."))
         later([this] { keep(); });
     ui::same_row();
-    if (ui::row_button("Discard", 2, "Takes the step back. Escape.")) later([this] { discard(); });
+    if (ui::row_button("Discard", 2, "Removes this step. Escape.")) later([this] { discard(); });
     if (!live.error.empty()) {
         ImGui::PushTextWrapPos(0.0f);
         ImGui::TextColored({1.0f, 0.62f, 0.35f, 1.0f}, "%s", live.error.c_str());
         ImGui::PopTextWrapPos();
     } else if (live.is_made && ornament.idle() &&
                ornament.regions.leaves_below(live.recipe.regions).size() == live.before.outline.leaf_count &&
-               live.recipe.deed != Deed::displace && live.recipe.deed != Deed::polyline) {
-        ui::hint("Nothing is divided by these numbers: try smaller sizes.");
+               live.recipe.action != Action::displace && live.recipe.action != Action::polyline) {
+        ui::hint("These settings divide nothing. Try smaller sizes.");
     }
-    if (is_operator(live.recipe.deed)) draw_seeds(ornament);
+    if (is_operator(live.recipe.action)) draw_seeds(ornament);
     draw_sizes(ornament);
 }
 
@@ -69,107 +69,120 @@ void TanglesWorkspace::draw_sizes(Ornament& ornament) {
     LiveStep& live = *ornament.live;
     Recipe& r = live.recipe;
     const Recipe& first = live.first;
-    const bool blends = r.deed == Deed::contour && r.towards.kind != SeedKind::none;
-    switch (r.deed) {
-        case Deed::contour:
+    const bool blends = r.action == Action::contour && r.towards.kind != SeedKind::none;
+    switch (r.action) {
+        case Action::contour:
             if (blends)
                 ui::slider("Share", &r.share, 0.02f, 0.9f, "%.2f",
-                           "Of the way from the seeds to those it goes towards: more makes fewer, wider bands.");
+                           "Width of a band, as a share of the way from start to end. More makes fewer, wider bands.");
             else
-                length_slider("Width", &r.delta, first.delta, "Of each band, metres along the surface: more is wider.");
+                length_slider("Width", &r.delta, first.delta, "Width of each band along the surface.");
             ui::slider("Bands", &r.count, 0, kMostLines, r.count == 0 ? "as many as fit" : "%d",
-                       "How many lines at most; 0: as many as there is room for.");
+                       "Most lines to cut. 0 cuts as many as fit.");
             break;
-        case Deed::stream:
-            length_slider("Width", &r.delta, first.delta, "Of each stripe where it begins, metres: more makes fewer.");
+        case Action::stream:
+            length_slider("Width", &r.delta, first.delta,
+                          "Width of each stripe where it starts. More makes fewer stripes.");
             break;
-        case Deed::voronoi: break;
-        case Deed::polyline: ui::toggle("Closed", &r.closed, "From the last point back to the first one."); break;
-        case Deed::sunburst:
+        case Action::voronoi: break;
+        case Action::polyline: ui::toggle("Closed", &r.closed, "Joins the last point to the first."); break;
+        case Action::sunburst:
             length_slider("Width", &r.size, first.size,
-                          "Of each ray along the first border, metres: more makes fewer.");
+                          "Width of each ray along the first border. More makes fewer rays.");
             break;
-        case Deed::polka_dots:
-            length_slider("Radius", &r.size, first.size, "Of each dot, metres: more is larger.");
+        case Action::polka_dots:
+            length_slider("Radius", &r.size, first.size, "Radius of each dot.");
             length_slider("Spacing", &r.spacing, first.spacing,
-                          "Between dots' centres, at least, metres: more makes fewer.");
+                          "Least distance between centres. More makes fewer dots.");
             break;
-        case Deed::frames:
-            length_slider("Width", &r.size, first.size, "Of each frame, metres: more is wider.");
-            ui::slider("Frames##count", &r.count, 1, kMostLines, "%d", "How many, one in the other.");
+        case Action::frames:
+            length_slider("Width", &r.size, first.size, "Width of each frame.");
+            ui::slider("Frames##count", &r.count, 1, kMostLines, "%d", "Number of nested frames.");
             break;
-        case Deed::flower:
+        case Action::flower:
             length_slider("Spacing", &r.spacing, first.spacing,
-                          "Between flowers' centres, at least, metres: more makes fewer.");
-            ui::slider("Petals", &r.count, 1, kMostLines, "%d", "Rings of petals one in the other.");
+                          "Least distance between centres. More makes fewer flowers.");
+            ui::slider("Petals", &r.count, 1, kMostLines, "%d", "Number of nested rings of petals.");
             break;
-        case Deed::grid:
+        case Action::grid:
             length_slider("Width", &r.size, first.size,
-                          "Of each column along the first border, metres: more makes fewer.");
-            ui::slider("Rows", &r.count, 1, kMostLines, "%d", "From border to border.");
+                          "Width of each column along the first border. More makes fewer columns.");
+            ui::slider("Rows", &r.count, 1, kMostLines, "%d", "Number of rows from border to border.");
             break;
-        case Deed::outline: length_slider("Width", &r.size, first.size, "Of the band, metres: more is wider."); break;
-        case Deed::lace:
-            length_slider("Radius", &r.size, first.size, "Of each scallop, metres: more is larger.");
-            length_slider("Spacing", &r.spacing, first.spacing, "Between scallops, metres: more makes fewer.");
-            break;
-        case Deed::cells:
+        case Action::outline: length_slider("Width", &r.size, first.size, "Width of the band."); break;
+        case Action::lace:
+            length_slider("Radius", &r.size, first.size, "Radius of each scallop.");
             length_slider("Spacing", &r.spacing, first.spacing,
-                          "Between cells' centres, at least, metres: more makes fewer, larger ones.");
+                          "Distance between scallops. More makes fewer scallops.");
             break;
-        case Deed::displace: {
+        case Action::cells:
+            length_slider("Spacing", &r.spacing, first.spacing,
+                          "Least distance between centres. More makes fewer, larger cells.");
+            break;
+        case Action::displace: {
             const float most = 4.0f * first.amount;
-            ui::slider("Height", &r.amount, -most, most, first.amount < 0.02f ? "%.4f m" : "%.3f m",
-                       "Of the middle above the borders, metres: more is higher, below 0 sinks.");
-            ui::slider("Bias", &r.bias, 0.05f, 0.95f, "%.2f", "Below 0.5 spikes, above it domes.");
+            ui::length("Height", &r.amount, -most, most,
+                       "Height of the middle above the borders. Below 0, the middle sinks.");
+            ui::slider("Bias", &r.bias, 0.05f, 0.95f, "%.2f", "Below 0.5 makes spikes, above 0.5 makes domes.");
             ui::slider("Gain", &r.gain, 0.05f, 0.95f, "%.2f",
-                       "Below 0.5 steep at half height, above it a terrace there.");
-            ui::slider("Reach", &r.reach, 0.0f, 8.0f * first.amount, r.reach == 0.0f ? "to the middle" : "%.3f m",
-                       "How far from the border the full height is reached, metres; more is gentler, 0: in each "
-                       "region's middle.");
+                       "Below 0.5 is steep at half height, above 0.5 makes a terrace there.");
+            ui::length(
+                "Reach", &r.reach, 0.0f, 8.0f * first.amount,
+                "Distance from the border at which the full height is reached. More is gentler. 0 reaches it in the "
+                "middle of each region.",
+                false, true, "to the middle");
             draw_profile(r);
             break;
         }
     }
-    const bool has_samples = is_operator(r.deed) && (r.from.kind == SeedKind::samples ||
-                                                     r.towards.kind == SeedKind::samples || r.perturbation > 0.0f);
-    const bool scatters = r.deed == Deed::polka_dots || r.deed == Deed::flower || r.deed == Deed::cells || has_samples;
+    if (is_operator(r.action) || is_macro(r.action)) draw_chance(ornament);
+}
+
+// What few steps need to be changed in.
+void TanglesWorkspace::draw_chance(Ornament& ornament) {
+    LiveStep& live = *ornament.live;
+    Recipe& r = live.recipe;
+    const Recipe& first = live.first;
+    const bool has_samples = is_operator(r.action) && (r.from.kind == SeedKind::samples ||
+                                                       r.towards.kind == SeedKind::samples || r.perturbation > 0.0f);
+    const bool scatters =
+        r.action == Action::polka_dots || r.action == Action::flower || r.action == Action::cells || has_samples;
+    if (!scatters && !is_operator(r.action)) return;
+    if (!ui::section("Advanced", false)) return;
     if (scatters)
-        ui::slider("Chance", &r.seed, 1, 99, "%d",
-                   "Which of the many ways that chance has: each number is another, always the same.");
-    if (!is_operator(r.deed)) return;
-    if (r.deed != Deed::polyline) {
+        ui::slider("Seed", &r.seed, 1, 99, "%d", "Number of the random choice. Each number scatters differently.");
+    if (!is_operator(r.action)) return;
+    if (r.action != Action::polyline) {
         const float breadth = live.before.outline.breadth();
-        ui::slider("Wobble", &r.perturbation, 0.0f, 0.6f * breadth, "%.3f m",
-                   "Noise on the distances, metres: more looks drawn by a looser hand.");
+        ui::length("Wobble", &r.perturbation, 0.0f, 0.6f * breadth,
+                   "Strength of the noise on the lines. More looks drawn by a looser hand.");
         if (r.perturbation > 0.0f)
             ui::slider("Waves", &r.frequency, 0.25f * first.frequency, 8.0f * first.frequency, "%.1f /m",
-                       "Of that noise, in a metre: more is finer.", true);
+                       "Waves of the noise per metre. More is finer.", true);
     }
-    constexpr const char* kGroupings[] = {"Two: every other one", "One", "Each by itself", "In turn"};
+    constexpr const char* kGroupings[] = {"Two, alternating", "One", "One per part", "Several, in turn"};
     ui::choice("Groups##of the step", &r.grouping, kGroupings,
-               "Which parts belong together, and have one colour at first.");
+               "Which parts form a group and start with the same colour.");
     if (r.grouping == FLG_TANGLE_GROUP_CYCLE)
-        ui::slider("In turn##cycle", &r.cycle, 2, 8, "%d groups", "Parts are dealt to so many groups in turn.");
-    ui::toggle("Scaffold", &r.scaffold, "Its lines are not seen: its regions only help to place others.");
+        ui::slider("Group count", &r.cycle, 2, 8, "%d groups", "Parts join this many groups in turn.");
+    ui::toggle("Scaffold", &r.scaffold, "Hides the lines of this step. Its regions only help to place others.");
 }
 
 void TanglesWorkspace::draw_seeds(Ornament& ornament) {
     LiveStep& live = *ornament.live;
     Recipe& r = live.recipe;
-    if (r.deed == Deed::polyline) {
-        ui::hint(("Line of " + std::to_string(r.from.points.size()) + " points.").c_str());
+    if (r.action == Action::polyline) {
+        ui::hint(("Points on the line: " + std::to_string(r.from.points.size()) + ".").c_str());
         return;
     }
-    if (r.deed == Deed::contour || r.deed == Deed::stream) {
-        ui::hint("It goes ...");
-        if (ui::row_button("From", 2, "Choose here, and on the mesh, what it begins at.", {.pressed = !edits_towards_}))
+    if (r.action == Action::contour || r.action == Action::stream) {
+        if (ui::row_button("From", 2, "Choose where the lines start, here and on the mesh.",
+                           {.pressed = !edits_towards_}))
             edits_towards_ = false;
         ui::same_row();
-        if (ui::row_button(
-                "Towards", 2,
-                "Choose here, and on the mesh, what it goes towards: bands then fill the way from one to the other.",
-                {.pressed = edits_towards_}))
+        if (ui::row_button("Towards", 2,
+                           "Choose where the lines end, here and on the mesh. Bands then fill the way between.",
+                           {.pressed = edits_towards_}))
             edits_towards_ = true;
     } else {
         edits_towards_ = false;
@@ -185,12 +198,12 @@ void TanglesWorkspace::draw_seed_choice(LiveStep& live, SeedChoice& seeds, bool 
     };
     if (!is_from) {
         next();
-        if (ui::row_button("Nothing", 4, "It goes outwards, as far as there is room.",
+        if (ui::row_button("Nothing", 4, "The lines run outwards as far as there is room.",
                            {.pressed = seeds.kind == SeedKind::none}))
             seeds.kind = SeedKind::none;
     }
     for (const SeedButton& button : kSeeds) {
-        if (is_from && !fits(live.recipe.deed, button.kind)) continue;
+        if (is_from && !fits(live.recipe.action, button.kind)) continue;
         next();
         if (!ui::row_button(button.name, 4, button.tip,
                             {.enabled = has_border || !button.needs_border, .pressed = seeds.kind == button.kind}))
@@ -204,23 +217,23 @@ void TanglesWorkspace::draw_seed_choice(LiveStep& live, SeedChoice& seeds, bool 
     }
     if (seeds.kind == SeedKind::samples)
         length_slider("Scattering", &seeds.radius, live.first.from.radius,
-                      "Between points, at least, metres: more makes fewer.");
+                      "Least distance between points. More makes fewer points.");
     if (seeds.kind == SeedKind::spaced)
         length_slider("Between beads", &seeds.spacing, live.first.from.spacing,
-                      "Metres along the border: more makes fewer.");
+                      "Distance along the border. More makes fewer points.");
     if (seeds.kind == SeedKind::points && !seeds.points.empty()) {
         ImGui::AlignTextToFramePadding();
         ui::hint((std::to_string(seeds.points.size()) + (seeds.points.size() == 1 ? " point" : " points")).c_str());
         ui::same_row();
-        if (ui::button("Clear the points", "Takes all points away.")) seeds.points.clear();
+        if (ui::button("Clear points", "Removes all points.")) seeds.points.clear();
     }
 }
 
 void TanglesWorkspace::draw_profile(const Recipe& recipe) {
-    const float unit = desk_.scale, height = 46.0f * unit, width = ImGui::GetContentRegionAvail().x;
+    const float unit = app_.scale, height = 46.0f * unit, width = ImGui::GetContentRegionAvail().x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, height});
-    ui::tip("The profile from a border (left) to the middle (right).");
+    ui::tip("Profile from the border (left) to the middle (right).");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, {low.x + width, low.y + height}, IM_COL32(0, 0, 0, 60), 3.0f * unit);
     ImVec2 line[65];

@@ -8,7 +8,8 @@
 namespace flg::studio {
 namespace {
 
-// Weights of the second and third corner for the point of a triangle that is nearest to a place (Ericson 2005, sec. 5.1.5).
+// Weights of the second and third corner for the point of a triangle that is nearest to a place (Ericson 2005, sec.
+// 5.1.5).
 glm::vec2 nearest_weights(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
     const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
@@ -72,12 +73,12 @@ std::optional<SeedPoint> MeshBefore::nearest(const glm::vec3& place, float reach
     return best;
 }
 
-Ornament::Ornament(Desk& desk, const SceneMesh& mesh, const Palette& palette)
-    : desk_(desk), palette_(palette), mesh_id_(mesh.id) {}
+Ornament::Ornament(AppContext& app, const SceneMesh& mesh, const Palette& palette)
+    : app_(app), palette_(palette), mesh_id_(mesh.id), generation_(mesh.generation) {}
 
 void Ornament::run(const std::string& name, filigree::Job job, const Owner& owner, Jobs::Shown shown, Then then) {
     ++running_;
-    desk_.jobs.add(
+    app_.jobs.add(
         name, std::move(job),
         [owner, id = mesh_id_, then = std::move(then)](const FlgJobStatus& status) {
             Ornament* ornament = owner(id);
@@ -92,9 +93,9 @@ void Ornament::run(const std::string& name, filigree::Job job, const Owner& owne
 void Ornament::make(const Owner& owner) {
     FlgTangle made{};
     FlgJob job{};
-    filigree::check(flgTangleCreate(desk_.context.get(), mesh()->surface.get(), &made, &job));
-    tangle = {desk_.context.get(), made};
-    run("Preparing " + mesh()->name, {desk_.context.get(), job}, owner, Jobs::Shown::quiet,
+    filigree::check(flgTangleCreate(app_.context.get(), mesh()->surface.get(), &made, &job));
+    tangle = {app_.context.get(), made};
+    run("Preparing " + mesh()->name, {app_.context.get(), job}, owner, Jobs::Shown::quiet,
         [this](const FlgJobStatus& status) { failed_ = status.result != FLG_OK; });
 }
 
@@ -103,16 +104,17 @@ void Ornament::finished() {
     regions.refresh(tangle);
     if (live) live->is_made = regions.undo_count() > live->undo_count;
     // The first time it was only made ready.
-    if (revision_++ > 0) ++desk_.changes;
+    if (revision_++ > 0) ++app_.changes;
     recolor();
 }
 
-void Ornament::begin(Deed deed, const Regions& on) {
+void Ornament::begin(Action action, const Regions& on) {
     const FlgSurfaceView surface = mesh()->surface.view();
     LiveStep step;
     step.before = copy_mesh(surface, regions.leaves_below(on));
-    step.recipe = step.first = default_recipe(deed, on, step.before.outline);
+    step.recipe = step.first = default_recipe(action, on, step.before.outline);
     step.undo_count = regions.undo_count();
+    step.region_count = regions.count();
     live = std::move(step);
 }
 
@@ -122,38 +124,61 @@ bool Ornament::wants_try() const {
 }
 
 void Ornament::try_again(const Owner& owner) {
-    const std::string name = info_of(live->recipe.deed).name;
+    const std::string name = info_of(live->recipe.action).name;
     for (uint32_t made = regions.undo_count(); made > live->undo_count; --made)
-        run("Taking back " + name, tangle.undo(), owner, Jobs::Shown::quiet);
+        run("Undoing " + name, tangle.undo(), owner, Jobs::Shown::quiet);
     live->tried = live->recipe;
     live->error = missing(live->recipe);
     if (!live->error.empty()) {
         live->is_made = false;
         return;
     }
-    run(name, start(live->recipe, desk_.context.get(), tangle), owner, Jobs::Shown::listed,
+    run(name, start(live->recipe, app_.context.get(), tangle), owner, Jobs::Shown::listed,
         [this](const FlgJobStatus& status) {
             if (!live || status.result == FLG_OK) return;
             live->error =
-                status.result == FLG_ERROR_CANCELLED ? "Cancelled; move a slider to try again." : status.error;
+                status.result == FLG_ERROR_CANCELLED ? "Cancelled. Move a slider to try again." : status.error;
         });
+}
+
+Regions Ornament::new_parts() const {
+    if (live->recipe.action == Action::displace) return regions.leaves_below(live->recipe.regions);
+    const std::vector<uint32_t> materials = color_regions(regions, paints, palette_.materials.size());
+    Regions made, other;
+    for (const uint32_t leaf : regions.leaves()) {
+        const uint32_t seen = seen_region(regions, leaf);
+        if (seen < live->region_count) continue;
+        uint32_t around = seen;
+        while (around >= live->region_count) around = regions[around].parent;
+        made.push_back(leaf);
+        if (materials[seen] != materials[around]) other.push_back(leaf);
+    }
+    return other.empty() ? made : other;
+}
+
+Paints Ornament::shown_paints() const {
+    Paints shown = paints;
+    if (live && live->is_made && live->material)
+        for (const uint32_t leaf : new_parts()) shown.insert_or_assign(seen_region(regions, leaf), *live->material);
+    return shown;
 }
 
 void Ornament::recolor() {
     SceneMesh* shown = mesh();
     if (shown == nullptr || regions.count() == 0) return;
-    materials_ = color_regions(regions, paints, palette_.materials.size());
-    TangleLook look = make_look(regions, materials_, palette_, shows_scaffolds);
+    materials_ = color_regions(regions, shown_paints(), palette_.materials.size());
+    TangleLook look;
+    if (!is_bare()) look = make_look(regions, materials_, palette_, shows_scaffolds);
     look.look.material = shown->look.material;
     constexpr float kThinnest_px = 0.5f, kWidest_px = 64.0f;  // that are drawn
     const auto scaled = [&](float px) {
-        return px > 0.0f ? std::clamp(px * desk_.scale, kThinnest_px, kWidest_px) : 0.0f;
+        return px > 0.0f ? std::clamp(px * app_.scale, kThinnest_px, kWidest_px) : 0.0f;
     };
     look.look.border_width_px = scaled(look.look.border_width_px);
     for (render::Material& material : look.look.regions) material.border_width_px = scaled(material.border_width_px);
     shown->look = std::move(look.look);
     shown->label_of = std::move(look.label_of);
-    desk_.scene.redraw(*shown);
+    app_.scene.redraw(*shown);
 }
 
 }  // namespace flg::studio

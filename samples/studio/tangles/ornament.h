@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tangle of one mesh of the scene: its regions, what they are painted with, and the step that is being tried out. Its jobs run one after
-// the other; what is here stays as after the last one until all are done.
+// The tangle of one mesh of the scene: its regions, what they are painted with, and the step that is being tried out.
+// Its jobs run one after the other; what is here stays as after the last one until all are done.
 #pragma once
 
 #include <functional>
@@ -30,16 +30,21 @@ struct LiveStep {
     bool is_made = false;         // it is the tangle's last step
     uint32_t undo_count = 0;      // of the tangle without it
     std::string error;            // of the last try
+    uint32_t region_count = 0;    // of the tangle without it
+    // A place in the palette, for what it makes; none: as operators colour it.
+    std::optional<uint32_t> material;
     MeshBefore before;
 };
 
 class Ornament {
 public:
     // The palette outlives it.
-    Ornament(Desk& desk, const SceneMesh& mesh, const Palette& palette);
+    Ornament(AppContext& app, const SceneMesh& mesh, const Palette& palette);
 
     uint32_t mesh_id() const { return mesh_id_; }
-    SceneMesh* mesh() const { return desk_.scene.find(mesh_id_); }
+    // Of the mesh's surface, that it was made on.
+    uint32_t generation() const { return generation_; }
+    SceneMesh* mesh() const { return app_.scene.kept(mesh_id_); }
     // No job is under way, and the tangle is there.
     bool idle() const { return running_ == 0 && regions.count() > 0; }
     bool running() const { return running_ > 0; }
@@ -53,14 +58,21 @@ public:
     void run(const std::string& name, filigree::Job job, const Owner& owner, Jobs::Shown shown, Then then = {});
     void make(const Owner& owner);
 
+    // What the step that is tried has made and that looks other than what it lies in; all that it raises.
+    Regions new_parts() const;
+
     // Begins to try a step on regions; the surface must be idle.
-    void begin(Deed deed, const Regions& on);
+    void begin(Action action, const Regions& on);
     // Takes the step back that was tried last, and makes it as the recipe now is. Idle only.
     void try_again(const Owner& owner);
     bool wants_try() const;
 
     // After all that may change colours; shows it.
     void recolor();
+    // With those of the step that is tried.
+    Paints shown_paints() const;
+    // Nothing was divided or painted: the mesh shows its own colour.
+    bool is_bare() const { return !shown_paints().contains(0) && regions.leaves() == Regions{0}; }
     uint32_t material_of(uint32_t region) const { return region < materials_.size() ? materials_[region] : 0; }
     // Places in the palette, by label.
     const std::vector<uint32_t>& materials() const { return materials_; }
@@ -74,9 +86,9 @@ public:
 private:
     void finished();
 
-    Desk& desk_;
+    AppContext& app_;
     const Palette& palette_;
-    const uint32_t mesh_id_;
+    const uint32_t mesh_id_, generation_;
     int running_ = 0;
     uint32_t revision_ = 0;
     bool failed_ = false;

@@ -6,20 +6,20 @@
 namespace flg::studio {
 namespace {
 
-constexpr DeedInfo kDeeds[kDeedCount] = {
-    {"Contour", "Bands that follow the seeds at equal distances: borders, points you click, or scattered ones.", 0},
-    {"Stream", "Stripes that run straight away from a border, evenly spaced along it.", 1},
-    {"Voronoi", "Cells around scattered points, or around points you click.", 0},
-    {"Polyline", "Cuts along a line that you click point by point, the shortest way between them.", 0},
-    {"Sunburst", "Rays from the first border to the others. Needs two borders.", 2},
-    {"Polka dots", "Round dots scattered as evenly as chance allows.", 0},
-    {"Frames", "Frames one within the other along the borders.", 1},
-    {"Flower", "Petals that grow from the borders around scattered centres.", 1},
-    {"Grid", "A chequerboard between the first border and the others. Needs two borders.", 2},
-    {"Outline", "A band along every border.", 1},
-    {"Lace", "Scallops along the borders.", 1},
-    {"Cells", "A mosaic of cells around scattered points.", 0},
-    {"Raise", "Lifts regions from the surface, or sinks them into it: domes, ridges, terraces.", 1},
+constexpr ActionInfo kActions[kActionCount] = {
+    {"Contour", "Cuts bands at equal distances from borders or points.", 0},
+    {"Stream", "Cuts evenly spaced stripes that run away from a border. Needs a border.", 1},
+    {"Voronoi", "Cuts cells around scattered points or points you click.", 0},
+    {"Polyline", "Cuts along shortest paths between points you click.", 0},
+    {"Sunburst", "Cuts rays from the first border to the others. Needs two borders.", 2},
+    {"Polka dots", "Cuts evenly scattered round dots.", 0},
+    {"Frames", "Cuts nested frames along the borders. Needs a border.", 1},
+    {"Flower", "Cuts petals around scattered centres. Needs a border.", 1},
+    {"Grid", "Cuts a chequerboard between the first border and the others. Needs two borders.", 2},
+    {"Outline", "Cuts a band along every border. Needs a border.", 1},
+    {"Lace", "Cuts scallops along the borders. Needs a border.", 1},
+    {"Cells", "Cuts a mosaic of cells around scattered points.", 0},
+    {"Raise", "Lifts regions from the surface or sinks them: domes, ridges, terraces. Needs a border.", 1},
 };
 
 // Points of the seeds, alive while the step is started.
@@ -52,13 +52,13 @@ struct SeedArrays {
 filigree::Job start_operator(const Recipe& recipe, filigree::Tangle& tangle) {
     const SeedArrays from(recipe.from), towards(recipe.towards);
     FlgTangleDivideDesc desc = flgTangleDivideDefaults();
-    desc.kind = static_cast<FlgTangleOperator>(recipe.deed);
+    desc.kind = static_cast<FlgTangleOperator>(recipe.action);
     desc.regions = recipe.regions.data();
     desc.region_count = static_cast<uint32_t>(recipe.regions.size());
     desc.count = static_cast<uint32_t>(recipe.count);
     desc.a = from.view;
-    if (recipe.deed == Deed::contour || recipe.deed == Deed::stream) desc.b = towards.view;
-    const bool blends = recipe.deed == Deed::contour && recipe.towards.kind != SeedKind::none;
+    if (recipe.action == Action::contour || recipe.action == Action::stream) desc.b = towards.view;
+    const bool blends = recipe.action == Action::contour && recipe.towards.kind != SeedKind::none;
     desc.delta = blends ? recipe.share : recipe.delta;
     desc.grouping = static_cast<FlgTangleGrouping>(recipe.grouping);
     desc.cycle = static_cast<uint32_t>(recipe.cycle);
@@ -72,20 +72,20 @@ filigree::Job start_operator(const Recipe& recipe, filigree::Tangle& tangle) {
 
 }  // namespace
 
-bool is_operator(Deed deed) {
-    return deed <= Deed::polyline;
+bool is_operator(Action action) {
+    return action <= Action::polyline;
 }
 
-bool is_macro(Deed deed) {
-    return deed >= Deed::sunburst && deed <= Deed::cells;
+bool is_macro(Action action) {
+    return action >= Action::sunburst && action <= Action::cells;
 }
 
-const DeedInfo& info_of(Deed deed) {
-    return kDeeds[static_cast<int>(deed)];
+const ActionInfo& info_of(Action action) {
+    return kActions[static_cast<int>(action)];
 }
 
-Recipe default_recipe(Deed deed, const Regions& regions, const Outline& outline) {
-    Recipe recipe{.deed = deed, .regions = regions};
+Recipe default_recipe(Action action, const Regions& regions, const Outline& outline) {
+    Recipe recipe{.action = action, .regions = regions};
     const float breadth = outline.breadth(), size = outline.size();
     const bool has_border = !outline.loops.empty();
     recipe.from.radius = recipe.towards.radius = 0.45f * size;
@@ -98,67 +98,66 @@ Recipe default_recipe(Deed deed, const Regions& regions, const Outline& outline)
     recipe.spacing = 0.9f * breadth;
     recipe.amount = 0.25f * breadth;
     recipe.bias = 0.7f;
-    switch (deed) {
-        case Deed::contour: recipe.count = has_border ? 3 : 0; break;
-        case Deed::stream: recipe.delta = 0.25f * size; break;
-        case Deed::voronoi:
+    switch (action) {
+        case Action::contour: recipe.count = has_border ? 3 : 0; break;
+        case Action::stream: recipe.delta = 0.25f * size; break;
+        case Action::voronoi:
             recipe.from.kind = SeedKind::samples;
             recipe.from.radius = std::min(0.6f * breadth, 0.16f * size);
             recipe.grouping = FLG_TANGLE_GROUP_CYCLE;
             recipe.cycle = 4;
             break;
-        case Deed::polyline:
+        case Action::polyline:
             recipe.from.kind = SeedKind::points;
             recipe.from.points.clear();
             break;
-        case Deed::sunburst: recipe.size = 0.18f * size; break;
-        case Deed::polka_dots:
+        case Action::sunburst: recipe.size = 0.18f * size; break;
+        case Action::polka_dots:
             recipe.spacing = std::min(0.7f * breadth, 0.22f * size);
             recipe.size = 0.3f * recipe.spacing;
             break;
-        case Deed::frames:
+        case Action::frames:
             recipe.count = 4;
             recipe.size = 0.16f * breadth;
             break;
-        case Deed::flower:
+        case Action::flower:
             recipe.count = 4;
             recipe.spacing = 0.6f * breadth;
             break;
-        case Deed::grid:
+        case Action::grid:
             recipe.count = 6;
             recipe.size = 0.18f * size;
             break;
-        case Deed::outline: recipe.size = 0.16f * breadth; break;
-        case Deed::lace:
+        case Action::outline: recipe.size = 0.16f * breadth; break;
+        case Action::lace:
             recipe.spacing = 0.4f * breadth;
             recipe.size = 0.6f * recipe.spacing;
             break;
-        case Deed::cells: recipe.spacing = std::min(0.5f * breadth, 0.13f * size); break;
-        case Deed::displace: break;
+        case Action::cells: recipe.spacing = std::min(0.5f * breadth, 0.13f * size); break;
+        case Action::displace: break;
     }
     return recipe;
 }
 
 std::string missing(const Recipe& recipe) {
     const SeedChoice& from = recipe.from;
-    if (!is_operator(recipe.deed)) return {};
-    const bool blends = recipe.deed == Deed::contour || recipe.deed == Deed::stream;
-    if (recipe.deed == Deed::polyline && from.points.size() < 2)
-        return "Click two points or more on the mesh; Enter ends the line.";
-    if (from.kind == SeedKind::points && from.points.empty()) return "Click points on the mesh to begin at.";
+    if (!is_operator(recipe.action)) return {};
+    const bool blends = recipe.action == Action::contour || recipe.action == Action::stream;
+    if (recipe.action == Action::polyline && from.points.size() < 2)
+        return "Click two or more points on the mesh. Enter ends the line.";
+    if (from.kind == SeedKind::points && from.points.empty()) return "Click points on the mesh to start at.";
     if (from.kind == SeedKind::picked && from.stretches.empty())
         return "Click a border of the selected regions, or drag along it.";
     if (!blends) return {};
     if (recipe.towards.kind == SeedKind::points && recipe.towards.points.empty())
-        return "Click points on the mesh to go towards.";
-    if (recipe.towards.kind == SeedKind::picked && recipe.towards.stretches.empty())
-        return "Click a border to go towards.";
+        return "Click points on the mesh to end at.";
+    if (recipe.towards.kind == SeedKind::picked && recipe.towards.stretches.empty()) return "Click a border to end at.";
     return {};
 }
 
 filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& tangle) {
-    if (is_operator(recipe.deed)) return start_operator(recipe, tangle);
-    if (recipe.deed == Deed::displace) {
+    if (is_operator(recipe.action)) return start_operator(recipe, tangle);
+    if (recipe.action == Action::displace) {
         FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
         desc.regions = recipe.regions.data();
         desc.region_count = static_cast<uint32_t>(recipe.regions.size());
@@ -171,7 +170,7 @@ filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& 
     FlgTangleMacroDesc desc{};
     filigree::check(flgTangleMacroDescInit(&desc, sizeof desc));
     desc.tangle = tangle.get();
-    desc.kind = static_cast<FlgTangleMacro>(static_cast<int>(recipe.deed) - static_cast<int>(Deed::sunburst));
+    desc.kind = static_cast<FlgTangleMacro>(static_cast<int>(recipe.action) - static_cast<int>(Action::sunburst));
     desc.regions = recipe.regions.data();
     desc.region_count = static_cast<uint32_t>(recipe.regions.size());
     desc.count = static_cast<uint32_t>(std::max(recipe.count, 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A step of a tangle as the user sees it: what is done to which regions, from which seeds, by which numbers. It can be done again with
-// others as long as it is the last.
+// A step of a tangle as the user sees it: what is done to which regions, from which seeds, by which numbers. It can be
+// done again with others as long as it is the last.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@
 
 namespace flg::studio {
 
-enum class Deed {
+enum class Action {
     contour,
     stream,
     voronoi,
@@ -25,17 +25,17 @@ enum class Deed {
     cells,  // as FlgTangleMacro
     displace
 };
-constexpr int kDeedCount = 13;
+constexpr int kActionCount = 13;
 
-bool is_operator(Deed deed);
-bool is_macro(Deed deed);
+bool is_operator(Action action);
+bool is_macro(Action action);
 
-struct DeedInfo {
+struct ActionInfo {
     const char* name;
     const char* what;  // it does, for the tooltip
     uint32_t borders;  // that the regions need
 };
-const DeedInfo& info_of(Deed deed);
+const ActionInfo& info_of(Action action);
 
 enum class SeedKind { none, border, each, points, samples, spaced, picked };
 
@@ -63,7 +63,7 @@ struct SeedChoice {
 };
 
 struct Recipe {
-    Deed deed = Deed::contour;
+    Action action = Action::contour;
     Regions regions{};
     SeedChoice from{}, towards{};
     // Metres, but for shares of a blend.
@@ -78,7 +78,7 @@ struct Recipe {
     bool operator==(const Recipe&) const = default;
 };
 
-Recipe default_recipe(Deed deed, const Regions& regions, const Outline& outline);
+Recipe default_recipe(Action action, const Regions& regions, const Outline& outline);
 
 // Empty if it can be done; else what is missing, a sentence.
 std::string missing(const Recipe& recipe);

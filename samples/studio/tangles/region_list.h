@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tangle of a mesh was like after its last step: its tree of regions, and what made them. A copy, to be read while the next step
-// is under way.
+// What the tangle of a mesh was like after its last step: its tree of regions, and what made them. A copy, to be read
+// while the next step is under way.
 #pragma once
 
 #include <span>

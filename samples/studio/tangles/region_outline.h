@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The borders of regions, and how large they are: what is highlighted, clicked as a seed, and what sizes are guessed from.
+// The borders of regions, and how large they are: what is highlighted, clicked as a seed, and what sizes are guessed
+// from.
 #pragma once
 
 #include <glm/glm.hpp>

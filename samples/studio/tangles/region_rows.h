@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lines of the panel's list of regions, as a tree or by groups: made when something changed, drawn only where they are seen.
+// The lines of the panel's list of regions, as a tree or by groups: made when something changed, drawn only where they
+// are seen.
 #pragma once
 
 #include "tangles/region_list.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What of the tangles workspace goes to files and comes from them.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -11,32 +12,49 @@ namespace {
 
 constexpr size_t kMostDocument = size_t{16} << 20;  // bytes of a .json that is looked into
 
+Paints paints_of(const nlohmann::json& ornament) {
+    Paints paints;
+    for (const nlohmann::json& p : ornament.at("paints"))
+        paints.emplace(p.at(0).get<uint32_t>(), p.at(1).get<uint32_t>());
+    return paints;
+}
+
 }  // namespace
+
+// Null for nothing.
+nlohmann::json TanglesWorkspace::to_json(const Ornament& ornament) const {
+    FlgTangleHistory history = ornament.tangle.history();
+    history.step_count = history.made_count;  // what was taken back is not kept
+    const Paints shown = ornament.shown_paints();
+    if (history.step_count == 0 && shown.empty()) return {};
+    nlohmann::json paints = nlohmann::json::array();
+    for (const auto& [region, material] : shown) paints.push_back({region, material});
+    return {{"history", history_to_json(history)}, {"paints", std::move(paints)}};
+}
 
 // Only of tangles that no step of is under way.
 TanglesWorkspace::Kept TanglesWorkspace::kept() const {
-    Kept all{{}, to_json(palette_), acts_};
+    Kept all{{}, studio::to_json(palette_), undo_steps_};
+    for (const auto& [mesh, waiting] : waiting_) all.ornaments[mesh] = waiting.json;
     for (const auto& [mesh, ornament] : ornaments_) {
         if (ornament->regions.count() == 0) continue;
-        const FlgTangleHistory history = ornament->tangle.history();
-        if (history.step_count == 0 && ornament->paints.empty()) continue;
-        nlohmann::json paints = nlohmann::json::array();
-        for (const auto& [region, material] : ornament->paints) paints.push_back({region, material});
-        all.ornaments[mesh] = {{"history", history_to_json(history)}, {"paints", std::move(paints)}};
+        if (nlohmann::json json = to_json(*ornament); !json.is_null()) all.ornaments[mesh] = std::move(json);
     }
     // What is being tried counts as kept.
-    if (const Ornament* ornament = trying(); ornament != nullptr && ornament->live->is_made)
-        all.acts.push({.kind = Act::Kind::step, .mesh = ornament->mesh_id()});
+    if (const Ornament* ornament = trying(); ornament != nullptr && ornament->live->is_made) {
+        all.acts.push({.kind = UndoStep::Kind::step, .mesh = ornament->mesh_id()});
+        if (UndoStep painted = paint_of_step(*ornament); !painted.paints.empty()) all.acts.push(std::move(painted));
+    }
     return all;
 }
 
 void TanglesWorkspace::take_snapshot() {
     constexpr double kRest_s = 0.4;
-    if (snapshot_changes_ == desk_.changes || !all_idle()) return;
+    if (snapshot_changes_ == app_.changes || !all_idle()) return;
     // Not with each of a slider's previews: it may take milliseconds.
-    if (desk_.seconds < snapshot_after_s_) return;
-    snapshot_after_s_ = desk_.seconds + kRest_s;
-    snapshot_changes_ = desk_.changes;
+    if (app_.seconds < snapshot_after_s_) return;
+    snapshot_after_s_ = app_.seconds + kRest_s;
+    snapshot_changes_ = app_.changes;
     snapshot_ = kept();
 }
 
@@ -45,7 +63,7 @@ nlohmann::json TanglesWorkspace::save() const {
     if (all.palette.is_null()) return nlohmann::json::object();  // nothing was ever done
     nlohmann::json meshes = nlohmann::json::array();
     std::map<uint32_t, size_t> number_of;
-    for (const auto& mesh : desk_.scene.meshes()) {
+    for (const auto& mesh : app_.scene.meshes()) {
         const size_t number = number_of.size();
         number_of.emplace(mesh->id, number);
         const auto found = all.ornaments.find(mesh->id);
@@ -58,57 +76,56 @@ nlohmann::json TanglesWorkspace::save() const {
 
 void TanglesWorkspace::load(const nlohmann::json& part) {
     Palette palette = house_palette();
-    Acts acts;
-    struct Read {
-        uint32_t mesh;
-        HistoryFile history;
-        Paints paints;
-        nlohmann::json json;
-    };
-    std::vector<Read> read;
+    UndoSteps acts;
+    std::map<uint32_t, Waiting> waiting;
     try {
         if (!part.empty()) {
             palette = palette_from_json(part.at("palette"));
             std::vector<uint32_t> mesh_of;
-            for (const auto& mesh : desk_.scene.meshes()) mesh_of.push_back(mesh->id);
-            acts = Acts::from_json(part.at("acts"), mesh_of);
+            for (const auto& mesh : app_.scene.meshes()) mesh_of.push_back(mesh->id);
+            acts = UndoSteps::from_json(part.at("acts"), mesh_of);
             for (const nlohmann::json& entry : part.at("meshes")) {
-                Read one{mesh_of.at(entry.at("mesh").get<size_t>()), history_from_json(entry.at("history")), {}, entry};
-                for (const nlohmann::json& p : entry.at("paints")) {
-                    const uint32_t material = p.at(1).get<uint32_t>();
+                history_from_json(entry.at("history"));  // throws for what is damaged
+                for (const auto& [region, material] : paints_of(entry))
                     if (material >= palette.materials.size())
-                        throw StudioError("A tangle is painted with no material.");
-                    one.paints.emplace(p.at(0).get<uint32_t>(), material);
-                }
-                read.push_back(std::move(one));
+                        throw StudioError("The document paints a region with a material that does not exist.");
+                Waiting one{entry};
+                one.json.erase("mesh");
+                waiting.emplace(mesh_of.at(entry.at("mesh").get<size_t>()), std::move(one));
             }
         }
     } catch (const StudioError&) {
         throw;
     } catch (const std::exception& error) {
-        throw StudioError(std::string("The tangles of the document can't be read: ") + error.what());
+        throw StudioError(std::string("The ornament in the document cannot be read: ") + error.what());
     }
     commands_.clear();
     ornaments_.clear();
     selected_.clear();
     hovered_.clear();
     palette_ = std::move(palette);
-    acts_ = std::move(acts);
-    snapshot_ = {{}, to_json(palette_), acts_};
-    for (Read& one : read) {
-        snapshot_.ornaments[one.mesh] = std::move(one.json);
-        Ornament& ornament = make_ornament(*desk_.scene.find(one.mesh));
-        ornament.paints = std::move(one.paints);
-        replay(ornament, history_of(one.history));
-    }
+    undo_steps_ = std::move(acts);
+    waiting_ = std::move(waiting);
+    app_.timeline.adopt(*this, undo_steps_.done());
+    snapshot_ = kept();
 }
 
-void TanglesWorkspace::replay(Ornament& ornament, const FlgTangleHistory& history) {
-    ornament.run("Making the ornament of " + ornament.mesh()->name, ornament.tangle.replay(history), owner(),
-                 Jobs::Shown::listed, [this, mesh = ornament.mesh_id()](const FlgJobStatus& status) {
+void TanglesWorkspace::replay(Ornament& ornament, Waiting waiting) {
+    const HistoryFile file = history_from_json(waiting.json.at("history"));
+    FlgTangleHistory history = history_of(file);
+    if (const SceneMesh& mesh = *ornament.mesh(); mesh.is_drawing()) {
+        // It has grown or shrunk by a part, perhaps. What is on the other parts stays where it is.
+        std::copy_n(&mesh.box.min.x, 3, history.box_min);
+        std::copy_n(&mesh.box.max.x, 3, history.box_max);
+    }
+    ornament.paints = paints_of(waiting.json);
+    waiting.failed_generation = ornament.generation();
+    ornament.run("Building the ornament of " + ornament.mesh()->name, ornament.tangle.replay(history), owner(),
+                 Jobs::Shown::listed, [this, mesh = ornament.mesh_id(), waiting](const FlgJobStatus& status) {
                      if (status.result == FLG_OK) return;
-                     acts_.forget_mesh(mesh);
+                     // It may be possible on the surface that comes next.
                      if (Ornament* failed = find(mesh)) failed->paints.clear();
+                     waiting_[mesh] = waiting;
                  });
 }
 
@@ -119,18 +136,18 @@ bool TanglesWorkspace::open(const std::string& path) {
     std::ifstream file(path);
     const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
     if (!json.is_object() || json.value("filigree", nlohmann::json()) != "tangle") return false;
-    SceneMesh* mesh = desk_.scene.active();
-    if (mesh == nullptr) throw StudioError("Open the mesh of " + path + " first, then the tangle.");
+    SceneMesh* mesh = app_.scene.active();
+    if (mesh == nullptr) throw StudioError("Open the mesh for " + path + " first, then open the ornament.");
     Ornament* ornament = find(mesh->id);
     if (ornament != nullptr && (ornament->live || ornament->regions.undo_count() > 0 || ornament->running()))
-        throw StudioError(mesh->name + " has an ornament; open its mesh once more for that of " + path + ".");
+        throw StudioError(mesh->name + " already has an ornament. Add the mesh again to open " + path + " on it.");
     const HistoryFile history = read_history(path);
     if (ornament == nullptr) ornament = &make_ornament(*mesh);
     const FlgTangleHistory steps = history_of(history);
-    ornament->run("Making the ornament of " + mesh->name, ornament->tangle.replay(steps), owner(), Jobs::Shown::listed,
-                  [this, id = mesh->id, count = steps.made_count](const FlgJobStatus& status) {
+    ornament->run("Building the ornament of " + mesh->name, ornament->tangle.replay(steps), owner(),
+                  Jobs::Shown::listed, [this, id = mesh->id, count = steps.made_count](const FlgJobStatus& status) {
                       if (status.result != FLG_OK) return;
-                      for (uint32_t i = 0; i < count; ++i) acts_.push({.kind = Act::Kind::step, .mesh = id});
+                      for (uint32_t i = 0; i < count; ++i) did({.kind = UndoStep::Kind::step, .mesh = id});
                   });
     return true;
 }
@@ -143,8 +160,8 @@ std::span<const Workspace::Export> TanglesWorkspace::exports() const {
 void TanglesWorkspace::write(const Export& what, const std::string& path) {
     const Ornament* ornament = active();
     if (ornament == nullptr || ornament->regions.count() == 0)
-        throw StudioError("There is no ornament to export; divide a mesh first.");
-    if (!ornament->idle()) throw StudioError("A step is under way; export again when it is done.");
+        throw StudioError("There is no ornament to export. Divide a mesh first.");
+    if (!ornament->idle()) throw StudioError("A step is still running. Export again when it is done.");
     if (std::string(what.extension) == ".json") {
         const FlgTangleHistory history = ornament->tangle.history();
         if (flgTangleFileWrite(path.c_str(), &history) != FLG_OK) throw StudioError(flgIoLastError());

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "shell/widgets.h"
-#include "tangles/deed_icons.h"
+#include "tangles/action_icons.h"
 #include "tangles/tangles_workspace.h"
 
 namespace flg::studio {
@@ -18,32 +18,14 @@ std::string plural(size_t count, const char* one) {
     return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-float to_srgb(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
-
-ImU32 shown_color(const glm::vec3& linear) {
-    const auto byte = [](float v) {
-        return static_cast<int>(std::lround(255.0f * std::clamp(to_srgb(v), 0.0f, 1.0f)));
-    };
-    return IM_COL32(byte(linear.x), byte(linear.y), byte(linear.z), 255);
-}
-
-// The place of the button that was made last, for scripts by this name.
-void mark_last(const std::string& name) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const ImVec2 pane = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    ui::mark(name, {{low.x, low.y}, {high.x, high.y}, {pane.x, pane.y}, {pane.x + size.x, pane.y + size.y}});
-}
-
 }  // namespace
 
 void TanglesWorkspace::panel() {
     Ornament* ornament = active();
     if (ornament == nullptr || ornament->regions.count() == 0) {
-        ui::hint(desk_.scene.active() == nullptr
-                     ? "Open a mesh to ornament: drop a file here, or take one of the built-in ones from the menu."
-                     : "Preparing the mesh ...");
+        ui::hint(app_.scene.active() == nullptr
+                     ? "Add a mesh first: drop a file here, or choose one under Scene on the right."
+                     : "Preparing the mesh...");
         return;
     }
     draw_selection(*ornament);
@@ -54,62 +36,61 @@ void TanglesWorkspace::panel() {
 }
 
 void TanglesWorkspace::draw_selection(const Ornament& ornament) {
-    ui::heading("Select");
+    if (!ui::section("Select")) return;
     struct Pick {
         const char* name;
         Picks picks;
         const char* tip;
     };
-    constexpr Pick kPicks[] = {{"Region", Picks::region, "A click takes the one region under the mouse. R."},
-                               {"Group", Picks::group, "A click takes all regions of the group: all dots, say. G."},
-                               {"Colour", Picks::alike, "A click takes all regions of the same colour. A."}};
+    constexpr Pick kPicks[] = {{"Region", Picks::region, "A click selects the region under the mouse. R."},
+                               {"Group", Picks::group, "A click selects the whole group, all dots for example. G."},
+                               {"Colour", Picks::alike, "A click selects all regions of the same colour. A."}};
     for (const Pick& pick : kPicks) {
         if (&pick != kPicks) ui::same_row();
         if (ui::row_button(pick.name, 3, pick.tip, {.pressed = picks_ == pick.picks})) picks_ = pick.picks;
     }
     if (ui::row_button("All", 3, "Selects all regions. Ctrl+A.")) select_all();
     ui::same_row();
-    if (ui::row_button("None", 3, "Selects nothing; buttons then act on the whole mesh. Escape.",
+    if (ui::row_button("None", 3, "Clears the selection. Buttons then act on the whole mesh. Escape.",
                        {.enabled = !selected_.empty()}))
         selected_.clear();
     ui::same_row();
-    if (ui::row_button("Parent", 3, "Selects what the selected regions are parts of. U.",
-                       {.enabled = !selected_.empty()}))
+    if (ui::row_button("Parent", 3, "Selects the parents of the selected regions. U.", {.enabled = !selected_.empty()}))
         select_parents();
     const size_t leaves = ornament.regions.leaves().size();
-    const std::string said = selected_.empty()
-                                 ? (leaves == 1 ? std::string("Nothing selected: the whole mesh.")
-                                                : "Nothing selected: all " + plural(leaves, "region") + ".")
-                                 : plural(selected_.size(), "region") + " of " + std::to_string(leaves) + " selected.";
+    const std::string said =
+        selected_.empty() ? (leaves == 1 ? std::string("Nothing selected: buttons act on the whole mesh.")
+                                         : "Nothing selected: buttons act on all " + plural(leaves, "region") + ".")
+                          : plural(selected_.size(), "region") + " of " + std::to_string(leaves) + " selected.";
     ui::hint(said.c_str());
 }
 
-void TanglesWorkspace::deed_button(Deed deed, int across) {
-    const DeedInfo& info = info_of(deed);
+void TanglesWorkspace::action_button(Action action, int across) {
+    const ActionInfo& info = info_of(action);
     const Ornament* ornament = trying();
-    const bool chosen = ornament != nullptr && ornament->live->recipe.deed == deed;
-    const float unit = desk_.scale, text = ImGui::GetFontSize();
+    const bool chosen = ornament != nullptr && ornament->live->recipe.action == action;
+    const float unit = app_.scale, text = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, 14.0f * unit});
-    const std::string label = std::string("##deed ") + info.name;
+    const std::string label = std::string("##action ") + info.name;
     const bool clicked = ui::row_button(label.c_str(), across, info.what, {.pressed = chosen});
     ImGui::PopStyleVar();
-    mark_last(info.name);
+    ui::mark_last(info.name);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float size = 20.0f * unit;
-    draw_deed_icon(list, deed, {0.5f * (low.x + high.x), low.y + 4.0f * unit + 0.5f * size}, size);
+    draw_action_icon(list, action, {0.5f * (low.x + high.x), low.y + 4.0f * unit + 0.5f * size}, size);
     const float font = 0.8f * text;
     const float width = ImGui::CalcTextSize(info.name).x * 0.8f;
     list.AddText(ImGui::GetFont(), font, {0.5f * (low.x + high.x - width), high.y - font - 3.0f * unit},
                  IM_COL32(225, 218, 205, 255), info.name);
-    if (clicked) try_deed(deed);
+    if (clicked) try_action(action);
 }
 
 void TanglesWorkspace::draw_deeds() {
-    ui::heading("Divide");
+    if (!ui::section("Divide")) return;
     for (int i = 0; i < 12; ++i) {
         if (i % 4 != 0) ui::same_row();
-        deed_button(static_cast<Deed>(i), 4);
+        action_button(static_cast<Action>(i), 4);
     }
     if (!refusal_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{1.0f, 0.62f, 0.35f, 1.0f});
@@ -117,19 +98,18 @@ void TanglesWorkspace::draw_deeds() {
         ImGui::PopStyleColor();
     }
     const bool any = !selected_.empty();
-    if (ui::row_button("Raise", 4, info_of(Deed::displace).what)) try_deed(Deed::displace);
+    if (ui::row_button("Raise", 4, info_of(Action::displace).what)) try_action(Action::displace);
     ui::same_row();
-    if (ui::row_button("Join", 4, "Makes the selected regions one; they have to touch each other.", {.enabled = any}))
+    if (ui::row_button("Join", 4, "Merges the selected regions. They must touch each other.", {.enabled = any}))
         change_regions("Join", [](Ornament& o, FlgContext, const Regions& regions) { return o.tangle.join(regions); });
     ui::same_row();
-    if (ui::row_button("Bind", 4, "Makes the selected regions one group, which a click then takes whole.",
+    if (ui::row_button("Group##regions", 4, "Groups the selected regions. A click then selects all of them.",
                        {.enabled = any}))
-        change_regions("Bind a group",
+        change_regions("Group",
                        [](Ornament& o, FlgContext, const Regions& regions) { return o.tangle.group(regions); });
     ui::same_row();
-    if (ui::row_button("Unbind", 4, "Takes the group of the selected regions apart: each is a group of its own.",
-                       {.enabled = any}))
-        change_regions("Unbind a group", [](Ornament& o, FlgContext context, const Regions& regions) {
+    if (ui::row_button("Ungroup", 4, "Splits the group of the selected regions into single regions.", {.enabled = any}))
+        change_regions("Ungroup", [](Ornament& o, FlgContext context, const Regions& regions) {
             FlgJob job{};
             filigree::check(flgTangleUngroup(context, o.tangle.get(),
                                              o.regions[o.regions.leaves_below(regions).at(0)].group, &job));
@@ -138,24 +118,26 @@ void TanglesWorkspace::draw_deeds() {
 }
 
 void TanglesWorkspace::draw_materials() {
-    ui::heading("Materials");
-    const float unit = desk_.scale;
+    if (!ui::section("Materials")) return;
+    const float unit = app_.scale;
     for (size_t m = 0; m < palette_.materials.size(); ++m) {
         if (m % kSwatchesInARow != 0) ui::same_row();
         const TangleMaterial& material = palette_.materials[m];
         const bool chosen = material_ == m;
         const std::string label = "##material " + material.name + std::to_string(m);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, 6.0f * unit});
-        const std::string tip = material.name + (selected_.empty() ? ": takes this material for painting with clicks."
-                                                                   : ": paints the selected regions.");
+        const std::string tip = material.name + (trying() != nullptr  ? ": colour what this step makes."
+                                                 : !selected_.empty() ? ": paint the selected regions."
+                                                 : paints_            ? ": paint with clicks."
+                                                                      : ": click to begin painting.");
         const bool clicked = ui::row_button(label.c_str(), kSwatchesInARow, tip.c_str(), {});
         ImGui::PopStyleVar();
-        mark_last(material.name);
+        ui::mark_last(material.name);
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const float inset = 2.0f * unit, round = 3.0f * unit;
         const ImVec2 a = {low.x + inset, low.y + inset}, b = {high.x - inset, high.y - inset};
-        list.AddRectFilled(a, b, shown_color(material.color), round);
+        list.AddRectFilled(a, b, ui::shown_color(material.color), round);
         if (material.metallic > 0.5f) {
             // A glint.
             const float w = b.x - a.x;
@@ -164,21 +146,14 @@ void TanglesWorkspace::draw_materials() {
                                {a.x + 0.05f * w, b.y}, glint);
         }
         if (chosen) list.AddRect(low, high, IM_COL32(255, 205, 120, 255), round, 0, 2.0f * unit);
-        if (!clicked) continue;
-        material_ = static_cast<uint32_t>(m);
-        if (!selected_.empty()) paint(material_, selected_);
+        if (clicked) choose_material(static_cast<uint32_t>(m));
     }
-    ui::toggle("Paint with clicks", &paints_,
-               "Clicks on the mesh paint with this material, by what a click selects. B.");
+    ui::toggle("Paint with clicks", &paints_, "Clicks paint with the chosen material instead of selecting. B.");
     draw_material_editor();
 }
 
 void TanglesWorkspace::draw_material_editor() {
-    if (!ImGui::TreeNodeEx("Edit the material", ImGuiTreeNodeFlags_SpanAvailWidth)) {
-        mark_last("Edit the material");
-        return;
-    }
-    mark_last("Edit the material");
+    if (!ui::section("Edit material", false)) return;
     Palette changed = palette_;
     TangleMaterial& material = changed.materials[material_];
     bool is_changed = false, is_released = false;
@@ -186,21 +161,20 @@ void TanglesWorkspace::draw_material_editor() {
         is_changed |= one;
         is_released |= ui::released();
     };
-    take(ui::color("Material's colour", &material.color, "Of all regions with this material."));
-    take(ui::slider("Metal", &material.metallic, 0.0f, 1.0f, "%.2f", "0 is paint or clay, 1 bare metal."));
-    take(ui::slider("Roughness", &material.roughness, 0.05f, 1.0f, "%.2f", "Less is polished, more is matte."));
-    take(ui::slider("Its lines", &material.border_px, 0.0f, 8.0f, "%.1f px",
-                    "Width of the lines around it, pixels; more is thicker. 0: those of all materials."));
+    take(ui::color("Material colour", &material.color, "Colour of all regions with this material."));
+    take(ui::slider("Metal", &material.metallic, 0.0f, 1.0f, "%.2f", "0 is paint or clay, 1 is bare metal."));
+    take(ui::slider("Roughness", &material.roughness, 0.05f, 1.0f, "%.2f", "Less looks polished, more looks matte."));
+    take(ui::slider("Line width", &material.border_px, 0.0f, 8.0f, "%.1f px",
+                    "Width of the lines around this material, in pixels. 0 uses the width of all lines."));
     if (material.border_px > 0.0f)
-        take(ui::color("Its lines' colour", &material.border_color, "Of the lines around this material."));
+        take(ui::color("Line colour", &material.border_color, "Colour of the lines around this material."));
     take(ui::slider("All lines", &changed.border_px, 0.0f, 8.0f, "%.1f px",
-                    "Width of the lines between regions, pixels; more is thicker, 0 leaves them out."));
-    take(ui::color("All lines' colour", &changed.border_color, "Of the lines between regions."));
-    ImGui::TreePop();
+                    "Width of the lines between regions, in pixels. 0 hides them."));
+    take(ui::color("Colour of all lines", &changed.border_color, "Colour of the lines between regions."));
     if (is_changed) {
         if (!palette_before_) palette_before_ = palette_;
         palette_ = changed;
-        ++desk_.changes;
+        ++app_.changes;
         recolor_all();
     }
     if ((is_released || !ImGui::IsAnyItemActive()) && palette_before_) {
@@ -208,7 +182,7 @@ void TanglesWorkspace::draw_material_editor() {
             later([this, before = *palette_before_, after = palette_] {
                 keep();
                 later([this, before, after] {
-                    acts_.push({.kind = Act::Kind::palette, .before = before, .after = after});
+                    did({.kind = UndoStep::Kind::palette, .before = before, .after = after});
                 });
             });
         palette_before_.reset();
@@ -216,18 +190,17 @@ void TanglesWorkspace::draw_material_editor() {
 }
 
 void TanglesWorkspace::draw_regions(const Ornament& ornament) {
-    ui::heading("Regions");
-    if (ui::row_button("Tree", 2, "Regions below what they are parts of.", {.pressed = !shows_groups_}))
+    if (!ui::section("Regions")) return;
+    if (ui::row_button("Tree", 2, "Lists regions under the region they are part of.", {.pressed = !shows_groups_}))
         shows_groups_ = false;
     ui::same_row();
-    if (ui::row_button("Groups", 2, "Regions that belong together, a line each.", {.pressed = shows_groups_}))
-        shows_groups_ = true;
+    if (ui::row_button("Groups", 2, "Lists groups of regions.", {.pressed = shows_groups_})) shows_groups_ = true;
     Ornament& shown = *active();
     if (ui::toggle("Show scaffolds", &shown.shows_scaffolds,
-                   "Lines of scaffolds too, which only help to place others."))
+                   "Shows the lines of scaffolds, which only help to place other regions."))
         shown.recolor();
     rows_.refresh(ornament.regions, ornament.mesh_id(), ornament.revision(), shows_groups_);
-    const float unit = desk_.scale, line = ImGui::GetTextLineHeightWithSpacing();
+    const float unit = app_.scale, line = ImGui::GetTextLineHeightWithSpacing();
     const float height = std::clamp(static_cast<float>(rows_.rows().size()) + 0.5f, 3.0f, 14.0f) * line;
     ImGui::BeginChild("regions", {0.0f, height}, true);
     Regions hovered;
@@ -235,6 +208,7 @@ void TanglesWorkspace::draw_regions(const Ornament& ornament) {
         return shows_groups_ ? ornament.regions.of_group(ornament.regions[row.region].group) : Regions{row.region};
     };
     uint32_t toggled = FLG_NO_INDEX;
+    const bool is_bare = ornament.is_bare();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows_.rows().size()), line);
     while (clipper.Step()) {
@@ -248,7 +222,7 @@ void TanglesWorkspace::draw_regions(const Ornament& ornament) {
             if (row.size > 0 && !shows_groups_) {
                 ImGui::SetCursorScreenPos({at.x + indent, at.y});
                 if (ImGui::InvisibleButton("fold", {14.0f * unit, line})) toggled = row.region;
-                mark_last("fold " + std::to_string(row.region));
+                ui::mark_last("fold " + std::to_string(row.region));
                 const ImVec2 c = {at.x + indent + 6.0f * unit, at.y + 0.45f * line};
                 const float r = 3.5f * unit;
                 const ImU32 ink = IM_COL32(210, 200, 185, 255);
@@ -259,8 +233,10 @@ void TanglesWorkspace::draw_regions(const Ornament& ornament) {
             }
             const float left = at.x + indent + 16.0f * unit;
             const uint32_t material = ornament.material_of(row.region);
+            const glm::vec3& color =
+                is_bare ? ornament.mesh()->look.material.color : palette_.materials[material].color;
             list.AddRectFilled({left, at.y + 1.0f * unit}, {left + box, at.y + 1.0f * unit + box},
-                               shown_color(palette_.materials[material].color), 2.0f * unit);
+                               ui::shown_color(color), 2.0f * unit);
             ImGui::SetCursorScreenPos({left + box + 6.0f * unit, at.y});
             std::string text = shows_groups_ ? ornament.regions.name(row.region) + ": " + plural(row.size, "region")
                                              : ornament.regions.name(row.region);
@@ -274,7 +250,7 @@ void TanglesWorkspace::draw_regions(const Ornament& ornament) {
                 if (ornament.live) later([this] { keep(); });
                 select(std::move(regions));
             }
-            mark_last("region " + std::to_string(row.region));
+            ui::mark_last("region " + std::to_string(row.region));
             if (ImGui::IsItemHovered()) hovered = leaves_of(row);
             ImGui::PopID();
         }

@@ -19,26 +19,31 @@ constexpr size_t kLookedAt = 4000;     // points of borders
 
 }  // namespace
 
-bool TanglesWorkspace::is_hidden(const glm::vec3& place) const {
-    const auto at = desk_.view.project(place);
+bool TanglesWorkspace::is_hidden(const Ornament& ornament, const glm::vec3& own) const {
+    const glm::vec3 place = ornament.mesh()->placement.point(own);
+    const auto at = app_.view.project(place);
     if (!at) return true;
-    const Ray ray = desk_.view.ray(*at);
-    const auto hit = desk_.scene.hit(ray);
+    const Ray ray = app_.view.ray(*at);
+    const auto hit = app_.scene.hit(ray);
     if (!hit) return false;
     const float distance = glm::distance(place, ray.origin);
     return glm::distance(hit->position(), ray.origin) < 0.99f * distance;
 }
 
+std::optional<glm::vec2> TanglesWorkspace::project(const Ornament& ornament, const glm::vec3& own) const {
+    return app_.view.project(ornament.mesh()->placement.point(own));
+}
+
 std::optional<SeedPoint> TanglesWorkspace::place_under(const Ornament& ornament, const Ray& ray) const {
-    const auto hit = desk_.scene.hit(ray);
+    const auto hit = app_.scene.hit(ray);
     if (!hit || hit->mesh->id != ornament.mesh_id()) return std::nullopt;
-    return ornament.live->before.nearest(hit->position(), kOffMesh * hit->mesh->box.diagonal());
+    return ornament.live->before.nearest(hit->own_position(), kOffMesh * hit->mesh->box.diagonal());
 }
 
 void TanglesWorkspace::pointer(const Pointer& mouse) {
     while (!waiting_clicks_.empty() && click(waiting_clicks_.front())) waiting_clicks_.pop_front();
     Ornament* ornament = active();
-    if (ornament != nullptr && ornament->live && is_operator(ornament->live->recipe.deed)) {
+    if (ornament != nullptr && ornament->live && is_operator(ornament->live->recipe.action)) {
         if (edit_seeds(*ornament, mouse)) {
             hovered_.clear();
             return;
@@ -46,7 +51,7 @@ void TanglesWorkspace::pointer(const Pointer& mouse) {
     }
     if (mouse.inside && !mouse.down) {
         // Over a step that is tried the mouse is on its way to the sliders.
-        const auto hit = desk_.scene.hit(desk_.view.ray(mouse.px));
+        const auto hit = app_.scene.hit(app_.view.ray(mouse.px));
         const Ornament* under = hit && ornament != nullptr && !ornament->live ? find(hit->mesh->id) : nullptr;
         hovered_mesh_ = hit ? hit->mesh->id : 0;
         if (under == nullptr)
@@ -62,13 +67,13 @@ void TanglesWorkspace::pointer(const Pointer& mouse) {
     }
     if (!mouse.released || !pressed_on_picture_) return;
     pressed_on_picture_ = false;
-    if (glm::distance(mouse.px, pressed_px_) <= kClickUnits * desk_.scale)
-        waiting_clicks_.push_back({desk_.view.ray(mouse.px), mouse.shift, mouse.control, false});
+    if (glm::distance(mouse.px, pressed_px_) <= kClickUnits * app_.scale)
+        waiting_clicks_.push_back({app_.view.ray(mouse.px), mouse.shift, mouse.control, false});
 }
 
 bool TanglesWorkspace::click(const Click& click) {
-    const auto hit = desk_.scene.hit(click.ray);
-    if (!hit && !desk_.scene.settled()) return false;
+    const auto hit = app_.scene.hit(click.ray);
+    if (!hit && !app_.scene.settled()) return false;
     Ornament* tried = trying();
     if (click.adds_point && tried != nullptr) {
         SeedChoice& seeds = edited_seeds(tried->live.value());
@@ -79,8 +84,8 @@ bool TanglesWorkspace::click(const Click& click) {
         return true;
     }
     if (tried != nullptr) later([this] { keep(); });
-    if (desk_.scene.active() != hit->mesh) {
-        desk_.scene.set_active(hit->mesh->id);
+    if (app_.scene.active() != hit->mesh) {
+        app_.scene.set_active(hit->mesh->id);
         selected_.clear();
         selected_mesh_ = hit->mesh->id;
     }
@@ -111,7 +116,7 @@ bool TanglesWorkspace::click(const Click& click) {
 }
 
 SeedChoice& TanglesWorkspace::edited_seeds(LiveStep& live) {
-    const bool has_towards = live.recipe.deed == Deed::contour || live.recipe.deed == Deed::stream;
+    const bool has_towards = live.recipe.action == Action::contour || live.recipe.action == Action::stream;
     return edits_towards_ && has_towards ? live.recipe.towards : live.recipe.from;
 }
 
@@ -136,17 +141,17 @@ bool TanglesWorkspace::edit_points(Ornament& ornament, SeedChoice& seeds, const 
     LiveStep& live = *ornament.live;
     if (dragged_point_) {
         if (*dragged_point_ < seeds.points.size())
-            if (const auto place = place_under(ornament, desk_.view.ray(mouse.px)))
+            if (const auto place = place_under(ornament, app_.view.ray(mouse.px)))
                 seeds.points[*dragged_point_] = *place;
         if (mouse.released || !mouse.down) dragged_point_.reset();
         return true;
     }
     hovered_point_.reset();
     if (!mouse.inside) return false;
-    float nearest = kReachUnits * desk_.scale;
+    float nearest = kReachUnits * app_.scale;
     for (size_t i = 0; i < seeds.points.size(); ++i) {
-        const auto at = desk_.view.project(seeds.points[i].place);
-        if (!at || glm::distance(*at, mouse.px) > nearest || is_hidden(seeds.points[i].place)) continue;
+        const auto at = project(ornament, seeds.points[i].place);
+        if (!at || glm::distance(*at, mouse.px) > nearest || is_hidden(ornament, seeds.points[i].place)) continue;
         nearest = glm::distance(*at, mouse.px);
         hovered_point_ = i;
     }
@@ -157,7 +162,7 @@ bool TanglesWorkspace::edit_points(Ornament& ornament, SeedChoice& seeds, const 
     }
     if (hovered_point_) {
         // The first point of a line, clicked at its end, closes it.
-        if (live.recipe.deed == Deed::polyline && *hovered_point_ == 0 && seeds.points.size() > 2)
+        if (live.recipe.action == Action::polyline && *hovered_point_ == 0 && seeds.points.size() > 2)
             live.recipe.closed = true;
         if (mouse.control)
             delete_point();
@@ -165,9 +170,9 @@ bool TanglesWorkspace::edit_points(Ornament& ornament, SeedChoice& seeds, const 
             dragged_point_ = hovered_point_;
         return true;
     }
-    if (!add_point(ornament, seeds, desk_.view.ray(mouse.px))) {
-        if (desk_.scene.settled()) return false;
-        waiting_clicks_.push_back({desk_.view.ray(mouse.px), mouse.shift, mouse.control, true});
+    if (!add_point(ornament, seeds, app_.view.ray(mouse.px))) {
+        if (app_.scene.settled()) return false;
+        waiting_clicks_.push_back({app_.view.ray(mouse.px), mouse.shift, mouse.control, true});
         return true;
     }
     hovered_point_ = dragged_point_ = seeds.points.size() - 1;
@@ -181,11 +186,11 @@ bool TanglesWorkspace::edit_borders(Ornament& ornament, SeedChoice& seeds, const
     size_t count = 0;
     for (const BorderLoop& loop : loops) count += loop.points.size();
     const size_t step = std::max<size_t>(1, count / kLookedAt);
-    float nearest = kBorderUnits * desk_.scale;
+    float nearest = kBorderUnits * app_.scale;
     for (uint32_t l = 0; l < loops.size(); ++l) {
         for (size_t i = 0; i < loops[l].points.size(); i += step) {
-            const auto at = desk_.view.project(loops[l].points[i]);
-            if (!at || glm::distance(*at, mouse.px) >= nearest || is_hidden(loops[l].points[i])) continue;
+            const auto at = project(ornament, loops[l].points[i]);
+            if (!at || glm::distance(*at, mouse.px) >= nearest || is_hidden(ornament, loops[l].points[i])) continue;
             nearest = glm::distance(*at, mouse.px);
             hovered_grip_ = {l, loops[l].shares[i]};
         }
@@ -198,7 +203,7 @@ bool TanglesWorkspace::edit_borders(Ornament& ornament, SeedChoice& seeds, const
     if (!dragged_grip_) return hovered_grip_.has_value();
     if (!mouse.released) return true;
     const Grip from = *std::exchange(dragged_grip_, std::nullopt);
-    if (glm::distance(mouse.px, pressed_px_) <= kClickUnits * desk_.scale) {
+    if (glm::distance(mouse.px, pressed_px_) <= kClickUnits * app_.scale) {
         // The whole border, or none of it.
         const size_t before = seeds.stretches.size();
         std::erase_if(seeds.stretches, [&](const SeedStretch& s) { return s.loop == from.loop; });
@@ -219,7 +224,7 @@ bool TanglesWorkspace::edit_borders(Ornament& ornament, SeedChoice& seeds, const
 
 bool TanglesWorkspace::delete_point() {
     Ornament* ornament = trying();
-    if (ornament == nullptr || !is_operator(ornament->live->recipe.deed)) return false;
+    if (ornament == nullptr || !is_operator(ornament->live->recipe.action)) return false;
     SeedChoice& seeds = edited_seeds(*ornament->live);
     if (seeds.kind == SeedKind::picked && !seeds.stretches.empty()) {
         seeds.stretches.pop_back();
@@ -235,17 +240,17 @@ bool TanglesWorkspace::delete_point() {
 
 void TanglesWorkspace::overlay(ImDrawList& list) {
     const Ornament* ornament = active();
-    if (ornament == nullptr || !ornament->live || !is_operator(ornament->live->recipe.deed)) return;
+    if (ornament == nullptr || !ornament->live || !is_operator(ornament->live->recipe.action)) return;
     const Recipe& recipe = ornament->live->recipe;
-    const float unit = desk_.scale;
+    const float unit = app_.scale;
     const auto draw_points = [&](const SeedChoice& seeds, bool is_edited, ImU32 color) {
         if (seeds.kind != SeedKind::points) return;
         std::optional<glm::vec2> before, first;
         for (size_t i = 0; i < seeds.points.size(); ++i) {
-            const auto at = desk_.view.project(seeds.points[i].place);
+            const auto at = project(*ornament, seeds.points[i].place);
             if (!at) continue;
-            const bool hidden = is_hidden(seeds.points[i].place);
-            if (recipe.deed == Deed::polyline && before && !ornament->live->is_made)
+            const bool hidden = is_hidden(*ornament, seeds.points[i].place);
+            if (recipe.action == Action::polyline && before && !ornament->live->is_made)
                 list.AddLine({before->x, before->y}, {at->x, at->y}, IM_COL32(255, 255, 255, 120), 1.0f * unit);
             before = at;
             const bool hot = is_edited && hovered_point_ == i;
@@ -268,11 +273,11 @@ void TanglesWorkspace::overlay(ImDrawList& list) {
         std::optional<glm::vec2> before;
         for (size_t i = 0; i <= 2 * n; i += step) {
             const float share = loop.shares[i % n] + static_cast<float>(i / n);
-            if (share < s.begin || share > s.end || is_hidden(loop.points[i % n])) {
+            if (share < s.begin || share > s.end || is_hidden(*ornament, loop.points[i % n])) {
                 before.reset();
                 continue;
             }
-            const auto at = desk_.view.project(loop.points[i % n]);
+            const auto at = project(*ornament, loop.points[i % n]);
             if (at && before) list.AddLine({before->x, before->y}, {at->x, at->y}, color, 4.0f * unit);
             before = at;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tangles: regions of meshes are clicked and divided, again and again, by operators whose numbers can be changed while one looks.
-// What the user asks for while a step is under way waits for it, in order.
+// Tangles: regions of meshes are clicked and divided, again and again, by operators whose numbers can be changed while
+// one looks. What the user asks for while a step is under way waits for it, in order.
 #pragma once
 
 #include <deque>
@@ -10,13 +10,13 @@
 #include "tangles/highlight.h"
 #include "tangles/ornament.h"
 #include "tangles/region_rows.h"
-#include "tangles/tangle_acts.h"
+#include "tangles/undo_steps.h"
 
 namespace flg::studio {
 
 class TanglesWorkspace final : public Workspace {
 public:
-    explicit TanglesWorkspace(Desk& desk);
+    explicit TanglesWorkspace(AppContext& app);
 
     const char* title() const override { return "Tangles"; }
     std::string help() const override;
@@ -28,10 +28,13 @@ public:
     void overlay(ImDrawList& list) override;
     bool shortcut(const Chord& chord) override;
     std::span<const Shortcut> shortcuts() const override;
-    bool can_undo() const override;
-    bool can_redo() const override { return !trying() && acts_.can_redo(); }
+    bool can_undo() const override { return undo_steps_.can_undo(); }
+    bool can_redo() const override { return undo_steps_.can_redo(); }
     void undo() override;
     void redo() override;
+    void forget_undone() override { undo_steps_.forget_undone(); }
+    void settle() override;
+    bool is_settled() const override { return commands_.empty() && all_idle() && trying() == nullptr; }
     bool open(const std::string& path) override;
     nlohmann::json save() const override;
     void load(const nlohmann::json& part) override;
@@ -55,15 +58,30 @@ private:
     Ornament& make_ornament(const SceneMesh& mesh);
 
     // What can be done; all through later().
-    void try_deed(Deed deed);
+    void try_action(Action action);
     void try_again(Ornament& ornament);
     void keep();
     void discard();
+    // Throws StudioError if nobody could see what is done to it.
+    void need_visible(const Ornament& ornament) const;
     void change_regions(const char* name, filigree::Job (*begin)(Ornament&, FlgContext, const Regions&));
     void paint(uint32_t material, Regions on);
-    void apply(const Act& act, bool forward);
+    // Paints the selection; while a step is tried, only what that makes.
+    void choose_material(uint32_t material);
+    UndoStep paint_of(const Ornament& ornament, uint32_t material, const Regions& on) const;
+    UndoStep paint_of_step(const Ornament& ornament) const;
+    void do_paint(UndoStep step);
+    void did(UndoStep step);
+    void apply(const UndoStep& step, bool forward);
     void recolor_all();
-    void replay(Ornament& ornament, const FlgTangleHistory& history);
+    // Ornament that waits for a surface to be made on, or for another one than that on which it could not be.
+    struct Waiting {
+        nlohmann::json json;  // history and paints
+        std::optional<uint32_t> failed_generation{};
+    };
+    void make_waiting();
+    void replay(Ornament& ornament, Waiting waiting);
+    nlohmann::json to_json(const Ornament& ornament) const;
 
     void select(Regions regions);
     void select_parents();
@@ -76,7 +94,7 @@ private:
     struct Kept {
         std::map<uint32_t, nlohmann::json> ornaments;  // history and paints
         nlohmann::json palette;
-        Acts acts;
+        UndoSteps acts;
     };
     Kept kept() const;
 
@@ -85,7 +103,9 @@ private:
     bool edit_points(Ornament& ornament, SeedChoice& seeds, const Pointer& mouse);
     bool edit_borders(Ornament& ornament, SeedChoice& seeds, const Pointer& mouse);
     std::optional<SeedPoint> place_under(const Ornament& ornament, const Ray& ray) const;
-    bool is_hidden(const glm::vec3& place) const;
+    // Of places on the ornament's mesh, in its own space.
+    bool is_hidden(const Ornament& ornament, const glm::vec3& own) const;
+    std::optional<glm::vec2> project(const Ornament& ornament, const glm::vec3& own) const;
     // A click that waits for the picking scene, which is being built for a while after each step.
     struct Click {
         Ray ray;
@@ -100,9 +120,10 @@ private:
     // The panel.
     void draw_selection(const Ornament& ornament);
     void draw_deeds();
-    void deed_button(Deed deed, int across);
+    void action_button(Action action, int across);
     void draw_live(Ornament& ornament);
     void draw_sizes(Ornament& ornament);
+    void draw_chance(Ornament& ornament);
     void draw_seeds(Ornament& ornament);
     void draw_seed_choice(LiveStep& live, SeedChoice& seeds, bool is_from);
     void draw_profile(const Recipe& recipe);
@@ -112,7 +133,8 @@ private:
 
     Palette palette_ = house_palette();
     std::map<uint32_t, std::unique_ptr<Ornament>> ornaments_;
-    Acts acts_;
+    std::map<uint32_t, Waiting> waiting_;
+    UndoSteps undo_steps_;
     std::deque<std::function<void()>> commands_;
     bool in_front_ = false;
 
@@ -142,6 +164,7 @@ private:
     struct Shown {
         uint32_t mesh = 0, revision = 0;
         Regions regions{};
+        render::Placement placement{};
         bool operator==(const Shown&) const = default;
     };
     Highlight selection_lines_, hover_lines_, grip_lines_;

@@ -5,17 +5,17 @@
  *
  * Grammar      flg + noun + verb (flgCurveSetCreate); types Flg...; constants FLG_....
  * Conventions  Right-handed, y up, metres, seconds, radians. Colours are linear RGBA. Strings are UTF-8.
- * Descriptors  Start with `struct_size`; take them from their defaults function (flgStylizeDefaults()), then
- *              change what you need. Structs only ever grow at the end, so old hosts run with new libraries.
- * Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: one that was
- *              released is FLG_ERROR_INVALID_HANDLE, never a crash. They belong to the context that made them.
- * Results      Every function returns an FlgResult; flgLastError() says what was wrong in one sentence that
- *              names the argument and its value. No exception, abort or print crosses this interface. Output
- *              arguments are written on every path: on failure with null handles and zeros.
- * Threads      Calls on one context must not overlap, unless a function says [any thread]. Different contexts are
- *              independent. Nothing the host can observe changes outside the host's own calls: jobs run on
- *              workers, but what they made becomes visible inside flgTick; what is done by then in order of submission.
- * Waiting      No function waits for a job, but for flgContextWait, which exists to wait. Each says its cost.
+ * Descriptors  Start with `struct_size`. Take one from its defaults function (flgStylizeDefaults()), then change what
+ *              you need. Structs grow only at the end, so old hosts run with new libraries.
+ * Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: using a released handle
+ *              returns FLG_ERROR_INVALID_HANDLE and never crashes. A handle belongs to the context that made it.
+ * Results      Every function returns an FlgResult. flgLastError() gives the reason in one sentence that names the
+ *              argument and its value. No exception, abort or print crosses this interface. Output arguments are
+ *              written on every path; on failure they hold null handles and zeros.
+ * Threads      Calls on one context must not overlap, unless a function is marked [any thread]. Contexts are
+ *              independent. Nothing the host can observe changes outside its own calls: jobs run on workers, but
+ *              flgTick publishes their results, finished ones in order of submission.
+ * Waiting      No function waits for a job, except flgContextWait. Each states its cost.
  * Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
  */
 #ifndef FILIGREE_FILIGREE_H
@@ -43,40 +43,40 @@ extern "C" {
 
 /* ---- Version ------------------------------------------------------------------------------------------------- */
 
-/* What breaks hosts changes this; until 1.0 the minor version may, too. */
+/* Changes when hosts break; until 1.0 a minor version may break them, too. */
 #define FLG_VERSION_MAJOR 0
-/* What hosts can use besides changes this. */
+/* Changes when hosts gain features. */
 #define FLG_VERSION_MINOR 1
-/* All else. */
+/* Changes with everything else. */
 #define FLG_VERSION_PATCH 0
 /* The version of this header, as one number. */
 #define FLG_VERSION ((FLG_VERSION_MAJOR << 22) | (FLG_VERSION_MINOR << 12) | FLG_VERSION_PATCH)
 
 /* [any thread] The version of the loaded library. flgContextCreate compares it with the header's: the major versions
- * must be equal, and while the major version is 0 the minor ones too. */
+ * must match, and while the major version is 0 the minor versions too. */
 FLG_API uint32_t flgVersion(void);
 
 /* ---- Results ------------------------------------------------------------------------------------------------- */
 
-/* How a call or a job ended: 0 and above is no failure. */
+/* How a call or a job ended; negative values are failures. */
 typedef enum FlgResult {
-    FLG_OK = 0,                      /* done; of a function that starts a job: started */
-    FLG_NOT_READY = 1,               /* asked too early: the job behind it has not been published by flgTick */
-    FLG_ERROR_INVALID_ARGUMENT = -1, /* a null, a value out of its range, data that can't be used */
-    FLG_ERROR_INVALID_HANDLE = -2,   /* null, released, of another kind or of another context */
+    FLG_OK = 0,                      /* done; from a function that starts a job: started */
+    FLG_NOT_READY = 1,               /* asked too early: flgTick has not published the job yet */
+    FLG_ERROR_INVALID_ARGUMENT = -1, /* a null, a value out of range, unusable data */
+    FLG_ERROR_INVALID_HANDLE = -2,   /* null, released, of another kind or from another context */
     FLG_ERROR_OUT_OF_MEMORY = -3,    /* the allocator hook returned null */
-    FLG_ERROR_VERSION = -4,          /* header and library do not fit each other */
+    FLG_ERROR_VERSION = -4,          /* header and library do not match */
     FLG_ERROR_CANCELLED = -5,        /* the job was cancelled */
-    FLG_ERROR_DEPENDENCY = -6,       /* a job that this one depends on failed or was cancelled */
-    FLG_ERROR_FILE = -7,             /* a file can't be opened, read or written */
-    FLG_ERROR_FORMAT = -8,           /* a file holds something else than its format allows */
-    FLG_ERROR_LIMIT = -9,            /* a documented limit would be passed; the message says which */
-    FLG_ERROR_INTERNAL = -10,        /* a bug of ours */
+    FLG_ERROR_DEPENDENCY = -6,       /* a job this one depends on failed or was cancelled */
+    FLG_ERROR_FILE = -7,             /* a file cannot be opened, read or written */
+    FLG_ERROR_FORMAT = -8,           /* the file's contents violate its format */
+    FLG_ERROR_LIMIT = -9,            /* a documented limit would be exceeded; the message names it */
+    FLG_ERROR_INTERNAL = -10,        /* a bug in Filigree */
     FLG_RESULT_FORCE_32BIT = 0x7fffffff
 } FlgResult;
 
-/* [any thread] Why the last failing call on this thread failed: one sentence, never null, valid until the next
- * failing call on this thread. Calls that succeed leave it as it is. */
+/* [any thread] Why the last failing call on this thread failed: one sentence, never null, valid until the next failing
+ * call on this thread. Successful calls leave it unchanged. */
 FLG_API const char* flgLastError(void);
 
 /* [any thread] The name of a result, such as "FLG_ERROR_LIMIT"; "FLG_RESULT_UNKNOWN" for other values. */
@@ -84,7 +84,7 @@ FLG_API const char* flgResultName(FlgResult result);
 
 /* ---- Handles ------------------------------------------------------------------------------------------------- */
 
-/* Makes the type of a handle. */
+/* Declares a handle type. */
 #define FLG_HANDLE(Name)   \
     typedef struct Name {  \
         uint64_t id;       \
@@ -94,80 +94,80 @@ FLG_API const char* flgResultName(FlgResult result);
 FLG_HANDLE(FlgJob);
 /* Curves in flat arrays; never changes once ready. */
 FLG_HANDLE(FlgCurveSet);
-/* A style, prepared: guide, displacement and patch graph. Never changes once ready. */
+/* A prepared style: guide, displacement and patch graph. Never changes once ready. */
 FLG_HANDLE(FlgStyle);
 
-/* A context owns everything else. The one raw pointer of the interface: do not use it after flgContextDestroy. */
+/* A context owns everything else. The only raw pointer in this interface: do not use it after flgContextDestroy. */
 typedef struct FlgContextT* FlgContext;
 
 /* ---- Host hooks ---------------------------------------------------------------------------------------------- */
 
-/* All memory of a context, that of its jobs included. Called from any thread; must be thread-safe. `allocate` may
- * return null: what needed the memory then fails with FLG_ERROR_OUT_OF_MEMORY, and nothing is lost. Both null:
- * the C++ runtime's aligned new and delete. Not included: what the C++ runtime itself takes for threads and for the
- * exceptions that a failing job is stopped with. */
+/* All memory of a context, including that of its jobs. Called from any thread; must be thread-safe. `allocate` may
+ * return null: whatever needed the memory fails with FLG_ERROR_OUT_OF_MEMORY, and nothing is lost. Both null: the C++
+ * runtime's aligned new and delete. Not included: memory the C++ runtime itself takes for threads and for the
+ * exceptions that stop a failing job. */
 typedef struct FlgAllocator {
     void* user_data; /* passed to both */
-    /* `size` bytes at a multiple of `alignment`, a power of two; or null */
+    /* Returns `size` bytes aligned to `alignment`, a power of two, or null. */
     void* (*allocate)(void* user_data, size_t size, size_t alignment);
-    /* what `allocate` gave, with the size and the alignment it was asked for */
+    /* Takes memory from `allocate`, with the size and alignment requested then. */
     void (*free)(void* user_data, void* memory, size_t size, size_t alignment);
 } FlgAllocator;
 
-/* The host's own job system. With `submit` set the SDK starts no thread: it hands over tasks, the host calls
- * run(task) once for each, on any thread, at any time, in any order. A task never blocks and ends after about
- * 500 us. At most `concurrency` (1 to 256) tasks are handed over at a time. `submit` is called from flgTick, from the
- * calls that start jobs, and from inside tasks; it must not call run(task) before it returns, and must not fail. */
+/* The host's own job system. With `submit` set the SDK starts no threads: it hands over tasks, and the host calls
+ * run(task) once for each, on any thread, at any time, in any order. A task never blocks and ends after about 500 us.
+ * At most `concurrency` (1 to 256) tasks are handed over at a time. flgTick, calls that start jobs, and tasks
+ * themselves call `submit`. It must not call run(task) before it returns, and must not fail. */
 typedef struct FlgJobSystem {
     void* user_data;      /* passed to `submit` */
     uint32_t concurrency; /* tasks at a time */
-    /* null: the SDK has threads of its own, or none */
+    /* Null: the SDK uses its own threads, or none. */
     void (*submit)(void* user_data, void (*run)(void* task), void* task);
 } FlgJobSystem;
 
 /* How much a message matters. */
 typedef enum FlgLogLevel {
     FLG_LOG_INFO = 0,    /* worth knowing */
-    FLG_LOG_WARNING = 1, /* odd, and gone on with */
+    FLG_LOG_WARNING = 1, /* unusual, but work continues */
     FLG_LOG_ERROR = 2,   /* something failed */
     FLG_LOG_FORCE_32BIT = 0x7fffffff
 } FlgLogLevel;
 
-/* Messages worth a line in the host's log: one sentence, no line break. Called on the host's thread, from inside its
- * calls. Null: silence. */
+/* Messages for the host's log: one sentence, no line break. Called on the host's thread, from inside its calls. Null:
+ * silence. */
 typedef struct FlgLog {
     void* user_data; /* passed to `write` */
-    /* `message` is valid for the time of the call */
+    /* `message` is valid during the call. */
     void (*write)(void* user_data, FlgLogLevel level, const char* message);
 } FlgLog;
 
-/* Monotonic nanoseconds, from any thread. Null: the system's steady clock. Budgets are measured with it; results
- * never depend on it. */
+/* Monotonic nanoseconds, callable from any thread. Null: the system's steady clock. Measures budgets; results never
+ * depend on it. */
 typedef struct FlgClock {
     void* user_data;                     /* passed to `now_ns` */
-    uint64_t (*now_ns)(void* user_data); /* never falling */
+    uint64_t (*now_ns)(void* user_data); /* never decreasing */
 } FlgClock;
 
 /* Named zones for a profiler such as Tracy or the engine's own. Called on the thread that does the work, properly
- * nested; names are string literals. Null: nothing. */
+ * nested; names are string literals. Null: none. */
 typedef struct FlgProfiler {
     void* user_data;                                  /* passed to both */
     void (*begin)(void* user_data, const char* name); /* both or neither */
-    void (*end)(void* user_data);                     /* of the zone that began last on this thread */
+    void (*end)(void* user_data);                     /* ends the zone most recently begun on this thread */
 } FlgProfiler;
 
 /* ---- Context ------------------------------------------------------------------------------------------------- */
 
-/* What a context is made with. */
+/* Settings for a new context. */
 typedef struct FlgContextDesc {
     uint32_t struct_size;
     /* FLG_VERSION of the header the host was compiled with. Set by flgContextDefaults. */
     uint32_t version;
-    /* Threads the context starts, 0 to 256. 0: none; flgTick itself advances jobs. Ignored with a job system.
-     * Default 1. */
+    /* Threads the context starts, 0 to 256. 0: none; flgTick itself advances jobs. Ignored with a job system. Default
+     * 1. */
     uint32_t worker_count;
-    /* Microseconds each worker may work between two calls of flgTick; 0 = no limit. Not used without workers.
-     * A worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0. */
+    /* Microseconds each worker may work between two calls of flgTick; 0 = no limit. Unused without workers. A worker
+     * stops at the first pause after its budget: at most one chunk (100 us) later. Default 0. */
     uint32_t worker_budget_us;
     FlgAllocator allocator;
     FlgJobSystem job_system;
@@ -178,67 +178,67 @@ typedef struct FlgContextDesc {
 
 FLG_API FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size);
 
-/* Makes a context and starts its workers. `desc` may be null: all defaults. Cost: below a millisecond. */
+/* Creates a context and starts its workers. `desc` may be null: all defaults. Cost: below a millisecond. */
 FLG_API FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context);
 
-/* Cancels all jobs and frees everything the context owns, all handles with it. Built-in workers are joined: at most
- * one kernel chunk (100 us). With a host's job system that still holds tasks of ours it returns FLG_NOT_READY, having
- * cancelled the jobs: let the job system run, then call again (all other calls are refused by then). Jobs that this cuts
- * off are not called back. Null is allowed and does nothing. */
+/* Cancels all jobs and frees everything the context owns, including all handles. Joins built-in workers, which takes at
+ * most one kernel chunk (100 us). If the host's job system still holds Filigree's tasks, it cancels the jobs and
+ * returns FLG_NOT_READY: let the job system run, then call again. Meanwhile all other calls are refused. Callbacks of
+ * the cancelled jobs do not run. Null is allowed and does nothing. */
 FLG_API FlgResult flgContextDestroy(FlgContext context);
 
-/* What one flgTick did, and what the workers did since the one before. */
+/* What one flgTick did, and what the workers did since the previous one. */
 typedef struct FlgFrameReport {
     uint32_t struct_size;
     uint32_t jobs_finished;         /* jobs published by this tick */
     uint64_t frame;                 /* counts calls of flgTick, from 1 */
-    uint32_t jobs_pending;          /* jobs not finished yet, those that wait for others included */
+    uint32_t jobs_pending;          /* unfinished jobs, including those waiting for others */
     float tick_us;                  /* wall time of this call */
-    float work_us;                  /* of it, spent advancing jobs (0 with workers) */
-    float callback_us;              /* of it, spent in the host's callbacks */
+    float work_us;                  /* part of it spent advancing jobs (0 with workers) */
+    float callback_us;              /* part of it spent in the host's callbacks */
     float worker_us;                /* time all workers spent on jobs since the last tick */
     float longest_chunk_us;         /* longest uninterrupted kernel chunk since the last tick, on any thread */
-    const char* longest_chunk_stage; /* the stage it belongs to, a string literal; "" when there was none */
-    FlgJob longest_chunk_job;       /* the job it came from; may have been released since */
+    const char* longest_chunk_stage; /* its stage, a string literal; "" if there was none */
+    FlgJob longest_chunk_job;       /* its job; may have been released since */
 } FlgFrameReport;
 
-/* One frame of the runtime: publishes what finished (at most until `budget_us` is used up, the rest next time), calls the
- * callbacks of those jobs, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a
- * context without workers then runs all its jobs to the end. It ends at most one kernel chunk after its budget.
- * `report` may be null; set its struct_size. Allocates nothing in steady state. Results that were released before
- * their job was done are freed in here, at the cost of their release. */
+/* Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks, and,
+ * in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a context
+ * without workers then runs all its jobs to the end. Ends at most one kernel chunk after its budget. `report` may be
+ * null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was done, at
+ * the cost of their release. */
 FLG_API FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
 
-/* For tools and loading screens: sleeps until flgTick has something to publish, no job is left, or the time is over.
- * Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise. A context without workers
- * returns at once (there flgTick does the work). */
+/* For tools and loading screens: sleeps until flgTick has something to publish, no job is left, or the timeout passes.
+ * Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise. Returns at once in a
+ * context without workers, where flgTick does the work. */
 FLG_API FlgResult flgContextWait(FlgContext context, uint32_t timeout_us);
 
 /* ---- Jobs ---------------------------------------------------------------------------------------------------- */
 
-/* Which of the ready jobs goes first. */
+/* Which ready job runs first. */
 typedef enum FlgPriority {
     FLG_PRIORITY_LOW = 0,    /* when nothing else is ready */
     FLG_PRIORITY_NORMAL = 1, /* the default */
-    FLG_PRIORITY_HIGH = 2,   /* before all others, such as what the user waits for */
+    FLG_PRIORITY_HIGH = 2,   /* before all others, such as results the user waits for */
     FLG_PRIORITY_FORCE_32BIT = 0x7fffffff
 } FlgPriority;
 
-/* How a job is run; part of every descriptor that starts one. Inputs that another job still makes are waited for without
- * being named here. */
+/* How a job runs; part of every descriptor that starts one. A job waits for inputs that another job still makes; they
+ * need not be listed here. */
 typedef struct FlgJobOptions {
     /* Ready jobs of higher priority run first; equals run in order of submission. Default FLG_PRIORITY_NORMAL. */
     FlgPriority priority;
-    /* Further jobs to wait for. If one of them fails, so does this, with FLG_ERROR_DEPENDENCY. Copied. */
+    /* Further jobs to wait for. If one fails, this job fails with FLG_ERROR_DEPENDENCY. Copied. */
     uint32_t dependency_count;
     const FlgJob* dependencies;
     /* Called once, inside flgTick, when the job is published, whatever its result. It may call any function of this
-     * header on the context except flgTick, flgContextWait and flgContextDestroy. It must not throw. `job` is null if no
-     * handle was asked for. Null: none. */
+     * header on the context except flgTick, flgContextWait and flgContextDestroy. It must not throw. `job` is null if
+     * no handle was requested. Null: none. */
     void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
     void* user_data;
-    /* Nonzero: results may be viewed before the job is finished, as far as they are complete (flgCurveSetGetView then
-     * shows the leading curves that are done). Default 0. */
+    /* Nonzero: the complete part of a result can be viewed before the job finishes (flgCurveSetGetView then shows the
+     * leading finished curves). Default 0. */
     uint32_t partial_results;
     uint32_t reserved;
 } FlgJobOptions;
@@ -255,8 +255,8 @@ typedef struct FlgJobStatus {
     uint32_t struct_size;
     FlgJobState state;
     FlgResult result;       /* FLG_NOT_READY until finished */
-    float progress;         /* 0 to 1, never falling; 1 exactly when finished with FLG_OK */
-    const char* stage;      /* the stage it is in, a string literal; "" before the first */
+    float progress;         /* 0 to 1, never decreasing; 1 exactly when finished with FLG_OK */
+    const char* stage;      /* the current stage, a string literal; "" before the first */
     const char* error;      /* what went wrong, "" if nothing; valid until the job is released */
     float busy_us;          /* time spent on it, over all threads */
     float longest_chunk_us; /* its longest uninterrupted kernel chunk so far */
@@ -269,28 +269,34 @@ FLG_API FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* 
 typedef struct FlgStageTime {
     const char* name; /* string literal */
     float wall_us;    /* from the stage's start to its end */
-    float busy_us;    /* of it, time spent working, over all threads */
+    float busy_us;    /* part of it spent working, over all threads */
 } FlgStageTime;
 
-/* The stages of a finished job in order; FLG_NOT_READY before. Writes at most `capacity` of them and their whole number
- * (at most 16) to `out_count`; `out_stages` may be null when capacity is 0. Cost: tens of nanoseconds. */
+/* The stages of a finished job in order; FLG_NOT_READY before it finishes. Writes at most `capacity` stages and sets
+ * `out_count` to their total (at most 16). `out_stages` may be null when capacity is 0. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* out_stages, uint32_t capacity,
                                   uint32_t* out_count);
 
-/* Asks a job to end. It is published with FLG_ERROR_CANCELLED by a later flgTick (or with its result, if it was
- * finished already, or has begun to change a surface, which it then does whole); what it held is freed, jobs that depend on it fail. Cancelling a finished job does nothing.
- * Cost: tens of nanoseconds. */
+/* Requests cancellation. A later flgTick publishes the job with FLG_ERROR_CANCELLED, or with its result if it had
+ * already finished or begun to change a surface; such a change always completes. What the job held is freed, and jobs
+ * that depend on it fail. Cancelling a finished job does nothing. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobCancel(FlgContext context, FlgJob job);
 
-/* Gives the handle back; the job goes on, and its callback is still called. Functions that start a job take a null
- * `out_job` if no handle is wanted. Cost: tens of nanoseconds. */
+/* Releases the handle; the job continues, and its callback still runs. Functions that start a job accept a null
+ * `out_job` if no handle is needed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobRelease(FlgContext context, FlgJob job);
+
+/* For tools, tests and loading screens: ticks and sleeps until `jobs` are finished, or with a count of 0 until the
+ * context has no job left, or until `seconds` (0 to 1e9, by the wall) are over. Returns FLG_OK, the result of the first
+ * of `jobs` that failed, or FLG_NOT_READY when the time is over. Callbacks of jobs run as in flgTick. Not from
+ * callbacks. */
+FLG_API FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t count, double seconds);
 
 /* ---- Curve sets ---------------------------------------------------------------------------------------------- */
 
-/* What a column of a curve set means. One value a point, of so many floats: */
+/* What a column of a curve set means, and its number of floats per point: */
 typedef enum FlgAttribute {
-    FLG_ATTRIBUTE_POSITION = 0,    /* 3, metres; every set has it. Finite, at most 1e30 in size */
+    FLG_ATTRIBUTE_POSITION = 0,    /* 3, metres; required. Finite, magnitude at most 1e30 */
     FLG_ATTRIBUTE_RADIUS = 1,      /* 1, metres, >= 0; of a tube, or half the width of a ribbon */
     FLG_ATTRIBUTE_COLOR = 2,       /* 4, linear RGBA */
     FLG_ATTRIBUTE_TANGENT = 3,     /* 3, unit length */
@@ -299,10 +305,10 @@ typedef enum FlgAttribute {
     FLG_ATTRIBUTE_TIME = 5,        /* 1, seconds since the first point of the curve; may run backwards in real data */
     FLG_ATTRIBUTE_PRESSURE = 6,    /* 1, 0 to 1 */
     FLG_ATTRIBUTE_ORIENTATION = 7, /* 4, unit quaternion x y z w of the controller that drew it */
-    FLG_ATTRIBUTE_STYLE_INDEX = 8, /* 1, which point of the style a stylized point copies; whole numbers */
-    FLG_ATTRIBUTE_RADII = 9,       /* 3: half axes along the first and the second normal, metres, >= 0, and the angle that
+    FLG_ATTRIBUTE_STYLE_INDEX = 8, /* 1, index of the style point that a stylized point copies; whole numbers */
+    FLG_ATTRIBUTE_RADII = 9,       /* 3: half axes along the first and second normal, metres, >= 0, and the angle that
                                       turns them about the tangent, radians: an elliptic cross-section */
-    FLG_ATTRIBUTE_ANGLE = 10,      /* 1, radians: turns a ribbon about the tangent, from the first normal to the second */
+    FLG_ATTRIBUTE_ANGLE = 10,      /* 1, radians: turns a ribbon about the tangent, from first to second normal */
     FLG_ATTRIBUTE_WIDTH = 11,      /* 1, metres, >= 0: of a ribbon */
     FLG_ATTRIBUTE_SPEED = 12,      /* 1, metres a second, > 0: of a motion along the curve */
     FLG_ATTRIBUTE_DISPLACEMENT = 13, /* 3, metres: what the style adds at magnitude 1 */
@@ -310,25 +316,25 @@ typedef enum FlgAttribute {
     FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgAttribute;
 
-/* One column. As input it may be strided; columns of results are tightly packed. */
+/* One column. Input columns may be strided; result columns are tightly packed. */
 typedef struct FlgColumn {
     FlgAttribute attribute; /* what the values mean */
-    uint32_t components;    /* floats a point */
+    uint32_t components;    /* floats per point */
     const float* data;      /* the first value */
-    uint32_t stride;        /* bytes from one point to the next, a multiple of 4; 0 = tightly packed */
+    uint32_t stride;        /* bytes between consecutive points, a multiple of 4; 0 = tightly packed */
     uint32_t reserved;
 } FlgColumn;
 
 enum {
-    FLG_CURVE_CLOSED = 1 /* the last point is joined to the first, which is not repeated */
+    FLG_CURVE_CLOSED = 1 /* the last point joins the first, which is not repeated */
 };
 
-/* Curves in flat arrays: curve c has the points curve_offsets[c] to curve_offsets[c + 1] - 1 of every column. Used for
- * input (the host owns the arrays, for the time of the call) and for results (the set owns them, until released). */
+/* Curves in flat arrays: curve c has the points curve_offsets[c] to curve_offsets[c + 1] - 1 of every column. For input
+ * the host owns the arrays, which must live for the call; for results the set owns them until it is released. */
 typedef struct FlgCurveSetView {
     uint32_t struct_size;
     uint32_t curve_count;
-    const uint32_t* curve_offsets; /* curve_count + 1 values, from 0, not falling */
+    const uint32_t* curve_offsets; /* curve_count + 1 values, starting at 0, never decreasing */
     const uint8_t* curve_flags;    /* curve_count values of FLG_CURVE_...; null in input: all 0 */
     const FlgColumn* columns;      /* POSITION first in results */
     uint32_t column_count;         /* 1 to 16, each attribute at most once */
@@ -337,31 +343,39 @@ typedef struct FlgCurveSetView {
 
 FLG_API FlgResult flgCurveSetViewInit(FlgCurveSetView* view, uint32_t struct_size);
 
-/* Copies curves into the context. Every curve needs at least one point; values must be at most 1e30 in size. Repeated points and curves
- * of zero length are taken as they are; each function that computes with them says what it makes of them.
- * Cost: one pass over the data, about 2 ms for a million points. */
+/* [any thread] The view's column of an attribute, null if there is none. */
+FLG_API const FlgColumn* flgCurveSetViewColumn(const FlgCurveSetView* view, FlgAttribute attribute);
+
+/* Copies curves into the context. Every curve needs at least one point; magnitudes must not exceed 1e30. Accepts
+ * repeated points and zero-length curves unchanged; each function documents how it treats them. Cost: one pass over the
+ * data, about 2 ms for a million points. */
 FLG_API FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, FlgCurveSet* out_set);
 
-/* The set's arrays. They live, unmoved, until the set is released, also while jobs read it. FLG_NOT_READY while the job
- * that makes the set has not been published (with partial_results: shows the leading curves that were complete at the
- * last flgTick); the job's error if it failed. Cost: tens of nanoseconds. */
+/* The same for one curve through `count` points, at least 1, of 3 floats each, metres. `flags`: 0 or FLG_CURVE_CLOSED.
+ * Cost: one pass over the points. */
+FLG_API FlgResult flgCurveSetCreateFromPoints(FlgContext context, const float* points, uint32_t count, uint8_t flags,
+                                              FlgCurveSet* out_set);
+
+/* The set's arrays. They neither move nor change until the set is released, even while jobs read it. FLG_NOT_READY
+ * while the job that makes the set is unpublished; with partial_results, shows the leading curves complete at the last
+ * flgTick instead. Returns the job's error if it failed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view);
 
-/* Gives the handle and its views back. Jobs that read the set keep its memory until they are done; a job that was to make
- * it goes on, cancel it if its result is not wanted. Cost: that of freeing its arrays, which for results of many megabytes
- * some allocators give back to the system page by page: about 50 us a megabyte. */
+/* Releases the handle and its views. Jobs that read the set keep its memory until they finish. A job that makes it
+ * continues; cancel the job if the result is not needed. Cost: that of freeing its arrays; for results of many
+ * megabytes some allocators return pages one by one: about 50 us a megabyte. */
 FLG_API FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set);
 
 /* Which moving frame to carry along a curve. */
 typedef enum FlgFrameMethod {
-    FLG_FRAME_ROTATION_MINIMIZING = 0, /* double reflection (Wang et al. 2008); the twist of closed curves is spread
+    FLG_FRAME_ROTATION_MINIMIZING = 0, /* double reflection (Wang et al. 2008); spreads the twist of closed curves
                                           evenly. Defined everywhere */
-    FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last
-                                          point where it did not, around closed curves. Flips at inflections, as Frenet
-                                          frames do */
-    FLG_FRAME_SUPPLIED = 2,            /* the NORMAL column of the curves, interpolated and made perpendicular to the
-                                          tangent; where it points along the tangent or vanishes, carried on from the last
-                                          point where it did not, around closed curves. Without that column the job
+    FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last point
+                                          where it did not, around closed curves. Flips at inflections, as Frenet frames
+                                          do */
+    FLG_FRAME_SUPPLIED = 2,            /* the curves' NORMAL column, interpolated and made perpendicular to the tangent;
+                                          where it is parallel to the tangent or vanishes, carried on from the last
+                                          point where it was not, around closed curves. Without that column the job
                                           fails */
     FLG_FRAME_FORCE_32BIT = 0x7fffffff
 } FlgFrameMethod;
@@ -371,133 +385,128 @@ typedef struct FlgResampleDesc {
     uint32_t reserved;
     FlgJobOptions job;
     FlgCurveSet curves;
-    /* Wanted distance of neighbouring points along the curve, metres, > 0. Each curve gets a whole number of equal steps
-     * nearest to it, at least 1 (closed: 3). No default. */
+    /* Desired distance between neighbouring points along the curve, metres, > 0. Each curve gets the nearest whole
+     * number of equal steps, at least 1 (closed: 3). No default. */
     float spacing;
-    /* Frame whose TANGENT and NORMAL columns are added to the result. */
+    /* Frame written to the result's TANGENT and NORMAL columns. */
     FlgFrameMethod frame;
 } FlgResampleDesc;
 
 FLG_API FlgResult flgResampleDescInit(FlgResampleDesc* desc, uint32_t struct_size);
 
-/* Starts a job that redistributes points evenly by arc length along a smooth curve through the given points (a
- * G1 cubic that keeps straight runs straight, circles round to fourth order, and turns of more than 50 degrees as
- * corners) and carries a moving frame along. Other columns are interpolated linearly, orientations normalized.
- * Points repeated in a row count once. A curve without length becomes one point. Cost: about 100 ns a point. */
+/* Starts a job that redistributes points evenly by arc length along a smooth curve through the given points and carries
+ * a moving frame along. The curve is a G1 cubic that keeps straight runs straight, circles round to fourth order, and
+ * turns of more than 50 degrees as corners. Other columns are interpolated linearly; orientations are normalized.
+ * Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 100 ns a point. */
 FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
 /* ---- Styles -------------------------------------------------------------------------------------------------- */
 
-/* How far apart two values of an attribute are, sec. 5. */
+/* Distance between two values of an attribute, sec. 5. */
 typedef enum FlgMetric {
     FLG_METRIC_AUTO = 0,       /* CIRCLE for ANGLE and the third component of RADII, EUCLIDEAN for all else */
     FLG_METRIC_EUCLIDEAN = 1,  /* the length of the difference */
-    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and
-                                  the third component of RADII, whose others are EUCLIDEAN always */
-    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn does not
-                                  change. For the same */
+    FLG_METRIC_CIRCLE = 2,     /* radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, one-float USER columns, and
+                                  the third component of RADII; its other components are always EUCLIDEAN */
+    FLG_METRIC_PROJECTIVE = 3, /* radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn leaves
+                                  unchanged. For the same columns */
     FLG_METRIC_FORCE_32BIT = 0x7fffffff
 } FlgMetric;
 
-/* An attribute that a style transfers along with its shape. The style curves need a column for it, or
- * flgStyleCreate refuses them (its job, if another job still makes them); values are taken where the matching leads, angles
- * between points by the shorter way and unwrapped along the curve. A SPEED must be above 0. */
+/* An attribute that a style transfers along with its shape. The style curves need a column for it; otherwise
+ * flgStyleCreate refuses them, or its job does if another job still makes them. Values are sampled where the matching
+ * leads, angles between points the shorter way and unwrapped along the curve. A SPEED must be above 0. */
 typedef struct FlgStyleAttribute {
     FlgAttribute attribute; /* RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER and above */
     FlgMetric metric;
-    /* How much a difference of 1 counts among the displacements when patches are compared, metres; >= 0. 0: the attribute
-     * follows the shape and does not steer it. */
+    /* Weight of a difference of 1 relative to displacements when patches are compared, metres; >= 0. 0: the attribute
+     * follows the shape without steering it. */
     float weight;
     uint32_t reserved;
 } FlgStyleAttribute;
 
-/* One of several patch sizes, sec. 4.5.4: distances are added up with these weights. */
+/* One of several patch sizes, sec. 4.5.4: their distances are summed with these weights. */
 typedef struct FlgPatchSize {
     uint32_t patch; /* p, 1 to 1024 */
     float weight;   /* > 0 */
 } FlgPatchSize;
 
-/* How guide and style are matched, sec. 4.2. */
-typedef enum FlgMatching {
-    FLG_MATCHING_SEMI_DISCRETE = 0, /* places on the style are continuous: more exact, and many times faster */
-    FLG_MATCHING_DISCRETE = 1,      /* places are points of the style, by dynamic programming over all of them */
-    FLG_MATCHING_FORCE_32BIT = 0x7fffffff
-} FlgMatching;
-
 /* How a style is prepared (Minarcik, Fiser, Sykora: Example-Based Authoring of Expressive Space Curves, sec. 4.1 to
  * 4.4). */
 typedef struct FlgStyleDesc {
     uint32_t struct_size;
-    /* Points that the style is resampled to, 16 to 16384; 0 = chosen from the input: at least its number of points,
-     * and so many that the curve turns by less than 7 degrees from one to the next; between 256 and 2048. */
+    /* Points the style is resampled to, 16 to 16384; 0 = chosen from the input: at least its number of points, enough
+     * that the curve turns by less than 7 degrees between points, and between 256 and 2048. */
     uint32_t point_count;
     FlgJobOptions job;
-    /* The example: open curves of non-zero length, 1 to 256 of them. Their guides share out the points by length, so that one
-     * spacing holds for all, and one patch graph leads from any to any other (Fig. 3); curves too short for a patch are
-     * not jumped to, and at least one must be longer. */
+    /* The example: 1 to 256 open curves of non-zero length. Their guides share the points by length, so that all have
+     * one spacing, and one patch graph leads from any to any other (Fig. 3). Curves too short for a patch are never
+     * jumped to; at least one must be long enough. */
     FlgCurveSet style;
-    /* Its unstyled form, one open curve for each of the style's, in order, or null: made by the length-preserving flow of
+    /* The unstyled form: one open curve for each style curve, in order. Null: computed by the length-preserving flow of
      * sec. 4.1. */
     FlgCurveSet guide;
-    /* How much of its length the flow lets the guide keep, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain
-     * curve shortening, 1 keeps the length and removes little. Default 0.5. */
+    /* How much of its length the guide keeps in the flow, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain curve
+     * shortening; 1 keeps the length and removes little. Default 0.5. */
     float alpha;
-    /* How far the flow smooths, as a multiple of what is chosen from the style; > 0. Default 1. */
+    /* How far the flow smooths, as a multiple of the amount chosen from the style; > 0. Default 1. */
     float smoothing;
     /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Where the style is
      * further from its guide than 1 / beta times its own radius of curvature (the far side of a loop), closeness wins:
-     * that stretch is skipped and comes out cut off. Default 0.2: loops stay round. */
+     * that stretch is skipped and gets cut off. Default 0.2: loops stay round. */
     float beta;
-    /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, and 2p + 1 < points. Larger patches copy longer
-     * runs. Default 10. */
+    /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, with 2p + 1 < points. Larger patches copy longer runs. Default
+     * 10. */
     uint32_t patch;
-    /* Several patch sizes instead of `patch`, at most 8; null: none. Only points with a patch of the largest are jumped to. */
+    /* Several patch sizes in place of `patch`, at most 8; null: none. Jumps lead only to points with a patch of the
+     * largest size. */
     const FlgPatchSize* patch_sizes;
     uint32_t patch_size_count;
-    /* Default FLG_MATCHING_SEMI_DISCRETE. Discrete takes time and memory by the square of the points, at most 4096. */
-    FlgMatching matching;
+    uint32_t attribute_count;
     /* Attributes to transfer, at most 8, each once; null: the shape alone. */
     const FlgStyleAttribute* attributes;
-    uint32_t attribute_count;
-    uint32_t reserved;
 } FlgStyleDesc;
 
 FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
 
-/* Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be used at once in
- * flgStylize, whose job then waits for this one. Cost: below 11 ms of work for 600 points. */
+/* Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
+ * flgStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points. */
 FLG_API FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
 
 typedef struct FlgStyleInfo {
     uint32_t struct_size;
-    uint32_t point_count;      /* of style, guide and displacement, all curves together */
+    uint32_t point_count;      /* of style, guide and displacement, over all curves */
     uint32_t patch;            /* p, the largest */
-    uint32_t edge_count;       /* of the patch graph, the consecutive ones included */
-    float style_length;        /* metres, all curves together */
+    uint32_t edge_count;       /* in the patch graph, including consecutive ones */
+    float style_length;        /* metres, over all curves */
     float guide_length;        /* metres, likewise */
-    float spacing;             /* guide_length / (point_count - curves): the distance of a result's points along its target */
+    float spacing;             /* guide_length / (point_count - curves): the distance between a result's points along
+                                  its target */
     float displacement_rms;    /* metres */
-    float matching_energy;     /* E' of sec. 4.2, square metres, as a mean over the points */
+    float matching_energy;     /* E' of sec. 4.2, square metres, mean over the points */
     float temperature_unit;    /* metres: what temperature 1 means, see FlgStylizeDesc */
     uint32_t flow_steps;       /* of the guide flow; 0 with a guide given */
     uint32_t reserved;
-    const float* matching;     /* point_count arc lengths on the style's curves, metres; lives until the style is released */
+    const float* matching;     /* point_count arc lengths on the style's curves, metres; lives until the style is
+                                  released */
 } FlgStyleInfo;
 
-/* FLG_NOT_READY until the style is prepared, its job's error if that failed. Cost: tens of nanoseconds. */
+/* FLG_NOT_READY until the style is prepared; its job's error if that failed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info);
 
-/* The guide as a curve set of its own, as many curves as the style has, with TANGENT and NORMAL columns; to be released by the caller. Cost: one copy. */
+/* The guide as a curve set with as many curves as the style and with TANGENT and NORMAL columns. The caller releases
+ * it. Cost: one copy. */
 FLG_API FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide);
 
-/* The prepared style as bytes, to be kept in a file or an asset: the same style gives the same bytes. Writes their number to
- * `out_size`, and the bytes unless `out_data` is null; FLG_ERROR_LIMIT if `capacity` is less than their number.
- * FLG_NOT_READY until the style is prepared. Cost: about a millisecond a megabyte; a style has 150 to 250 bytes a point. */
-FLG_API FlgResult flgStyleGetData(FlgContext context, FlgStyle style, void* out_data, size_t capacity, size_t* out_size);
+/* Serializes the prepared style for a file or an asset; the same style gives the same bytes. Writes their number to
+ * `out_size`, and the bytes unless `out_data` is null. FLG_ERROR_LIMIT if `capacity` is too small. FLG_NOT_READY until
+ * the style is prepared. Cost: about a millisecond a megabyte; a style has 150 to 250 bytes a point. */
+FLG_API FlgResult flgStyleGetData(FlgContext context, FlgStyle style, void* out_data, size_t capacity,
+                                  size_t* out_size);
 
-/* A style from such bytes, ready at once; it gives the same results, bit by bit. The bytes need no alignment and are not
- * needed afterwards. FLG_ERROR_FORMAT for bytes that are cut off, damaged, of another format version, or made to do harm.
- * Cost: about a millisecond a megabyte. */
+/* Loads a style from such bytes, ready at once; it gives the same results, bit for bit. The bytes need no alignment and
+ * may be freed afterwards. FLG_ERROR_FORMAT for truncated, damaged or malicious bytes, or another format version. Cost:
+ * about a millisecond a megabyte. */
 FLG_API FlgResult flgStyleCreateFromData(FlgContext context, const void* data, size_t size, FlgStyle* out_style);
 
 FLG_API FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
@@ -507,9 +516,9 @@ FLG_API FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
 /* Where on the style a target curve begins. */
 typedef enum FlgStart {
     FLG_START_AUTO = 0,   /* a lone target curve as FLG_START_STYLE, several as FLG_START_RANDOM */
-    FLG_START_STYLE = 1,  /* at the style's own start; the first run goes to its end: a target as long as the guide
-                             gets the style once, whole */
-    FLG_START_RANDOM = 2, /* at a random point, by seed and index of the curve */
+    FLG_START_STYLE = 1,  /* at the style's own start; the first run goes to its end: a target as long as the guide gets
+                             the whole style once */
+    FLG_START_RANDOM = 2, /* at a random point, chosen by seed and curve index */
     FLG_START_FORCE_32BIT = 0x7fffffff
 } FlgStart;
 
@@ -518,65 +527,67 @@ typedef struct FlgStylizeDesc {
     FlgStart start;
     FlgJobOptions job;
     FlgStyle style;
-    /* The curves to stylize. Their further columns are carried over, but for the attributes that the style has. */
+    /* The curves to stylize. Results keep their other columns, except the attributes the style has. */
     FlgCurveSet target;
-    /* sigma, sec. 4.5.3: factor on the displacement; at most 1e30 in size, 0 gives the resampled target. Default 1. */
+    /* sigma, sec. 4.5.3: factor on the displacement; magnitude at most 1e30; 0 gives the resampled target. Default
+     * 1. */
     float magnitude;
-    /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 long runs of the style
-     * are copied, at 1 a dozen points at a time, at 10 and above it jumps nearly always. In units of
-     * FlgStyleInfo::temperature_unit (a tenth of the median distance of a patch to the one most like it), so that it
-     * does not depend on the style's size. Where one run ends and the next begins, displacements and attributes are blended
-     * over p points (see flgStylize): runs shorter than that, at high temperatures, get smaller by it. Default 0. */
+    /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 the result copies long
+     * runs of the style, at 1 a dozen points at a time; at 10 and above it jumps nearly always. In units of
+     * FlgStyleInfo::temperature_unit (a tenth of the median distance between a patch and the one most like it), so it
+     * does not depend on the style's size. Displacements and attributes blend over p points between runs (see
+     * flgStylize): this shrinks shorter runs, at high temperatures. Default 0. */
     float temperature;
     /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1. */
     float scale;
     FlgFrameMethod frame;
-    /* Key of all random choices. Default 1. */
+    /* Key for all random choices. Default 1. */
     uint64_t seed;
-    /* Row-major 3 x 3: turns the style's displacement (along tangent, first normal, second normal) within the target's
-     * frame, such as to apply a style drawn in a plane in another one, sec. 7 (Fig. 16). At most 1e30 in size. Default:
-     * identity. */
+    /* Row-major 3 x 3: rotates the style's displacement (along tangent, first normal, second normal) within the
+     * target's frame, such as to apply a style drawn in one plane in another, sec. 7 (Fig. 16). Magnitude at most 1e30.
+     * Default: identity. */
     float basis[9];
-    /* Nonzero: results begin and end exactly where their targets do, to the bit, sec. 4.5.2, so that curves of a network
-     * that meet still meet (ends that don't meet keep their distance). Closed results then pass through their target's
+    /* Nonzero: results begin and end exactly where their targets do, to the bit, sec. 4.5.2. Curves that meet in a
+     * network still meet; ends that do not meet keep their distance. Closed results then pass through their target's
      * first point. Default 0. */
     uint32_t pin_ends;
-    /* How often each curve is stylized, with other random choices each time, 1 to 1024, sec. 4.5.5. Stroke k of target curve c
-     * is curve c * strokes + k of the result; stroke 0 is what strokes = 1 gives, the others begin at random places of the
-     * style. Default 1. */
+    /* How often each curve is stylized, with other random choices each time, 1 to 1024, sec. 4.5.5. Stroke k of target
+     * curve c is curve c * strokes + k of the result. Stroke 0 equals the result for strokes = 1; the others begin at
+     * random places in the style. Default 1. */
     uint32_t strokes;
-    /* Nonzero: the result has a DISPLACEMENT column, so that magnitude can be changed afterwards, also on the GPU:
-     * position at magnitude m = POSITION + (m - magnitude) * DISPLACEMENT, also of pinned and closed curves. Default 0. */
+    /* Nonzero: the result has a DISPLACEMENT column, so the magnitude can be changed afterwards, also on the GPU:
+     * position at magnitude m = POSITION + (m - magnitude) * DISPLACEMENT, also for pinned and closed curves.
+     * Default 0. */
     uint32_t keep_displacement;
-    /* Points that the result may have, at most 2^31: a scale far too small for its target would ask for any number of them.
-     * What would get more fails with FLG_ERROR_LIMIT, before memory is taken for it. 0: 2^31. Default 0. */
+    /* Maximum points in the result, at most 2^31: guards against a scale far too small for the target. A larger result
+     * fails with FLG_ERROR_LIMIT before memory is taken for it. 0: 2^31. Default 0. */
     uint32_t max_points;
 } FlgStylizeDesc;
 
 FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size);
 
-/* Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has the target's curves, each so many
- * times as there are strokes, resampled to the style's spacing times scale, with the columns POSITION, TANGENT and NORMAL
- * (the target's frame), STYLE_INDEX, DISPLACEMENT if wanted, the style's attributes and the target's other columns. A
- * target curve shorter than one step gets two points, one without length gets one, not displaced; targets shorter than the
- * style get a part of it.
- * Closed targets come out closed: the displacement is corrected in proportion to the arc length so that it comes back to
- * where it began (sec. 4.5.1), attributes likewise, angles the shorter way; so sizes, frames and ribbons go over the seam
- * as evenly as elsewhere.
- * Displacements are those of the style at STYLE_INDEX; behind a jump from point i to point j of the style, the gap d[i + 1] - d[j]
- * is added, fading linearly to nothing over p points, so that results have no steps that the style hasn't.
- * Attributes have the values of the style at STYLE_INDEX, RADIUS, WIDTH and the half axes of RADII times scale, and behind jumps
- * are blended as displacements are: angles the shorter way round, others kept within the least and the largest value that
- * the style has. Angles are continuous along a curve, whole turns (PROJECTIVE: half turns) being added as needed; as floats,
- * they have 1e-4 rad left after 150 turns. ANGLE also turns the result's NORMAL about its tangent. With SPEED the result has
- * TIME: from the target's first TIME value, or 0, on; each step takes its length by the mean speed of its ends.
- * Results hold what curve sets may hold: if a coordinate, a length or a time would pass 1e30, the job fails with
- * FLG_ERROR_INVALID_ARGUMENT and says what would.
+/* Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has each target curve once per
+ * stroke, resampled to the style's spacing times scale. Columns: POSITION, TANGENT and NORMAL (the target's frame),
+ * STYLE_INDEX, DISPLACEMENT if requested, the style's attributes and the target's other columns. A target curve
+ * shorter than one step gets two points; a zero-length curve gets one, not displaced. Targets shorter than the style
+ * get part of it.
+ * Closed targets give closed results: the displacement is corrected in proportion to arc length so that it returns
+ * to its start (sec. 4.5.1), attributes likewise, angles the shorter way. So sizes, frames and ribbons cross the
+ * seam as evenly as elsewhere.
+ * Displacements are those of the style at STYLE_INDEX. After a jump from style point i to point j, the gap d[i + 1]
+ * - d[j] is added and fades linearly to zero over p points, so results have no steps that the style lacks.
+ * Attributes take the style's values at STYLE_INDEX; RADIUS, WIDTH and the half axes of RADII are multiplied by
+ * scale. After jumps attributes blend as displacements do: angles the shorter way round, others kept within the
+ * style's least and largest value. Angles are continuous along a curve: whole turns (PROJECTIVE: half turns) are
+ * added as needed. As floats, they keep a precision of 1e-4 rad after 150 turns. ANGLE also turns the result's
+ * NORMAL about its tangent. With SPEED the result has TIME, starting at the target's first TIME value, or 0; each
+ * step takes its length divided by the mean speed of its ends. Results obey the limits of curve sets: if a
+ * coordinate, a length or a time would exceed 1e30, the job fails with FLG_ERROR_INVALID_ARGUMENT and names it.
  * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
 FLG_API FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
 /* ---- Defaults by value --------------------------------------------------------------------------------------- */
-/* The struct is made in the host's code, in the host's size: safe with any library version. */
+/* The struct is filled in the host's code, at the host's size: safe with any library version. */
 
 static inline FlgContextDesc flgContextDefaults(void) {
     FlgContextDesc desc;

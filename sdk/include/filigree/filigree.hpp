@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: 2026 The Filigree authors
 //
-// Filigree for C++17 and later: filigree.h and what belongs to it, with owners instead of handles and exceptions instead of results. Header only,
-// and nothing that the C functions don't do; use both side by side (every owner has get()).
+// Filigree for C++17 and later: filigree.h and what belongs to it, with owners instead of handles and exceptions
+// instead of results. Header only, and nothing that the C functions don't do; use both side by side (every owner has
+// get()).
 //
 //     filigree::Context context;
 //     filigree::CurveSet stroke = context.curves(view);
@@ -376,14 +377,22 @@ public:
         return report;
     }
     // Ticks until no job is left: for tools, not for frames.
-    void finish() {
-        while (tick(0).jobs_pending > 0) flgContextWait(context_, 10'000);
-    }
+    void finish() { check(flgContextRun(context_, nullptr, 0, 1e9)); }
 
     CurveSet curves(const FlgCurveSetView& view) {
         FlgCurveSet set{};
         check(flgCurveSetCreate(context_, &view, &set));
         return {context_, set};
+    }
+    // One curve through points of three floats each.
+    CurveSet curve(const float* points, uint32_t count, bool closed = false) {
+        FlgCurveSet set{};
+        check(flgCurveSetCreateFromPoints(context_, points, count, closed ? FLG_CURVE_CLOSED : 0, &set));
+        return {context_, set};
+    }
+    // Likewise, from a vector.
+    CurveSet curve(const std::vector<float>& points, bool closed = false) {
+        return curve(points.data(), static_cast<uint32_t>(points.size() / 3), closed);
     }
     CurveSet resample(const FlgResampleDesc& desc, Job* out_job = nullptr) {
         return start<CurveSet, FlgCurveSet>(flgResample, desc, out_job);
@@ -400,8 +409,26 @@ public:
     CurveSet stylize(const FlgStylizeDesc& desc, Job* out_job = nullptr) {
         return start<CurveSet, FlgCurveSet>(flgStylize, desc, out_job);
     }
+    // With all defaults.
+    CurveSet stylize(const Style& style, const CurveSet& target, Job* out_job = nullptr) {
+        FlgStylizeDesc desc = flgStylizeDefaults();
+        desc.style = style.get();
+        desc.target = target.get();
+        return stylize(desc, out_job);
+    }
     Surface surface(const FlgSurfaceDesc& desc, Job* out_job = nullptr) {
         return start<Surface, FlgSurface>(flgSurfaceCreate, desc, out_job);
+    }
+    // Plain arrays, all defaults: 3 floats a vertex, 3 vertices a triangle.
+    Surface surface(const std::vector<float>& positions, const std::vector<uint32_t>& triangles,
+                    Job* out_job = nullptr) {
+        FlgSurface surface{};
+        FlgJob job{};
+        check(flgSurfaceCreateFromTriangles(context_, positions.data(), static_cast<uint32_t>(positions.size() / 3),
+                                            triangles.data(), static_cast<uint32_t>(triangles.size() / 3), &surface,
+                                            out_job ? &job : nullptr));
+        if (out_job) *out_job = Job(context_, job);
+        return {context_, surface};
     }
     Surface refine(const FlgRefineDesc& desc, Job* out_job = nullptr) {
         return start<Surface, FlgSurface>(flgSurfaceRefine, desc, out_job);

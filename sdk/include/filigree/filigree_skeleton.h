@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * SPDX-FileCopyrightText: 2026 The Filigree authors
  *
- * Skeletons of drawn shapes. It follows the grammar of filigree.h. Lengths are in the drawing's own unit, whatever that is:
- * drawings of 1e-12 and of 1e12 are alike.
+ * Skeletons of drawn shapes. Follows the grammar of filigree.h. Lengths are in the drawing's own unit, whatever it is:
+ * drawings of size 1e-12 and 1e12 work alike.
  */
 #ifndef FILIGREE_FILIGREE_SKELETON_H
 #define FILIGREE_FILIGREE_SKELETON_H
@@ -20,13 +20,13 @@ extern "C" {
 /* The straight skeleton of a contour. Never changes once ready. */
 FLG_HANDLE(FlgStraightSkeleton);
 
-/* What is drawn around a shape: ring 0, and around holes in it: the others. Rings may turn either way, and be closed
- * by a repeated first point or not. The host owns the arrays, for the time of the call. */
+/* A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and may
+ * repeat their first point at the end. The host owns the arrays, which must live for the call. */
 typedef struct FlgContourView {
     uint32_t struct_size;
     uint32_t point_count;         /* 3 to 2^24 */
-    const double* points;         /* 2 a point: x, y; 0 or 1e-150 to 1e150 in size */
-    const uint32_t* ring_offsets; /* ring_count + 1 values: where each ring begins, and point_count; null: one ring */
+    const double* points;         /* 2 per point: x, y; magnitude 0 or 1e-150 to 1e150 */
+    const uint32_t* ring_offsets; /* ring_count + 1 values: the start of each ring, then point_count; null: one ring */
     uint32_t ring_count;          /* at least 1; default 1 */
     uint32_t reserved;
 } FlgContourView;
@@ -42,70 +42,71 @@ typedef struct FlgStraightSkeletonDesc {
 
 FLG_API FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uint32_t struct_size);
 
-/* Starts a job that makes the straight skeleton of a contour: what the corners draw when all edges move inwards at
- * unit speed. This call copies the contour and cleans it: rings are turned (ring 0 counter-clockwise, holes
- * clockwise), of points nearer to each other than 1e-11 of the drawing's size that follow each other the first is
- * kept; points on one line with those around them stay, each with a face. It refuses numbers that aren't finite and
- * rings without three points or an area, about 20 ns a point. The job fails with FLG_ERROR_INVALID_ARGUMENT, and a
- * sentence that names points and place, where edges cross or touch and where a hole isn't inside. FLG_ERROR_INTERNAL
- * if so much happens at one time that no skeleton is found that holds: not known to happen. Cost: about 3 us a point,
- * more in all the larger by n log n.
- * With `repair` nothing of this is refused while an area is left: the contour becomes the border of what ring 0 winds
- * around, either way, without what other rings wind around; of its connected parts the largest one, with its holes.
- * Where nothing crosses or touches points stay to the bit, else they move by less than 1e-7 of the drawing's size (at
- * points where it touches itself some 1e-6), and where edges cross there are new ones: their input_points are
- * FLG_NO_INDEX. Costs about 2 us a point more. */
+/* Starts a job that makes the straight skeleton of a contour: the paths of its corners as all edges move inwards at
+ * unit speed. This call copies and cleans the contour: it orients rings (ring 0 counter-clockwise, holes clockwise)
+ * and merges consecutive points closer than 1e-11 of the drawing's size into the first. Collinear points stay, each
+ * with a face. The call refuses numbers that are not finite and rings without three points or an area; it takes
+ * about 20 ns a point. The job fails with FLG_ERROR_INVALID_ARGUMENT where edges cross or touch, or a hole is not
+ * inside; the message names points and place. FLG_ERROR_INTERNAL if too much happens at one time to find a valid
+ * skeleton: not known to occur. Cost: about 3 us a point, growing with n log n.
+ * With `repair` none of this fails while an area is left. The contour becomes the border of the area that ring 0
+ * winds around, either way, minus the areas other rings wind around; of its connected parts, the largest is kept,
+ * with its holes. Where nothing crosses or touches, points do not move, to the bit. Elsewhere they move by less than
+ * 1e-7 of the drawing's size (about 1e-6 at points where the contour touches itself). Crossings get new points,
+ * whose input_points are FLG_NO_INDEX. Repair adds about 2 us a point. */
 FLG_API FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeletonDesc* desc,
                                             FlgStraightSkeleton* out_skeleton, FlgJob* out_job);
 
-/* The first nodes are the contour's points, ring by ring, with time 0. Face i is what the edge sweeps that begins at
- * point i. */
+/* The first nodes are the contour's points, ring by ring, at time 0. Face i is the area swept by the edge that starts
+ * at point i. */
 typedef struct FlgStraightSkeletonView {
     uint32_t struct_size;
-    uint32_t contour_count;       /* points of the cleaned contour, and faces */
+    uint32_t contour_count;       /* points of the cleaned contour; also the number of faces */
     uint32_t node_count;
     uint32_t arc_count;
-    const double* nodes;          /* 3 a node: x, y, and when the front comes there: the distance to the lines of its edges */
-    const uint32_t* arcs;         /* 4 an arc: nodes from and to, the later one last; faces to its left and to its right */
+    const double* nodes;          /* 3 per node: x, y, and the time at which the front arrives: the distance to the
+                                     lines of its edges */
+    const uint32_t* arcs;         /* 4 per arc: nodes from and to, the later one last; faces to its left and right */
     const uint32_t* face_offsets; /* contour_count + 1 values */
-    const uint32_t* face_nodes;   /* a face's nodes counter-clockwise, its edge's two points first */
-    const uint32_t* input_points; /* one a point of the cleaned contour: which it was in the input, or FLG_NO_INDEX */
-    /* Both in shares of the diagonal of the contour's box. How far a time is off a distance, at most: 1e-13 as a
-     * rule, up to 1e-6 with edges that are nearly parallel. */
+    const uint32_t* face_nodes;   /* each face's nodes counter-clockwise, starting with its edge's two points */
+    const uint32_t* input_points; /* one per point of the cleaned contour: its index in the input, or FLG_NO_INDEX */
+    /* Both as fractions of the contour's box diagonal. Largest difference between a time and the distance: usually
+     * 1e-13, up to 1e-6 with nearly parallel edges. */
     double residual;
-    /* How far points were moved to find it: 0 as a rule; 1e-9 or 1e-7 where changes at nearly one time could not be
-     * told apart. The first nodes are where the contour's points are all the same. */
+    /* How far points were moved to find the skeleton: usually 0; 1e-9 or 1e-7 where events at nearly the same time
+     * could not be told apart. The first nodes remain at the contour's points. */
     double perturbation;
 } FlgStraightSkeletonView;
 
 FLG_API FlgResult flgStraightSkeletonViewInit(FlgStraightSkeletonView* view, uint32_t struct_size);
 
-/* The arrays live until the skeleton is released. FLG_NOT_READY before its job is published, its error if it failed. */
+/* The arrays live until the skeleton is released. FLG_NOT_READY until its job is published, the job's error if it
+ * failed. */
 FLG_API FlgResult flgStraightSkeletonGetView(FlgContext context, FlgStraightSkeleton skeleton,
                                              FlgStraightSkeletonView* out_view);
 
 FLG_API FlgResult flgStraightSkeletonRelease(FlgContext context, FlgStraightSkeleton skeleton);
 
-/* Where the front of a straight skeleton is at a time. The host owns the arrays; a null one isn't written. */
+/* The front of a straight skeleton at a time. The host owns the arrays; null arrays are not written. */
 typedef struct FlgOffsetPolygons {
     uint32_t struct_size;
-    uint32_t point_capacity; /* points that `points` and `edges` have room for. Default 0 */
-    uint32_t ring_capacity;  /* rings that `ring_offsets` has room for. Default 0 */
-    uint32_t point_count;    /* written, whatever there is room for */
-    uint32_t ring_count;     /* the same */
+    uint32_t point_capacity; /* capacity of `points` and `edges`, in points. Default 0 */
+    uint32_t ring_capacity;  /* capacity of `ring_offsets`, in rings. Default 0 */
+    uint32_t point_count;    /* always written, whatever the capacity */
+    uint32_t ring_count;     /* likewise */
     uint32_t reserved;
-    double* points;          /* 2 a point: x, y */
-    uint32_t* edges;         /* one a point: the contour's edge whose side goes from it to the next one */
-    uint32_t* ring_offsets;  /* ring_capacity + 1 values: where each ring begins, and point_count */
+    double* points;          /* 2 per point: x, y */
+    uint32_t* edges;         /* one per point: the contour edge that made the side from it to the next point */
+    uint32_t* ring_offsets;  /* ring_capacity + 1 values: the start of each ring, then point_count */
 } FlgOffsetPolygons;
 
 FLG_API FlgResult flgOffsetPolygonsInit(FlgOffsetPolygons* polygons, uint32_t struct_size);
 
-/* The contour moved inwards by a distance, with its corners kept sharp: rings with what is inside on their left, each
- * from the side of its edge of least number on, in the order of these. 0 gives the contour; beyond its last node's
- * time nothing is left. Writes the counts, and the arrays where all of it has room: call it without arrays to learn
- * how much. FLG_NOT_READY before the skeleton's job is published, its error if it failed; FLG_ERROR_INVALID_ARGUMENT
- * for a distance below 0 or not finite. Cost: about 50 ns a point of the contour, each time. */
+/* The contour moved inwards by a distance, with sharp corners. Rings have their inside on the left; each starts at the
+ * side of its lowest-numbered edge, and rings are ordered by these edges. 0 gives the contour; beyond the last node's
+ * time nothing is left. Writes the counts, and the arrays if everything fits: call it without arrays to query the size.
+ * FLG_NOT_READY until the skeleton's job is published, its error if it failed; FLG_ERROR_INVALID_ARGUMENT for a
+ * distance below 0 or not finite. Cost: about 50 ns a point of the contour, each time. */
 FLG_API FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skeleton, double distance,
                                             FlgOffsetPolygons* polygons);
 

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT
  * SPDX-FileCopyrightText: 2026 The Filigree authors
  *
- * Surfaces: triangle meshes that hold up, geodesic distances, tracing, sampling and cutting (Nazzaro, Puppo, Pellacini:
- * geoTangle, 2021, sec. 3 and 4). It follows the grammar of filigree.h.
+ * Surfaces: robust triangle meshes, geodesic distances, tracing, sampling and cutting (Nazzaro, Puppo, Pellacini:
+ * geoTangle, 2021, sec. 3 and 4). Follows the grammar of filigree.h.
  *
- * Order        Jobs on one surface see it as it was when they were started: those that read it run side by side, one that
- *              changes it (a cut) runs after all that were started before it and before all that are started later. No
- *              host has to wait for that.
- * Revisions    A surface counts its changes. Fields and curves belong to the revision they were started on; with another
- *              they are FLG_ERROR_INVALID_ARGUMENT. (A change counts when it is started, also if it fails later.)
- * Regions      Each triangle has a label, 0 to FLG_REGION_MAX. Functions that take `regions` keep to triangles with these
- *              labels, paths included; null means the whole surface.
+ * Order        A job sees its surface as it was when the job was started. Jobs that read a surface run side by side. A
+ *              job that changes it (a cut) runs after all jobs started before it and before all jobs started later. The
+ *              host need not wait.
+ * Revisions    A surface counts its changes. Fields and curves belong to the revision they were started on; using them
+ *              with another gives FLG_ERROR_INVALID_ARGUMENT. (A change counts when it is started, even if it fails
+ *              later.)
+ * Regions      Each triangle has a label, 0 to FLG_REGION_MAX. Functions that take `regions` stay on triangles with
+ *              these labels, and so do their paths; null means the whole surface.
  */
 #ifndef FILIGREE_FILIGREE_SURFACE_H
 #define FILIGREE_FILIGREE_SURFACE_H
@@ -21,37 +22,41 @@
 extern "C" {
 #endif
 
-/* A mesh with its adjacency and what geodesics need. Cutting changes it. */
+/* A mesh with its adjacency and data for geodesics. Cutting changes it. */
 FLG_HANDLE(FlgSurface);
-/* A value a vertex of a surface. Never changes once ready. */
+/* One value per vertex of a surface. Never changes once ready. */
 FLG_HANDLE(FlgField);
 /* Curves on a surface, straight in each triangle. Never change once ready. */
 FLG_HANDLE(FlgSurfaceCurves);
 
-/* Instead of an index: there is none. */
+/* In place of an index: none. */
 #define FLG_NO_INDEX 0xffffffffu
-/* The largest label that a triangle may have. */
+/* The largest triangle label. */
 #define FLG_REGION_MAX 0xffffffu
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
 
-/* A triangle mesh in flat arrays. Used for input (the host owns the arrays, for the time of the call) and for results. */
+/* A triangle mesh in flat arrays. Used for input (the host owns the arrays, which must live for the call) and for
+ * results. */
 typedef struct FlgMeshView {
     uint32_t struct_size;
     uint32_t vertex_count;
     uint32_t triangle_count;
     uint32_t column_count;      /* 1 to 16, each attribute at most once */
-    const FlgColumn* columns;   /* one value a vertex; POSITION is needed, the others are carried along */
-    const uint32_t* triangles;  /* 3 vertices a triangle, counter-clockwise seen from outside */
-    const uint32_t* regions;    /* a label a triangle; null: all 0 */
+    const FlgColumn* columns;   /* one value per vertex; POSITION is required, others are carried along */
+    const uint32_t* triangles;  /* 3 vertices per triangle, counter-clockwise seen from outside */
+    const uint32_t* regions;    /* one label per triangle; null: all 0 */
 } FlgMeshView;
 
 FLG_API FlgResult flgMeshViewInit(FlgMeshView* view, uint32_t struct_size);
 
+/* [any thread] The view's column of an attribute, null if there is none. */
+FLG_API const FlgColumn* flgMeshViewColumn(const FlgMeshView* view, FlgAttribute attribute);
+
 typedef struct FlgSurfaceDesc {
     uint32_t struct_size;
-    /* Vertices at most so far apart become one, metres, >= 0; 0: those at the same place, to the bit. Below 0: none. Default
-     * 0. */
+    /* Vertices up to this distance apart are merged, metres, >= 0; 0: only vertices at the same place, to the bit.
+     * Below 0: none. Default 0. */
     float weld_distance;
     FlgJobOptions job;
     FlgMeshView mesh;
@@ -59,70 +64,78 @@ typedef struct FlgSurfaceDesc {
 
 FLG_API FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint32_t struct_size);
 
-/* Starts a job that makes a manifold surface of any triangles, and reports what it had to do (flgSurfaceGetReport). The
- * arrays are copied in this call: about 10 ms for 2 million triangles. The job fails with FLG_ERROR_INVALID_ARGUMENT if an
- * index is out of range, a position isn't finite, or no triangle is left. Cost: about 0.3 us a triangle. */
+/* Starts a job that makes a manifold surface from any triangles; flgSurfaceGetReport reports its repairs. This call
+ * copies the arrays: about 10 ms for 2 million triangles. The job fails with FLG_ERROR_INVALID_ARGUMENT if an index is
+ * out of range, a position is not finite, or no triangle is left. Cost: about 0.3 us a triangle. */
 FLG_API FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSurface* out_surface,
                                    FlgJob* out_job);
 
-/* What was found in the input and done about it, and what the surface is like. */
+/* The same with all defaults for plain arrays: 3 floats a vertex, metres, and 3 vertices a triangle. Cost: that of
+ * flgSurfaceCreate. */
+FLG_API FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positions, uint32_t vertex_count,
+                                                const uint32_t* triangles, uint32_t triangle_count,
+                                                FlgSurface* out_surface, FlgJob* out_job);
+
+/* Defects found in the input, their repairs, and properties of the surface. */
 typedef struct FlgSurfaceReport {
     uint32_t struct_size;
-    uint32_t welded_vertices;         /* became one with another */
-    uint32_t unused_vertices;         /* dropped: no triangle names them */
-    uint32_t degenerate_triangles;    /* dropped: they name a vertex twice */
+    uint32_t welded_vertices;         /* merged into another vertex */
+    uint32_t unused_vertices;         /* dropped: no triangle uses them */
+    uint32_t degenerate_triangles;    /* dropped: they use a vertex twice */
     uint32_t duplicate_triangles;     /* dropped: the same three vertices as another, in any order */
-    uint32_t flipped_triangles;       /* turned over, to be of one winding with their neighbours */
-    uint32_t crowded_edges;           /* had more than two triangles: joined in pairs, the rest apart */
-    uint32_t cut_edges;               /* opened because both sides could not be kept (Moebius strips, crowded edges) */
-    uint32_t split_vertices;          /* vertices added for those whose triangles formed several fans */
-    uint32_t flat_triangles;          /* kept: lower than 1e-6 of their longest edge */
+    uint32_t flipped_triangles;       /* reversed, to match their neighbours' winding */
+    uint32_t crowded_edges;           /* had more than two triangles: joined in pairs, the rest separated */
+    uint32_t cut_edges;               /* opened because their two sides cannot stay joined (Moebius strips, crowded
+                                         edges) */
+    uint32_t split_vertices;          /* vertices added where triangles formed several fans */
+    uint32_t flat_triangles;          /* kept: height below 1e-6 of the longest edge */
     uint32_t vertex_count;
     uint32_t triangle_count;
-    uint32_t component_count;         /* pieces that no edge joins */
+    uint32_t component_count;         /* pieces not joined by any edge */
     uint32_t border_count;            /* closed chains of border edges */
     uint32_t border_edges;            /* edges with one triangle */
-    uint32_t genus;                   /* handles, of all components together */
+    uint32_t genus;                   /* handles, over all components */
     int64_t euler_number;             /* vertices - edges + triangles */
     double area;                      /* square metres */
     float box_min[3], box_max[3];     /* of the positions, metres */
-    const uint32_t* vertex_of_input;  /* one a vertex of the input: where it is now, FLG_NO_INDEX if dropped (one that was
-                                         split is named where its first fan is); null if all are where they were. Lives
-                                         until the surface is released */
+    const uint32_t* vertex_of_input;  /* one per input vertex: its index in the surface, FLG_NO_INDEX if dropped (for a
+                                         split vertex, that of its first fan); null if no index changed. Lives until the
+                                         surface is released */
     uint32_t input_vertex_count;
     uint32_t reserved;
 } FlgSurfaceReport;
 
-/* The report of the job that made the surface; FLG_NOT_READY before it is published, its error if it failed. Cuts don't
- * change it. Cost: tens of nanoseconds. */
+/* The report of the job that made the surface; FLG_NOT_READY until it is published, the job's error if it failed. Cuts
+ * do not change it. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgSurfaceGetReport(FlgContext context, FlgSurface surface, FlgSurfaceReport* out_report);
 
 typedef struct FlgSurfaceView {
     uint32_t struct_size;
     uint32_t revision;          /* changes so far */
     FlgMeshView mesh;
-    const uint32_t* neighbours; /* 3 a triangle: across the edges from corner k to corner k + 1; FLG_NO_INDEX at a border */
+    const uint32_t* neighbours; /* 3 per triangle: across the edges from corner k to corner k + 1; FLG_NO_INDEX at a
+                                   border */
 } FlgSurfaceView;
 
 FLG_API FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint32_t struct_size);
 
-/* The surface's arrays; they may be read until a job that changes the surface is started. FLG_NOT_READY while such a job,
- * or the one that makes the surface, isn't published. Cost: tens of nanoseconds. */
+/* The surface's arrays, readable until a job that changes the surface is started. FLG_NOT_READY until such a job, or
+ * the one that makes the surface, is published. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceView* out_view);
 
-/* Triangles that are new, have moved or have other vertices than at an earlier revision (0: when it was made): those to
- * upload again, or to put into a picking scene. Regions may have changed anywhere. Writes at most `capacity` indices, each
- * once, rising, and their whole number; `out_triangles` may be null when capacity is 0. Not ready when the view isn't.
- * Cost: about 0.5 ns a triangle of the surface. */
+/* Triangles that are new, have moved or have other vertices since an earlier revision (0: its creation): those to
+ * upload again or to update in a picking scene. Regions may have changed anywhere. Writes at most `capacity` indices,
+ * each once, ascending, and their total number; `out_triangles` may be null when capacity is 0. FLG_NOT_READY while the
+ * view is not ready. Cost: about 0.5 ns a triangle of the surface. */
 FLG_API FlgResult flgSurfaceGetChanges(FlgContext context, FlgSurface surface, uint32_t since_revision,
                                        uint32_t* out_triangles, uint32_t capacity, uint32_t* out_count);
 
-/* Gives the handle and its views back; jobs that use the surface keep its memory until they are done. */
+/* Releases the handle and its views; jobs that use the surface keep its memory until they finish. */
 FLG_API FlgResult flgSurfaceRelease(FlgContext context, FlgSurface surface);
 
-/* How triangles are made finer. */
+/* How triangles are refined. */
 typedef enum FlgSubdivision {
-    FLG_SUBDIVISION_MIDPOINT = 0, /* each triangle in four, the surface stays as it is */
+    FLG_SUBDIVISION_MIDPOINT = 0, /* splits each triangle into four; the shape does not change */
     FLG_SUBDIVISION_LOOP = 1,     /* Loop's scheme: smooth; borders become cubic splines */
     FLG_SUBDIVISION_FORCE_32BIT = 0x7fffffff
 } FlgSubdivision;
@@ -138,17 +151,17 @@ typedef struct FlgRefineDesc {
 
 FLG_API FlgResult flgRefineDescInit(FlgRefineDesc* desc, uint32_t struct_size);
 
-/* Starts a job that makes a finer surface: four triangles of each, `levels` times, with its regions and columns. Fails with
- * FLG_ERROR_LIMIT above 2^30 triangles. Vertices keep their numbers, new ones follow.
- * Cost: about 0.12 us a triangle that is made. */
+/* Starts a job that makes a finer surface: splits each triangle into four, `levels` times, and keeps regions and
+ * columns. Fails with FLG_ERROR_LIMIT above 2^30 triangles. Vertices keep their indices; new ones follow. Cost: about
+ * 0.12 us a triangle that is made. */
 FLG_API FlgResult flgSurfaceRefine(FlgContext context, const FlgRefineDesc* desc, FlgSurface* out_surface,
                                    FlgJob* out_job);
 
 /* ---- Points and curves on a surface ---------------------------------------------------------------------------- */
 
-/* At weights (1 - u - v, u, v) of the triangle's corners; u, v >= 0 and u + v <= 1 (up to 1e-5, which is clipped). */
+/* At weights (1 - u - v, u, v) of the triangle's corners; u, v >= 0 and u + v <= 1 (clipped within 1e-5). */
 typedef struct FlgSurfacePoint {
-    uint32_t triangle; /* its number */
+    uint32_t triangle; /* its index */
     float u, v;        /* weights of corners 1 and 2 */
 } FlgSurfacePoint;
 
@@ -157,15 +170,17 @@ typedef struct FlgSurfaceCurvesView {
     uint32_t curve_count;          /* may be 0 */
     const uint32_t* curve_offsets; /* curve_count + 1 values */
     const uint8_t* curve_flags;    /* FLG_CURVE_CLOSED */
-    const float* curve_values;     /* of an isoline its value, of a path its length, of a stream the field's value at its end */
-    const FlgSurfacePoint* points; /* the stretch from a point to the next lies in the triangle that the point names */
+    const float* curve_values;     /* an isoline's value, a path's length, or the field's value at a stream's end */
+    const FlgSurfacePoint* points; /* the segment from each point to the next lies in the triangle that the point
+                                      names */
     uint32_t revision;             /* of the surface */
     uint32_t reserved;
 } FlgSurfaceCurvesView;
 
 FLG_API FlgResult flgSurfaceCurvesViewInit(FlgSurfaceCurvesView* view, uint32_t struct_size);
 
-/* The arrays live until the curves are released. FLG_NOT_READY before their job is published, its error if it failed. */
+/* The arrays live until the curves are released. FLG_NOT_READY until their job is published, the job's error if it
+ * failed. */
 FLG_API FlgResult flgSurfaceCurvesGetView(FlgContext context, FlgSurfaceCurves curves, FlgSurfaceCurvesView* out_view);
 
 FLG_API FlgResult flgSurfaceCurvesRelease(FlgContext context, FlgSurfaceCurves curves);
@@ -179,78 +194,71 @@ typedef struct FlgLiftDesc {
 
 FLG_API FlgResult flgLiftDescInit(FlgLiftDesc* desc, uint32_t struct_size);
 
-/* Starts a job that makes curves in space of curves on a surface: POSITION and, from the surface's smooth normals, NORMAL, so
- * that flgStylize with FLG_FRAME_SUPPLIED decorates them in the surface's frame. Fails if there are no curves.
+/* Starts a job that lifts surface curves into space, with POSITION and, from the surface's smooth normals, NORMAL:
+ * flgStylize with FLG_FRAME_SUPPLIED then decorates them in the surface's frame. Fails if there are no curves.
  * Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a point. */
 FLG_API FlgResult flgLiftCurves(FlgContext context, const FlgLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
 /* ---- Geodesic distances ------------------------------------------------------------------------------------------ */
 
-/* Which solver measures distances. */
-typedef enum FlgAccuracy {
-    FLG_ACCURACY_REFINED = 0, /* unfolding: below 0.2 % of error (RMS) on natural meshes, and the faster one */
-    FLG_ACCURACY_GRAPH = 1,   /* sec. 4.2: shortest paths along edges and dual arcs; 1 to 3 % too long */
-    FLG_ACCURACY_FORCE_32BIT = 0x7fffffff
-} FlgAccuracy;
-
 typedef struct FlgGeodesicDesc {
     uint32_t struct_size;
-    FlgAccuracy accuracy; /* default FLG_ACCURACY_REFINED */
+    /* Nonzero: the field has labels, the indices of the nearest sources. Default 0. */
+    uint32_t labels;
     FlgJobOptions job;
     FlgSurface surface;
-    /* Sources: any of these together, at least one. All arrays are copied. */
+    /* Sources: any combination of these, at least one. All arrays are copied. */
     const uint32_t* vertices;
     uint32_t vertex_count;
     uint32_t point_count;
-    const FlgSurfacePoint* points;   /* places on triangles */
-    FlgSurfaceCurves curves;         /* every point of these curves; null: none */
-    const uint32_t* border_regions;  /* the borders of these regions, also where the surface ends */
+    const FlgSurfacePoint* points;   /* points on triangles */
+    FlgSurfaceCurves curves;         /* all points of these curves; null: none */
+    const uint32_t* border_regions;  /* the borders of these regions, including surface borders */
     uint32_t border_region_count;
-    /* Where distances are computed and paths may lead. */
+    /* Limits on where distances are computed and paths lead. */
     uint32_t region_count;
     const uint32_t* regions; /* labels; null: the whole surface */
-    /* Distances beyond this are left infinite, metres, > 0; default infinity. */
+    /* Distances beyond this stay infinite, metres, > 0; default infinity. */
     float max_distance;
-    /* Stop once these vertices have their distance; further ones may be left infinite or too far. */
+    /* Stop once these vertices have their distance; more distant ones may stay infinite or be too large. */
     uint32_t target_count;
     const uint32_t* targets; /* vertices */
-    /* The metric may be perturbed for an organic look (sec. 3.4, Fig. 10): distances are measured as if the vertices were moved
-     * along their normals by Perlin noise of at most so many metres; 0 (default): not. */
+    /* Perturbs the metric for an organic look (sec. 3.4, Fig. 10): distances are measured as if Perlin noise moved the
+     * vertices along their normals by at most this many metres; 0 (default): none. */
     float perturbation;
-    /* Waves a metre of that noise, > 0; default 1. */
+    /* Waves of that noise per metre, > 0; default 1. */
     float frequency;
     uint64_t seed; /* of the noise; default 1 */
-    /* Nonzero: the field has labels, the numbers of the nearest sources. Default 0. */
-    uint32_t labels;
-    uint32_t reserved;
 } FlgGeodesicDesc;
 
 FLG_API FlgResult flgGeodesicDescInit(FlgGeodesicDesc* desc, uint32_t struct_size);
 
-/* Starts a job that computes distances along the surface from the nearest source to every vertex. The first on a surface
- * also builds what the solver needs (about 0.15 us a triangle, kept and updated by cuts). Cost then: about 40 ns a triangle
- * within the limits and below 1 ns for each other one (FLG_ACCURACY_GRAPH: a few ns), as every vertex has a value. With sources
- * outside the regions all distances are infinite. FLG_ERROR_OUT_OF_MEMORY also if memory runs out in what is built first. */
+/* Starts a job that computes distances along the surface from the nearest source to every vertex. It unfolds fronts
+ * over triangles; the error is below 0.2 % (RMS) on natural meshes. The first job on a surface also builds the solver's
+ * data (about 0.15 us a triangle; kept, and updated by cuts). Cost then: about 40 ns a triangle within the limits and
+ * below 1 ns for each other one, as every vertex has a value. If sources lie outside the regions, all distances are
+ * infinite. FLG_ERROR_OUT_OF_MEMORY also if memory runs out while building that data. */
 FLG_API FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job);
 
 typedef struct FlgFieldView {
     uint32_t struct_size;
     uint32_t vertex_count;
-    const float* values;    /* one a vertex; of distances: metres, infinite where no path leads or none within the limits */
-    const uint32_t* labels; /* the nearest source's number: vertices, then points, then curves, then border regions, in the
-                               order of the descriptor; FLG_NO_INDEX where infinite. Null if the field has none */
-    const uint32_t* samples; /* of a sampling: its vertices, in the order they were chosen */
+    const float* values;    /* one per vertex; for distances: metres, infinite where no path leads within the limits */
+    const uint32_t* labels; /* index of the nearest source: vertices, then points, then curves, then border regions, in
+                               the descriptor's order; FLG_NO_INDEX where infinite. Null if the field has none */
+    const uint32_t* samples; /* for a sampling: its vertices, in the order chosen */
     uint32_t sample_count;
     uint32_t revision;      /* of the surface */
 } FlgFieldView;
 
 FLG_API FlgResult flgFieldViewInit(FlgFieldView* view, uint32_t struct_size);
 
-/* The arrays live until the field is released. FLG_NOT_READY before its job is published, its error if it failed. */
+/* The arrays live until the field is released. FLG_NOT_READY until its job is published, the job's error if it
+ * failed. */
 FLG_API FlgResult flgFieldGetView(FlgContext context, FlgField field, FlgFieldView* out_view);
 
-/* A field of the host's own, one value a vertex of the surface as it is now (FLG_NOT_READY while it changes); infinite
- * values are allowed, NaN is not. Cost: a copy. */
+/* A field from the host, one value per vertex of the current surface (FLG_NOT_READY while it changes); values may be
+ * infinite, but not NaN. Cost: a copy. */
 FLG_API FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* values, uint32_t value_count,
                                  FlgField* out_field);
 
@@ -260,60 +268,60 @@ typedef struct FlgBlendDesc {
     uint32_t struct_size;
     uint32_t reserved;
     FlgJobOptions job;
-    FlgField from; /* 0 there */
-    FlgField to;   /* 1 there */
+    FlgField from; /* the blend is 0 there */
+    FlgField to;   /* the blend is 1 there */
 } FlgBlendDesc;
 
 FLG_API FlgResult flgBlendDescInit(FlgBlendDesc* desc, uint32_t struct_size);
 
-/* Starts a job that blends two distance fields of one surface: from / (from + to), sec. 3.2. Where both are 0: 0.5; infinite
- * where both are. Cost: about 5 ns a vertex. */
+/* Starts a job that blends two distance fields of one surface: from / (from + to), sec. 3.2. 0.5 where both are 0;
+ * infinite where both are infinite. Cost: about 5 ns a vertex. */
 FLG_API FlgResult flgFieldBlend(FlgContext context, const FlgBlendDesc* desc, FlgField* out_field, FlgJob* out_job);
 
 /* ---- Sampling ---------------------------------------------------------------------------------------------------- */
 
 typedef struct FlgSamplingDesc {
     uint32_t struct_size;
-    uint32_t max_count; /* points at most; 0 (default): as many as fit */
+    uint32_t max_count; /* maximum points; 0 (default): as many as fit */
     FlgJobOptions job;
     FlgSurface surface;
-    float radius; /* no two points are nearer to each other along the surface, metres, > 0 */
+    float radius; /* minimum distance between points along the surface, metres, > 0 */
     uint32_t region_count;
     const uint32_t* regions; /* labels; null: the whole surface */
-    uint64_t seed; /* of the first point; default 1 */
+    uint64_t seed; /* for the first point; default 1 */
 } FlgSamplingDesc;
 
 FLG_API FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint32_t struct_size);
 
-/* Starts a job that spreads points over the surface, each as far as possible from those before it (of more than 16,384 vertices most in
- * space): Poisson-disk samples in the geodesic metric (sec. 4.2), at vertices. The field: distances to the nearest one; labels: its cell.
- * Cost: some 3 to 4 fields for 130 points. */
+/* Starts a job that spreads points over the surface, each as far as possible from those before it: Poisson-disk samples
+ * in the geodesic metric (sec. 4.2), at vertices. (Above 16,384 vertices, most are chosen by distance in space.) The
+ * field: distances to the nearest sample; labels: its cell. Cost: some 3 to 4 fields for 130 points. */
 FLG_API FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgField* out_field,
                                    FlgJob* out_job);
 
 typedef struct FlgBorderSamplingDesc {
     uint32_t struct_size;
-    float spacing; /* wanted distance along the border, metres, > 0; each border gets a whole number of equal steps */
+    float spacing; /* desired distance along the border, metres, > 0; each border gets a whole number of equal steps */
     FlgJobOptions job;
     FlgSurface surface;
-    uint32_t region; /* whose borders, also where the surface ends */
+    uint32_t region; /* the region with the borders, including surface borders */
     uint32_t reserved;
 } FlgBorderSamplingDesc;
 
 FLG_API FlgResult flgBorderSamplingDescInit(FlgBorderSamplingDesc* desc, uint32_t struct_size);
 
-/* Starts a job that places points evenly along the borders of a region: one closed curve a border, which is not straight in
- * triangles between its points and can't be cut in. Cost: about 8 ns a triangle. */
+/* Starts a job that places points evenly along the borders of a region: one closed curve per border. Such a curve is
+ * not straight in triangles between its points and cannot be cut in. Cost: about 8 ns a triangle. */
 FLG_API FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDesc* desc, FlgSurfaceCurves* out_curves,
                                   FlgJob* out_job);
 
 /* ---- Tracing ----------------------------------------------------------------------------------------------------- */
 
-/* Which values of a field: either `values`, or first + k * every for k = 0 to count - 1. */
+/* Levels of a field: either `values`, or first + k * every for k = 0 to count - 1. */
 typedef struct FlgLevels {
-    const float* values; /* rising, at most 65534; null: evenly spaced ones */
-    uint32_t count;      /* 0 with every > 0: as many as the field has, k from the first that is not below
-                            its smallest value; at most 65534 */
+    const float* values; /* ascending, at most 65534; null: evenly spaced levels */
+    uint32_t count;      /* 0 with every > 0: as many as the field has, starting at the first k not below its smallest
+                            value; at most 65534 */
     float first, every;  /* used without `values`; `every` > 0 */
 } FlgLevels;
 
@@ -329,8 +337,8 @@ typedef struct FlgIsolinesDesc {
 FLG_API FlgResult flgIsolinesDescInit(FlgIsolinesDesc* desc, uint32_t struct_size);
 
 /* Starts a job that traces isolines: closed ones, and open ones from border to border. Higher values lie to their left.
- * First the open ones, then the closed ones, each kind by the triangle it begins in; curve_values are their levels.
- * Cost: about 9 ns a triangle and 0.2 us a point. */
+ * Open isolines come first, then closed ones, each kind ordered by the triangle it begins in; curve_values are their
+ * levels. Cost: about 9 ns a triangle and 0.2 us a point. */
 FLG_API FlgResult flgTraceIsolines(FlgContext context, const FlgIsolinesDesc* desc, FlgSurfaceCurves* out_curves,
                                    FlgJob* out_job);
 
@@ -339,40 +347,41 @@ typedef struct FlgStreamsDesc {
     uint32_t downhill; /* nonzero: against the gradient. Default 0 */
     FlgJobOptions job;
     FlgField field;
-    const FlgSurfacePoint* starts;    /* a curve each; copied */
+    const FlgSurfacePoint* starts;    /* one curve each; copied */
     uint32_t start_count;
     uint32_t region_count;
-    FlgSurfaceCurves border_samples;  /* further starts: the points of flgBorderSample, which may still be in the making */
-    const uint32_t* regions;          /* the curves end where these do */
-    float end_value;                  /* they end where the field reaches this; default: infinity, its sign doesn't matter */
+    FlgSurfaceCurves border_samples;  /* further starts: the points of flgBorderSample, whose job may still run */
+    const uint32_t* regions;          /* the curves end where these regions end */
+    float end_value;                  /* they end where the field reaches this; default: infinity, of either sign */
     uint32_t reserved;
 } FlgStreamsDesc;
 
 FLG_API FlgResult flgStreamsDescInit(FlgStreamsDesc* desc, uint32_t struct_size);
 
-/* Starts a job that traces integral curves of a field's gradient. The field rises (falls) strictly along them; each ends at the
- * border, at `end_value` or where the field has an extremum. A start outside the regions gives no curve.
+/* Starts a job that traces integral curves of a field's gradient. The field rises (falls) strictly along them. Each
+ * ends at the border, at `end_value` or at an extremum of the field. A start outside the regions gives no curve.
  * Cost: about 0.25 us a point. */
 FLG_API FlgResult flgTraceStreams(FlgContext context, const FlgStreamsDesc* desc, FlgSurfaceCurves* out_curves,
                                   FlgJob* out_job);
 
 typedef struct FlgPathsDesc {
     uint32_t struct_size;
-    uint32_t closed; /* nonzero: the last point of each path is joined to its first. Default 0 */
+    uint32_t closed; /* nonzero: each path's last point joins its first. Default 0 */
     FlgJobOptions job;
     FlgSurface surface;
-    const FlgSurfacePoint* points;  /* all paths' points, copied */
-    const uint32_t* path_offsets;   /* path_count + 1 values: path p goes through points offsets[p] to offsets[p + 1] - 1 */
+    const FlgSurfacePoint* points;  /* the points of all paths, copied */
+    const uint32_t* path_offsets;   /* path_count + 1 values: path p passes through points offsets[p] to offsets[p + 1]
+                                       - 1 */
     uint32_t path_count;
     uint32_t region_count;
-    const uint32_t* regions;        /* the first guess keeps to these */
+    const uint32_t* regions;        /* the initial guess stays on these */
 } FlgPathsDesc;
 
 FLG_API FlgResult flgPathsDescInit(FlgPathsDesc* desc, uint32_t struct_size);
 
-/* Starts a job that joins points by locally shortest paths: straight over edges, and at vertices no shorter on either side
- * (to 1e-6). Points that no path joins make the job fail; a path without length
- * is left out. Cost: a field for each two points, up to where they meet, and its copy. */
+/* Starts a job that joins points by locally shortest paths: straight across edges, and at vertices no shorter on either
+ * side (to 1e-6). The job fails if no path joins two points; zero-length paths are omitted. Cost: a field for each two
+ * points, up to where they meet, and its copy. */
 FLG_API FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurfaceCurves* out_curves,
                                 FlgJob* out_job);
 
@@ -385,25 +394,25 @@ typedef struct FlgCutIsolinesDesc {
     FlgField field; /* its surface is cut */
     const uint32_t* regions; /* labels; null: the whole surface */
     FlgLevels levels;
-    /* Triangles of regions[i] above k of n levels get the label first_label + i * (n + 1) + k; with `regions` null all get
-     * first_label + k. Default FLG_NO_INDEX: labels stay as they are. At most 256 levels. */
+    /* Triangles of regions[i] above k of n levels get the label first_label + i * (n + 1) + k; with `regions` null all
+     * get first_label + k. Default FLG_NO_INDEX: labels do not change. At most 256 levels. */
     uint32_t first_label;
     uint32_t reserved;
 } FlgCutIsolinesDesc;
 
 FLG_API FlgResult flgCutIsolinesDescInit(FlgCutIsolinesDesc* desc, uint32_t struct_size);
 
-/* Starts a job that cuts a surface along isolines, all levels in one pass: they become chains of edges. Crossings nearer to a vertex
- * than 1/100 of their edge move to it, so that no slivers come about; else nothing moves, the surface keeps its area and its topology.
- * New vertices and triangles are appended, the columns interpolated. `out_field`, which may be null, is the field on the cut surface.
- * Cost: about 10 ns a triangle of the surface and 0.5 us a triangle cut. */
+/* Starts a job that cuts a surface along isolines, all levels in one pass: they become chains of edges. Crossings
+ * nearer to a vertex than 1/100 of their edge move to it, to avoid slivers. Nothing else moves; the surface keeps its
+ * area and topology. New vertices and triangles are appended, with interpolated columns. `out_field` (may be null): the
+ * field on the cut surface. Cost: about 10 ns a triangle of the surface and 0.5 us a triangle cut. */
 FLG_API FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, FlgField* out_field,
                                  FlgJob* out_job);
 
 typedef struct FlgCutCurvesDesc {
     uint32_t struct_size;
-    /* The parts of a region that falls apart get labels from here on, in the order in which the curves meet them; a region
-     * that doesn't keeps its own. Default FLG_NO_INDEX: labels stay as they are. */
+    /* If a region falls apart, its parts get labels from here on, in the order in which the curves meet them; other
+     * regions keep their labels. Default FLG_NO_INDEX: labels do not change. */
     uint32_t first_label;
     FlgJobOptions job;
     FlgSurfaceCurves curves; /* their surface is cut */
@@ -411,8 +420,8 @@ typedef struct FlgCutCurvesDesc {
 
 FLG_API FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_size);
 
-/* Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. Finding out
- * how to divide triangles comes first and takes longest; until then the surface is as it was and the job can be cancelled.
+/* Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. The job first works out how
+ * to divide triangles, which takes longest; until then the surface does not change and the job can be cancelled.
  * Cost: as flgCutIsolines; n curves that cross each other in one triangle take about n * n us there. */
 FLG_API FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob* out_job);
 

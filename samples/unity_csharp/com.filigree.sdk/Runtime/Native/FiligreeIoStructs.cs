@@ -28,19 +28,19 @@ namespace Filigree
         public byte** warnings;
     }
 
-    /// <summary>What a .tilt file says of one stroke besides its points.</summary>
+    /// <summary>Data of one stroke in a .tilt file, besides its points.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStroke
     {
-        /// <summary>the brush's name where known, else its GUID</summary>
+        /// <summary>the brush's name if known, else its GUID</summary>
         public fixed byte brush[40];
         /// <summary>width at full pressure, metres</summary>
         public float size;
         /// <summary>selection group, 0 = none</summary>
         public uint group;
-        /// <summary>as stored: 2 = continues the undo group of the stroke before it</summary>
+        /// <summary>as stored: 2 = continues the undo group of the previous stroke</summary>
         public uint flags;
-        /// <summary>time stamp of its first point, milliseconds of sketching time</summary>
+        /// <summary>timestamp of its first point, milliseconds of sketching time</summary>
         public ulong start_ms;
     }
 
@@ -48,32 +48,48 @@ namespace Filigree
     public unsafe partial struct FlgCurveWriteDesc
     {
         public uint struct_size;
-        /// <summary>of .glb; the text formats hold lines. Default FlgGeometry.Lines</summary>
+        /// <summary>for .glb; the text formats hold lines. Default FlgGeometry.Lines</summary>
         public FlgGeometry geometry;
         /// <summary>metres, &gt; 0, for curves without a RADIUS column. Default 0.005</summary>
         public float default_radius;
         /// <summary>3 to 64. Default 8</summary>
         public uint tube_sides;
         /// <summary>
-        /// nonzero: .xyz and the lines of .glb hold all columns of the view (.glb but TANGENT and ORIENTATION), else
+        /// nonzero: .xyz and lines in .glb hold all columns of the view (.glb except TANGENT and ORIENTATION), else
         /// positions, radii and, in .glb, colours. Default 0
         /// </summary>
         public uint all_columns;
         public uint reserved;
+        /// <summary>
+        /// metres, &gt;= 0: how far ribbons and tubes may deviate from those with all points and `tube_sides` sides.
+        /// Makes the file smaller. Default 0: every point, every side
+        /// </summary>
+        public float tolerance;
+        /// <summary>
+        /// nonzero: ribbons and tubes use integers (KHR_mesh_quantization): positions in 65535ths of their piece's
+        /// extent, if that is within the tolerance, normals and colours in 8 bits. Halves the size. Not all programs
+        /// read it. Default 0
+        /// </summary>
+        public uint quantize;
+        /// <summary>
+        /// for .glb: FlgGeometry.Ribbon or FlgGeometry.Tube for each curve, in place of `geometry`. Default null
+        /// </summary>
+        public byte* geometries;
     }
 
-    /// <summary>Whole numbers that belong to the triangles, by a name.</summary>
+    /// <summary>Integers per triangle, with a name.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshFaceColumn
     {
         /// <summary>letters, digits and _, at most 63; not `region` nor `vertex_indices`</summary>
         public byte* name;
-        /// <summary>one a triangle</summary>
+        /// <summary>one per triangle</summary>
         public uint* values;
     }
 
     /// <summary>
-    /// How a region looks: glTF's metallic-roughness model, and a line where it meets another. Colours are linear RGB.
+    /// A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are
+    /// linear RGB.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshMaterial
@@ -86,7 +102,7 @@ namespace Filigree
         public float metallic;
         /// <summary>0 = polished to 1 = matte</summary>
         public float roughness;
-        /// <summary>of the lines to regions that come before it in the table, 0 to 1 each</summary>
+        /// <summary>of the lines to regions earlier in the table, 0 to 1 each</summary>
         public fixed float border_color[3];
         /// <summary>of these lines, 0 to 64 pixels; 0: none</summary>
         public float border_width_px;
@@ -99,11 +115,11 @@ namespace Filigree
         public uint struct_size;
         /// <summary>as stored: formats that keep normals or texture with vertices repeat positions</summary>
         public uint vertex_count;
-        /// <summary>after polygons are split</summary>
+        /// <summary>after splitting polygons</summary>
         public uint triangle_count;
-        /// <summary>different labels; 1 where the file has none</summary>
+        /// <summary>distinct labels; 1 if the file has none</summary>
         public uint region_count;
-        /// <summary>faces as stored; of strips and fans their triangles</summary>
+        /// <summary>faces as stored; for strips and fans their triangles</summary>
         public ulong polygon_count;
         /// <summary>"ply", "obj", "off", "gltf"</summary>
         public byte* format;
@@ -123,13 +139,13 @@ namespace Filigree
         public uint struct_size;
         /// <summary>0 to 16. Default 0</summary>
         public uint face_column_count;
-        /// <summary>written to .ply, different names; the other formats have no place for them</summary>
+        /// <summary>written to .ply, under distinct names; the other formats cannot hold them</summary>
         public FlgMeshFaceColumn* face_columns;
-        /// <summary>nonzero: a primitive and a material for each region in .glb. Default 0</summary>
+        /// <summary>nonzero: one primitive and material per region in .glb. Default 0</summary>
         public uint split_regions;
         /// <summary>with split_regions: above all regions' labels. Default 0: named, without colour</summary>
         public uint material_count;
-        /// <summary>those of .glb, by label; materials that no region has are left out</summary>
+        /// <summary>for .glb, by label; materials without a region are omitted</summary>
         public FlgMeshMaterial* materials;
     }
 
@@ -137,7 +153,7 @@ namespace Filigree
     public unsafe partial struct FlgSkinFileInfo
     {
         public uint struct_size;
-        /// <summary>the highest of the view's parts, and one</summary>
+        /// <summary>the view's highest part index plus one</summary>
         public uint part_count;
         /// <summary>of the positions at rest, metres</summary>
         public fixed float box_min[3];
@@ -156,14 +172,14 @@ namespace Filigree
         /// <summary>default 0</summary>
         public uint animation_count;
         public FlgSkinView* skin;
-        /// <summary>animation_count of them, of all of the skin's joints</summary>
+        /// <summary>animation_count entries, each for all of the skin's joints</summary>
         public FlgSkinAnimation* animations;
         /// <summary>of the model, UTF-8, at most 255 bytes; null: "model"</summary>
         public byte* name;
-        /// <summary>0: one without colour; 1: of all; else above all parts. Default 0</summary>
+        /// <summary>0: one without colour; 1: one for all; else above all part indices. Default 0</summary>
         public uint material_count;
         public uint reserved;
-        /// <summary>by part. A triangle is of the part that two of its corners are of, else of the first's</summary>
+        /// <summary>by part. A triangle belongs to the part of two of its corners, else of its first corner</summary>
         public FlgMeshMaterial* materials;
     }
 
@@ -173,22 +189,22 @@ namespace Filigree
         public uint struct_size;
         /// <summary>at least 1</summary>
         public uint position_count;
-        /// <summary>seconds from 0 on; as floats they must rise</summary>
+        /// <summary>seconds, starting at 0 or later; strictly ascending as floats</summary>
         public double* times;
         /// <summary>
-        /// 12 a position: three rows of four, the rotation and the place, metres. Points p of the body are at rotation
-        /// p + place
+        /// 12 per position: three rows of four, the rotation and the position, metres. Point p of the body is at
+        /// rotation p + position
         /// </summary>
         public double* poses;
-        /// <summary>when the first pose comes again, after the last time; 0: it does not. Default 0</summary>
+        /// <summary>when the first pose recurs, after the last time; 0: never. Default 0</summary>
         public double end_time;
         /// <summary>moves with the body; null: none</summary>
         public FlgMeshView* mesh;
         /// <summary>its materials, as for flgMeshFileWrite; null: defaults</summary>
         public FlgMeshWriteDesc* mesh_desc;
         /// <summary>
-        /// above 0 and below pi: a camera that looks along the body's -z, with y up, and sees this angle from bottom to
-        /// top. Default 0: none
+        /// above 0 and below pi: the vertical field of view of a camera that looks along the body's -z, with y up.
+        /// Default 0: no camera
         /// </summary>
         public float camera_fov_rad;
         public uint reserved;

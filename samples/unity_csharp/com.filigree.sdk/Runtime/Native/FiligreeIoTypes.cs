@@ -6,14 +6,14 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    /// <summary>What curves become in .glb.</summary>
+    /// <summary>Geometry of curves in .glb.</summary>
     public enum FlgGeometry
     {
         /// <summary>FLG_GEOMETRY_LINES: no surface</summary>
         Lines = 0,
         /// <summary>FLG_GEOMETRY_RIBBON: flat, across the frame's second normal</summary>
         Ribbon = 1,
-        /// <summary>FLG_GEOMETRY_TUBE: round, of `tube_sides` sides</summary>
+        /// <summary>FLG_GEOMETRY_TUBE: round, with `tube_sides` sides</summary>
         Tube = 2,
     }
 

@@ -8,48 +8,37 @@
 //     flgLiveStrokePush(context, stroke, samples, n, &view);  each frame: `view` shows what is new, append it to a mesh
 //     flgLiveStrokeEnd(context, stroke, NULL, &stylized, &samples, &job);  trigger released
 //
-// The curve        The smooth curve of flgResample through the samples. A sample's direction depends on the one after
-//                  it,
-//                  so the curve is known, and points are made, up to the last but one sample that is a place of its
-//                  own:
-//                  the geometry is one sample behind (11 ms at 90 Hz), and `smoothing` seconds more if that is set.
-// The points       At even steps of arc length along it, FlgStyleInfo::spacing * scale, whatever the sample rate. Once
-//                  made, a point never moves. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
-//                  style's attributes but for RADIUS, all as flgStylize gives them. What differs: flgStylize knows a
-//                  curve's length, and takes as many whole steps as come nearest, so that its last point is the curve's
-//                  end; here the step is exact, and the last point lies up to one step before the end.
-// Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, times that
-//                  in
-//                  units of its mean over the style.
-// Time             When the hand was there, seconds from the first sample on; if the style has a SPEED attribute, when
-//                  a motion at
-//                  that speed is, from 0 on.
-// Frame            Rotation-minimizing (double reflection). The first normal is the first sample's controller's y axis
-//                  made perpendicular to the curve, or its x axis if the y axis is within 18 degrees of the curve's
-//                  direction. Without an orientation: the coordinate axis furthest from the direction.
-//                  Supplied: the controller's y axis at every point, interpolated between the samples (and smoothed
-//                  with
-//                  them) and made perpendicular to the curve; where it points along the curve, or samples have no
-//                  orientation, carried on from the last point where it did not.
-// Cost             Depends on the new samples only, about 0.2 us a sample and 0.1 us a point. Pushing allocates
-//                  nothing:
-//                  all memory is taken by flgLiveStrokeBegin.
-// Delivery         A pushed sample makes 64 points at most, so that no push is long (p99 under 20 us, longest under 100
-//                  us
-//                  of processor time), however far the hand has jumped and however fine the style is. What is due
-//                  beyond
-//                  that is made by the samples after it, in order, and by the job of flgLiveStrokeEnd. So points come
-//                  one
-//                  sample late as long as the hand goes no more than 64 steps a sample on average: with steps of 1 mm,
-//                  5 m/s at 90 Hz. A hand that goes further falls behind, and catches up by 64 steps a sample
-//                  (FlgLiveStrokeInfo::waiting_samples says how many samples it is behind).
-// Style by stroke  flgLiveStrokeEnd's samples as the style of flgStyleCreate: ready in the next frame at 90 Hz (11 ms,
-//                  one
-//                  worker) for strokes of up to some 600 samples; of 1,200 in about 4 frames, of 2,400 in 6. Preparing
-//                  grows
-//                  faster than the style's points, which end at 2,048 by themselves.
-// Determinism      Points depend on the samples alone, not on how they were grouped into pushes, and not on what was
-//                  undone. Recorded samples give the same bits again by flgLiveStrokeReplay.
+// The curve        flgResample's smooth curve through the samples. A sample's direction depends on the next sample.
+//                  Points are therefore made only up to the last but one distinct sample: the geometry lags one sample
+//                  behind (11 ms at 90 Hz), plus `smoothing` seconds if set.
+// The points       At even steps of arc length along the curve, FlgStyleInfo::spacing * scale, whatever the sample
+//                  rate. Points never move. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
+//                  style's attributes except RADIUS, all as flgStylize gives them. One difference: flgStylize knows a
+//                  curve's length and takes the nearest whole number of steps, so its last point is the curve's end.
+//                  Here the step is exact, and the last point lies up to one step before the end.
+// Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, multiplied
+//                  by that attribute relative to its mean over the style.
+// Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
+//                  a motion at that speed gets there, starting at 0.
+// Frame            Rotation-minimizing (double reflection). The first normal is the y axis of the controller at the
+//                  first sample, made perpendicular to the curve; or its x axis if the y axis is within 18 degrees of
+//                  the curve's direction. Without an orientation: the coordinate axis furthest from the direction.
+//                  Supplied: the controller's y axis at every point, interpolated between samples (and smoothed with
+//                  them) and made perpendicular to the curve; where it is parallel to the curve, or samples have no
+//                  orientation, carried on from the last point where it was defined.
+// Cost             Depends only on the new samples: about 0.2 us a sample and 0.1 us a point. Pushing allocates
+//                  nothing; flgLiveStrokeBegin takes all memory.
+// Delivery         Each pushed sample makes at most 64 points. This keeps every push short (p99 under 20 us, longest
+//                  under 100 us of processor time), however far the hand jumps and however fine the style is. Later
+//                  samples make the remaining points in order, and the job of flgLiveStrokeEnd makes the last. So
+//                  points come one sample late while the hand moves at most 64 steps a sample on average: with steps of
+//                  1 mm, 5 m/s at 90 Hz. Beyond that the points fall behind, then catch up by 64 steps a sample
+//                  (FlgLiveStrokeInfo::waiting_samples counts the samples behind).
+// Style by stroke  Pass flgLiveStrokeEnd's samples to flgStyleCreate as the style. It is ready in the next frame at 90
+//                  Hz (11 ms, one worker) for strokes of up to about 600 samples; 1,200 take about 4 frames, 2,400 take
+//                  6. Preparation time grows faster than the number of style points, which stops at 2,048 by default.
+// Determinism      Points depend only on the samples, not on their grouping into pushes, and not on undone samples.
+//                  flgLiveStrokeReplay makes the same bits again from recorded samples.
 
 using System;
 using System.Runtime.InteropServices;
@@ -59,10 +48,10 @@ namespace Filigree
     public static unsafe partial class Native
     {
         /// <summary>
-        /// Starts a job that computes all path trees of a style at a temperature, as live strokes need them: they never
-        /// compute one. The style keeps those of the last four temperatures that were asked for (by flgStylize and
-        /// flgLiveStrokeBegin as well). `temperature` as in FlgStylizeDesc; `options` may be null: defaults. Cost: 0.1
-        /// ms of work for each of up to 256 trees.
+        /// Starts a job that computes all path trees of a style at a temperature. Live strokes need them and never
+        /// compute one. The style keeps those of the last four temperatures requested, including by flgStylize and
+        /// flgLiveStrokeBegin. `temperature` as in FlgStylizeDesc; `options` may be null: defaults. Cost: 0.1 ms of
+        /// work for each of up to 256 trees.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleWarm(
@@ -73,48 +62,48 @@ namespace Filigree
 
         /// <summary>
         /// Begins a stroke. FlgResult.NotReady while the style is not prepared, or not warm at this temperature
-        /// (flgStyleWarm), and flgLastError() says which; the error of the style's job if that failed. Cost: the
-        /// allocation of its memory; nothing is touched. (An allocator that hands out pages that were touched before
-        /// spares pushes the system's cost of first touches.)
+        /// (flgStyleWarm); flgLastError() says which. Returns the error of the style's job if that failed. Cost: the
+        /// allocation of its memory, which it does not touch. (An allocator that returns pages touched before spares
+        /// pushes the system's cost of first touches.)
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeBegin(
             FlgContext context, FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
         /// <summary>
-        /// Takes samples; out_new (may be null) shows the points that this call made. All samples are checked first; if
-        /// one can't be taken, none is, and the stroke stays as it was and can go on:
-        ///   FlgResult.ErrorInvalidArgument  a number that is not finite or out of range, a time before that of the
-        ///   sample before it
+        /// Adds samples; out_new (may be null) shows the points this call made. Checks all samples first: if one is
+        /// invalid, none is added, and the stroke stays unchanged and can continue:
+        ///   FlgResult.ErrorInvalidArgument  a number that is not finite or out of range, or a time before the previous
+        ///   sample's
         ///   FlgResult.ErrorLimit             a jump beyond max_jump (end the stroke there and begin another), more
-        ///   than max_samples, or
-        ///                               the stroke is cut at max_points (FlgLiveStrokeInfo::cut): it can be ended, and
-        ///                               samples
-        ///                               undone
-        /// Repeated samples are taken and make no points: nor do ones nearer to the last place than 0.001 of a step, or
-        /// with smoothing ones at the time of the one before. The view lives until the next call for this stroke, the
-        /// arrays it points to until the stroke is released; its curve_count is 0 if there is nothing new. After
-        /// flgLiveStrokeEnd: FlgResult.ErrorInvalidArgument. Cost: about 0.2 us a sample and 0.1 us a point.
+        ///   than max_samples,
+        ///                               or the stroke is cut at max_points (FlgLiveStrokeInfo::cut): it can still be
+        ///                               ended, and
+        ///                               samples undone
+        /// Repeated samples are accepted but make no points; nor do samples closer than 0.001 of a step to the last
+        /// distinct one, or, with smoothing, samples with the same time as the previous one. The view lives until the
+        /// next call for this stroke, its arrays until the stroke is released; curve_count is 0 if there is nothing
+        /// new. After flgLiveStrokeEnd: FlgResult.ErrorInvalidArgument. Cost: about 0.2 us a sample and 0.1 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokePush(
             FlgContext context, FlgLiveStroke stroke, FlgLiveSample* samples, uint count, FlgCurveSetView* out_new);
 
         /// <summary>
-        /// All points so far; lives as long as flgLiveStrokePush's. Once the job of flgLiveStrokeEnd is published: the
-        /// whole stroke. Cost: tens of nanoseconds.
+        /// All points so far; lives as long as flgLiveStrokePush's view. Once the job of flgLiveStrokeEnd is published:
+        /// the whole stroke. Cost: tens of nanoseconds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetPoints(
             FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view);
 
-        /// <summary>How far the stroke is; set its struct_size. Cost: tens of nanoseconds.</summary>
+        /// <summary>The stroke's progress; set struct_size. Cost: tens of nanoseconds.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetInfo(
             FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
 
         /// <summary>
-        /// Takes the last `count` samples back, and the points that they made: the stroke is as it was before they were
+        /// Removes the last `count` samples and the points they made: restores the stroke as it was before they were
         /// pushed, to the bit. out_point_count (may be null): points left. Refused for an ended stroke: resume it
         /// first. Cost: that of pushing up to 5 samples.
         /// </summary>
@@ -123,15 +112,15 @@ namespace Filigree
             FlgContext context, FlgLiveStroke stroke, uint count, uint* out_point_count);
 
         /// <summary>
-        /// Ends a stroke: starts a job that follows the curve to its last sample and copies the stylized points into
-        /// one set, the samples into another (POSITION, ORIENTATION, PRESSURE, TIME from the first sample on, seconds).
-        /// Both can be used at once as inputs: `out_samples` as the style of flgStyleCreate, or as the target of
-        /// flgStylize. The last point is up to one step before the last sample. A stroke without length is one point,
-        /// not displaced. Either set may be null: not wanted; `options` may be null. The handle stays valid, for
-        /// flgLiveStrokeResume, until it is released; if the job does not succeed, the stroke goes on as if it had not
-        /// been ended. Refused for a stroke without samples. A stroke that comes to max_points is cut there, and the
-        /// job succeeds with the points that there are: once it is published, FlgLiveStrokeInfo::cut says so.
-        /// `out_samples` has all samples, to be stylized whole. Cost: about 6 ns a point.
+        /// Ends a stroke: starts a job that follows the curve to its last sample. The job copies the stylized points
+        /// into one set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME in seconds since the first
+        /// sample). Both can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target
+        /// of flgStylize. The last point lies up to one step before the last sample. A zero-length stroke is one point,
+        /// not displaced. Either set may be null if not needed; `options` may be null. The handle stays valid, for
+        /// flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been
+        /// ended. Refused for a stroke without samples. A stroke that reaches max_points is cut there, and the job
+        /// succeeds with the points made so far; once the job is published, FlgLiveStrokeInfo::cut is set.
+        /// `out_samples` has all samples, so the whole stroke can be stylized from it. Cost: about 6 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeEnd(
@@ -139,34 +128,36 @@ namespace Filigree
             out_samples, FlgJob* out_job);
 
         /// <summary>
-        /// Goes on with an ended stroke, as if it had never been ended: the points that its end added, not knowing what
-        /// follows, are taken back. FlgResult.NotReady while a job still reads the stroke. Sets that were made stay as
-        /// they are. Cost: that of pushing up to 5 samples.
+        /// Resumes an ended stroke, as if it had never been ended: removes the points its end added without knowing the
+        /// next sample. FlgResult.NotReady while a job still reads the stroke. Sets already made do not change. Cost:
+        /// that of pushing up to 5 samples.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 
         /// <summary>
-        /// Starts a job that copies an ended stroke in two: points 0 to `point` and `point` to the last, so that they
-        /// meet. FlgResult.NotReady while the job of flgLiveStrokeEnd is not published. Cost: about 10 ns a point.
+        /// Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the
+        /// last. FlgResult.NotReady until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeSplit(
             FlgContext context, FlgLiveStroke stroke, uint point, FlgJobOptions* options, FlgCurveSet* out_first,
             FlgCurveSet* out_second, FlgJob* out_job);
 
-        /// <summary>Ends without results. Jobs that read the stroke keep its memory until they are done.</summary>
+        /// <summary>
+        /// Ends the stroke without results. Jobs that read the stroke keep its memory until they finish.
+        /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke);
 
         /// <summary>
         /// The batch form: starts a job that draws every curve of a set of recorded samples as a live stroke, and ends
-        /// it. Curve c is what a live stroke with the same descriptor and seed `seed + c` gives for these samples, bit
-        /// for bit. Missing columns: no orientation, pressure 1; without TIME `smoothing` must be 0, and the hand was
-        /// everywhere at 0 s. What flgLiveStrokePush would refuse for its values fails the job with the same result,
-        /// and so does a curve of more than max_points points: FlgResult.ErrorLimit, before memory is taken (which is
-        /// for the points there are, not for max_points); max_samples does not count. Closed curves are drawn open. The
-        /// style need not be ready or warm. `options` may be null. Cost: about 0.3 us a point.
+        /// it. Curve c equals a live stroke through these samples with the same descriptor and seed `seed + c`, bit for
+        /// bit. Missing columns mean: no orientation, pressure 1, all times 0 s; without TIME, `smoothing` must be 0.
+        /// Values that flgLiveStrokePush would refuse fail the job with the same result. So does a curve of more than
+        /// max_points points: FlgResult.ErrorLimit, before memory is taken (for the points needed, not for max_points).
+        /// max_samples does not apply. Closed curves are drawn open. The style need not be ready or warm. `options` may
+        /// be null. Cost: about 0.3 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeReplay(

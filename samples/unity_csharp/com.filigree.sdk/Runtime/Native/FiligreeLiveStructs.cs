@@ -15,72 +15,73 @@ namespace Filigree
         public FlgStyle style;
         /// <summary>As in FlgStylizeDesc.</summary>
         public float magnitude;
-        /// <summary>the style has to be warm at this</summary>
+        /// <summary>the style must be warm at this temperature</summary>
         public float temperature;
         /// <summary>&gt; 0</summary>
         public float scale;
-        /// <summary>Metres, &gt;= 0: the radius at pressure 0 and at pressure 1. Default 0.001 and 0.005.</summary>
+        /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>
         public float radius_min;
-        /// <summary>Metres, &gt;= 0: the radius at pressure 0 and at pressure 1. Default 0.001 and 0.005.</summary>
+        /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>
         public float radius_max;
         /// <summary>
-        /// Time constant of an exponential filter on position and pressure, seconds, &gt;= 0; exact for hands that move
-        /// evenly between samples, so independent of the sample rate. A hand that moves evenly is followed this much
-        /// later. 0: none. Default 0.
+        /// Time constant of an exponential filter on position and pressure, seconds, &gt;= 0; adds that much lag to a
+        /// steady hand. Exact for hands that move evenly between samples, so independent of the sample rate. 0: none.
+        /// Default 0.
         /// </summary>
         public float smoothing;
         /// <summary>
-        /// The longest way from one sample to the next, metres, &gt; 0: what jumps further is refused. Default 1.
+        /// Maximum distance between consecutive samples, metres, &gt; 0; longer jumps are refused. Default 1.
         /// </summary>
         public float max_jump;
         /// <summary>
-        /// Samples (1 to 2^20) and points (1 to 2^24) that memory is taken for: about 270 bytes a sample, 44 a point
-        /// and 4 for each component of the style's attributes. Default 16,384 and 65,536.
+        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 270 bytes a sample, 44 a point and 4 for each
+        /// component of the style's attributes. Default 16,384 and 65,536.
         /// </summary>
         public uint max_samples;
-        /// <summary>what is due beyond is cut off, see FlgLiveStrokeInfo</summary>
+        /// <summary>points beyond this are cut off, see FlgLiveStrokeInfo</summary>
         public uint max_points;
         /// <summary>
-        /// FlgFrameMethod.RotationMinimizing or FlgFrameMethod.Supplied: by the controller, see above.
-        /// FlgFrameMethod.Frenet is refused: its normal lies between a point's neighbours, of which the later one is
-        /// not drawn yet.
+        /// FlgFrameMethod.RotationMinimizing or FlgFrameMethod.Supplied (by the controller, see above).
+        /// FlgFrameMethod.Frenet is refused: its normal needs a point's next neighbour, which is not drawn yet.
         /// </summary>
         public FlgFrameMethod frame;
-        /// <summary>Key of all random choices. Default 1.</summary>
+        /// <summary>Key for all random choices. Default 1.</summary>
         public ulong seed;
         /// <summary>As in FlgStylizeDesc. Default: identity.</summary>
         public fixed float basis[9];
         public uint reserved;
     }
 
-    /// <summary>What a controller says.</summary>
+    /// <summary>One sample of the controller.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLiveSample
     {
-        /// <summary>metres, at most 1e30 in size</summary>
+        /// <summary>metres, magnitude at most 1e30</summary>
         public fixed float position[3];
         /// <summary>quaternion x y z w of any length; all zero: none; see Frame</summary>
         public fixed float orientation[4];
         /// <summary>0 to 1</summary>
         public float pressure;
-        /// <summary>seconds on any clock; not falling</summary>
+        /// <summary>seconds on any clock; never decreasing</summary>
         public double time;
     }
 
-    /// <summary>How far a stroke is.</summary>
+    /// <summary>Progress of a stroke.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLiveStrokeInfo
     {
         public uint struct_size;
         public uint sample_count;
         public uint point_count;
-        /// <summary>not read yet, because points of those before are due: see Delivery; 0 on the whole</summary>
+        /// <summary>not read yet, because earlier samples still have points to make: see Delivery; usually 0</summary>
         public uint waiting_samples;
         /// <summary>nonzero from flgLiveStrokeEnd to flgLiveStrokeResume</summary>
         public uint ended;
-        /// <summary>metres: a step</summary>
+        /// <summary>metres: one step</summary>
         public float spacing;
-        /// <summary>nonzero: more points were due than max_points; the stroke ends before its samples do</summary>
+        /// <summary>
+        /// nonzero: the samples need more than max_points points; the stroke ends before its samples do
+        /// </summary>
         public uint cut;
     }
 }

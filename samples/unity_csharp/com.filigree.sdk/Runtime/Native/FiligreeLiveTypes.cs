@@ -6,7 +6,7 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    /// <summary>A stroke that is being drawn. Strokes are independent of each other.</summary>
+    /// <summary>A stroke being drawn. Strokes are independent of each other.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgLiveStroke : IEquatable<FlgLiveStroke>
     {

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Functions of filigree_model.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 //
-// Models of drawn parts (Ma, Wang, Li, Zhang: Real-time skeletonization for sketch-based modeling, 2021). It follows
-// the grammar
-// of filigree.h.
+// Models made from drawn parts (Ma, Wang, Li, Zhang: Real-time skeletonization for sketch-based modeling, 2021).
+// Follows the grammar of filigree.h.
 //
-// Part         A contour with its axis, in its own plane: made once a contour is drawn.
-// Model        Parts put in their places, and one tree of joints for all. Another place for a part, or another
-//              threshold, is another
-//              model of the same parts, which takes a tenth of a ms; so a part that is dragged shows its bones in each
-//              frame.
+// Part         A contour with its axis, in its own plane. Made once, when the contour is drawn.
+// Model        Parts in their places, with one tree of joints. Moving a part or changing a threshold makes a new model
+//              from the same parts in a tenth of a ms, so a dragged part can show its bones in every frame.
 // Skin         A model's surface in one piece, bound to its joints.
 //
-// All three never change once ready, and keep what they were made of alive. Lengths of a drawing are in its own unit; a
-// part's
-// placement takes them to the model's space, in metres.
+// All three never change once ready, and keep their inputs alive. Lengths in a drawing are in its own unit; a part's
+// placement maps them to the model's space, in metres.
 
 using System;
 using System.Runtime.InteropServices;
@@ -27,10 +23,10 @@ namespace Filigree
         public static extern FlgResult flgOutlineDescInit(FlgOutlineDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that finds what a surface, or regions of it, covers when it is looked at from afar: its
-        /// silhouette, or the border of a flat region; of several pieces the largest, with its holes. Fails if there
-        /// are no such triangles or nothing is seen, and without a direction if all sides are alike, as those of a
-        /// closed surface. Cost: 40 ns a triangle and 3 us a side of the borders.
+        /// Starts a job that finds the silhouette of a surface or its regions from afar, or the border of a flat
+        /// region; of several pieces the largest, with its holes. Fails if there are no such triangles or nothing is
+        /// visible. Without a direction it also fails if the normals cancel out, as on a closed surface. Cost: 40 ns a
+        /// triangle and 3 us a side of the borders.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineCreate(
@@ -40,8 +36,8 @@ namespace Filigree
         public static extern FlgResult flgOutlineViewInit(FlgOutlineView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the outline is released. FlgResult.NotReady before its job is published, its error if
-        /// it failed.
+        /// The arrays live until the outline is released. FlgResult.NotReady until its job is published, the job's
+        /// error if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineGetView(
@@ -54,12 +50,13 @@ namespace Filigree
         public static extern FlgResult flgPartDescInit(FlgPartDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that finds the axis of a contour, sec. 3.1 of the paper: points at equal distances, those of
-        /// them that matter (the outline), its straight skeleton without what ends on the outline and without short
-        /// arcs, its branches as smooth curves, and slices across them. Where the outline would cross itself the
-        /// tolerance is made smaller, down to the line as it is drawn. What is wrong with a contour is said as by
-        /// flgStraightSkeletonCreate; crossings much smaller than the spacing may be smoothed away. Around a hole the
-        /// axis goes on one side only: bones can't go in circles. Cost: 0.1 to 0.3 ms for a drawn contour.
+        /// Starts a job that finds the axis of a contour, sec. 3.1 of the paper. It resamples the contour at equal
+        /// distances, keeps the points that matter (the outline), and makes their straight skeleton. It drops arcs that
+        /// end on the outline and short arcs, then fits smooth curves to the branches and cuts slices across them.
+        /// Where the outline would cross itself, the job reduces the tolerance, down to the line as drawn. Reports
+        /// invalid contours as flgStraightSkeletonCreate does; it may smooth away crossings much smaller than the
+        /// spacing. Around a hole the axis passes on one side only: bones cannot form cycles. Cost: 0.1 to 0.3 ms for a
+        /// drawn contour.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartCreate(
@@ -69,8 +66,8 @@ namespace Filigree
         public static extern FlgResult flgPartViewInit(FlgPartView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the part is released. FlgResult.NotReady before its job is published, its error if it
-        /// failed.
+        /// The arrays live until the part is released. FlgResult.NotReady until its job is published, the job's error
+        /// if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartGetView(FlgContext context, FlgPart part, FlgPartView* out_view);
@@ -82,9 +79,9 @@ namespace Filigree
         public static extern FlgResult flgPartMeshDescInit(FlgPartMeshDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that inflates a part, sec. 4.1: a triangulation of the contour with points inside, the height
-        /// over it by a Poisson equation, and both of its sides. The surface is closed and a manifold, around holes
-        /// too. Cost: 3 ms for 700 vertices.
+        /// Starts a job that inflates a part, sec. 4.1: it triangulates the contour with interior points, solves a
+        /// Poisson equation for the height, and joins both sides. The surface is closed and manifold, also around
+        /// holes. Cost: 3 ms for 700 vertices.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshCreate(
@@ -94,8 +91,8 @@ namespace Filigree
         public static extern FlgResult flgPartMeshViewInit(FlgPartMeshView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the mesh is released. FlgResult.NotReady before its job is published, its error if it
-        /// failed.
+        /// The arrays live until the mesh is released. FlgResult.NotReady until its job is published, the job's error
+        /// if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshGetView(
@@ -111,9 +108,9 @@ namespace Filigree
         public static extern FlgResult flgModelDescInit(FlgModelDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that makes one skeleton of the parts', sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: joints
-        /// along the branches, parts connected, junctions merged, short branches and bones removed. A part that meets
-        /// no earlier one is a root of its own. FlgResult.ErrorLimit with more than 65535 joints. Cost: about 12 us a
+        /// Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it
+        /// places joints along the branches, connects parts, merges junctions, and removes short branches and bones. A
+        /// part that meets no earlier one becomes a root. FlgResult.ErrorLimit above 65535 joints. Cost: about 12 us a
         /// part.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -124,8 +121,8 @@ namespace Filigree
         public static extern FlgResult flgModelViewInit(FlgModelView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the model is released. FlgResult.NotReady before its job is published, its error if it
-        /// failed.
+        /// The arrays live until the model is released. FlgResult.NotReady until its job is published, the job's error
+        /// if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelGetView(FlgContext context, FlgModel model, FlgModelView* out_view);
@@ -137,9 +134,9 @@ namespace Filigree
         public static extern FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that makes one closed surface of all parts of a model, a manifold however they meet, and binds
-        /// it to the joints: weights are smooth, 0 to 1, at most 4 a vertex, and a part moves with its own bones. Parts
-        /// that meet no other stay pieces of their own. FlgResult.ErrorLimit if the thinnest part would need more than
+        /// Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds
+        /// it to the joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones.
+        /// Parts that meet no other stay separate pieces. FlgResult.ErrorLimit if the thinnest part needs more than
         /// most_vertices, or if a part lies further from the origin than 1e7 sides of the triangles that vertex_count
         /// asks for. Cost: 15 us a vertex.
         /// </summary>
@@ -148,8 +145,8 @@ namespace Filigree
             FlgContext context, FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
         /// <summary>
-        /// The arrays live until the skin is released. FlgResult.NotReady before its job is published, its error if it
-        /// failed.
+        /// The arrays live until the skin is released. FlgResult.NotReady until its job is published, the job's error
+        /// if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinGetView(FlgContext context, FlgSkin skin, FlgSkinView* out_view);
@@ -164,28 +161,28 @@ namespace Filigree
         public static extern FlgResult flgSkinAnimationInit(FlgSkinAnimation* animation, uint struct_size);
 
         /// <summary>
-        /// Where a pose takes each joint, from rest.
-        ///   rotations             4 a joint: x, y, z, w of length 1 within 0.001, within the parent's frame, as in
-        ///   FlgSkinAnimation;
-        ///                         null: none is turned
-        ///   translation           3: how far all roots are moved, metres; null: not at all
-        ///   out_matrices          12 a joint, or null: three rows of four. (x, y, z, 1) at rest times the rows is the
-        ///   place in the pose
-        ///   out_dual_quaternions  8 a joint, or null: x, y, z, w of the rotation r, then those of (t r) / 2, where t
-        ///   moves after it
-        /// Reads the skin's joints alone. Cost: about 50 ns a joint; takes no memory for up to 256 joints, else 56
-        /// bytes a joint of the C++ runtime's.
+        /// The transform of each joint from rest to a pose.
+        ///   rotations             4 per joint: x, y, z, w of length 1 within 0.001, in the parent's frame, as in
+        ///                         FlgSkinAnimation; null: no rotations
+        ///   translation           3: translation of all roots, metres; null: none
+        ///   out_matrices          12 per joint, or null: three rows of four. The rows times (x, y, z, 1) at rest give
+        ///   the
+        ///                         position in the pose
+        ///   out_dual_quaternions  8 per joint, or null: x, y, z, w of the rotation r, then those of (t r) / 2, where t
+        ///                         translates after it
+        /// Reads only the skin's joints. Cost: about 50 ns a joint; takes no memory for up to 256 joints, else 56 bytes
+        /// a joint of the C++ runtime's.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinPose(
             FlgSkinView* skin, float* rotations, float* translation, float* out_matrices, float* out_dual_quaternions);
 
         /// <summary>
-        /// The pose of an animation at a time, ready for flgSkinPose: between keys rotations turn evenly the short way,
-        /// translations go straight; before the first key and after the last they stay.
+        /// The pose of an animation at a time, ready for flgSkinPose. Between keys rotations turn evenly the shorter
+        /// way, and translations are linear. Before the first key and after the last, the pose is constant.
         ///   joint_count      the skin's
         ///   time             seconds, finite
-        ///   out_rotations    4 a joint
+        ///   out_rotations    4 per joint
         ///   out_translation  3, or null; 0 if the animation moves no roots
         /// Cost: about 80 ns a joint, 1 ns a key: all times are checked, and of the rest the two keys that are used.
         /// </summary>
@@ -194,13 +191,12 @@ namespace Filigree
             FlgSkinAnimation* animation, uint joint_count, float time, float* out_rotations, float* out_translation);
 
         /// <summary>
-        /// Moves the vertices by the processor: what the graphics card's shader must come to.
-        ///   transforms     what flgSkinPose made: 12 a joint (FlgSkinning.Linear) or 8 (FlgSkinning.DualQuaternion)
-        ///   out_positions  3 a vertex
-        ///   out_normals    3 a vertex, of length 1, turned as their vertices are; null: not wanted
-        /// Dual quaternions that mean the same with another sign are told by the joint with a vertex' largest weight.
-        /// Weights must come to 1 within 0.0001, the first being the largest. Cost: about 0.1 us a vertex, one pass to
-        /// check and one to move.
+        /// Deforms the vertices on the CPU: the reference for a vertex shader.
+        ///   transforms     from flgSkinPose: 12 per joint (FlgSkinning.Linear) or 8 (FlgSkinning.DualQuaternion)
+        ///   out_positions  3 per vertex
+        ///   out_normals    3 per vertex, of length 1, rotated as their vertices are; null: not needed
+        /// The joint with a vertex' largest weight decides the sign of equivalent dual quaternions. Weights must sum to
+        /// 1 within 0.0001, the largest first. Cost: about 0.1 us a vertex, one pass to check and one to move.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinDeform(

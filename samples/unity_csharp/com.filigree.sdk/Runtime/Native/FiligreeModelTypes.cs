@@ -6,30 +6,32 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    /// <summary>How a part came to the model.</summary>
+    /// <summary>How a part was attached to the model.</summary>
     public enum FlgPartEvent
     {
-        /// <summary>FLG_PART_ROOT: it meets no earlier part</summary>
+        /// <summary>FLG_PART_ROOT: meets no earlier part</summary>
         Root = 0,
-        /// <summary>FLG_PART_BONE_SPLIT: a new joint on a bone of the part it hangs on</summary>
+        /// <summary>FLG_PART_BONE_SPLIT: a new joint on a bone of its parent part</summary>
         BoneSplit = 1,
-        /// <summary>FLG_PART_JOINT_CONNECT: a bone from one of that part's joints</summary>
+        /// <summary>FLG_PART_JOINT_CONNECT: a bone from one of its parent part's joints</summary>
         JointConnect = 2,
     }
 
     /// <summary>How a vertex follows several joints.</summary>
     public enum FlgSkinning
     {
-        /// <summary>FLG_SKINNING_LINEAR: the mean of where each takes it: thin where joints are twisted</summary>
+        /// <summary>
+        /// FLG_SKINNING_LINEAR: the mean of the positions each joint gives: thins out where joints twist
+        /// </summary>
         Linear = 0,
         /// <summary>
-        /// FLG_SKINNING_DUAL_QUATERNION: one rigid motion between theirs: keeps its girth, bulges a little in sharp
-        /// bends
+        /// FLG_SKINNING_DUAL_QUATERNION: one rigid motion between the joints': keeps the girth, bulges a little in
+        /// sharp bends
         /// </summary>
         DualQuaternion = 1,
     }
 
-    /// <summary>What a surface covers as seen from afar, as a contour. Never changes once ready.</summary>
+    /// <summary>A surface's silhouette from afar, as a contour. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgOutline : IEquatable<FlgOutline>
     {

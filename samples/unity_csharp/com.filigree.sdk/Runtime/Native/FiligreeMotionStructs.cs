@@ -12,67 +12,67 @@ namespace Filigree
         public uint struct_size;
         /// <summary>2 to FLG_MOTION_MAX_KEYS</summary>
         public uint key_count;
-        /// <summary>partial_results: every round can be seen</summary>
+        /// <summary>partial_results: every round is visible</summary>
         public FlgJobOptions job;
-        /// <summary>one a key, seconds, ascending</summary>
+        /// <summary>one per key, seconds, ascending</summary>
         public double* times;
         /// <summary>
-        /// 12 a key: three rows of four, the rotation and the place. Points p of the body are then at rotation p +
-        /// place. Both arrays are read during the call
+        /// 12 per key: three rows of four, the rotation and the position. Point p of the body is then at rotation p +
+        /// position. Both arrays are read during the call
         /// </summary>
         public double* poses;
-        /// <summary>nonzero: from the last key back to the first. Default 0</summary>
+        /// <summary>nonzero: the last key leads back to the first. Default 0</summary>
         public uint closed;
         /// <summary>
-        /// summed over the body's points. E2: smooth throughout; E1: between keys it flies freely, with kicks at keys;
-        /// ET: between the two. Default FlgSplineEnergy.E2
+        /// summed over the body's points. E2: smooth throughout; E1: free flight between keys, with kicks at keys; ET:
+        /// between the two. Default FlgSplineEnergy.E2
         /// </summary>
         public FlgSplineEnergy energy;
         /// <summary>
-        /// of closed motions: when the first key comes again, seconds. Default 0: after the last one as long as keys
-        /// are apart on the average
+        /// for closed motions: when the first key recurs, seconds. Default 0: one average key interval after the last
+        /// key
         /// </summary>
         public double end_time;
-        /// <summary>of FlgSplineEnergy.Et: w, 1 / square second, above 0 to 1e12. Default 1</summary>
+        /// <summary>for FlgSplineEnergy.Et: w, 1 / square second, above 0 to 1e12. Default 1</summary>
         public double tension;
         /// <summary>
-        /// 0: through the keys. Above: near them, the energy plus the squares of the distances of the body's points
-        /// over this is least; seconds to the third (E1: seconds), to 1e9. Default 0
+        /// 0: passes through the keys. Above: passes near them, minimizing the energy plus the squared distances of the
+        /// body's points over this; seconds to the third (E1: seconds), to 1e9. Default 0
         /// </summary>
         public double smoothing;
         /// <summary>
-        /// 3 a point, in the body's coordinates: a few feature points, or a mesh's vertices; read during the call.
+        /// 3 per point, in the body's coordinates: a few feature points, or a mesh's vertices; read during the call.
         /// Default null: the box
         /// </summary>
         public double* body_points;
-        /// <summary>one a point, at least 0, one above; null: 1 each</summary>
+        /// <summary>one per point, at least 0, and one above 0; null: 1 each</summary>
         public double* body_masses;
         /// <summary>
-        /// 1 to 2^20, with body_points. Bodies whose points are on a line get a little thickness, 1/100 of their
-        /// length, so that turns about the line are told apart; points in one place: see below
+        /// 1 to 2^20, with body_points. Collinear points get a small thickness, 1/100 of their length, to define turns
+        /// about the line; coincident points: see below
         /// </summary>
         public uint body_point_count;
         /// <summary>
-        /// of the motion, keys included: key_count to FLG_MOTION_MAX_POSITIONS. Default 0: 32 intervals from key to key
+        /// of the motion, including keys: key_count to FLG_MOTION_MAX_POSITIONS. Default 0: 32 intervals between keys
         /// </summary>
         public uint position_count;
         /// <summary>
-        /// its sides, about the origin, metres; at least 0. All 0: a point, which turns as a ball of 1 metre. Default
-        /// 2, 2, 2: that ball
+        /// sides, centred at the origin, metres; at least 0. All 0: a point, which turns like a ball of 1 metre.
+        /// Default 2, 2, 2: that ball
         /// </summary>
         public fixed double body_box[3];
         /// <summary>of the optimization, 1 to 10000. Default 200</summary>
         public uint max_rounds;
         public uint reserved;
-        /// <summary>of the residual, see FlgSplineView; 1e-12 to 1. Default 1e-6</summary>
+        /// <summary>for the residual, see FlgSplineView; 1e-12 to 1. Default 1e-6</summary>
         public double tolerance;
         /// <summary>
-        /// Of space: the barycentre keeps out of these (sec. 5, Fig. 16), see FlgSplineDesc. If their clearance is the
-        /// body's radius, the distance of its farthest point from the barycentre, so does all of it. Not with
-        /// smoothing. Default none
+        /// In space: the barycentre avoids these (sec. 5, Fig. 16), see FlgSplineDesc. The whole body avoids them if
+        /// their clearance is its radius, the distance of its farthest point from the barycentre. Not with smoothing.
+        /// Default none
         /// </summary>
         public FlgObstacles obstacles;
-        /// <summary>how the first path passes; default null: the shortest way</summary>
+        /// <summary>how the initial path passes; default null: the shortest way</summary>
         public FlgObstacleSide* sides;
         /// <summary>default 0</summary>
         public uint side_count;
@@ -87,36 +87,36 @@ namespace Filigree
         public uint struct_size;
         public uint position_count;
         public uint key_count;
-        /// <summary>as asked for</summary>
+        /// <summary>as in the descriptor</summary>
         public uint closed;
-        /// <summary>one a position, closed: one more, when the first comes again; seconds</summary>
+        /// <summary>one per position, closed: one more, when the first recurs; seconds</summary>
         public double* times;
-        /// <summary>12 a position, as given</summary>
+        /// <summary>12 per position, laid out as in the descriptor</summary>
         public double* poses;
-        /// <summary>4 a position, x, y, z, w: the same rotations, next ones on the same side</summary>
+        /// <summary>4 per position, x, y, z, w: the same rotations, consecutive ones in the same hemisphere</summary>
         public double* quaternions;
-        /// <summary>one a key: its position</summary>
+        /// <summary>one per key: its position</summary>
         public uint* key_positions;
-        /// <summary>of the body: its points' number or masses; a box has 6</summary>
+        /// <summary>of the body: its point count or total mass; a box has 6</summary>
         public double mass;
         /// <summary>in the body's coordinates</summary>
         public fixed double barycentre[3];
         /// <summary>principal axes in the body's coordinates, one after another, right-handed</summary>
         public fixed double axes[9];
-        /// <summary>the distance of its farthest point from the barycentre, metres</summary>
+        /// <summary>distance of the body's farthest point from the barycentre, metres</summary>
         public double radius;
-        /// <summary>half the axes of its ellipsoid of inertia: sqrt(sum of mass * square along the axis / 2)</summary>
+        /// <summary>half axes of its ellipsoid of inertia: sqrt(sum of mass * square along the axis / 2)</summary>
         public fixed double inertia[3];
-        /// <summary>of the keys' poses: what was taken off</summary>
+        /// <summary>largest stretch removed from the keys' poses</summary>
         public double greatest_stretch;
         public FlgSplineEnding ending;
         /// <summary>of the optimization of all positions</summary>
         public uint rounds;
         /// <summary>with all weights, summed over the body's points</summary>
         public double energy;
-        /// <summary>of that, the barycentre's share: mass times its path's</summary>
+        /// <summary>the barycentre's share: mass times its path's energy</summary>
         public double barycentre_energy;
-        /// <summary>what is left: that of the rotations</summary>
+        /// <summary>the rest: that of the rotations</summary>
         public double rotation_energy;
         /// <summary>of the rotations, see FlgSplineView</summary>
         public double residual;

@@ -8,9 +8,9 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
-        /// <summary>Keys of a motion, at most.</summary>
+        /// <summary>Maximum keys of a motion.</summary>
         public const uint FLG_MOTION_MAX_KEYS = 65536;
-        /// <summary>Positions of a motion, at most.</summary>
+        /// <summary>Maximum positions of a motion.</summary>
         public const uint FLG_MOTION_MAX_POSITIONS = 1048576;
     }
 

@@ -6,7 +6,7 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    /// <summary>Embree's structures over copies of surfaces and curves.</summary>
+    /// <summary>Embree's acceleration structures over copies of surfaces and curves.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgPickScene
     {

@@ -13,7 +13,7 @@ namespace Filigree
         public uint reserved;
         public FlgJobOptions job;
         public FlgSurface surface;
-        /// <summary>open and closed ones; only their POSITION is used</summary>
+        /// <summary>open and closed; only their POSITION is used</summary>
         public FlgCurveSet curves;
     }
 }

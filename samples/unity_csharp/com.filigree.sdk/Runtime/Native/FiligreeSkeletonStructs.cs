@@ -7,8 +7,8 @@ using System.Runtime.InteropServices;
 namespace Filigree
 {
     /// <summary>
-    /// What is drawn around a shape: ring 0, and around holes in it: the others. Rings may turn either way, and be
-    /// closed by a repeated first point or not. The host owns the arrays, for the time of the call.
+    /// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and
+    /// may repeat their first point at the end. The host owns the arrays, which must live for the call.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgContourView
@@ -16,9 +16,9 @@ namespace Filigree
         public uint struct_size;
         /// <summary>3 to 2^24</summary>
         public uint point_count;
-        /// <summary>2 a point: x, y; 0 or 1e-150 to 1e150 in size</summary>
+        /// <summary>2 per point: x, y; magnitude 0 or 1e-150 to 1e150</summary>
         public double* points;
-        /// <summary>ring_count + 1 values: where each ring begins, and point_count; null: one ring</summary>
+        /// <summary>ring_count + 1 values: the start of each ring, then point_count; null: one ring</summary>
         public uint* ring_offsets;
         /// <summary>at least 1; default 1</summary>
         public uint ring_count;
@@ -36,60 +36,62 @@ namespace Filigree
     }
 
     /// <summary>
-    /// The first nodes are the contour's points, ring by ring, with time 0. Face i is what the edge sweeps that begins
-    /// at point i.
+    /// The first nodes are the contour's points, ring by ring, at time 0. Face i is the area swept by the edge that
+    /// starts at point i.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStraightSkeletonView
     {
         public uint struct_size;
-        /// <summary>points of the cleaned contour, and faces</summary>
+        /// <summary>points of the cleaned contour; also the number of faces</summary>
         public uint contour_count;
         public uint node_count;
         public uint arc_count;
-        /// <summary>3 a node: x, y, and when the front comes there: the distance to the lines of its edges</summary>
+        /// <summary>
+        /// 3 per node: x, y, and the time at which the front arrives: the distance to the lines of its edges
+        /// </summary>
         public double* nodes;
-        /// <summary>4 an arc: nodes from and to, the later one last; faces to its left and to its right</summary>
+        /// <summary>4 per arc: nodes from and to, the later one last; faces to its left and right</summary>
         public uint* arcs;
         /// <summary>contour_count + 1 values</summary>
         public uint* face_offsets;
-        /// <summary>a face's nodes counter-clockwise, its edge's two points first</summary>
+        /// <summary>each face's nodes counter-clockwise, starting with its edge's two points</summary>
         public uint* face_nodes;
-        /// <summary>one a point of the cleaned contour: which it was in the input, or FLG_NO_INDEX</summary>
+        /// <summary>one per point of the cleaned contour: its index in the input, or FLG_NO_INDEX</summary>
         public uint* input_points;
         /// <summary>
-        /// Both in shares of the diagonal of the contour's box. How far a time is off a distance, at most: 1e-13 as a
-        /// rule, up to 1e-6 with edges that are nearly parallel.
+        /// Both as fractions of the contour's box diagonal. Largest difference between a time and the distance: usually
+        /// 1e-13, up to 1e-6 with nearly parallel edges.
         /// </summary>
         public double residual;
         /// <summary>
-        /// How far points were moved to find it: 0 as a rule; 1e-9 or 1e-7 where changes at nearly one time could not
-        /// be told apart. The first nodes are where the contour's points are all the same.
+        /// How far points were moved to find the skeleton: usually 0; 1e-9 or 1e-7 where events at nearly the same time
+        /// could not be told apart. The first nodes remain at the contour's points.
         /// </summary>
         public double perturbation;
     }
 
     /// <summary>
-    /// Where the front of a straight skeleton is at a time. The host owns the arrays; a null one isn't written.
+    /// The front of a straight skeleton at a time. The host owns the arrays; null arrays are not written.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgOffsetPolygons
     {
         public uint struct_size;
-        /// <summary>points that `points` and `edges` have room for. Default 0</summary>
+        /// <summary>capacity of `points` and `edges`, in points. Default 0</summary>
         public uint point_capacity;
-        /// <summary>rings that `ring_offsets` has room for. Default 0</summary>
+        /// <summary>capacity of `ring_offsets`, in rings. Default 0</summary>
         public uint ring_capacity;
-        /// <summary>written, whatever there is room for</summary>
+        /// <summary>always written, whatever the capacity</summary>
         public uint point_count;
-        /// <summary>the same</summary>
+        /// <summary>likewise</summary>
         public uint ring_count;
         public uint reserved;
-        /// <summary>2 a point: x, y</summary>
+        /// <summary>2 per point: x, y</summary>
         public double* points;
-        /// <summary>one a point: the contour's edge whose side goes from it to the next one</summary>
+        /// <summary>one per point: the contour edge that made the side from it to the next point</summary>
         public uint* edges;
-        /// <summary>ring_capacity + 1 values: where each ring begins, and point_count</summary>
+        /// <summary>ring_capacity + 1 values: the start of each ring, then point_count</summary>
         public uint* ring_offsets;
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Functions of filigree_spline.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 //
-// Smooth curves that stay on anything: energy-minimizing splines in manifolds (Hofer, Pottmann 2004). It follows the
+// Smooth curves that stay on anything: energy-minimizing splines in manifolds (Hofer, Pottmann 2004). Follows the
 // grammar of filigree.h and filigree_surface.h. Coordinates are doubles, metres; parameters are lengths unless the host
-// gives them.
+// provides them.
 
 using System;
 using System.Runtime.InteropServices;
@@ -20,7 +20,7 @@ namespace Filigree
         public static extern FlgResult flgManifoldCreateShape(
             FlgContext context, FlgShapeDesc* desc, FlgManifold* out_manifold);
 
-        /// <summary>The names of formulas, from number 0 on; null beyond the last one. They live for ever.</summary>
+        /// <summary>The names of formulas, from index 0 on; null beyond the last one. Static strings.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern byte* flgFormulaName(uint number);
 
@@ -29,10 +29,10 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their
-        /// normals and curvatures. It follows smooth parts to the square of the edges' lengths and rounds creases off;
-        /// how far its vertices are from it is in the manifold's view. Thin solids keep their sides apart; two sheets
-        /// that face the same way blend where they are nearer than an edge is long. Across edges sharper than some 114
-        /// degrees tangents jump, and curves may stall there. At open borders it goes on a little:
+        /// normals and curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The
+        /// manifold's view gives the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets
+        /// that face the same way blend where they are closer than an edge length. Tangents jump across edges sharper
+        /// than about 114 degrees, where curves may stall. The surface continues a little beyond open borders:
         /// FlgObstacleKind.Border keeps curves from there. Cost: about 1 us a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -43,8 +43,8 @@ namespace Filigree
         public static extern FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that makes the smooth surface of a cloud of points by moving least squares (sec. 3.2). Cost:
-        /// some us a point.
+        /// Starts a job that makes the smooth surface of a point cloud by moving least squares (sec. 3.2). Cost: some
+        /// us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromPoints(
@@ -63,8 +63,8 @@ namespace Filigree
 
         /// <summary>
         /// The image manifold of a surface's normals (sec. 6, Fig. 17): (x, weight * normal) in R^6. Curves on it avoid
-        /// crossing creases, the more the larger the weight (metres, above 0) is. `base`: a surface in R^3, ready.
-        /// Points are given and shown in R^3: the normals are added and left out. Cost: 0.1 ms at most.
+        /// crossing creases; the larger the weight (metres, above 0), the more. `base`: a surface in R^3, ready. Points
+        /// are given and shown in R^3; the normals are added and dropped internally. Cost: 0.1 ms at most.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateImage(
@@ -74,9 +74,9 @@ namespace Filigree
         public static extern FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint struct_size);
 
         /// <summary>
-        /// Makes a manifold of a copy of the functions; user_data must live until it and all splines on it are
-        /// released. Tries them at one point and refuses what is not orthonormal or not finite there. Cost: some calls
-        /// of the functions.
+        /// Makes a manifold from a copy of the functions; user_data must live until the manifold and all splines on it
+        /// are released. Tests the functions at one point, and refuses results that are not orthonormal or not finite.
+        /// Cost: some calls of the functions.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateHost(
@@ -86,9 +86,9 @@ namespace Filigree
         public static extern FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint struct_size);
 
         /// <summary>
-        /// Makes a manifold of a copy of these at once; asks for 1089 points of it. Refuses what is not finite there,
-        /// and derivatives that are parallel. Fixed points such as poles are to be left out of the domain. Cost: 1089
-        /// calls of the function.
+        /// Makes a manifold from a copy of the functions at once, evaluating 1089 points. Refuses results that are not
+        /// finite, and parallel derivatives. Exclude fixed points such as poles from the domain. Cost: 1089 calls of
+        /// the function.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreatePatch(
@@ -97,15 +97,15 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldViewInit(FlgManifoldView* view, uint struct_size);
 
-        /// <summary>FlgResult.NotReady before the manifold's job is published, its error if it failed.</summary>
+        /// <summary>FlgResult.NotReady until the manifold's job is published, the job's error if it failed.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldGetView(
             FlgContext context, FlgManifold manifold, FlgManifoldView* out_view);
 
         /// <summary>
-        /// Moves up to 64 points onto a manifold, at once: a cursor's, some us each. out_distances, metres, may be
-        /// null; a point that can't be projected stays and gets HUGE_VAL. FlgResult.NotReady before the manifold's job
-        /// is published. Cost: some us a point.
+        /// Projects up to 64 points onto a manifold at once, such as a cursor's. out_distances (metres) may be null; a
+        /// point that cannot be projected stays unchanged and gets HUGE_VAL. FlgResult.NotReady until the manifold's
+        /// job is published. Cost: some us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldProject(
@@ -114,7 +114,7 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldRelease(FlgContext context, FlgManifold manifold);
 
-        /// <summary>A ball of radius 1 about the origin; a box of sides of 2.</summary>
+        /// <summary>A ball of radius 1 at the origin; a box with sides of 2.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void flgObstacleInit(FlgObstacle* obstacle);
 
@@ -122,10 +122,10 @@ namespace Filigree
         public static extern FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that makes obstacles (sec. 5); splines may be asked for before it is done. Refuses, and names
-        /// the obstacle, sizes that are not positive, polygons that cross themselves, axes that are not orthonormal;
-        /// the job fails for meshes that hold nothing, layers thinner than 4 cells, surfaces without borders. Cost: of
-        /// meshes 100 to 500 ns a cell of their grid.
+        /// Starts a job that makes obstacles (sec. 5); splines may be requested before it is done. Refuses sizes that
+        /// are not positive, polygons that cross themselves, and axes that are not orthonormal; the message names the
+        /// obstacle. The job fails for meshes that contain nothing, layers thinner than 4 cells, and surfaces without
+        /// borders. Cost: of meshes 100 to 500 ns a cell of their grid.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstaclesCreate(
@@ -138,13 +138,13 @@ namespace Filigree
         public static extern FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint struct_size);
 
         /// <summary>
-        /// Starts a job that makes the curve of least energy through points of a manifold, among those that the first
-        /// curve can be moved to: a chain of nodes on the manifold such that what is tangent to it of the curve's
-        /// fourth derivative (E1: second) vanishes between the given points. Fails with FlgResult.ErrorInvalidArgument,
-        /// and a sentence, where a point can't be projected, two in a row coincide, or no way leads from one to the
-        /// next (put points between). Antipodal points of a sphere: a half circle, always the same one. Two points: a
-        /// geodesic, with E2 as well. If rounds are used up or rounding lets it get no nearer the curve is there, and
-        /// the view says so. Cost: 1 us a node and round on a mesh, and 3 to 8 rounds.
+        /// Starts a job that makes the curve of least energy through points of a manifold, among those that the initial
+        /// curve can be moved to: a chain of nodes on the manifold whose fourth derivative (E1: second) has no
+        /// tangential part between the given points. Fails with FlgResult.ErrorInvalidArgument if a point cannot be
+        /// projected, two consecutive points coincide, or no path leads from one to the next (add points between them).
+        /// Antipodal points of a sphere give a half circle, always the same one. Two points give a geodesic, also with
+        /// E2. If rounds run out or rounding stops progress, the curve is still available, and the view says so. Cost:
+        /// 1 us a node and round on a mesh, and 3 to 8 rounds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineCreate(
@@ -154,8 +154,8 @@ namespace Filigree
         public static extern FlgResult flgSplineViewInit(FlgSplineView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the spline is released; of running ones until the next flgTick. FlgResult.NotReady
-        /// before its job is published (with partial_results: before its first round), its error if it failed.
+        /// The arrays live until the spline is released; while it runs, until the next flgTick. FlgResult.NotReady
+        /// until its job is published (with partial_results: until its first round), the job's error if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
@@ -165,8 +165,8 @@ namespace Filigree
 
         /// <summary>
         /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in
-        /// R^3, NORMAL: to be stylized in the surface's frame (FlgFrameMethod.Supplied), drawn, projected, cut in.
-        /// Cost: about 3 ns a node.
+        /// R^3, NORMAL. Stylize it in the surface's frame (FlgFrameMethod.Supplied), draw it, project it, or cut along
+        /// it. Cost: about 3 ns a node.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineCurves(

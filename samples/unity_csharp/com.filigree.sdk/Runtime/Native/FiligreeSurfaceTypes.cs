@@ -8,31 +8,20 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
-        /// <summary>The largest label that a triangle may have.</summary>
+        /// <summary>The largest triangle label.</summary>
         public const uint FLG_REGION_MAX = 16777215;
     }
 
-    /// <summary>How triangles are made finer.</summary>
+    /// <summary>How triangles are refined.</summary>
     public enum FlgSubdivision
     {
-        /// <summary>FLG_SUBDIVISION_MIDPOINT: each triangle in four, the surface stays as it is</summary>
+        /// <summary>FLG_SUBDIVISION_MIDPOINT: splits each triangle into four; the shape does not change</summary>
         Midpoint = 0,
         /// <summary>FLG_SUBDIVISION_LOOP: Loop's scheme: smooth; borders become cubic splines</summary>
         Loop = 1,
     }
 
-    /// <summary>Which solver measures distances.</summary>
-    public enum FlgAccuracy
-    {
-        /// <summary>
-        /// FLG_ACCURACY_REFINED: unfolding: below 0.2 % of error (RMS) on natural meshes, and the faster one
-        /// </summary>
-        Refined = 0,
-        /// <summary>FLG_ACCURACY_GRAPH: sec. 4.2: shortest paths along edges and dual arcs; 1 to 3 % too long</summary>
-        Graph = 1,
-    }
-
-    /// <summary>A mesh with its adjacency and what geodesics need. Cutting changes it.</summary>
+    /// <summary>A mesh with its adjacency and data for geodesics. Cutting changes it.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSurface : IEquatable<FlgSurface>
     {
@@ -43,7 +32,7 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
-    /// <summary>A value a vertex of a surface. Never changes once ready.</summary>
+    /// <summary>One value per vertex of a surface. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgField : IEquatable<FlgField>
     {

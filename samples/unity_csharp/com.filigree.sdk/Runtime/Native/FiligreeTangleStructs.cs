@@ -7,14 +7,14 @@ using System.Runtime.InteropServices;
 namespace Filigree
 {
     /// <summary>
-    /// A part of a border. Loops are the closed borders of the seeds' regions, all regions together, also where the
-    /// surface ends: in the order of their least edges, as flgBorderSample gives them. Shares of the loop's length from
-    /// its first vertex on.
+    /// Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders.
+    /// They are ordered by their least edges, as flgBorderSample gives them. `begin` and `end` are fractions of the
+    /// loop's length from its first vertex.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBorderStretch
     {
-        /// <summary>its number</summary>
+        /// <summary>its index</summary>
         public uint loop;
         /// <summary>in [0, 1)</summary>
         public float begin;
@@ -23,7 +23,7 @@ namespace Filigree
     }
 
     /// <summary>
-    /// What an operator begins at: all that is named here, together. By default nothing is. Arrays are copied.
+    /// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleSeeds
@@ -32,26 +32,27 @@ namespace Filigree
         public uint stretch_count;
         /// <summary>parts of the outer borders</summary>
         public FlgBorderStretch* stretches;
-        /// <summary>places on the surface as it is</summary>
+        /// <summary>points on the current surface</summary>
         public FlgSurfacePoint* points;
         public uint point_count;
-        /// <summary>Poisson samples at most; 0: as many as fit</summary>
+        /// <summary>maximum Poisson samples; 0: as many as fit</summary>
         public uint sample_count;
-        /// <summary>no two samples are nearer, nor half as near to a border, metres; 0: no samples</summary>
+        /// <summary>minimum distance between samples, metres, and half that to a border; 0: no samples</summary>
         public float sample_radius;
-        /// <summary>points so far apart along the outer borders, metres; 0: none</summary>
+        /// <summary>distance between points along the outer borders, metres; 0: none</summary>
         public float border_spacing;
-        /// <summary>lines, of the surface as it is; null: none</summary>
+        /// <summary>lines on the current surface; null: none</summary>
         public FlgSurfaceCurves curves;
-        /// <summary>whose borders these are, and where samples lie; null: those of the operator</summary>
+        /// <summary>regions that supply the borders and samples; null: the operator's</summary>
         public uint* regions;
         public uint region_count;
         public uint reserved;
     }
 
     /// <summary>
-    /// An operator. Parts are numbered: from the seeds outwards between isolines; along a between streams; 0 left of a
-    /// polyline's curves (where most of its border is) and 1 elsewhere; else in the order of their first triangles.
+    /// An operator. It numbers parts as follows. Between isolines: outwards from the seeds. Between streams: along a.
+    /// For a polyline: 0 left of its curves (where most of the border is) and 1 elsewhere. Otherwise: in the order of
+    /// their first triangles.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleDivideDesc
@@ -66,35 +67,35 @@ namespace Filigree
         /// <summary>at least 1</summary>
         public uint region_count;
         /// <summary>
-        /// Isolines at delta, 2 delta, ...: at most so many; 0: as many as the field has. At most 256. Default 1.
+        /// Maximum isolines, at delta, 2 delta, ...: up to 256; 0: as many as the field has. Default 1.
         /// </summary>
         public uint count;
-        /// <summary>b: with it the field is blended, 0 at a and 1 at b; by default it is empty</summary>
+        /// <summary>with b, the field is blended: 0 at a and 1 at b; b is empty by default</summary>
         public FlgTangleSeeds a;
-        /// <summary>b: with it the field is blended, 0 at a and 1 at b; by default it is empty</summary>
+        /// <summary>with b, the field is blended: 0 at a and 1 at b; b is empty by default</summary>
         public FlgTangleSeeds b;
         /// <summary>
-        /// &gt; 0. Contours: metres, or a share of the blend below 1. Streams: metres along a. Default 0.1
+        /// &gt; 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along a. Default 0.1
         /// </summary>
         public float delta;
         /// <summary>default FlgTangleGrouping.Two</summary>
         public FlgTangleGrouping grouping;
-        /// <summary>groups of FlgTangleGrouping.Cycle, 1 to 65536; default 3</summary>
+        /// <summary>group count for FlgTangleGrouping.Cycle, 1 to 65536; default 3</summary>
         public uint cycle;
-        /// <summary>nonzero: the borders are not seen. Default 0</summary>
+        /// <summary>nonzero: the borders are invisible. Default 0</summary>
         public uint scaffold;
-        /// <summary>nonzero: a polyline goes back to its first point. Default 0</summary>
+        /// <summary>nonzero: a polyline returns to its first point. Default 0</summary>
         public uint closed;
         /// <summary>metres, &gt;= 0; default 0</summary>
         public float perturbation;
         /// <summary>1 / metre, &gt; 0; default 1</summary>
         public float frequency;
         public uint reserved;
-        /// <summary>of samples and noise; default 1</summary>
+        /// <summary>for samples and noise; default 1</summary>
         public ulong seed;
     }
 
-    /// <summary>The operators that are used together most, sec. 3.4 and Fig. 13.</summary>
+    /// <summary>Common combinations of operators, sec. 3.4 and Fig. 13.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleMacroDesc
     {
@@ -103,28 +104,28 @@ namespace Filigree
         public FlgTangleMacro kind;
         public FlgJobOptions job;
         public FlgTangle tangle;
-        /// <summary>as of an operator; copied</summary>
+        /// <summary>as for an operator; copied</summary>
         public uint* regions;
         /// <summary>at least 1</summary>
         public uint region_count;
-        /// <summary>frames, petals one in another, rows of the grid: 1 to 256; default 4</summary>
+        /// <summary>frames, nested petals, rows of the grid: 1 to 256; default 4</summary>
         public uint count;
         /// <summary>
-        /// Metres, &gt; 0; default 0.1. Strips and columns: their width along the first border; dots, lace: the radius;
-        /// frames and outlines: the width of a band. Flowers and cells have none.
+        /// Metres, &gt; 0; default 0.1. Sunbursts and grids: width of strips and columns along the first border. Dots
+        /// and lace: radius. Frames and outlines: band width. Unused by flowers and cells.
         /// </summary>
         public float size;
-        /// <summary>Metres, &gt; 0; default 0.3: between samples, at least; between scallops.</summary>
+        /// <summary>Minimum distance between samples, or between scallops; metres, &gt; 0; default 0.3.</summary>
         public float spacing;
-        /// <summary>of samples; default 1</summary>
+        /// <summary>for samples; default 1</summary>
         public ulong seed;
     }
 
     /// <summary>
-    /// Moves vertices of regions along the surface's normals: sec. 3.4, after an operator. Each leaf rises by `amount`
-    /// at the place that is farthest from its borders, or everywhere `reach` and more away from them; borders stay. In
-    /// between the height is the profile of the distance, by the bias and gain of Schlick (1994). Distances measured
-    /// later are those on the new surface.
+    /// Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount`
+    /// at the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In
+    /// between, the height is a profile of the distance, by the bias and gain of Schlick (1994). Later distances are
+    /// measured on the new surface.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleDisplaceDesc
@@ -147,84 +148,84 @@ namespace Filigree
     }
 
     /// <summary>
-    /// Where the seeds of an operator were: what finds them again on another mesh of the same shape. Positions are x,
-    /// y, z in metres.
+    /// Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z
+    /// in metres.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleSeedPlaces
     {
-        /// <summary>of the seeds' points, all or none</summary>
+        /// <summary>the seeds' points, all or none</summary>
         public uint point_count;
-        /// <summary>of the first vertices of the outer borders, in their order; 0: no borders were asked for</summary>
+        /// <summary>first vertices of the outer borders, in order; 0: no borders were requested</summary>
         public uint loop_count;
-        /// <summary>of the samples, in the order they were chosen</summary>
+        /// <summary>the samples, in the order chosen</summary>
         public uint sample_count;
         public uint reserved;
-        /// <summary>3 a point</summary>
+        /// <summary>3 per point</summary>
         public float* points;
-        /// <summary>3 a loop</summary>
+        /// <summary>3 per loop</summary>
         public float* loops;
-        /// <summary>3 a sample</summary>
+        /// <summary>3 per sample</summary>
         public float* samples;
         /// <summary>the seeds' lines, in place of a handle; no curves: none</summary>
         public FlgSurfaceCurvesView curves;
-        /// <summary>of the curves' points; null: none</summary>
+        /// <summary>3 for each of the curves' points; null: none</summary>
         public float* curve_points;
     }
 
-    /// <summary>What a step was asked to do, and what it needs to be done again.</summary>
+    /// <summary>The arguments of a step, and the data needed to repeat it.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleStep
     {
         public uint struct_size;
         public FlgTangleStepKind kind;
-        /// <summary>of FlgTangleStepKind.Divide; handles and job options in it are null</summary>
+        /// <summary>for FlgTangleStepKind.Divide; its handles and job options are null</summary>
         public FlgTangleDivideDesc* divide;
-        /// <summary>of FlgTangleStepKind.Macro, likewise</summary>
+        /// <summary>for FlgTangleStepKind.Macro, likewise</summary>
         public FlgTangleMacroDesc* macro;
-        /// <summary>of FlgTangleStepKind.Displace, likewise</summary>
+        /// <summary>for FlgTangleStepKind.Displace, likewise</summary>
         public FlgTangleDisplaceDesc* displace;
         /// <summary>grouped or joined</summary>
         public uint* regions;
         public uint region_count;
-        /// <summary>taken apart</summary>
+        /// <summary>the group that was ungrouped</summary>
         public uint group;
-        /// <summary>Of a and b of the operator, or of each of the macro's operators. Null and 0: not known.</summary>
+        /// <summary>For the operator's a and b, or for each of the macro's operators. Null and 0: unknown.</summary>
         public FlgTangleSeedPlaces* places;
         public uint place_count;
         /// <summary>
-        /// The regions it made have the identifiers first_region and up; inside of each there is a point of `made`: x,
-        /// y, z in metres. Of a group that was taken apart: first_region is one of its regions, or FLG_NO_INDEX.
+        /// The regions it made have identifiers from first_region on; `made` has a point inside each: x, y, z in
+        /// metres. When ungrouping, first_region is one of the group's regions, or FLG_NO_INDEX.
         /// </summary>
         public uint first_region;
         public uint made_count;
         /// <summary>
-        /// Nonzero: it came from another mesh, so its seeds were found by `places`, and have to be again.
+        /// Nonzero: the step came from another mesh, so `places` located its seeds and must do so again.
         /// </summary>
         public uint placed;
-        /// <summary>3 a region</summary>
+        /// <summary>3 per region</summary>
         public float* made;
     }
 
     /// <summary>
-    /// All steps of a tangle: with them it can be made again, and kept in a file (flgTangleFileWrite of filigree_io.h).
+    /// All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleHistory
     {
         public uint struct_size;
-        /// <summary>with those taken back</summary>
+        /// <summary>including undone steps</summary>
         public uint step_count;
-        /// <summary>those not taken back</summary>
+        /// <summary>steps not undone</summary>
         public uint made_count;
         public uint reserved;
-        /// <summary>the first one first</summary>
+        /// <summary>oldest first</summary>
         public FlgTangleStep* steps;
-        /// <summary>tells meshes apart: of the positions and triangles that the tangle began with, to the bit</summary>
+        /// <summary>identifies the mesh: from the tangle's initial positions and triangles, to the bit</summary>
         public ulong @base;
-        /// <summary>of these positions</summary>
+        /// <summary>box of those positions</summary>
         public fixed float box_min[3];
-        /// <summary>of these positions</summary>
+        /// <summary>box of those positions</summary>
         public fixed float box_max[3];
     }
 
@@ -232,15 +233,15 @@ namespace Filigree
     public unsafe partial struct FlgTangleInfo
     {
         public uint struct_size;
-        /// <summary>identifiers are below it</summary>
+        /// <summary>identifiers are below this</summary>
         public uint region_count;
         /// <summary>likewise</summary>
         public uint group_count;
-        /// <summary>regions that are not divided</summary>
+        /// <summary>undivided regions</summary>
         public uint leaf_count;
-        /// <summary>steps that can be taken back, and made again</summary>
+        /// <summary>steps that can be undone and redone</summary>
         public uint undo_count;
-        /// <summary>steps that can be taken back, and made again</summary>
+        /// <summary>steps that can be undone and redone</summary>
         public uint redo_count;
         /// <summary>of the deepest leaf; the root's is 0</summary>
         public uint depth;
@@ -253,24 +254,26 @@ namespace Filigree
         public uint struct_size;
         /// <summary>FLG_NO_INDEX: the root</summary>
         public uint parent;
-        /// <summary>that it is of</summary>
+        /// <summary>its group</summary>
         public uint group;
-        /// <summary>borders are seen where looks differ</summary>
+        /// <summary>visible borders lie where looks differ</summary>
         public uint look;
-        /// <summary>number of the operator that made it, from 1, a macro's each by itself; the root: 0</summary>
+        /// <summary>index of the operator that made it, from 1; each operator of a macro counts; the root: 0</summary>
         public uint operation;
-        /// <summary>of that operator</summary>
+        /// <summary>its part of that operator</summary>
         public uint part;
         /// <summary>children have consecutive identifiers</summary>
         public uint first_child;
         public uint child_count;
-        /// <summary>the region it belongs to since they were joined; FLG_NO_INDEX: none</summary>
+        /// <summary>the region it was joined into; FLG_NO_INDEX: none</summary>
         public uint joined_into;
-        /// <summary>nonzero: its borders are not seen</summary>
+        /// <summary>nonzero: its borders are invisible</summary>
         public uint scaffold;
-        /// <summary>the group of the nearest region around it, itself included, that is no scaffold's</summary>
+        /// <summary>
+        /// the group of the nearest enclosing region, itself included, that does not belong to a scaffold
+        /// </summary>
         public uint visible_group;
-        /// <summary>of the tree; the root has 0</summary>
+        /// <summary>in the tree; the root's is 0</summary>
         public uint depth;
     }
 }

@@ -6,30 +6,32 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    /// <summary>Which borders an operator begins at.</summary>
+    /// <summary>The borders an operator starts from.</summary>
     public enum FlgTangleBorders
     {
         /// <summary>FLG_TANGLE_BORDERS_NONE: no borders</summary>
         None = 0,
-        /// <summary>FLG_TANGLE_BORDERS_OUTER: of the regions together</summary>
+        /// <summary>FLG_TANGLE_BORDERS_OUTER: of all regions together</summary>
         Outer = 1,
-        /// <summary>FLG_TANGLE_BORDERS_EACH: of each leaf by itself</summary>
+        /// <summary>FLG_TANGLE_BORDERS_EACH: of each leaf separately</summary>
         Each = 2,
     }
 
-    /// <summary>Along what regions are divided, sec. 3.3 of the paper.</summary>
+    /// <summary>How an operator divides regions, sec. 3.3 of the paper.</summary>
     public enum FlgTangleOperator
     {
-        /// <summary>FLG_TANGLE_CONTOUR: cuts along isolines of the field of a, or blended between a and b</summary>
+        /// <summary>
+        /// FLG_TANGLE_CONTOUR: cuts along isolines of the field of a, or of the blend between a and b
+        /// </summary>
         Contour = 0,
         /// <summary>
-        /// FLG_TANGLE_STREAM: cuts along integral curves that begin evenly on a, which is lines or borders
+        /// FLG_TANGLE_STREAM: cuts along integral curves that start evenly spaced on a, which must be lines or borders
         /// </summary>
         Stream = 1,
         /// <summary>FLG_TANGLE_VORONOI: cells of the points and samples of a</summary>
         Voronoi = 2,
         /// <summary>
-        /// FLG_TANGLE_POLYLINE: cuts along the shortest ways from point to point of a, and along its curves
+        /// FLG_TANGLE_POLYLINE: cuts along shortest paths between consecutive points of a, and along its curves
         /// </summary>
         Polyline = 3,
     }
@@ -37,17 +39,17 @@ namespace Filigree
     /// <summary>How an operator groups the regions it makes.</summary>
     public enum FlgTangleGrouping
     {
-        /// <summary>FLG_TANGLE_GROUP_TWO: foreground (even parts) and background (odd ones)</summary>
+        /// <summary>FLG_TANGLE_GROUP_TWO: foreground (even parts) and background (odd parts)</summary>
         Two = 0,
-        /// <summary>FLG_TANGLE_GROUP_ONE: all in one</summary>
+        /// <summary>FLG_TANGLE_GROUP_ONE: all in one group</summary>
         One = 1,
-        /// <summary>FLG_TANGLE_GROUP_EACH: each region in its own</summary>
+        /// <summary>FLG_TANGLE_GROUP_EACH: each region in its own group</summary>
         Each = 2,
         /// <summary>FLG_TANGLE_GROUP_CYCLE: by part modulo `cycle`</summary>
         Cycle = 3,
     }
 
-    /// <summary>Operators that are used together.</summary>
+    /// <summary>Common combinations of operators.</summary>
     public enum FlgTangleMacro
     {
         /// <summary>FLG_TANGLE_SUNBURST: strips from the first border to the others: a stream of the blend</summary>
@@ -71,7 +73,7 @@ namespace Filigree
         Cells = 7,
     }
 
-    /// <summary>What made a step.</summary>
+    /// <summary>The function that made a step.</summary>
     public enum FlgTangleStepKind
     {
         /// <summary>FLG_TANGLE_STEP_DIVIDE: flgTangleDivide</summary>
@@ -88,7 +90,7 @@ namespace Filigree
         Join = 5,
     }
 
-    /// <summary>A surface with the tree of its regions and the steps that made them.</summary>
+    /// <summary>A surface, the tree of its regions, and the steps that made them.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgTangle : IEquatable<FlgTangle>
     {

@@ -8,44 +8,44 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
-        /// <summary>What breaks hosts changes this; until 1.0 the minor version may, too.</summary>
+        /// <summary>Changes when hosts break; until 1.0 a minor version may break them, too.</summary>
         public const int FLG_VERSION_MAJOR = 0;
-        /// <summary>What hosts can use besides changes this.</summary>
+        /// <summary>Changes when hosts gain features.</summary>
         public const int FLG_VERSION_MINOR = 1;
-        /// <summary>All else.</summary>
+        /// <summary>Changes with everything else.</summary>
         public const int FLG_VERSION_PATCH = 0;
         /// <summary>The version of this header, as one number.</summary>
         public const int FLG_VERSION = 4096;
-        /// <summary>the last point is joined to the first, which is not repeated</summary>
+        /// <summary>the last point joins the first, which is not repeated</summary>
         public const int FLG_CURVE_CLOSED = 1;
     }
 
-    /// <summary>How a call or a job ended: 0 and above is no failure.</summary>
+    /// <summary>How a call or a job ended; negative values are failures.</summary>
     public enum FlgResult
     {
-        /// <summary>FLG_OK: done; of a function that starts a job: started</summary>
+        /// <summary>FLG_OK: done; from a function that starts a job: started</summary>
         Ok = 0,
-        /// <summary>FLG_NOT_READY: asked too early: the job behind it has not been published by flgTick</summary>
+        /// <summary>FLG_NOT_READY: asked too early: flgTick has not published the job yet</summary>
         NotReady = 1,
-        /// <summary>FLG_ERROR_INVALID_ARGUMENT: a null, a value out of its range, data that can't be used</summary>
+        /// <summary>FLG_ERROR_INVALID_ARGUMENT: a null, a value out of range, unusable data</summary>
         ErrorInvalidArgument = -1,
-        /// <summary>FLG_ERROR_INVALID_HANDLE: null, released, of another kind or of another context</summary>
+        /// <summary>FLG_ERROR_INVALID_HANDLE: null, released, of another kind or from another context</summary>
         ErrorInvalidHandle = -2,
         /// <summary>FLG_ERROR_OUT_OF_MEMORY: the allocator hook returned null</summary>
         ErrorOutOfMemory = -3,
-        /// <summary>FLG_ERROR_VERSION: header and library do not fit each other</summary>
+        /// <summary>FLG_ERROR_VERSION: header and library do not match</summary>
         ErrorVersion = -4,
         /// <summary>FLG_ERROR_CANCELLED: the job was cancelled</summary>
         ErrorCancelled = -5,
-        /// <summary>FLG_ERROR_DEPENDENCY: a job that this one depends on failed or was cancelled</summary>
+        /// <summary>FLG_ERROR_DEPENDENCY: a job this one depends on failed or was cancelled</summary>
         ErrorDependency = -6,
-        /// <summary>FLG_ERROR_FILE: a file can't be opened, read or written</summary>
+        /// <summary>FLG_ERROR_FILE: a file cannot be opened, read or written</summary>
         ErrorFile = -7,
-        /// <summary>FLG_ERROR_FORMAT: a file holds something else than its format allows</summary>
+        /// <summary>FLG_ERROR_FORMAT: the file's contents violate its format</summary>
         ErrorFormat = -8,
-        /// <summary>FLG_ERROR_LIMIT: a documented limit would be passed; the message says which</summary>
+        /// <summary>FLG_ERROR_LIMIT: a documented limit would be exceeded; the message names it</summary>
         ErrorLimit = -9,
-        /// <summary>FLG_ERROR_INTERNAL: a bug of ours</summary>
+        /// <summary>FLG_ERROR_INTERNAL: a bug in Filigree</summary>
         ErrorInternal = -10,
     }
 
@@ -54,20 +54,20 @@ namespace Filigree
     {
         /// <summary>FLG_LOG_INFO: worth knowing</summary>
         Info = 0,
-        /// <summary>FLG_LOG_WARNING: odd, and gone on with</summary>
+        /// <summary>FLG_LOG_WARNING: unusual, but work continues</summary>
         Warning = 1,
         /// <summary>FLG_LOG_ERROR: something failed</summary>
         Error = 2,
     }
 
-    /// <summary>Which of the ready jobs goes first.</summary>
+    /// <summary>Which ready job runs first.</summary>
     public enum FlgPriority
     {
         /// <summary>FLG_PRIORITY_LOW: when nothing else is ready</summary>
         Low = 0,
         /// <summary>FLG_PRIORITY_NORMAL: the default</summary>
         Normal = 1,
-        /// <summary>FLG_PRIORITY_HIGH: before all others, such as what the user waits for</summary>
+        /// <summary>FLG_PRIORITY_HIGH: before all others, such as results the user waits for</summary>
         High = 2,
     }
 
@@ -82,10 +82,10 @@ namespace Filigree
         Finished = 2,
     }
 
-    /// <summary>What a column of a curve set means. One value a point, of so many floats:</summary>
+    /// <summary>What a column of a curve set means, and its number of floats per point:</summary>
     public enum FlgAttribute
     {
-        /// <summary>FLG_ATTRIBUTE_POSITION: 3, metres; every set has it. Finite, at most 1e30 in size</summary>
+        /// <summary>FLG_ATTRIBUTE_POSITION: 3, metres; required. Finite, magnitude at most 1e30</summary>
         Position = 0,
         /// <summary>FLG_ATTRIBUTE_RADIUS: 1, metres, &gt;= 0; of a tube, or half the width of a ribbon</summary>
         Radius = 1,
@@ -107,16 +107,16 @@ namespace Filigree
         /// <summary>FLG_ATTRIBUTE_ORIENTATION: 4, unit quaternion x y z w of the controller that drew it</summary>
         Orientation = 7,
         /// <summary>
-        /// FLG_ATTRIBUTE_STYLE_INDEX: 1, which point of the style a stylized point copies; whole numbers
+        /// FLG_ATTRIBUTE_STYLE_INDEX: 1, index of the style point that a stylized point copies; whole numbers
         /// </summary>
         StyleIndex = 8,
         /// <summary>
-        /// FLG_ATTRIBUTE_RADII: 3: half axes along the first and the second normal, metres, &gt;= 0, and the angle that
+        /// FLG_ATTRIBUTE_RADII: 3: half axes along the first and second normal, metres, &gt;= 0, and the angle that
         /// turns them about the tangent, radians: an elliptic cross-section
         /// </summary>
         Radii = 9,
         /// <summary>
-        /// FLG_ATTRIBUTE_ANGLE: 1, radians: turns a ribbon about the tangent, from the first normal to the second
+        /// FLG_ATTRIBUTE_ANGLE: 1, radians: turns a ribbon about the tangent, from first to second normal
         /// </summary>
         Angle = 10,
         /// <summary>FLG_ATTRIBUTE_WIDTH: 1, metres, &gt;= 0: of a ribbon</summary>
@@ -133,7 +133,7 @@ namespace Filigree
     public enum FlgFrameMethod
     {
         /// <summary>
-        /// FLG_FRAME_ROTATION_MINIMIZING: double reflection (Wang et al. 2008); the twist of closed curves is spread
+        /// FLG_FRAME_ROTATION_MINIMIZING: double reflection (Wang et al. 2008); spreads the twist of closed curves
         /// evenly. Defined everywhere
         /// </summary>
         RotationMinimizing = 0,
@@ -143,14 +143,14 @@ namespace Filigree
         /// </summary>
         Frenet = 1,
         /// <summary>
-        /// FLG_FRAME_SUPPLIED: the NORMAL column of the curves, interpolated and made perpendicular to the tangent;
-        /// where it points along the tangent or vanishes, carried on from the last point where it did not, around
-        /// closed curves. Without that column the job fails
+        /// FLG_FRAME_SUPPLIED: the curves' NORMAL column, interpolated and made perpendicular to the tangent; where it
+        /// is parallel to the tangent or vanishes, carried on from the last point where it was not, around closed
+        /// curves. Without that column the job fails
         /// </summary>
         Supplied = 2,
     }
 
-    /// <summary>How far apart two values of an attribute are, sec. 5.</summary>
+    /// <summary>Distance between two values of an attribute, sec. 5.</summary>
     public enum FlgMetric
     {
         /// <summary>
@@ -160,28 +160,15 @@ namespace Filigree
         /// <summary>FLG_METRIC_EUCLIDEAN: the length of the difference</summary>
         Euclidean = 1,
         /// <summary>
-        /// FLG_METRIC_CIRCLE: radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, USER columns of one float, and
-        /// the third component of RADII, whose others are EUCLIDEAN always
+        /// FLG_METRIC_CIRCLE: radians modulo 2 pi: a two-sided ribbon (S1). For ANGLE, one-float USER columns, and the
+        /// third component of RADII; its other components are always EUCLIDEAN
         /// </summary>
         Circle = 2,
         /// <summary>
-        /// FLG_METRIC_PROJECTIVE: radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn does
-        /// not change. For the same
+        /// FLG_METRIC_PROJECTIVE: radians modulo pi: a one-sided ribbon (RP1), or an ellipse, which a half turn leaves
+        /// unchanged. For the same columns
         /// </summary>
         Projective = 3,
-    }
-
-    /// <summary>How guide and style are matched, sec. 4.2.</summary>
-    public enum FlgMatching
-    {
-        /// <summary>
-        /// FLG_MATCHING_SEMI_DISCRETE: places on the style are continuous: more exact, and many times faster
-        /// </summary>
-        SemiDiscrete = 0,
-        /// <summary>
-        /// FLG_MATCHING_DISCRETE: places are points of the style, by dynamic programming over all of them
-        /// </summary>
-        Discrete = 1,
     }
 
     /// <summary>Where on the style a target curve begins.</summary>
@@ -191,10 +178,10 @@ namespace Filigree
         Auto = 0,
         /// <summary>
         /// FLG_START_STYLE: at the style's own start; the first run goes to its end: a target as long as the guide gets
-        /// the style once, whole
+        /// the whole style once
         /// </summary>
         Style = 1,
-        /// <summary>FLG_START_RANDOM: at a random point, by seed and index of the curve</summary>
+        /// <summary>FLG_START_RANDOM: at a random point, chosen by seed and curve index</summary>
         Random = 2,
     }
 
@@ -220,7 +207,7 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
-    /// <summary>A style, prepared: guide, displacement and patch graph. Never changes once ready.</summary>
+    /// <summary>A prepared style: guide, displacement and patch graph. Never changes once ready.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgStyle : IEquatable<FlgStyle>
     {
@@ -232,7 +219,7 @@ namespace Filigree
     }
 
     /// <summary>
-    /// A context owns everything else. The one raw pointer of the interface: do not use it after flgContextDestroy.
+    /// A context owns everything else. The only raw pointer in this interface: do not use it after flgContextDestroy.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgContext

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Drawings of models: contours, and where their parts are in space. Written by hand as JSON (sdk/bones/README.md), or
+// plain contour files, a part each.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "documents/contour_file.h"
+#include "documents/json_place.h"
+#include "documents/session.h"
+#include "filigree/filigree_io.h"
+#include "filigree/filigree_model.h"
+
+namespace flg::cli {
+
+struct DrawnPart {
+    std::string name;
+    ContourArrays contour;
+    std::array<double, 12> placement = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    float thickness = 1;
+    bool is_mirrored = false;
+    std::optional<FlgBoneThresholds> thresholds;
+    FlgMeshMaterial material = {};  // without a name
+};
+
+struct ModelDrawing {
+    std::vector<DrawnPart> parts;
+    std::array<float, 4> mirror = {1, 0, 0, 0};
+    FlgBoneThresholds thresholds = flgModelDefaults().thresholds;
+    bool has_colors = false;
+    bool repair = false;  // contours that cross themselves
+};
+
+// Throws InputError, with file and place.
+ModelDrawing read_model_drawing(const std::string& path);
+// Of a file that has been read, or of a part of one; contours that it names are in `folder`.
+ModelDrawing model_drawing_of(const nlohmann::json& json, const std::string& subject,
+                              const std::filesystem::path& folder);
+DrawnPart read_contour_part(const std::string& path);
+
+// Its model, made; `subject` is what errors are about. Parts stay alive with the session.
+FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const std::string& subject, Report& report);
+
+}  // namespace flg::cli

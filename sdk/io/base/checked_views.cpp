@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+#include "io/base/checked_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "io/base/entry_point.h"
+#include "io/base/failure.h"
+#include "io/base/json_text.h"
+#include "io/base/limits.h"
+#include "io/base/mesh_data.h"
+#include "io/base/skin_data.h"
+
+namespace flg::io {
+
+namespace {
+
+constexpr uint32_t most_columns = 16;
+constexpr uint32_t most_components = 16;
+
+struct ColumnRule {
+    FlgAttribute attribute;
+    uint32_t components;
+};
+constexpr ColumnRule rules[] = {
+    {FLG_ATTRIBUTE_POSITION, 3}, {FLG_ATTRIBUTE_RADIUS, 1},       {FLG_ATTRIBUTE_COLOR, 4},
+    {FLG_ATTRIBUTE_TANGENT, 3},  {FLG_ATTRIBUTE_NORMAL, 3},       {FLG_ATTRIBUTE_TIME, 1},
+    {FLG_ATTRIBUTE_PRESSURE, 1}, {FLG_ATTRIBUTE_ORIENTATION, 4},  {FLG_ATTRIBUTE_STYLE_INDEX, 1},
+    {FLG_ATTRIBUTE_RADII, 3},    {FLG_ATTRIBUTE_ANGLE, 1},        {FLG_ATTRIBUTE_WIDTH, 1},
+    {FLG_ATTRIBUTE_SPEED, 1},    {FLG_ATTRIBUTE_DISPLACEMENT, 3},
+};
+
+}  // namespace
+
+Column resolved(const FlgColumn& column) {
+    return {column.data, column.stride == 0 ? column.components * sizeof(float) : column.stride};
+}
+
+std::vector<float> packed(const Column& column, size_t point_count, uint32_t components) {
+    std::vector<float> values;
+    values.reserve(point_count * components);
+    for (size_t i = 0; i < point_count; ++i) values.insert(values.end(), column.at(i), column.at(i) + components);
+    return values;
+}
+
+CheckedColumns::CheckedColumns(const FlgColumn* columns, uint32_t count, size_t point_count)
+    : columns_(columns), count_(count) {
+    if (count < 1 || count > most_columns) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.column_count", "is %u, must be 1 to %u", count, most_columns);
+    }
+    if (!columns) fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns", "is null");
+    for (uint32_t i = 0; i < count; ++i) check(i, point_count);
+    if (!find(FLG_ATTRIBUTE_POSITION)) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns", "has no FLG_ATTRIBUTE_POSITION");
+    }
+}
+
+Column CheckedColumns::find(FlgAttribute attribute) const {
+    for (uint32_t i = 0; i < count_; ++i) {
+        if (columns_[i].attribute == attribute) return resolved(columns_[i]);
+    }
+    return {};
+}
+
+void CheckedColumns::check(uint32_t index, size_t point_count) const {
+    const FlgColumn& column = columns_[index];
+    const std::string place = "view.columns[" + std::to_string(index) + "]";
+    for (uint32_t i = 0; i < index; ++i) {
+        if (columns_[i].attribute == column.attribute) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, place, "has the same attribute (%d) as column %u", column.attribute, i);
+        }
+    }
+    const auto rule = std::find_if(std::begin(rules), std::end(rules),
+                                   [&](const ColumnRule& r) { return r.attribute == column.attribute; });
+    if (rule == std::end(rules) && column.attribute < FLG_ATTRIBUTE_USER) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".attribute", "is %d, no attribute known", column.attribute);
+    }
+    const bool fits = rule == std::end(rules) ? column.components >= 1 && column.components <= most_components
+                                              : column.components == rule->components;
+    if (!fits) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".components", "is %u, which does not fit attribute %d",
+             column.components, column.attribute);
+    }
+    if (!column.data) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".data", "is null");
+    if (column.stride % sizeof(float) != 0 ||
+        (column.stride != 0 && column.stride < column.components * sizeof(float))) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".stride", "is %u, must be a multiple of 4 and at least %zu",
+             column.stride, column.components * sizeof(float));
+    }
+    const Column values = resolved(column);
+    const bool is_length = column.attribute == FLG_ATTRIBUTE_POSITION || column.attribute == FLG_ATTRIBUTE_RADIUS;
+    for (size_t point = 0; point < point_count; ++point) {
+        for (uint32_t i = 0; i < column.components; ++i) {
+            const float value = values.at(point)[i];
+            if (!std::isfinite(value) || (is_length && std::abs(value) > max_coordinate)) {
+                fail(FLG_ERROR_INVALID_ARGUMENT, place + ".data", "has %g at point %zu: must be finite%s",
+                     double{value}, point, is_length ? " and at most 1e30 in size" : "");
+            }
+            if (column.attribute == FLG_ATTRIBUTE_RADIUS && value < 0) {
+                fail(FLG_ERROR_INVALID_ARGUMENT, place + ".data", "has the radius %g at point %zu: must be >= 0",
+                     double{value}, point);
+            }
+        }
+    }
+}
+
+CheckedView::CheckedView(const FlgCurveSetView* view) {
+    if (!view) fail(FLG_ERROR_INVALID_ARGUMENT, "view", "is null");
+    if (view->struct_size < sizeof(FlgCurveSetView)) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.struct_size", "is %u; FlgCurveSetView has %zu bytes", view->struct_size,
+             sizeof(FlgCurveSetView));
+    }
+    std::memcpy(&view_, view, sizeof view_);
+    check_curves();
+    const CheckedColumns columns(view_.columns, view_.column_count, point_count());
+    position = columns.find(FLG_ATTRIBUTE_POSITION);
+    radius = columns.find(FLG_ATTRIBUTE_RADIUS);
+    color = columns.find(FLG_ATTRIBUTE_COLOR);
+    normal = columns.find(FLG_ATTRIBUTE_NORMAL);
+}
+
+void CheckedView::check_curves() const {
+    if (view_.curve_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, "view.curve_count", "is 0: there is nothing to write");
+    if (!view_.curve_offsets) fail(FLG_ERROR_INVALID_ARGUMENT, "view.curve_offsets", "is null");
+    if (view_.curve_offsets[0] != 0) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.curve_offsets[0]", "is %u, must be 0", view_.curve_offsets[0]);
+    }
+    for (uint32_t c = 0; c < view_.curve_count; ++c) {
+        if (view_.curve_offsets[c + 1] <= view_.curve_offsets[c]) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, "view.curve_offsets[" + std::to_string(c + 1) + "]",
+                 "is %u, not above %u: every curve needs a point", view_.curve_offsets[c + 1], view_.curve_offsets[c]);
+        }
+    }
+    if (point_count() > max_points) {
+        fail(FLG_ERROR_LIMIT, "view", "has %zu points, more than the limit of 2^31", point_count());
+    }
+}
+
+FlgMeshWriteDesc mesh_write_defaults() {
+    FlgMeshWriteDesc desc = {};
+    desc.struct_size = sizeof desc;
+    return desc;
+}
+
+void check_material(const FlgMeshMaterial& material, const std::string& place) {
+    constexpr size_t longest_name = 255;
+    constexpr float widest_border_px = 64;
+    const auto check_in = [&](float value, float most, const char* member) {
+        if (value >= 0 && value <= most) return;
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + member, "is %g, must be from 0 to %g", double{value}, double{most});
+    };
+    if (material.name && (strnlen(material.name, longest_name + 1) > longest_name || !is_utf8(material.name))) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + "name", "must be UTF-8 of at most 255 bytes");
+    }
+    for (const float value : material.color) check_in(value, 1, "color");
+    check_in(material.metallic, 1, "metallic");
+    check_in(material.roughness, 1, "roughness");
+    for (const float value : material.border_color) check_in(value, 1, "border_color");
+    check_in(material.border_width_px, widest_border_px, "border_width_px");
+}
+
+CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshWriteDesc* desc) {
+    check_argument(view, "view");
+    check_size<FlgMeshView>(view->struct_size, "view");
+    std::memcpy(&view_, view, sizeof view_);
+    if (desc) {
+        check_size<FlgMeshWriteDesc>(desc->struct_size, "desc");
+        std::memcpy(&desc_, desc, sizeof desc_);
+    }
+    const CheckedColumns columns(view_.columns, view_.column_count, view_.vertex_count);
+    position = columns.find(FLG_ATTRIBUTE_POSITION);
+    color = columns.find(FLG_ATTRIBUTE_COLOR);
+    normal = columns.find(FLG_ATTRIBUTE_NORMAL);
+    check_triangles();
+    if (desc_.face_column_count > most_face_columns) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.face_column_count", "is %u, must be at most %u", desc_.face_column_count,
+             most_face_columns);
+    }
+    if (desc_.face_column_count != 0) check_argument(desc_.face_columns, "desc.face_columns");
+    for (uint32_t i = 0; i < desc_.face_column_count; ++i) check_face_column(i);
+    if (desc_.material_count == 0) return;
+    check_argument(desc_.materials, "desc.materials");
+    for (uint32_t i = 0; i < desc_.material_count; ++i)
+        check_material(desc_.materials[i], "desc.materials[" + std::to_string(i) + "].");
+    if (split_regions()) check_labels();
+}
+
+void CheckedMesh::check_triangles() const {
+    if (view_.triangle_count == 0) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.triangle_count", "is 0: there is nothing to write");
+    }
+    check_argument(view_.triangles, "view.triangles");
+    // Signed indices in .ply; .glb keeps the last value of 32 bits for itself.
+    if (view_.vertex_count > static_cast<uint32_t>(INT32_MAX)) {
+        fail(FLG_ERROR_LIMIT, "view.vertex_count", "is %u, more than the limit of 2^31 - 1", view_.vertex_count);
+    }
+    const size_t corner_count = 3 * triangle_count();
+    for (size_t i = 0; i < corner_count; ++i) {
+        if (view_.triangles[i] < view_.vertex_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.triangles[" + std::to_string(i) + "]",
+             "is %u, but there are %u vertices", view_.triangles[i], view_.vertex_count);
+    }
+}
+
+void CheckedMesh::check_face_column(uint32_t index) const {
+    constexpr size_t longest_name = 63;
+    const std::string place = "desc.face_columns[" + std::to_string(index) + "]";
+    const FlgMeshFaceColumn& column = desc_.face_columns[index];
+    check_argument(column.name, (place + ".name").c_str());
+    check_argument(column.values, (place + ".values").c_str());
+    const std::string_view name(column.name, strnlen(column.name, longest_name + 1));
+    const bool sound =
+        !name.empty() && name.size() <= longest_name && std::all_of(name.begin(), name.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        });
+    if (!sound || name == "region" || name == "vertex_indices") {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".name", "is %s, which is no name for a face column",
+             cited(name).c_str());
+    }
+    for (uint32_t i = 0; i < index; ++i) {
+        if (name != desc_.face_columns[i].name) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, place + ".name", "is %s, as that of column %u", cited(name).c_str(), i);
+    }
+}
+
+void CheckedMesh::check_labels() const {
+    for (size_t t = 0; t < triangle_count(); ++t) {
+        if (region(t) < desc_.material_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.regions[" + std::to_string(t) + "]", "is %u, but there are %u materials",
+             region(t), desc_.material_count);
+    }
+}
+
+namespace {
+
+constexpr double length_tolerance = 1e-3;
+constexpr double sum_tolerance = 1e-4;
+constexpr size_t longest_name = 255;
+constexpr uint32_t most_parts = 1u << 24;  // floats tell them apart
+
+std::string at(const std::string& array, size_t index) {
+    return array + "[" + std::to_string(index) + "]";
+}
+
+void check_floats(const float* values, size_t count, const std::string& name) {
+    check_argument(values, name.c_str());
+    for (size_t i = 0; i < count; ++i) {
+        if (std::abs(values[i]) <= max_coordinate) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(name, i), "is %g, must be finite and at most 1e30 in size",
+             double{values[i]});
+    }
+}
+
+void check_name(const char* name, const std::string& place) {
+    if (!name || (strnlen(name, longest_name + 1) <= longest_name && is_utf8(name))) return;
+    fail(FLG_ERROR_INVALID_ARGUMENT, place, "must be UTF-8 of at most 255 bytes");
+}
+
+}  // namespace
+
+FlgSkinFileDesc skin_file_defaults() {
+    FlgSkinFileDesc desc = {};
+    desc.struct_size = sizeof desc;
+    return desc;
+}
+
+CheckedSkin::CheckedSkin(const FlgSkinFileDesc* desc) {
+    check_argument(desc, "desc");
+    check_size<FlgSkinFileDesc>(desc->struct_size, "desc");
+    std::memcpy(&desc_, desc, sizeof desc_);
+    check_argument(desc_.skin, "desc.skin");
+    check_size<FlgSkinView>(desc_.skin->struct_size, "desc.skin");
+    std::memcpy(&skin_, desc_.skin, sizeof skin_);
+    check_name(desc_.name, "desc.name");
+    check_joints();
+    check_vertices();
+    check_triangles();
+    if (desc_.animation_count != 0) check_argument(desc_.animations, "desc.animations");
+    for (uint32_t i = 0; i < desc_.animation_count; ++i) check_animation(i);
+    check_materials();
+}
+
+void CheckedSkin::check_joints() const {
+    if (skin_.joint_count == 0 || skin_.joint_count > most_joints) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.joint_count", "is %u, must be 1 to %u", skin_.joint_count,
+             most_joints);
+    }
+    check_floats(skin_.joint_positions, 3 * joint_count(), "desc.skin.joint_positions");
+    check_argument(skin_.joint_parents, "desc.skin.joint_parents");
+    for (uint32_t j = 0; j < skin_.joint_count; ++j) {
+        const uint32_t parent = skin_.joint_parents[j];
+        if (parent != FLG_NO_INDEX && parent >= j) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.joint_parents", j),
+                 "is %u, must be lower than the joint, or FLG_NO_INDEX", parent);
+        }
+        if (!skin_.joint_names) continue;
+        check_argument(skin_.joint_names[j], at("desc.skin.joint_names", j).c_str());
+        check_name(skin_.joint_names[j], at("desc.skin.joint_names", j));
+    }
+}
+
+void CheckedSkin::check_vertices() const {
+    if (skin_.vertex_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.vertex_count", "is 0, must be at least 1");
+    check_floats(skin_.positions, 3 * vertex_count(), "desc.skin.positions");
+    check_floats(skin_.normals, 3 * vertex_count(), "desc.skin.normals");
+    check_argument(skin_.vertex_joints, "desc.skin.vertex_joints");
+    check_argument(skin_.vertex_weights, "desc.skin.vertex_weights");
+    for (size_t v = 0; v < vertex_count(); ++v) {
+        check_binding(v);
+        if (part(v) < most_parts) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_parts", v), "is %u, must be below %u", part(v),
+             most_parts);
+    }
+}
+
+void CheckedSkin::check_binding(size_t vertex) const {
+    const uint16_t* joints = skin_.vertex_joints + joints_a_vertex * vertex;
+    const float* weights = skin_.vertex_weights + joints_a_vertex * vertex;
+    double sum = 0;
+    for (size_t k = 0; k < joints_a_vertex; ++k) {
+        const size_t i = joints_a_vertex * vertex + k;
+        if (joints[k] >= skin_.joint_count) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_joints", i), "is %u, but there are %u joints",
+                 joints[k], skin_.joint_count);
+        }
+        if (!(weights[k] >= 0 && weights[k] <= 1 + sum_tolerance)) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_weights", i), "is %g, must be 0 to 1",
+                 double{weights[k]});
+        }
+        for (size_t other = 0; weights[k] > 0 && other < k; ++other) {
+            if (joints[other] != joints[k] || weights[other] == 0) continue;
+            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_joints", i), "is %u, which vertex %zu has already",
+                 joints[k], vertex);
+        }
+        sum += weights[k];
+    }
+    if (std::abs(sum - 1) <= sum_tolerance) return;
+    fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_weights", joints_a_vertex * vertex),
+         "and the next three sum up to %g, must be 1", sum);
+}
+
+void CheckedSkin::check_triangles() const {
+    if (skin_.triangle_count == 0) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.triangle_count", "is 0: there is nothing to write");
+    }
+    check_argument(skin_.triangles, "desc.skin.triangles");
+    for (size_t i = 0; i < 3 * size_t{skin_.triangle_count}; ++i) {
+        if (skin_.triangles[i] < skin_.vertex_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.triangles", i), "is %u, but there are %u vertices",
+             skin_.triangles[i], skin_.vertex_count);
+    }
+}
+
+void CheckedSkin::check_animation(uint32_t index) const {
+    const std::string place = at("desc.animations", index);
+    const FlgSkinAnimation& animation = desc_.animations[index];
+    check_size<FlgSkinAnimation>(animation.struct_size, place.c_str());
+    check_name(animation.name, place + ".name");
+    if (animation.key_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".key_count", "is 0, must be at least 1");
+    check_floats(animation.times, animation.key_count, place + ".times");
+    float before = -1;
+    for (uint32_t key = 0; key < animation.key_count; ++key) {
+        if (!(animation.times[key] >= 0 && animation.times[key] > before)) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".times", key), "is %g after %g; times rise from 0 or later",
+                 double{animation.times[key]}, double{before});
+        }
+        before = animation.times[key];
+    }
+    const size_t turns = animation.key_count * joint_count();
+    check_floats(animation.rotations, 4 * turns, place + ".rotations");
+    for (size_t i = 0; i < turns; ++i) {
+        const float* q = animation.rotations + 4 * i;
+        const double size = std::hypot(std::hypot(double{q[0]}, q[1]), std::hypot(double{q[2]}, q[3]));
+        if (std::abs(size - 1) <= length_tolerance) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at(place + ".rotations", 4 * i),
+             "starts a quaternion that is %g long, must be 1", size);
+    }
+    if (animation.translations)
+        check_floats(animation.translations, 3 * size_t{animation.key_count}, place + ".translations");
+}
+
+void CheckedSkin::check_materials() const {
+    if (desc_.material_count == 0) return;
+    check_argument(desc_.materials, "desc.materials");
+    for (uint32_t i = 0; i < desc_.material_count; ++i)
+        check_material(desc_.materials[i], at("desc.materials", i) + ".");
+    for (size_t v = 0; desc_.material_count > 1 && v < vertex_count(); ++v) {
+        if (part(v) < desc_.material_count) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_parts", v), "is %u, but there are %u materials", part(v),
+             desc_.material_count);
+    }
+}
+
+}  // namespace flg::io

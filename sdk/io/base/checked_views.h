@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What a host hands over to be written (curves, a mesh, a skin with its animations) and how it is to be written: each
+// is checked whole before anything is made of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "filigree/filigree.h"
+#include "filigree/filigree_io.h"
+
+namespace flg::io {
+
+// A column with its stride resolved; null data when the view has none of that attribute.
+struct Column {
+    const float* data = nullptr;
+    size_t stride = 0;  // bytes
+    explicit operator bool() const { return data != nullptr; }
+    const float* at(size_t point) const {
+        return reinterpret_cast<const float*>(reinterpret_cast<const char*>(data) + point * stride);
+    }
+};
+
+class CheckedColumns {
+public:
+    CheckedColumns() = default;
+    // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
+    CheckedColumns(const FlgColumn* columns, uint32_t count, size_t point_count);
+
+    Column find(FlgAttribute attribute) const;
+
+private:
+    void check(uint32_t index, size_t point_count) const;
+
+    const FlgColumn* columns_ = nullptr;
+    uint32_t count_ = 0;
+};
+
+Column resolved(const FlgColumn& column);
+
+// The values of a column back to back.
+std::vector<float> packed(const Column& column, size_t point_count, uint32_t components);
+
+class CheckedView {
+public:
+    // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
+    explicit CheckedView(const FlgCurveSetView* view);
+
+    uint32_t curve_count() const { return view_.curve_count; }
+    size_t point_count() const { return view_.curve_offsets[view_.curve_count]; }
+    size_t begin(uint32_t curve) const { return view_.curve_offsets[curve]; }
+    size_t end(uint32_t curve) const { return view_.curve_offsets[curve + 1]; }
+    std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
+    bool closed(uint32_t curve) const { return view_.curve_flags && (view_.curve_flags[curve] & FLG_CURVE_CLOSED); }
+
+    Column position, radius, color, normal;
+
+private:
+    void check_curves() const;
+
+    FlgCurveSetView view_ = {};
+};
+
+FlgMeshWriteDesc mesh_write_defaults();
+
+// Refuses what no material can be; `place` names it, and ends with a dot.
+void check_material(const FlgMeshMaterial& material, const std::string& place);
+
+class CheckedMesh {
+public:
+    // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
+    CheckedMesh(const FlgMeshView* view, const FlgMeshWriteDesc* desc);
+
+    size_t vertex_count() const { return view_.vertex_count; }
+    size_t triangle_count() const { return view_.triangle_count; }
+    const uint32_t* triangle(size_t index) const { return view_.triangles + 3 * index; }
+    const uint32_t* regions() const { return view_.regions; }
+    uint32_t region(size_t triangle) const { return view_.regions ? view_.regions[triangle] : 0; }
+    std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
+    std::span<const FlgMeshFaceColumn> face_columns() const { return {desc_.face_columns, desc_.face_column_count}; }
+    bool split_regions() const { return desc_.split_regions != 0; }
+    // By label; empty: none are given.
+    std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
+
+    Column position, color, normal;
+
+private:
+    void check_triangles() const;
+    void check_face_column(uint32_t index) const;
+    void check_labels() const;
+
+    FlgMeshView view_ = {};
+    FlgMeshWriteDesc desc_ = mesh_write_defaults();
+};
+
+FlgSkinFileDesc skin_file_defaults();
+
+class CheckedSkin {
+public:
+    // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
+    explicit CheckedSkin(const FlgSkinFileDesc* desc);
+
+    const FlgSkinView& skin() const { return skin_; }
+    size_t vertex_count() const { return skin_.vertex_count; }
+    size_t joint_count() const { return skin_.joint_count; }
+    std::span<const FlgSkinAnimation> animations() const { return {desc_.animations, desc_.animation_count}; }
+    std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
+    std::string name() const { return desc_.name ? desc_.name : "model"; }
+    uint32_t part(size_t vertex) const { return skin_.vertex_parts ? skin_.vertex_parts[vertex] : 0; }
+
+private:
+    void check_vertices() const;
+    void check_binding(size_t vertex) const;
+    void check_triangles() const;
+    void check_joints() const;
+    void check_animation(uint32_t index) const;
+    void check_materials() const;
+
+    FlgSkinFileDesc desc_ = skin_file_defaults();
+    FlgSkinView skin_ = {};
+};
+
+}  // namespace flg::io

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/glb_builder.h"
+
+#include <algorithm>
+
+#include "io/base/failure.h"
+#include "io/base/json_text.h"
+#include "io/base/limits.h"
+#include "io/gltf/glb_layout.h"
+
+namespace flg::io {
+
+namespace {
+
+constexpr uint32_t target_vertices = 34962;
+constexpr uint32_t target_indices = 34963;
+constexpr size_t glb_alignment = 4;
+
+void separate(std::string& list) {
+    if (!list.empty()) list += ',';
+}
+
+}  // namespace
+
+size_t GlbBuilder::add_view(std::span<const float> values, uint32_t components) {
+    return add_bytes(values.data(), values.size_bytes(), target_vertices,
+                     ",\"byteStride\":" + std::to_string(components * sizeof(float)));
+}
+
+size_t GlbBuilder::add_view(std::span<const uint32_t> indices) {
+    return add_bytes(indices.data(), indices.size_bytes(), target_indices, "");
+}
+
+size_t GlbBuilder::add_indices(std::span<const uint32_t> indices) {
+    constexpr uint32_t restart = 65535;  // of 16 bits
+    const uint32_t most = *std::max_element(indices.begin(), indices.end());
+    if (most >= restart) return add_accessor(add_view(indices), 0, indices.size(), glb_unsigned, "SCALAR");
+    const std::vector<uint16_t> narrow(indices.begin(), indices.end());
+    const size_t view = add_bytes(narrow.data(), narrow.size() * sizeof(uint16_t), target_indices, "");
+    return add_accessor(view, 0, narrow.size(), glb_unsigned_short, "SCALAR");
+}
+
+size_t GlbBuilder::add_view(std::span<const uint16_t> fours) {
+    return add_bytes(fours.data(), fours.size_bytes(), target_vertices, ",\"byteStride\":8");
+}
+
+size_t GlbBuilder::add_view(std::span<const uint8_t> fours) {
+    return add_bytes(fours.data(), fours.size_bytes(), target_vertices, ",\"byteStride\":4");
+}
+
+size_t GlbBuilder::add_plain_view(std::span<const float> values) {
+    return add_bytes(values.data(), values.size_bytes(), 0, "");
+}
+
+size_t GlbBuilder::add_colors(std::vector<float> colors) {
+    for (float& value : colors) value = std::clamp(value, 0.0f, 1.0f);
+    return add_view(colors, 4);
+}
+
+size_t GlbBuilder::add_accessor(size_t view, size_t byte_offset, size_t count, uint32_t component_type,
+                                const char* type, const std::string& bounds) {
+    separate(accessors_);
+    accessors_ += "{\"bufferView\":" + std::to_string(view) + ",\"byteOffset\":" + std::to_string(byte_offset) +
+                  ",\"componentType\":" + std::to_string(component_type) + ",\"count\":" + std::to_string(count) +
+                  ",\"type\":\"" + type + "\"" + bounds + "}";
+    return accessor_count_++;
+}
+
+size_t GlbBuilder::add_times(std::span<const float> times) {
+    const auto [low, high] = std::minmax_element(times.begin(), times.end());
+    return add_accessor(add_plain_view(times), 0, times.size(), glb_float, "SCALAR",
+                        ",\"min\":[" + json_number(*low) + "],\"max\":[" + json_number(*high) + "]");
+}
+
+size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, size_t first, size_t count) {
+    constexpr size_t components = 3;
+    float low[components], high[components];
+    for (size_t k = 0; k < components; ++k) {
+        low[k] = high[k] = positions[first * components + k];
+        for (size_t i = first; i < first + count; ++i) {
+            low[k] = std::min(low[k], positions[i * components + k]);
+            high[k] = std::max(high[k], positions[i * components + k]);
+        }
+    }
+    std::string bounds;
+    for (const auto& [name, values] : {std::pair(",\"min\":[", low), std::pair(",\"max\":[", high)}) {
+        bounds += name;
+        for (size_t k = 0; k < components; ++k) {
+            if (k != 0) bounds += ',';
+            bounds += json_number(values[k]);
+        }
+        bounds += ']';
+    }
+    return add_accessor(view, first * components * sizeof(float), count, glb_float, "VEC3", bounds);
+}
+
+void GlbBuilder::add_primitive(const std::string& attributes, int mode, const std::string& rest) {
+    separate(primitives_);
+    primitives_ += "{\"attributes\":{" + attributes + "},\"mode\":" + std::to_string(mode) + rest + "}";
+}
+
+size_t GlbBuilder::end_mesh() {
+    separate(meshes_);
+    meshes_ += "{\"primitives\":[" + primitives_ + "]}";
+    primitives_.clear();
+    return mesh_count_++;
+}
+
+std::string GlbBuilder::finish(const std::string& materials) const {
+    return finish_scene("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]," + materials, "");
+}
+
+std::string GlbBuilder::finish_scene(const std::string& top, const std::string& mesh_name) const {
+    const std::string name = mesh_name.empty() ? "" : "\"name\":" + json_text(mesh_name) + ",";
+    const std::string list = meshes_.empty() ? "{" + name + "\"primitives\":[" + primitives_ + "]}" : meshes_;
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top +
+                       (primitives_.empty() && meshes_.empty() ? "" : "\"meshes\":[" + list + "],") +
+                       "\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
+                       "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
+    json.resize((json.size() + glb_alignment - 1) / glb_alignment * glb_alignment, ' ');
+    constexpr size_t headers = 7 * sizeof(uint32_t);
+    const size_t total = headers + json.size() + binary_.size();
+    if (total > max_bytes) fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", total);
+    std::string glb;
+    glb.reserve(total);
+    const auto append = [&](size_t value) {
+        const uint32_t word = static_cast<uint32_t>(value);
+        glb.append(reinterpret_cast<const char*>(&word), sizeof word);
+    };
+    for (size_t value : {size_t{glb_magic}, size_t{glb_version}, total, json.size(), size_t{glb_json}}) append(value);
+    glb += json;
+    append(binary_.size());
+    append(glb_binary);
+    glb += binary_;
+    return glb;
+}
+
+// Views begin at multiples of 4 bytes. Target 0: none.
+size_t GlbBuilder::add_bytes(const void* data, size_t size, uint32_t target, const std::string& rest) {
+    separate(views_);
+    views_ += "{\"buffer\":0,\"byteOffset\":" + std::to_string(binary_.size()) +
+              ",\"byteLength\":" + std::to_string(size) + (target == 0 ? "" : ",\"target\":" + std::to_string(target)) +
+              rest + "}";
+    binary_.append(static_cast<const char*>(data), size);
+    binary_.resize((binary_.size() + glb_alignment - 1) / glb_alignment * glb_alignment, '\0');
+    return view_count_++;
+}
+
+}  // namespace flg::io

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Source: Khronos, glTF 2.0 specification (3.6 accessors, 4 GLB).
+// Builds a .glb of one mesh, at one node or at nodes of the caller's: buffer views, accessors into them, primitives of
+// accessors.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace flg::io {
+
+constexpr uint32_t glb_float = 5126;  // component types
+constexpr uint32_t glb_unsigned = 5125;
+constexpr uint32_t glb_unsigned_short = 5123;
+constexpr uint32_t glb_byte = 5120;
+constexpr uint32_t glb_unsigned_byte = 5121;
+constexpr int glb_line_loop = 2;  // modes of primitives
+constexpr int glb_line_strip = 3;
+constexpr int glb_triangles = 4;
+
+class GlbBuilder {
+public:
+    // Values of `components` floats each; returns the buffer view's index.
+    size_t add_view(std::span<const float> values, uint32_t components);
+    size_t add_view(std::span<const uint32_t> indices);
+    // In 16 bits where all of them are below 65535. Returns the accessor's index.
+    size_t add_indices(std::span<const uint32_t> indices);
+    // Four 16-bit numbers each.
+    size_t add_view(std::span<const uint16_t> fours);
+    // Four bytes each.
+    size_t add_view(std::span<const uint8_t> fours);
+    // Floats that are no vertices': keys of animations, matrices.
+    size_t add_plain_view(std::span<const float> values);
+    // Four floats each, clamped to 0..1, as COLOR_0 asks for.
+    size_t add_colors(std::vector<float> colors);
+
+    size_t add_accessor(size_t view, size_t byte_offset, size_t count, uint32_t component_type, const char* type,
+                        const std::string& bounds = "");
+    // Numbers with their least and largest, as times must be.
+    size_t add_times(std::span<const float> times);
+    // Points first .. first + count - 1 of a view of positions.
+    size_t add_positions(size_t view, std::span<const float> positions, size_t first, size_t count);
+
+    // `rest` is what follows the mode, such as `,"indices":3`.
+    void add_primitive(const std::string& attributes, int mode, const std::string& rest);
+
+    // The primitives since the last become a mesh; returns its index.
+    size_t end_mesh();
+
+    // `materials` is empty or ends with a comma.
+    std::string finish(const std::string& materials) const;
+    // The same, with nodes that show the meshes that were ended, or else mesh 0 of all primitives, if there are any:
+    // `top` is JSON from `"scene":` on, and ends with a comma.
+    std::string finish_scene(const std::string& top, const std::string& mesh_name) const;
+
+private:
+    size_t add_bytes(const void* data, size_t size, uint32_t target, const std::string& rest);
+
+    std::string binary_, views_, accessors_, primitives_, meshes_;
+    size_t view_count_ = 0, accessor_count_ = 0, mesh_count_ = 0;
+};
+
+}  // namespace flg::io

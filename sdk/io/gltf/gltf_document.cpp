@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// Source: Khronos, glTF 2.0 specification (sections 3.6, 4.4 and 5).
+// Invariants: nothing is read outside the bytes that are there; files are read only below the document's folder; all
+// buffers together hold at most 2 GiB, and JSON nests at most max_depth levels.
+// Departures: no sparse accessors and no accessors without data (refused). Written here rather than on tinygltf, which
+// descends into nested extras without bound, opens buffers wherever their URI points, and has no places in its errors.
+#include "io/gltf/gltf_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "io/base/byte_reader.h"
+#include "io/base/json_value.h"
+#include "io/base/limits.h"
+#include "io/gltf/glb_layout.h"
+
+namespace flg::io {
+
+namespace {
+
+constexpr int max_depth = 128;
+// Parsed JSON takes an order of magnitude more memory than its text.
+constexpr uint64_t max_json = uint64_t{1} << 29;
+constexpr uint64_t least_stride = 4;
+constexpr uint64_t most_stride = 252;
+
+std::string element_place(const char* array, uint64_t index) {
+    return std::string(array) + "[" + std::to_string(index) + "]";
+}
+
+Json parse_json(Bytes text) {
+    if (text.size() > max_json) {
+        fail(FLG_ERROR_LIMIT, "", "holds %zu bytes of JSON, more than the limit of 512 MiB", text.size());
+    }
+    return JsonValue::parse(text, max_depth);
+}
+
+int base64_value(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    if (c == '+') return 62;
+    return c == '/' ? 63 : -1;
+}
+
+ByteBlock decode_base64(std::string_view text, const std::string& place) {
+    while (text.ends_with('=')) text.remove_suffix(1);
+    ByteBlock block(text.size() * 3 / 4);
+    uint32_t bits = 0;
+    size_t out = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const int value = base64_value(text[i]);
+        if (value < 0) fail(FLG_ERROR_FORMAT, place, "is no base64: %s", cited(text.substr(i, 1)).c_str());
+        bits = bits << 6 | static_cast<uint32_t>(value);
+        if (i % 4 != 0) block.data()[out++] = static_cast<uint8_t>(bits >> (6 - 2 * (i % 4)));
+    }
+    return block;
+}
+
+std::string decode_percent(std::string_view uri) {
+    const auto hex = [](char c) {
+        if (c >= '0' && c <= '9') return c - '0';
+        if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+        return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    };
+    std::string result;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        const bool coded = uri[i] == '%' && i + 2 < uri.size() && hex(uri[i + 1]) >= 0 && hex(uri[i + 2]) >= 0;
+        result += coded ? static_cast<char>(hex(uri[i + 1]) * 16 + hex(uri[i + 2])) : uri[i];
+        if (coded) i += 2;
+    }
+    return result;
+}
+
+uint32_t component_size(uint32_t type) {
+    switch (type) {
+        case gltf_byte:
+        case gltf_unsigned_byte: return 1;
+        case gltf_short:
+        case gltf_unsigned_short: return 2;
+        case gltf_unsigned_int:
+        case gltf_float: return 4;
+        default: return 0;
+    }
+}
+
+template <class T>
+T load(const uint8_t* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+template <class T>
+float normalized_number(const uint8_t* at, bool normalized) {
+    const float value = static_cast<float>(load<T>(at));
+    return normalized ? std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f) : value;
+}
+
+}  // namespace
+
+float GltfValues::number(uint64_t element, uint32_t component) const {
+    const uint8_t* at = data + element * stride + component * component_size(component_type);
+    switch (component_type) {
+        case gltf_byte: return normalized_number<int8_t>(at, normalized);
+        case gltf_unsigned_byte: return normalized_number<uint8_t>(at, normalized);
+        case gltf_short: return normalized_number<int16_t>(at, normalized);
+        case gltf_unsigned_short: return normalized_number<uint16_t>(at, normalized);
+        case gltf_unsigned_int: return normalized_number<uint32_t>(at, normalized);
+        default: return load<float>(at);
+    }
+}
+
+uint32_t GltfValues::index(uint64_t element) const {
+    const uint8_t* at = data + element * stride;
+    if (component_type == gltf_unsigned_byte) return *at;
+    return component_type == gltf_unsigned_short ? load<uint16_t>(at) : load<uint32_t>(at);
+}
+
+uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const std::string& place) {
+    const auto found = object.find(key);
+    if (found == object.end()) return fallback;
+    if (!found->is_number_unsigned()) fail(FLG_ERROR_FORMAT, place + "." + key, "is no whole number >= 0");
+    return found->get<uint64_t>();
+}
+
+uint64_t gltf_required(const Json& object, const char* key, const std::string& place) {
+    if (!object.contains(key)) fail(FLG_ERROR_FORMAT, place, "has no %s", key);
+    return gltf_unsigned(object, key, 0, place);
+}
+
+const Json* gltf_array(const Json& object, const char* key, const std::string& place) {
+    const auto found = object.find(key);
+    if (found == object.end()) return nullptr;
+    if (!found->is_array()) fail(FLG_ERROR_FORMAT, place.empty() ? key : place + "." + key, "is no array");
+    return &*found;
+}
+
+GltfDocument::GltfDocument(const std::filesystem::path& path) : file_(read_file(path, "")) {
+    Bytes binary;
+    Bytes text = file_.bytes();
+    if (text.size() >= sizeof glb_magic && load<uint32_t>(text.data()) == glb_magic) text = split_glb(text, binary);
+    root_ = parse_json(text);
+    const auto asset = root_.is_object() ? root_.find("asset") : root_.end();
+    if (!root_.is_object() || asset == root_.end() || !asset->is_object() || !asset->contains("version")) {
+        fail(FLG_ERROR_FORMAT, "asset.version", "is missing: no glTF file");
+    }
+    const Json& version = (*asset)["version"];
+    if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2.")) {
+        fail(FLG_ERROR_FORMAT, "asset.version", "is %s; only 2.x is known", cited(version.dump()).c_str());
+    }
+    load_buffers(path.parent_path(), binary);
+}
+
+Bytes GltfDocument::split_glb(Bytes file, Bytes& binary) const {
+    ByteReader reader(file, "", sizeof glb_magic);
+    if (const auto version = reader.read<uint32_t>("the header"); version != glb_version) {
+        fail(FLG_ERROR_FORMAT, "@4", "has the GLB version %u; only %u is known", version, glb_version);
+    }
+    const auto length = reader.read<uint32_t>("the header");
+    if (length > file.size()) {
+        fail(FLG_ERROR_FORMAT, "@8", "declares %u bytes but has %zu: cut off?", length, file.size());
+    }
+    Bytes json;
+    for (bool first = true; reader.position() + 2 * sizeof(uint32_t) <= length; first = false) {
+        const std::string place = reader.place();
+        const auto size = reader.read<uint32_t>("a chunk's header");
+        const auto type = reader.read<uint32_t>("a chunk's header");
+        if (size > length - reader.position()) {
+            fail(FLG_ERROR_FORMAT, place, "declares a chunk of %u bytes, but %zu are left", size,
+                 length - reader.position());
+        }
+        const Bytes chunk = reader.take(size, "a chunk");
+        if (first != (type == glb_json)) fail(FLG_ERROR_FORMAT, place, "the first chunk, and only it, must be JSON");
+        if (type == glb_json) json = chunk;
+        if (type == glb_binary && binary.empty()) binary = chunk;
+    }
+    if (json.empty()) fail(FLG_ERROR_FORMAT, byte_place("", reader.position()), "has no JSON chunk");
+    return json;
+}
+
+void GltfDocument::load_buffers(const std::filesystem::path& folder, Bytes binary) {
+    uint64_t total = 0;
+    for (uint64_t i = 0; i < size("buffers"); ++i) {
+        const std::string place = element_place("buffers", i);
+        const Json& buffer = element("buffers", i, place);
+        const uint64_t length = gltf_required(buffer, "byteLength", place);
+        const auto uri = buffer.find("uri");
+        Bytes bytes = binary;
+        if (uri != buffer.end()) {
+            if (!uri->is_string()) fail(FLG_ERROR_FORMAT, place + ".uri", "is no string");
+            bytes = load_uri(uri->get_ref<const std::string&>(), folder, place + ".uri");
+            total += bytes.size();
+        } else if (i != 0 || binary.data() == nullptr) {
+            fail(FLG_ERROR_FORMAT, place, "has no uri, and the file no binary chunk for it");
+        }
+        if (length > bytes.size()) {
+            fail(FLG_ERROR_FORMAT, place + ".byteLength", "is %llu, but %zu bytes are there",
+                 static_cast<unsigned long long>(length), bytes.size());
+        }
+        if (total > max_bytes) fail(FLG_ERROR_LIMIT, place, "all buffers hold more than the limit of 2 GiB");
+        buffers_.push_back(bytes.first(length));
+    }
+}
+
+Bytes GltfDocument::load_uri(const std::string& uri, const std::filesystem::path& folder, const std::string& place) {
+    if (uri.starts_with("data:")) {
+        constexpr std::string_view marker = ";base64,";
+        const size_t at = uri.find(marker);
+        if (at == uri.npos) fail(FLG_ERROR_FORMAT, place, "is a data URI, but not of base64");
+        loaded_.push_back(decode_base64(std::string_view(uri).substr(at + marker.size()), place));
+        return loaded_.back().bytes();
+    }
+    // Only plain names below the document's folder: no schemes, drives, roots, parents, nor links that lead out.
+    const std::string name = decode_percent(uri);
+    const std::filesystem::path relative{std::u8string(name.begin(), name.end())};
+    const bool parent = std::find(relative.begin(), relative.end(), "..") != relative.end();
+    if (name.empty() || name.find_first_of(std::string_view(":\\\0", 3)) != name.npos || relative.has_root_path() ||
+        parent) {
+        fail(FLG_ERROR_FORMAT, place, "must be a relative path below the file's folder: %s", cited(name).c_str());
+    }
+    const auto base = std::filesystem::weakly_canonical(folder.empty() ? "." : folder);
+    const auto target = std::filesystem::weakly_canonical(base / relative);
+    if (std::mismatch(base.begin(), base.end(), target.begin(), target.end()).first != base.end()) {
+        fail(FLG_ERROR_FORMAT, place, "leads out of the file's folder: %s", cited(name).c_str());
+    }
+    loaded_.push_back(read_file(target, place));
+    return loaded_.back().bytes();
+}
+
+size_t GltfDocument::size(const char* array) const {
+    const Json* found = gltf_array(root_, array, "");
+    return found ? found->size() : 0;
+}
+
+const Json& GltfDocument::element(const char* array, uint64_t index, const std::string& place) const {
+    if (index >= size(array)) {
+        fail(FLG_ERROR_FORMAT, place, "refers to %s %llu of %zu", array, static_cast<unsigned long long>(index),
+             size(array));
+    }
+    const Json& found = root_[array][index];
+    if (!found.is_object()) fail(FLG_ERROR_FORMAT, element_place(array, index), "is no object");
+    return found;
+}
+
+GltfValues GltfDocument::accessor(uint64_t index, const std::string& place) const {
+    return values_of(index, place, false);
+}
+
+GltfValues GltfDocument::matrices(uint64_t index, const std::string& place) const {
+    const GltfValues values = values_of(index, place, true);
+    if (values.component_type != gltf_float) fail(FLG_ERROR_FORMAT, values.place, "holds matrices that are no floats");
+    return values;
+}
+
+GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, bool of_matrices) const {
+    const Json& accessor = element("accessors", index, place);
+    GltfValues values;
+    values.place = element_place("accessors", index);
+    if (accessor.contains("sparse")) fail(FLG_ERROR_FORMAT, values.place, "is sparse, which is not supported");
+    if (!accessor.contains("bufferView")) fail(FLG_ERROR_FORMAT, values.place, "has no bufferView");
+    const uint64_t view_index = gltf_required(accessor, "bufferView", values.place);
+    const Json& view = element("bufferViews", view_index, values.place + ".bufferView");
+    const std::string view_place = element_place("bufferViews", view_index);
+    const uint64_t buffer_index = gltf_required(view, "buffer", view_place);
+    element("buffers", buffer_index, view_place + ".buffer");
+    const Bytes buffer = buffers_[buffer_index];
+    const uint64_t view_offset = gltf_unsigned(view, "byteOffset", 0, view_place);
+    const uint64_t view_length = gltf_required(view, "byteLength", view_place);
+    if (view_offset > buffer.size() || view_length > buffer.size() - view_offset) {
+        fail(FLG_ERROR_FORMAT, view_place, "covers %llu bytes from %llu, but its buffer has %zu",
+             static_cast<unsigned long long>(view_length), static_cast<unsigned long long>(view_offset), buffer.size());
+    }
+
+    const auto type = accessor.find("type");
+    const auto is_type = [&](const char* name) { return type != accessor.end() && *type == name; };
+    if (is_type("SCALAR")) values.components = 1;
+    if (is_type("VEC2")) values.components = 2;
+    if (is_type("VEC3")) values.components = 3;
+    if (is_type("VEC4")) values.components = 4;
+    if (of_matrices) values.components = is_type("MAT4") ? 16 : 0;
+    if (of_matrices && values.components == 0) fail(FLG_ERROR_FORMAT, values.place + ".type", "is not MAT4");
+    if (values.components == 0)
+        fail(FLG_ERROR_FORMAT, values.place + ".type", "is none of SCALAR, VEC2, VEC3 and VEC4");
+    const uint64_t component_type = gltf_required(accessor, "componentType", values.place);
+    values.component_type = component_type <= gltf_float ? static_cast<uint32_t>(component_type) : 0;
+    const uint64_t element_size = uint64_t{values.components} * component_size(values.component_type);
+    if (element_size == 0) {
+        fail(FLG_ERROR_FORMAT, values.place + ".componentType", "is %llu, which is none of glTF's",
+             static_cast<unsigned long long>(component_type));
+    }
+    values.stride = gltf_unsigned(view, "byteStride", element_size, view_place);
+    const bool strided = view.contains("byteStride");
+    if (strided && (values.stride < std::max(least_stride, element_size) || values.stride > most_stride)) {
+        fail(FLG_ERROR_FORMAT, view_place + ".byteStride", "is %llu for values of %llu bytes",
+             static_cast<unsigned long long>(values.stride), static_cast<unsigned long long>(element_size));
+    }
+    const auto normalized = accessor.find("normalized");
+    values.normalized = normalized != accessor.end() && *normalized == true;
+
+    const uint64_t offset = gltf_unsigned(accessor, "byteOffset", 0, values.place);
+    values.count = gltf_required(accessor, "count", values.place);
+    const uint64_t room = offset <= view_length ? view_length - offset : 0;
+    // The last value need not fill its stride.
+    const uint64_t fitting = room >= element_size ? (room - element_size) / values.stride + 1 : 0;
+    if (values.count == 0 || values.count > fitting) {
+        fail(FLG_ERROR_FORMAT, values.place + ".count", "is %llu, but its bufferView holds %llu values",
+             static_cast<unsigned long long>(values.count), static_cast<unsigned long long>(fitting));
+    }
+    values.data = buffer.data() + view_offset + offset;
+    return values;
+}
+
+}  // namespace flg::io

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A glTF document: its JSON and its buffers, with every index, offset and count checked where it is followed.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/base/files.h"
+
+namespace flg::io {
+
+using Json = nlohmann::json;
+
+// The values of an accessor; all of them lie inside their buffer.
+struct GltfValues {
+    const uint8_t* data = nullptr;
+    uint64_t count = 0;
+    uint64_t stride = 0;  // bytes
+    uint32_t components = 0;
+    uint32_t component_type = 0;
+    bool normalized = false;
+    std::string place;
+
+    // As float; integers are mapped to 0..1 or -1..1 if they are normalized.
+    float number(uint64_t element, uint32_t component) const;
+    // Of unsigned integers.
+    uint32_t index(uint64_t element) const;
+};
+
+constexpr uint32_t gltf_byte = 5120;
+constexpr uint32_t gltf_unsigned_byte = 5121;
+constexpr uint32_t gltf_short = 5122;
+constexpr uint32_t gltf_unsigned_short = 5123;
+constexpr uint32_t gltf_unsigned_int = 5125;
+constexpr uint32_t gltf_float = 5126;
+
+class GltfDocument {
+public:
+    explicit GltfDocument(const std::filesystem::path& path);
+
+    const Json& root() const { return root_; }
+    // Element `index` of one of the document's arrays ("nodes"); an object. `place` is who refers to it.
+    const Json& element(const char* array, uint64_t index, const std::string& place) const;
+    size_t size(const char* array) const;
+    GltfValues accessor(uint64_t index, const std::string& place) const;
+    // Of 4 x 4 floats each, column by column.
+    GltfValues matrices(uint64_t index, const std::string& place) const;
+
+private:
+    GltfValues values_of(uint64_t index, const std::string& place, bool of_matrices) const;
+    Bytes split_glb(Bytes file, Bytes& binary) const;
+    void load_buffers(const std::filesystem::path& folder, Bytes binary);
+    Bytes load_uri(const std::string& uri, const std::filesystem::path& folder, const std::string& place);
+
+    ByteBlock file_;
+    Json root_;
+    std::vector<ByteBlock> loaded_;
+    std::vector<Bytes> buffers_;
+};
+
+// A member that must be a whole number >= 0; absent: `fallback`.
+uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const std::string& place);
+// The same, where it must be there.
+uint64_t gltf_required(const Json& object, const char* key, const std::string& place);
+// A member that must be an array; absent: null.
+const Json* gltf_array(const Json& object, const char* key, const std::string& place);
+
+}  // namespace flg::io

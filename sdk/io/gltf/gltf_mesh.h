@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Meshes in glTF 2.0 files: read from .gltf and .glb, written to .glb.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/base/checked_views.h"
+#include "io/base/mesh_data.h"
+#include "io/gltf/glb_builder.h"
+
+namespace flg::io {
+
+MeshData read_gltf_mesh(const std::filesystem::path& path);
+
+// Adds the mesh's vertices and primitives; returns its materials, which finish() takes.
+std::string add_mesh(GlbBuilder& glb, const CheckedMesh& mesh);
+
+std::string write_glb_mesh(const CheckedMesh& mesh);
+
+}  // namespace flg::io

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Source: Khronos, glTF 2.0 specification (3.10 cameras, 3.11 animations). One node: its mesh and its camera stand
+// still in it, and it moves. A quaternion and its negative are one rotation, but between them a player that does not
+// look for the shorter way turns once around: each is on the side of the one before.
+#include "io/gltf/gltf_motion_writer.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "io/base/entry_point.h"
+#include "io/base/json_text.h"
+#include "io/base/limits.h"
+#include "io/gltf/gltf_mesh.h"
+#include "io/gltf/gltf_rotations.h"
+
+namespace flg::io {
+
+namespace {
+
+constexpr size_t pose_size = 12;
+constexpr double rotation_tolerance = 1e-3;
+constexpr size_t longest_name = 255;
+// Metres; the format asks for one. There is no far end.
+constexpr const char* near_plane = "0.01";
+
+std::string at(const char* array, size_t index) {
+    return std::string(array) + "[" + std::to_string(index) + "]";
+}
+
+// The rows of a pose as columns.
+Transform transform_of(const double* pose) {
+    Transform m;
+    for (size_t column = 0; column < 4; ++column) {
+        for (size_t row = 0; row < 3; ++row) m[3 * column + row] = pose[4 * row + column];
+    }
+    return m;
+}
+
+std::string numbers(const float* values, size_t count) {
+    std::string list = "[";
+    for (size_t i = 0; i < count; ++i) {
+        if (i != 0) list += ',';
+        list += json_number(values[i]);
+    }
+    list += ']';
+    return list;
+}
+
+}  // namespace
+
+FlgMotionFileDesc motion_file_defaults() {
+    FlgMotionFileDesc desc = {};
+    desc.struct_size = sizeof desc;
+    return desc;
+}
+
+CheckedMotion::CheckedMotion(const FlgMotionFileDesc* desc) {
+    check_argument(desc, "desc");
+    check_size<FlgMotionFileDesc>(desc->struct_size, "desc");
+    std::memcpy(&desc_, desc, sizeof desc_);
+    if (desc_.position_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.position_count", "is 0, must be at least 1");
+    check_argument(desc_.times, "desc.times");
+    check_argument(desc_.poses, "desc.poses");
+    if (desc_.name && (strnlen(desc_.name, longest_name + 1) > longest_name || !is_utf8(desc_.name)))
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.name", "must be UTF-8 of at most 255 bytes");
+    if (!(desc_.camera_fov_rad >= 0 && double{desc_.camera_fov_rad} < std::numbers::pi)) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.camera_fov_rad", "is %g, must be 0 or above and below pi",
+             double{desc_.camera_fov_rad});
+    }
+    check_positions();
+    if (desc_.mesh) mesh_.emplace(desc_.mesh, desc_.mesh_desc);
+}
+
+float CheckedMotion::time(size_t position) const {
+    return static_cast<float>(position < desc_.position_count ? desc_.times[position] : desc_.end_time);
+}
+
+void CheckedMotion::check_positions() const {
+    float before = -1;
+    for (size_t i = 0; i < position_count(); ++i) {
+        const bool end = i == desc_.position_count;
+        const double given = end ? desc_.end_time : desc_.times[i];
+        if (!(given >= 0 && given <= max_coordinate && time(i) > before)) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, end ? "desc.end_time" : at("desc.times", i),
+                 "is %.9g after %.9g; times rise from 0 or later, as floats", given, double{before});
+        }
+        before = time(i);
+    }
+    for (size_t i = 0; i < desc_.position_count; ++i) {
+        for (size_t k = 0; k < pose_size; ++k) {
+            if (std::abs(pose(i)[k]) <= max_coordinate) continue;
+            fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.poses", pose_size * i + k),
+                 "is %g, must be finite and at most 1e30 in size", pose(i)[k]);
+        }
+        if (is_rigid(transform_of(pose(i)), rotation_tolerance)) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.poses", pose_size * i),
+             "starts a pose that is no rotation: it must keep lengths within 0.001 and turn nothing inside out");
+    }
+}
+
+std::string write_glb_motion(const CheckedMotion& motion) {
+    GlbBuilder glb;
+    const std::string materials = motion.mesh() ? add_mesh(glb, *motion.mesh()) : "";
+    const size_t count = motion.position_count();
+    std::vector<float> times, translations, rotations;
+    Rotation before = {0, 0, 0, 1};
+    for (size_t i = 0; i < count; ++i) {
+        const Transform m = transform_of(motion.pose(i));
+        times.push_back(motion.time(i));
+        for (size_t k = 9; k < m.size(); ++k) translations.push_back(static_cast<float>(m[k]));
+        const Rotation q = rotation_of(m);
+        const double sign = dot(q, before) < 0 ? -1 : 1;
+        for (size_t k = 0; k < q.size(); ++k) {
+            before[k] = sign * q[k];
+            rotations.push_back(static_cast<float>(before[k]));
+        }
+    }
+    const size_t input = glb.add_times(times);
+    const auto sampler = [&](const std::vector<float>& values, const char* type) {
+        const size_t output = glb.add_accessor(glb.add_plain_view(values), 0, count, glb_float, type);
+        return "{\"input\":" + std::to_string(input) + ",\"output\":" + std::to_string(output) + "}";
+    };
+    const std::string name = json_text(motion.name());
+    const std::string samplers = sampler(translations, "VEC3") + "," + sampler(rotations, "VEC4");
+    std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":" + name;
+    if (motion.mesh()) top += ",\"mesh\":0";
+    if (motion.camera_fov_rad() > 0) top += ",\"camera\":0";
+    top +=
+        ",\"translation\":" + numbers(translations.data(), 3) + ",\"rotation\":" + numbers(rotations.data(), 4) + "}],";
+    if (motion.camera_fov_rad() > 0) {
+        top +=
+            "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":" + json_number(motion.camera_fov_rad()) +
+            ",\"znear\":" + near_plane + "}}],";
+    }
+    top += "\"animations\":[{\"name\":" + name +
+           ",\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}},"
+           "{\"sampler\":1,\"target\":{\"node\":0,\"path\":\"rotation\"}}],\"samplers\":[" +
+           samplers + "]}],";
+    return glb.finish_scene(top + materials, motion.name());
+}
+
+}  // namespace flg::io

@@ -1,0 +1,504 @@
+// SPDX-License-Identifier: MIT
+// Source: Khronos, glTF 2.0 specification (3.7.3 skins, 3.11 animations).
+//
+// Read: all nodes that show a mesh with the first
+// skin that is met become one surface; their own transforms do not count, as the format says. Weights are sorted, so
+// that the largest is the first, and brought to the sum 1.
+//
+// Written: node 0 shows the mesh, at the scene's top,
+// because a skinned mesh doesn't move with its node; 1 holds the roots and is the skin's skeleton; 2 + j is joint j, as
+// far from its parent as at rest, not turned. What is of length 1, or of sum 1, within some bits of float keeps its
+// bits; else it is brought there, as the format asks for more than our views do.
+#include "io/gltf/gltf_skin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "io/base/json_text.h"
+#include "io/base/vec3.h"
+#include "io/gltf/glb_builder.h"
+#include "io/gltf/gltf_animations.h"
+#include "io/gltf/gltf_materials.h"
+#include "io/gltf/gltf_triangles.h"
+
+namespace flg::io {
+
+namespace {
+
+constexpr double sum_tolerance = 0.01;              // of weights; bytes are no better
+constexpr uint64_t most_parts = uint64_t{1} << 24;  // floats tell them apart
+constexpr uint64_t no_material = UINT64_MAX;
+
+class GltfSkinReader {
+public:
+    explicit GltfSkinReader(const std::filesystem::path& path) : document_(path), nodes_(document_) {}
+
+    std::optional<SkinData> read() {
+        std::optional<uint64_t> skin;
+        Tally others;
+        for (uint64_t node = 0; node < nodes_.size(); ++node) {
+            const Json& json = nodes_.json(node);
+            if (!nodes_.is_shown(node) || !json.contains("mesh")) continue;
+            const uint64_t own = gltf_unsigned(json, "skin", no_node, GltfNodes::place(node));
+            if (!skin && own != no_node) skin = own;
+            if (own == no_node || own != skin.value_or(no_node)) {
+                others.add(node);
+            } else {
+                shown_.push_back(node);
+            }
+        }
+        if (!skin) return {};
+        skeleton_.emplace(document_, nodes_, *skin);
+        skeleton_->store(data_);
+        for (const uint64_t node : shown_) read_mesh(node);
+        if (data_.triangles.empty()) fail(FLG_ERROR_FORMAT, "meshes", "the skin moves no triangles");
+        make_normals();
+        finish_parts();
+        warn(data_.warnings, others, "node", "with a mesh of no skin or of another, left out");
+        warn(data_.warnings, lines_, "primitive", "of points or lines, left out");
+        warn(data_.warnings, more_joints_, "primitive", "with more than four joints a vertex: the first four are read");
+        read_animations(document_, nodes_, *skeleton_, size(), data_);
+        return std::move(data_);
+    }
+
+private:
+    void read_mesh(uint64_t node) {
+        const std::string referrer = GltfNodes::place(node) + ".mesh";
+        const uint64_t index = gltf_required(nodes_.json(node), "mesh", GltfNodes::place(node));
+        const Json& mesh = document_.element("meshes", index, referrer);
+        const std::string place = "meshes[" + std::to_string(index) + "]";
+        const Json* primitives = gltf_array(mesh, "primitives", place);
+        for (size_t i = 0; primitives && i < primitives->size(); ++i) {
+            const Json& primitive = (*primitives)[i];
+            const std::string here = place + ".primitives[" + std::to_string(i) + "]";
+            if (!primitive.is_object()) fail(FLG_ERROR_FORMAT, here, "is no object");
+            const uint64_t mode = gltf_unsigned(primitive, "mode", gltf_triangles, here);
+            if (mode > gltf_triangle_fan)
+                fail(FLG_ERROR_FORMAT, here + ".mode", "is %llu, must be 0 to 6",
+                     static_cast<unsigned long long>(mode));
+            if (mode < gltf_triangles) {
+                lines_.add(i);
+                continue;
+            }
+            read_primitive({primitive, i, node, mode, skeleton_->placement(), here});
+        }
+    }
+
+    void read_primitive(const GltfPrimitive& primitive) {
+        const GltfVertices vertices = read_vertices(document_, primitive);
+        const uint64_t count = vertices.positions.count;
+        const std::optional<GltfValues> index_values = read_index_values(document_, primitive);
+        check_room(count, index_values ? index_values->count : count, primitive.place);
+        const std::vector<uint32_t> indices = read_indices(index_values, count);
+        // Primitives that follow each other and have the same attributes share their vertices.
+        const Json& attributes = primitive.json["attributes"];
+        const bool is_new =
+            data_.positions.empty() || primitive.placement != last_node_ || attributes != last_attributes_;
+        last_node_ = primitive.placement;
+        last_attributes_ = attributes;
+        const uint64_t material = gltf_unsigned(primitive.json, "material", no_material, primitive.place);
+        const uint32_t next = static_cast<uint32_t>(part_of_material_.size());
+        const auto [found, is_first] = part_of_material_.try_emplace(material, next);
+        if (is_first) materials_.push_back(read_material(document_, material, primitive.place + ".material"));
+        if (is_new) append_vertices(primitive, vertices, found->second);
+        const bool mirrored = determinant(primitive.transform) < 0;
+        visit_triangles(primitive.mode, indices, [&](uint32_t a, uint32_t b, uint32_t c) {
+            data_.triangles.insert(data_.triangles.end(), {first_vertex_ + a, first_vertex_ + (mirrored ? c : b),
+                                                           first_vertex_ + (mirrored ? b : c)});
+        });
+    }
+
+    void check_room(uint64_t more_vertices, uint64_t more_triangles, const std::string& place) const {
+        constexpr uint64_t vertex_bytes = 2 * 3 * sizeof(float) + 4 * (sizeof(float) + sizeof(uint16_t)) + 4;
+        const uint64_t vertices = data_.vertex_count() + more_vertices;
+        const uint64_t triangles = data_.triangle_count() + more_triangles;
+        if (vertices > max_bytes || triangles > max_bytes || vertices * vertex_bytes + triangles * 12 > max_bytes)
+            fail(FLG_ERROR_LIMIT, place, "the skin takes more than the limit of 2 GiB");
+    }
+
+    GltfValues required(const GltfPrimitive& primitive, const char* name, uint64_t count) const {
+        const std::optional<GltfValues> values = read_attribute(document_, primitive, name);
+        if (!values) fail(FLG_ERROR_FORMAT, primitive.place + ".attributes", "has no %s", name);
+        check_count(*values, count);
+        return *values;
+    }
+
+    static void check_count(const GltfValues& values, uint64_t count) {
+        if (values.count == count) return;
+        fail(FLG_ERROR_FORMAT, values.place + ".count", "is %llu, but there are %llu positions",
+             static_cast<unsigned long long>(values.count), static_cast<unsigned long long>(count));
+    }
+
+    void append_vertices(const GltfPrimitive& primitive, const GltfVertices& vertices, uint32_t material_part) {
+        const uint64_t count = vertices.positions.count;
+        const GltfValues joints = required(primitive, "JOINTS_0", count);
+        const GltfValues weights = required(primitive, "WEIGHTS_0", count);
+        const std::optional<GltfValues> normals = read_attribute(document_, primitive, "NORMAL");
+        const std::optional<GltfValues> parts = read_attribute(document_, primitive, "_PART");
+        const bool is_byte = joints.component_type == gltf_unsigned_byte;
+        if (joints.components != 4 || joints.normalized || (!is_byte && joints.component_type != gltf_unsigned_short))
+            fail(FLG_ERROR_FORMAT, joints.place, "holds joints that are not four bytes or 16-bit numbers a vertex");
+        if (weights.components != 4 || (weights.component_type != gltf_float && !weights.normalized))
+            fail(FLG_ERROR_FORMAT, weights.place, "holds weights that are not four floats a vertex");
+        if (normals) check_count(*normals, count);
+        if (normals && (normals->components != 3 || normals->component_type != gltf_float))
+            fail(FLG_ERROR_FORMAT, normals->place, "holds normals that are not three floats");
+        if (parts) check_count(*parts, count);
+        if (parts && parts->components != 1)
+            fail(FLG_ERROR_FORMAT, parts->place, "holds parts that are not one number");
+        const bool has_more = read_attribute(document_, primitive, "JOINTS_1").has_value();
+        if (has_more) more_joints_.add(primitive.index);
+        all_have_parts_ = all_have_parts_ && parts;
+
+        first_vertex_ = static_cast<uint32_t>(data_.vertex_count());
+        for (uint32_t v = 0; v < count; ++v) {
+            for (const float value : vertices.position(v, primitive.transform)) data_.positions.push_back(value);
+            append_normal(normals, v, primitive.transform);
+            append_binding(joints, weights, v, has_more);
+            data_.parts.push_back(parts ? part_at(*parts, v) : material_part);
+        }
+    }
+
+    void append_normal(const std::optional<GltfValues>& normals, uint32_t vertex, const Transform& t) {
+        Vec3 n;
+        if (normals) n = {normals->number(vertex, 0), normals->number(vertex, 1), normals->number(vertex, 2)};
+        for (const double value : {n.x, n.y, n.z})
+            if (!std::isfinite(value)) refuse_value(*normals, vertex, static_cast<float>(value));
+        if (t != identity_transform) {
+            n = {t[0] * n.x + t[3] * n.y + t[6] * n.z, t[1] * n.x + t[4] * n.y + t[7] * n.z,
+                 t[2] * n.x + t[5] * n.y + t[8] * n.z};
+        }
+        constexpr double off_by = 1e-6;  // nearer to length 1 than this it keeps its bits
+        if (std::abs(length(n) - 1) > off_by) n = normalized(n);
+        for (const double value : {n.x, n.y, n.z}) data_.normals.push_back(static_cast<float>(value));
+    }
+
+    struct Bound {
+        uint16_t joint;
+        uint16_t place;  // among those of its vertex
+        float weight;
+    };
+
+    void append_binding(const GltfValues& joints, const GltfValues& weights, uint32_t vertex, bool has_more) {
+        Bound bound[joints_a_vertex];
+        double sum = 0;
+        for (uint32_t k = 0; k < joints_a_vertex; ++k) {
+            const uint32_t joint = static_cast<uint32_t>(joints.number(vertex, k));
+            const float weight = weights.number(vertex, k);
+            if (joint >= skeleton_->order().size())
+                fail(FLG_ERROR_FORMAT, joints.place, "vertex %u names joint %u, but there are %zu", vertex, joint,
+                     skeleton_->order().size());
+            if (!(weight >= 0 && weight <= 1 + static_cast<float>(sum_tolerance)))
+                fail(FLG_ERROR_FORMAT, weights.place, "vertex %u has the weight %g, must be 0 to 1", vertex,
+                     double{weight});
+            bound[k] = {skeleton_->order()[joint], static_cast<uint16_t>(k), weight};
+            sum += weight;
+        }
+        if (has_more ? !(sum > 0) : !(std::abs(sum - 1) <= sum_tolerance))
+            fail(FLG_ERROR_FORMAT, weights.place, "the weights of vertex %u sum up to %g, must be 1", vertex, sum);
+        for (uint32_t k = 0; k < joints_a_vertex; ++k) {  // of what is named twice, the first takes all
+            for (uint32_t i = 0; i < k; ++i) {
+                if (bound[i].joint != bound[k].joint) continue;
+                bound[i].weight += bound[k].weight;
+                bound[k].weight = 0;
+                break;
+            }
+        }
+        std::sort(bound, bound + joints_a_vertex, [](const Bound& a, const Bound& b) {
+            return a.weight != b.weight ? a.weight > b.weight : a.place < b.place;
+        });
+        constexpr double off_by = 1e-6;  // nearer to 1 than this weights keep their bits
+        const double scale = std::abs(sum - 1) > off_by ? 1 / sum : 1;
+        for (const Bound& b : bound) {
+            data_.joints.push_back(b.weight > 0 ? b.joint : uint16_t{0});
+            data_.weights.push_back(static_cast<float>(b.weight * scale));
+        }
+    }
+
+    uint32_t part_at(const GltfValues& parts, uint32_t vertex) const {
+        const double part = parts.number(vertex, 0);
+        if (!(part >= 0 && part < most_parts && part == std::floor(part)))
+            fail(FLG_ERROR_FORMAT, parts.place, "vertex %u is of part %g, must be a whole number of 0 to 2^24", vertex,
+                 part);
+        return static_cast<uint32_t>(part);
+    }
+
+    // Where there are none, those of the triangles around by area; an axis where there are no triangles either.
+    void make_normals() {
+        const auto at = [](const std::vector<float>& values, size_t v) {
+            return Vec3{values[3 * v], values[3 * v + 1], values[3 * v + 2]};
+        };
+        std::vector<Vec3> sums;
+        for (size_t v = 0; v < data_.vertex_count(); ++v) {
+            if (length(at(data_.normals, v)) > 0) continue;
+            if (sums.empty()) sums = triangle_normals();
+            const Vec3 n = length(sums[v]) > 0 ? normalized(sums[v]) : Vec3{0, 0, 1};
+            data_.normals[3 * v] = static_cast<float>(n.x);
+            data_.normals[3 * v + 1] = static_cast<float>(n.y);
+            data_.normals[3 * v + 2] = static_cast<float>(n.z);
+        }
+    }
+
+    std::vector<Vec3> triangle_normals() const {
+        std::vector<Vec3> sums(data_.vertex_count());
+        const auto at = [&](uint32_t v) {
+            return Vec3{data_.positions[3 * v], data_.positions[3 * v + 1], data_.positions[3 * v + 2]};
+        };
+        for (size_t i = 0; i < data_.triangles.size(); i += 3) {
+            const uint32_t* c = &data_.triangles[i];
+            const Vec3 n = cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]));
+            for (size_t k = 0; k < 3; ++k) sums[c[k]] = sums[c[k]] + n;
+        }
+        return sums;
+    }
+
+    // Materials by part: with _PART the document's in their order, as this library writes them.
+    void finish_parts() {
+        if (all_have_parts_) {
+            const uint32_t highest = *std::max_element(data_.parts.begin(), data_.parts.end());
+            const size_t count = document_.size("materials");
+            if (count == 0 || (count > 1 && count <= highest)) return;
+            materials_.clear();
+            for (uint64_t i = 0; i < count; ++i) materials_.push_back(read_material(document_, i, "materials"));
+        }
+        const bool says_color =
+            std::any_of(materials_.begin(), materials_.end(), [](const GltfMaterial& m) { return m.says_color; });
+        for (GltfMaterial& material : materials_)
+            if (says_color) data_.materials.push_back(std::move(material.data));
+    }
+
+    double size() const {
+        double square = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            float low = data_.positions[k], high = low;
+            for (const std::vector<float>* points : {&data_.positions, &data_.joint_positions}) {
+                for (size_t i = k; i < points->size(); i += 3) {
+                    low = std::min(low, (*points)[i]);
+                    high = std::max(high, (*points)[i]);
+                }
+            }
+            square += (double{high} - low) * (double{high} - low);
+        }
+        return std::sqrt(square);
+    }
+
+    GltfDocument document_;
+    GltfNodes nodes_;
+    std::optional<GltfSkeleton> skeleton_;
+    std::vector<uint64_t> shown_;
+    SkinData data_;
+    uint64_t last_node_ = no_node;
+    Json last_attributes_;
+    uint32_t first_vertex_ = 0;
+    bool all_have_parts_ = true;
+    std::map<uint64_t, uint32_t> part_of_material_;
+    std::vector<GltfMaterial> materials_;
+    Tally lines_, more_joints_;
+};
+
+}  // namespace
+
+std::optional<SkinData> read_gltf_skin(const std::filesystem::path& path) {
+    return GltfSkinReader(path).read();
+}
+
+namespace {
+
+constexpr double off_by = 1e-6;  // nearer to 1 than this: as good as floats are
+constexpr size_t first_joint_node = 2;
+
+std::string number(size_t value) {
+    return std::to_string(value);
+}
+
+void add_item(std::string& list, const std::string& item) {
+    if (!list.empty()) list += ',';
+    list += item;
+}
+
+template <size_t N>
+void append_unit(const float* values, std::vector<float>& to) {
+    double square = 0;
+    for (size_t k = 0; k < N; ++k) square += double{values[k]} * values[k];
+    const double size = std::sqrt(square);
+    const bool keeps = std::abs(size - 1) <= off_by;
+    for (size_t k = 0; k < N; ++k) to.push_back(keeps ? values[k] : static_cast<float>(values[k] / size));
+}
+
+class SkinWriter {
+public:
+    explicit SkinWriter(const CheckedSkin& checked) : checked_(checked), skin_(checked.skin()) {}
+
+    std::string write() {
+        const std::string attributes = add_vertices();
+        add_primitives(attributes);
+        for (const FlgSkinAnimation& animation : checked_.animations()) add_animation(animation);
+        std::string joints, roots, nodes;
+        std::vector<std::string> children(checked_.joint_count());
+        for (size_t j = 0; j < checked_.joint_count(); ++j) {
+            const uint32_t parent = skin_.joint_parents[j];
+            add_item(joints, number(first_joint_node + j));
+            add_item(parent == FLG_NO_INDEX ? roots : children[parent], number(first_joint_node + j));
+        }
+        const std::string name = checked_.name();
+        add_item(nodes, "{\"name\":" + json_text(name) + ",\"mesh\":0,\"skin\":0}");
+        add_item(nodes, "{\"name\":" + json_text(name + " skeleton") + ",\"children\":[" + roots + "]}");
+        for (size_t j = 0; j < checked_.joint_count(); ++j) add_item(nodes, joint_node(j, children[j]));
+        std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[" + nodes +
+                          "],\"skins\":[{\"name\":" + json_text(name) +
+                          ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
+                          joints + "]}],\"materials\":[" + materials_ + "],";
+        if (!animations_.empty()) top += "\"animations\":[" + animations_ + "],";
+        return glb_.finish_scene(top, name);
+    }
+
+private:
+    std::string add_vertices() {
+        const size_t count = checked_.vertex_count();
+        const std::span<const float> positions(skin_.positions, 3 * count);
+        std::vector<float> normals, weights, parts;
+        std::vector<uint16_t> joints;
+        for (size_t v = 0; v < count; ++v) {
+            const float* n = skin_.normals + 3 * v;
+            const float axis[] = {0, 0, 1};
+            append_unit<3>(n[0] == 0 && n[1] == 0 && n[2] == 0 ? axis : n, normals);
+            append_binding(v, joints, weights);
+            parts.push_back(static_cast<float>(checked_.part(v)));
+        }
+        std::string attributes =
+            "\"POSITION\":" + number(glb_.add_positions(glb_.add_view(positions, 3), positions, 0, count));
+        const auto add = [&](const char* name, size_t view, uint32_t component, const char* type) {
+            attributes +=
+                ",\"" + std::string(name) + "\":" + number(glb_.add_accessor(view, 0, count, component, type));
+        };
+        add("NORMAL", glb_.add_view(normals, 3), glb_float, "VEC3");
+        add("JOINTS_0", glb_.add_view(std::span<const uint16_t>(joints)), glb_unsigned_short, "VEC4");
+        add("WEIGHTS_0", glb_.add_view(weights, 4), glb_float, "VEC4");
+        if (skin_.vertex_parts) add("_PART", glb_.add_view(parts, 1), glb_float, "SCALAR");
+        return attributes;
+    }
+
+    // What has no weight is joint 0; the largest weight takes up what the sum is off.
+    void append_binding(size_t vertex, std::vector<uint16_t>& joints, std::vector<float>& weights) const {
+        const uint16_t* from_joints = skin_.vertex_joints + joints_a_vertex * vertex;
+        const float* from = skin_.vertex_weights + joints_a_vertex * vertex;
+        double sum = 0;
+        size_t largest = 0;
+        for (size_t k = 0; k < joints_a_vertex; ++k) {
+            sum += from[k];
+            if (from[k] > from[largest]) largest = k;
+        }
+        const bool keeps = std::abs(sum - 1) <= 1e-7;
+        double others = 0;
+        for (size_t k = 0; k < joints_a_vertex; ++k) {
+            joints.push_back(from[k] > 0 ? from_joints[k] : uint16_t{0});
+            weights.push_back(keeps ? from[k] : static_cast<float>(from[k] / sum));
+            if (k != largest) others += double{weights.back()};
+        }
+        if (!keeps) weights[weights.size() - joints_a_vertex + largest] = static_cast<float>(1 - others);
+    }
+
+    uint32_t part_of_triangle(size_t triangle) const {
+        const uint32_t* c = skin_.triangles + 3 * triangle;
+        const uint32_t a = checked_.part(c[0]), b = checked_.part(c[1]);
+        return b == checked_.part(c[2]) ? b : a;
+    }
+
+    void add_primitives(const std::string& attributes) {
+        const size_t material_count = checked_.materials().size();
+        std::map<uint32_t, std::vector<uint32_t>> indices;  // by part
+        for (size_t t = 0; t < skin_.triangle_count; ++t) {
+            std::vector<uint32_t>& list = indices[material_count > 1 ? part_of_triangle(t) : 0];
+            list.insert(list.end(), skin_.triangles + 3 * t, skin_.triangles + 3 * t + 3);
+        }
+        for (const auto& [part, list] : indices) {
+            const size_t accessor = glb_.add_accessor(glb_.add_view(std::span<const uint32_t>(list)), 0, list.size(),
+                                                      glb_unsigned, "SCALAR");
+            glb_.add_primitive(attributes, glb_triangles,
+                               ",\"indices\":" + number(accessor) + ",\"material\":" + number(part));
+        }
+        if (material_count == 0) materials_ = json_plain_material("surface");
+        for (size_t i = 0; i < material_count; ++i)
+            add_item(materials_, json_material(checked_.materials()[i], "part " + number(i)));
+    }
+
+    size_t add_bind_matrices() {
+        std::vector<float> matrices;
+        for (size_t j = 0; j < checked_.joint_count(); ++j) {
+            const float* p = skin_.joint_positions + 3 * j;
+            matrices.insert(matrices.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0 - p[0], 0 - p[1], 0 - p[2], 1});
+        }
+        return glb_.add_accessor(glb_.add_plain_view(matrices), 0, checked_.joint_count(), glb_float, "MAT4");
+    }
+
+    Vec3 from_parent(size_t joint) const {
+        const float* p = skin_.joint_positions + 3 * joint;
+        const Vec3 at{p[0], p[1], p[2]};
+        const uint32_t parent = skin_.joint_parents[joint];
+        if (parent == FLG_NO_INDEX) return at;
+        const float* q = skin_.joint_positions + 3 * size_t{parent};
+        return at - Vec3{q[0], q[1], q[2]};
+    }
+
+    std::string joint_node(size_t joint, const std::string& children) const {
+        const std::string name = skin_.joint_names ? skin_.joint_names[joint] : "joint " + number(joint);
+        const Vec3 t = from_parent(joint);
+        std::string json = "{\"name\":" + json_text(name) + ",\"translation\":[" +
+                           json_number(static_cast<float>(t.x)) + "," + json_number(static_cast<float>(t.y)) + "," +
+                           json_number(static_cast<float>(t.z)) + "]";
+        if (!children.empty()) json += ",\"children\":[" + children + "]";
+        return json + "}";
+    }
+
+    void add_animation(const FlgSkinAnimation& animation) {
+        const size_t keys = animation.key_count, joint_count = checked_.joint_count();
+        const size_t times = glb_.add_times({animation.times, keys});
+        std::string channels, samplers;
+        size_t sampler_count = 0;
+        const auto add = [&](size_t joint, const char* path, const std::vector<float>& values, const char* type) {
+            const size_t output = glb_.add_accessor(glb_.add_plain_view(values), 0, keys, glb_float, type);
+            add_item(samplers, "{\"input\":" + number(times) + ",\"output\":" + number(output) + "}");
+            add_item(channels, "{\"sampler\":" + number(sampler_count++) + ",\"target\":{\"node\":" +
+                                   number(first_joint_node + joint) + ",\"path\":\"" + path + "\"}}");
+        };
+        std::vector<float> values;
+        for (size_t j = 0; j < joint_count; ++j) {
+            values.clear();
+            bool turns = j == 0;  // an animation needs a channel
+            for (size_t key = 0; key < keys; ++key) {
+                const float* q = animation.rotations + 4 * (key * joint_count + j);
+                turns = turns || q[0] != 0 || q[1] != 0 || q[2] != 0;
+                append_unit<4>(q, values);
+            }
+            if (turns) add(j, "rotation", values, "VEC4");
+        }
+        for (size_t j = 0; animation.translations && j < joint_count; ++j) {
+            if (skin_.joint_parents[j] != FLG_NO_INDEX) continue;
+            values.clear();
+            const Vec3 rest = from_parent(j);
+            for (size_t key = 0; key < keys; ++key) {
+                const float* t = animation.translations + 3 * key;
+                for (const double value : {rest.x + t[0], rest.y + t[1], rest.z + t[2]})
+                    values.push_back(static_cast<float>(value));
+            }
+            add(j, "translation", values, "VEC3");
+        }
+        const std::string name = animation.name ? animation.name : "animation";
+        add_item(animations_,
+                 "{\"name\":" + json_text(name) + ",\"channels\":[" + channels + "],\"samplers\":[" + samplers + "]}");
+    }
+
+    const CheckedSkin& checked_;
+    const FlgSkinView& skin_;
+    GlbBuilder glb_;
+    std::string materials_, animations_;
+};
+
+}  // namespace
+
+std::string write_glb_skin(const CheckedSkin& skin) {
+    return SkinWriter(skin).write();
+}
+
+}  // namespace flg::io

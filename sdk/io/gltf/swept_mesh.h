@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Triangles of ribbons and tubes along curves, in pieces.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "filigree/filigree_io.h"
+#include "io/base/checked_views.h"
+
+namespace flg::io {
+
+// Neighbouring curves of one geometry. At most 65,535 vertices, so that 16 bits number them, if it has more than one
+// curve.
+struct SweptPiece {
+    FlgGeometry geometry;
+    std::vector<float> positions;
+    std::vector<float> normals;
+    std::vector<float> colors;  // empty without a COLOR column
+    std::vector<uint32_t> indices;
+
+    size_t vertex_count() const { return positions.size() / 3; }
+};
+
+// Each curve is a RIBBON or a TUBE: desc.geometries, else desc.geometry. Curves without length leave nothing.
+std::vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveWriteDesc& desc);
+
+}  // namespace flg::io

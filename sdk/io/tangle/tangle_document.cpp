@@ -1,0 +1,596 @@
+// SPDX-License-Identifier: MIT
+#include "io/tangle/tangle_document.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+
+namespace flg::io {
+
+namespace {
+
+constexpr uint64_t any_count = UINT32_MAX;
+
+uint64_t read_hex(const JsonValue& value) {
+    const std::string text = value.text();
+    constexpr size_t digits = 16;
+    if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        value.refuse("must be 16 digits from 0 to f");
+    }
+    return std::stoull(text, nullptr, 16);
+}
+
+uint32_t read_count(const JsonValue& object, const char* key, uint32_t otherwise) {
+    const std::optional<JsonValue> found = object.find(key);
+    return found ? static_cast<uint32_t>(found->count(any_count)) : otherwise;
+}
+
+float read_number(const JsonValue& object, const char* key, float otherwise) {
+    const std::optional<JsonValue> found = object.find(key);
+    return found ? found->number() : otherwise;
+}
+
+uint32_t read_flag(const JsonValue& object, const char* key) {
+    const std::optional<JsonValue> found = object.find(key);
+    return found && found->flag() ? 1 : 0;
+}
+
+}  // namespace
+
+SideFile read_side_file(const JsonValue& document) {
+    document.allow({"filigree", "version", "base", "box", "made", "arrays", "steps"});
+    if (document.at("filigree").text() != "tangle") document.at("filigree").refuse("must be 'tangle'");
+    const uint64_t version = document.at("version").count(any_count);
+    if (version != tangle_document_version) {
+        document.at("version").refuse("is " + std::to_string(version) + ", only 1 is known");
+    }
+    SideFile side;
+    const std::optional<JsonValue> arrays = document.find("arrays");
+    if (!arrays) return side;
+    arrays->allow({"file", "bytes", "checksum"});
+    side.name = arrays->at("file").text();
+    // Nothing but a file of this folder.
+    const bool plain = side.name.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
+    if (!plain || side.name.empty() || side.name == "." || side.name == "..") {
+        arrays->at("file").refuse("is " + cited(side.name) + ", must be the name of a file beside this one");
+    }
+    side.bytes = arrays->at("bytes").count(max_bytes);
+    side.checksum = read_hex(arrays->at("checksum"));
+    return side;
+}
+
+// Lists of numbers: in the JSON, or in the side file, one behind the other.
+class TangleDocument::Arrays {
+public:
+    explicit Arrays(Bytes bytes) : bytes_(bytes) {}
+
+    std::vector<uint32_t> integers(const JsonValue& value) {
+        std::vector<uint32_t> list;
+        read(value, 1, list,
+             [](const JsonValue& number, uint64_t) { return static_cast<uint32_t>(number.count(any_count)); });
+        return list;
+    }
+    // `words` a item.
+    std::vector<float> floats(const JsonValue& value, uint32_t words) {
+        std::vector<float> list;
+        read(value, words, list, [](const JsonValue& number, uint64_t) { return number.number(); });
+        for (const float number : list) check(value, number);
+        return list;
+    }
+    std::vector<FlgSurfacePoint> points(const JsonValue& value) {
+        std::vector<uint32_t> words;
+        read(value, 3, words, [](const JsonValue& number, uint64_t i) {
+            if (i % 3 == 0) return static_cast<uint32_t>(number.count(any_count));
+            const float weight = number.number();
+            uint32_t word;
+            std::memcpy(&word, &weight, sizeof word);
+            return word;
+        });
+        std::vector<FlgSurfacePoint> list(words.size() / 3);
+        for (size_t i = 0; i < list.size(); ++i) {
+            list[i].triangle = words[3 * i];
+            std::memcpy(&list[i].u, &words[3 * i + 1], sizeof list[i].u);
+            std::memcpy(&list[i].v, &words[3 * i + 2], sizeof list[i].v);
+            check(value, list[i].u);
+            check(value, list[i].v);
+        }
+        return list;
+    }
+    void expect_end() const {
+        if (at_ != bytes_.size()) {
+            fail(FLG_ERROR_FORMAT, "arrays", "have %zu bytes, of which the steps name %zu", bytes_.size(), at_);
+        }
+    }
+
+private:
+    static void check(const JsonValue& value, float number) {
+        if (!(std::abs(number) <= max_coordinate)) value.refuse("holds a number that is not finite");
+    }
+    template <class T, class Convert>
+    void read(const JsonValue& value, uint32_t words, std::vector<T>& list, Convert convert) {
+        if (value.is_list()) {
+            if (value.size() % words != 0) value.refuse("must have " + std::to_string(words) + " numbers an item");
+            for (size_t i = 0; i < value.size(); ++i) list.push_back(convert(value[i], i));
+            return;
+        }
+        value.allow({"at", "count"});
+        // Each byte is read once: what is made of a file is no larger than the file.
+        if (value.at("at").count(max_bytes) != at_) {
+            value.at("at").refuse("must be " + std::to_string(at_) + ": arrays follow one another");
+        }
+        const uint64_t bytes = value.at("count").count(any_count) * words * sizeof(T);
+        if (bytes > bytes_.size() - at_) {
+            value.refuse("takes " + std::to_string(bytes) + " bytes, the side file has " +
+                         std::to_string(bytes_.size() - at_) + " left");
+        }
+        list.resize(bytes / sizeof(T));
+        if (bytes > 0) std::memcpy(list.data(), bytes_.data() + at_, bytes);
+        at_ += bytes;
+    }
+
+    const Bytes bytes_;
+    uint64_t at_ = 0;
+};
+
+TangleDocument::TangleDocument(const JsonValue& document, Bytes bytes) {
+    Arrays arrays(bytes);
+    history_.struct_size = sizeof history_;
+    history_.base = read_hex(document.at("base"));
+    const JsonValue box = document.at("box");
+    if (box.size() != 6) box.refuse("must have six numbers");
+    for (size_t k = 0; k < 3; ++k) {
+        history_.box_min[k] = box[k].number();
+        history_.box_max[k] = box[k + 3].number();
+    }
+    const JsonValue steps = document.at("steps");
+    history_.made_count = static_cast<uint32_t>(document.at("made").count(steps.size()));
+    for (size_t i = 0; i < steps.size(); ++i) read_step(steps[i], arrays);
+    arrays.expect_end();
+    history_.steps = steps_.data();
+    history_.step_count = static_cast<uint32_t>(steps_.size());
+}
+
+void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
+    value.allow({"op",       "on",     "from",         "to",        "delta", "count", "groups",  "cycle",
+                 "scaffold", "closed", "perturbation", "frequency", "seed",  "size",  "spacing", "amount",
+                 "bias",     "gain",   "reach",        "group",     "first", "made",  "placed",  "places"});
+    const JsonValue op = value.at("op");
+    std::vector<const char*> words(std::begin(operator_words), std::end(operator_words));
+    words.insert(words.end(), std::begin(macro_words), std::end(macro_words));
+    const size_t first_change = words.size();
+    words.insert(words.end(), std::begin(change_words), std::end(change_words));
+    const size_t word = op.word(words);
+    FlgTangleStep step{};
+    step.struct_size = sizeof step;
+    if (word < std::size(operator_words)) {
+        read_divide(value, static_cast<FlgTangleOperator>(word), arrays, step);
+    } else if (word < first_change) {
+        read_macro(value, static_cast<FlgTangleMacro>(word - std::size(operator_words)), arrays, step);
+    } else if (word == first_change + displace_word) {
+        read_displace(value, arrays, step);
+    } else if (word == first_change + ungroup_word) {
+        step.kind = FLG_TANGLE_STEP_UNGROUP;
+        step.group = static_cast<uint32_t>(value.at("group").count(any_count));
+    } else {
+        step.kind = word == first_change + group_word ? FLG_TANGLE_STEP_GROUP : FLG_TANGLE_STEP_JOIN;
+        const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+        step.regions = regions.data();
+        step.region_count = static_cast<uint32_t>(regions.size());
+    }
+    step.first_region = read_count(value, "first", 0);
+    if (const auto made = value.find("made")) {
+        const std::vector<float>& places = floats_.emplace_back(arrays.floats(*made, 3));
+        step.made = places.data();
+        step.made_count = static_cast<uint32_t>(places.size() / 3);
+    }
+    step.placed = read_flag(value, "placed");
+    read_places(value, arrays, step);
+    steps_.push_back(step);
+}
+
+FlgTangleSeeds TangleDocument::read_seeds(const JsonValue& value, Arrays& arrays) {
+    value.allow({"borders", "stretches", "points", "samples", "spacing", "of"});
+    FlgTangleSeeds seeds{};
+    if (const auto borders = value.find("borders")) {
+        seeds.borders = static_cast<FlgTangleBorders>(borders->word(border_words));
+    }
+    if (const auto list = value.find("stretches")) {
+        std::vector<FlgBorderStretch>& stretches = stretches_.emplace_back();
+        for (size_t i = 0; i < list->size(); ++i) {
+            const JsonValue stretch = (*list)[i];
+            stretch.allow({"loop", "begin", "end"});
+            stretches.push_back({static_cast<uint32_t>(stretch.at("loop").count(any_count)),
+                                 stretch.at("begin").number(), stretch.at("end").number()});
+        }
+        seeds.stretches = stretches.data();
+        seeds.stretch_count = static_cast<uint32_t>(stretches.size());
+    }
+    if (const auto list = value.find("points")) {
+        const std::vector<FlgSurfacePoint>& points = points_.emplace_back(arrays.points(*list));
+        seeds.points = points.data();
+        seeds.point_count = static_cast<uint32_t>(points.size());
+    }
+    if (const auto samples = value.find("samples")) {
+        samples->allow({"radius", "count"});
+        seeds.sample_radius = samples->at("radius").number();
+        seeds.sample_count = read_count(*samples, "count", 0);
+    }
+    seeds.border_spacing = read_number(value, "spacing", 0);
+    if (const auto of = value.find("of")) {
+        const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(*of));
+        seeds.regions = regions.data();
+        seeds.region_count = static_cast<uint32_t>(regions.size());
+    }
+    return seeds;
+}
+
+void TangleDocument::read_divide(const JsonValue& value, FlgTangleOperator kind, Arrays& arrays, FlgTangleStep& step) {
+    FlgTangleDivideDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.kind = kind;
+    const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+    desc.regions = regions.data();
+    desc.region_count = static_cast<uint32_t>(regions.size());
+    desc.a = read_seeds(value.at("from"), arrays);
+    if (const auto to = value.find("to")) desc.b = read_seeds(*to, arrays);
+    desc.delta = value.at("delta").number();
+    desc.count = read_count(value, "count", 1);
+    if (const auto groups = value.find("groups")) {
+        desc.grouping = static_cast<FlgTangleGrouping>(groups->word(grouping_words));
+    }
+    desc.cycle = read_count(value, "cycle", 3);
+    desc.scaffold = read_flag(value, "scaffold");
+    desc.closed = read_flag(value, "closed");
+    desc.perturbation = read_number(value, "perturbation", 0);
+    desc.frequency = read_number(value, "frequency", 1);
+    desc.seed = value.at("seed").count(UINT64_MAX);
+    step.kind = FLG_TANGLE_STEP_DIVIDE;
+    step.divide = &divides_.emplace_back(desc);
+}
+
+void TangleDocument::read_macro(const JsonValue& value, FlgTangleMacro kind, Arrays& arrays, FlgTangleStep& step) {
+    FlgTangleMacroDesc desc{};
+    desc.struct_size = sizeof desc;
+    desc.kind = kind;
+    const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+    desc.regions = regions.data();
+    desc.region_count = static_cast<uint32_t>(regions.size());
+    desc.count = static_cast<uint32_t>(value.at("count").count(any_count));
+    desc.size = value.at("size").number();
+    desc.spacing = value.at("spacing").number();
+    desc.seed = value.at("seed").count(UINT64_MAX);
+    step.kind = FLG_TANGLE_STEP_MACRO;
+    step.macro = &macros_.emplace_back(desc);
+}
+
+void TangleDocument::read_displace(const JsonValue& value, Arrays& arrays, FlgTangleStep& step) {
+    FlgTangleDisplaceDesc desc{};
+    desc.struct_size = sizeof desc;
+    const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+    desc.regions = regions.data();
+    desc.region_count = static_cast<uint32_t>(regions.size());
+    desc.amount = value.at("amount").number();
+    desc.bias = read_number(value, "bias", 0.5f);
+    desc.gain = read_number(value, "gain", 0.5f);
+    desc.reach = read_number(value, "reach", 0);
+    step.kind = FLG_TANGLE_STEP_DISPLACE;
+    step.displace = &displaces_.emplace_back(desc);
+}
+
+void TangleDocument::read_places(const JsonValue& value, Arrays& arrays, FlgTangleStep& step) {
+    const auto list = value.find("places");
+    if (!list) return;
+    std::vector<FlgTangleSeedPlaces>& places = places_.emplace_back();
+    for (size_t i = 0; i < list->size(); ++i) places.push_back(read_places_of((*list)[i], arrays));
+    step.places = places.data();
+    step.place_count = static_cast<uint32_t>(places.size());
+}
+
+FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Arrays& arrays) {
+    value.allow({"points", "loops", "samples", "curves"});
+    FlgTangleSeedPlaces places{};
+    const auto positions = [&](const char* key, const float*& out, uint32_t& count) {
+        const auto found = value.find(key);
+        if (!found) return;
+        const std::vector<float>& list = floats_.emplace_back(arrays.floats(*found, 3));
+        out = list.data();
+        count = static_cast<uint32_t>(list.size() / 3);
+    };
+    positions("points", places.points, places.point_count);
+    positions("loops", places.loops, places.loop_count);
+    positions("samples", places.samples, places.sample_count);
+    const auto curves = value.find("curves");
+    if (!curves) return places;
+    curves->allow({"offsets", "flags", "values", "points", "places"});
+    const std::vector<uint32_t>& offsets = numbers_.emplace_back(arrays.integers(curves->at("offsets")));
+    const std::vector<uint32_t> words = arrays.integers(curves->at("flags"));
+    const std::vector<float>& values = floats_.emplace_back(arrays.floats(curves->at("values"), 1));
+    const std::vector<FlgSurfacePoint>& points = points_.emplace_back(arrays.points(curves->at("points")));
+    if (words.empty() || offsets.size() != words.size() + 1 || values.size() != words.size()) {
+        curves->refuse("must have one flag and value a curve, and one offset more");
+    }
+    if (offsets.back() != points.size()) {
+        curves->refuse("has " + std::to_string(points.size()) + " points, the last offset is " +
+                       std::to_string(offsets.back()));
+    }
+    std::vector<uint8_t>& flags = flags_.emplace_back();
+    for (const uint32_t word : words) flags.push_back(static_cast<uint8_t>(word & FLG_CURVE_CLOSED));
+    places.curves.struct_size = sizeof places.curves;
+    places.curves.curve_count = static_cast<uint32_t>(words.size());
+    places.curves.curve_offsets = offsets.data();
+    places.curves.curve_flags = flags.data();
+    places.curves.curve_values = values.data();
+    places.curves.points = points.data();
+    const std::vector<float>& at = floats_.emplace_back(arrays.floats(curves->at("places"), 3));
+    if (at.size() != 3 * points.size()) curves->at("places").refuse("must be one a point");
+    places.curve_points = at.data();
+    return places;
+}
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+// Longer arrays go into the side file.
+constexpr uint64_t longest_line = 12;  // numbers
+
+// The double with the fewest digits that is read as this float.
+double shortest(float value) {
+    char text[32];
+    char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+    double number = value;
+    std::from_chars(text, end, number);
+    return static_cast<float>(number) == value ? number : double{value};
+}
+
+OrderedJson number(float value, const std::string& place) {
+    if (!(std::abs(value) <= max_coordinate)) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place, "is %g, must be finite and at most 1e30 in size", double{value});
+    }
+    return shortest(value);
+}
+
+std::string hex(uint64_t number) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
+    return text;
+}
+
+class Writer {
+public:
+    OrderedJson step(const FlgTangleStep& step, const std::string& place);
+
+    std::string arrays;
+
+private:
+    // `count` items of `words` words each, at `data`; to_json makes a number of a word.
+    template <class ToJson>
+    OrderedJson list(const void* data, uint64_t count, uint32_t words, const std::string& where, ToJson to_json) {
+        if (count > 0 && !data) fail(FLG_ERROR_INVALID_ARGUMENT, where, "is null");
+        const auto* const bytes = static_cast<const char*>(data);
+        if (count * words > longest_line) {
+            const size_t at = arrays.size();
+            if (at + count * words * 4 > max_bytes)
+                fail(FLG_ERROR_LIMIT, where, "makes the document's arrays too large");
+            arrays.append(bytes, count * words * 4);
+            return {{"at", at}, {"count", count}};
+        }
+        OrderedJson numbers = OrderedJson::array();
+        for (uint64_t i = 0; i < count * words; ++i) numbers.push_back(to_json(bytes + 4 * i, i % words));
+        return numbers;
+    }
+    OrderedJson integers(const uint32_t* data, uint64_t count, const std::string& where) {
+        return list(data, count, 1, where, [](const char* word, uint64_t) {
+            uint32_t value;
+            std::memcpy(&value, word, sizeof value);
+            return OrderedJson(value);
+        });
+    }
+    OrderedJson floats(const float* data, uint64_t count, uint32_t words, const std::string& where) {
+        for (uint64_t i = 0; data && i < count * words; ++i) number(data[i], where);
+        return list(data, count, words, where, [&](const char* word, uint64_t) {
+            float value;
+            std::memcpy(&value, word, sizeof value);
+            return number(value, where);
+        });
+    }
+    OrderedJson points(const FlgSurfacePoint* data, uint64_t count, const std::string& where) {
+        for (uint64_t i = 0; data && i < count; ++i) {
+            number(data[i].u, where);
+            number(data[i].v, where);
+        }
+        return list(data, count, 3, where, [&](const char* word, uint64_t k) {
+            uint32_t index;
+            float weight;
+            std::memcpy(&index, word, sizeof index);
+            std::memcpy(&weight, word, sizeof weight);
+            return k == 0 ? OrderedJson(index) : number(weight, where);
+        });
+    }
+    OrderedJson seeds(const FlgTangleSeeds& seeds, const std::string& place);
+    OrderedJson places(const FlgTangleSeedPlaces& places, const std::string& place);
+    void divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const std::string& place);
+    void macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std::string& place);
+    void displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, const std::string& place);
+};
+
+// What a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
+template <class Enum>
+int32_t number_of(const Enum& value) {
+    int32_t number;
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
+
+template <size_t count>
+const char* word_of(const char* const (&words)[count], int32_t value, const std::string& place) {
+    if (value < 0 || static_cast<size_t>(value) >= count) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, place, "is %d, which is none of its values", value);
+    }
+    return words[value];
+}
+
+template <class T>
+const T& need(const T* pointer, const std::string& place) {
+    if (!pointer) fail(FLG_ERROR_INVALID_ARGUMENT, place, "is null");
+    return *pointer;
+}
+
+OrderedJson Writer::seeds(const FlgTangleSeeds& seeds, const std::string& place) {
+    OrderedJson json = OrderedJson::object();
+    if (number_of(seeds.borders) != FLG_TANGLE_BORDERS_NONE) {
+        json["borders"] = word_of(border_words, number_of(seeds.borders), place + ".borders");
+    }
+    for (uint32_t i = 0; i < seeds.stretch_count; ++i) {
+        const std::string where = place + ".stretches";
+        const FlgBorderStretch& stretch = (&need(seeds.stretches, where))[i];
+        json["stretches"].push_back(
+            {{"loop", stretch.loop}, {"begin", number(stretch.begin, where)}, {"end", number(stretch.end, where)}});
+    }
+    if (seeds.point_count > 0) json["points"] = points(seeds.points, seeds.point_count, place + ".points");
+    if (seeds.sample_radius != 0) {
+        json["samples"]["radius"] = number(seeds.sample_radius, place + ".sample_radius");
+        if (seeds.sample_count != 0) json["samples"]["count"] = seeds.sample_count;
+    }
+    if (seeds.border_spacing != 0) json["spacing"] = number(seeds.border_spacing, place + ".border_spacing");
+    if (seeds.region_count > 0) json["of"] = integers(seeds.regions, seeds.region_count, place + ".regions");
+    return json;
+}
+
+OrderedJson Writer::places(const FlgTangleSeedPlaces& places, const std::string& place) {
+    OrderedJson json = OrderedJson::object();
+    if (places.point_count > 0) json["points"] = floats(places.points, places.point_count, 3, place + ".points");
+    if (places.loop_count > 0) json["loops"] = floats(places.loops, places.loop_count, 3, place + ".loops");
+    if (places.sample_count > 0) json["samples"] = floats(places.samples, places.sample_count, 3, place + ".samples");
+    const FlgSurfaceCurvesView& curves = places.curves;
+    if (curves.curve_count == 0) return json;
+    const std::string where = place + ".curves";
+    const uint32_t* const offsets = &need(curves.curve_offsets, where + ".curve_offsets");
+    const uint8_t* const flags = &need(curves.curve_flags, where + ".curve_flags");
+    const uint32_t count = offsets[curves.curve_count];
+    const std::vector<uint32_t> words(flags, flags + curves.curve_count);
+    json["curves"]["offsets"] = integers(offsets, uint64_t{curves.curve_count} + 1, where);
+    json["curves"]["flags"] = integers(words.data(), words.size(), where);
+    json["curves"]["values"] = floats(curves.curve_values, curves.curve_count, 1, where + ".curve_values");
+    json["curves"]["points"] = points(curves.points, count, where + ".points");
+    if (places.curve_points) json["curves"]["places"] = floats(places.curve_points, count, 3, place + ".curve_points");
+    return json;
+}
+
+void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const std::string& place) {
+    json["op"] = word_of(operator_words, number_of(desc.kind), place + ".kind");
+    json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
+    json["from"] = seeds(desc.a, place + ".a");
+    OrderedJson to = seeds(desc.b, place + ".b");
+    if (!to.empty()) json["to"] = std::move(to);
+    json["delta"] = number(desc.delta, place + ".delta");
+    json["count"] = desc.count;
+    json["groups"] = word_of(grouping_words, number_of(desc.grouping), place + ".grouping");
+    if (number_of(desc.grouping) == FLG_TANGLE_GROUP_CYCLE) json["cycle"] = desc.cycle;
+    if (desc.scaffold != 0) json["scaffold"] = true;
+    if (desc.closed != 0) json["closed"] = true;
+    if (desc.perturbation != 0) {
+        json["perturbation"] = number(desc.perturbation, place + ".perturbation");
+        json["frequency"] = number(desc.frequency, place + ".frequency");
+    }
+    json["seed"] = desc.seed;
+}
+
+void Writer::macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std::string& place) {
+    json["op"] = word_of(macro_words, number_of(desc.kind), place + ".kind");
+    json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
+    json["count"] = desc.count;
+    json["size"] = number(desc.size, place + ".size");
+    json["spacing"] = number(desc.spacing, place + ".spacing");
+    json["seed"] = desc.seed;
+}
+
+void Writer::displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, const std::string& place) {
+    json["op"] = change_words[displace_word];
+    json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
+    json["amount"] = number(desc.amount, place + ".amount");
+    json["bias"] = number(desc.bias, place + ".bias");
+    json["gain"] = number(desc.gain, place + ".gain");
+    json["reach"] = number(desc.reach, place + ".reach");
+}
+
+OrderedJson Writer::step(const FlgTangleStep& step, const std::string& place) {
+    OrderedJson json;
+    const int32_t kind = number_of(step.kind);
+    switch (kind) {
+        case FLG_TANGLE_STEP_DIVIDE: divide(json, need(step.divide, place + ".divide"), place + ".divide"); break;
+        case FLG_TANGLE_STEP_MACRO: macro(json, need(step.macro, place + ".macro"), place + ".macro"); break;
+        case FLG_TANGLE_STEP_DISPLACE:
+            displace(json, need(step.displace, place + ".displace"), place + ".displace");
+            break;
+        case FLG_TANGLE_STEP_UNGROUP:
+            json["op"] = change_words[ungroup_word];
+            json["group"] = step.group;
+            break;
+        case FLG_TANGLE_STEP_GROUP:
+        case FLG_TANGLE_STEP_JOIN:
+            json["op"] = change_words[kind == FLG_TANGLE_STEP_GROUP ? group_word : join_word];
+            json["on"] = integers(step.regions, step.region_count, place + ".regions");
+            break;
+        default: fail(FLG_ERROR_INVALID_ARGUMENT, place + ".kind", "is %d, which is none of its values", kind);
+    }
+    json["first"] = step.first_region;
+    if (step.made_count > 0) json["made"] = floats(step.made, step.made_count, 3, place + ".made");
+    if (step.placed != 0) json["placed"] = true;
+    for (uint32_t i = 0; i < step.place_count; ++i) {
+        const std::string where = place + ".places[" + std::to_string(i) + "]";
+        json["places"].push_back(places((&need(step.places, where))[i], where));
+    }
+    return json;
+}
+
+}  // namespace
+
+uint64_t checksum_of(Bytes bytes) {
+    uint64_t sum = 0xcbf29ce484222325;
+    for (const uint8_t byte : bytes) sum = (sum ^ byte) * 0x100000001b3;
+    return sum;
+}
+
+TangleText write_tangle(const FlgTangleHistory& history, const std::string& file_name) {
+    if (history.made_count > history.step_count) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "history.made_count", "is %u, but there are %u steps", history.made_count,
+             history.step_count);
+    }
+    Writer writer;
+    std::string steps;
+    for (uint32_t i = 0; i < history.step_count; ++i) {
+        const std::string place = "history.steps[" + std::to_string(i) + "]";
+        const FlgTangleStep& step = (&need(history.steps, "history.steps"))[i];
+        if (step.struct_size < sizeof step) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, place, "has the struct_size %u, must be at least %zu", step.struct_size,
+                 sizeof step);
+        }
+        steps += (i == 0 ? "\n    " : ",\n    ") + writer.step(step, place).dump();
+        if (steps.size() > max_tangle_json) fail(FLG_ERROR_LIMIT, place, "makes the document too large");
+    }
+    TangleText text;
+    OrderedJson head;
+    head["filigree"] = "tangle";
+    head["version"] = tangle_document_version;
+    head["base"] = hex(history.base);
+    for (const float value : history.box_min) head["box"].push_back(number(value, "history.box_min"));
+    for (const float value : history.box_max) head["box"].push_back(number(value, "history.box_max"));
+    head["made"] = history.made_count;
+    if (!writer.arrays.empty()) {
+        text.side.bytes = writer.arrays.size();
+        text.side.checksum =
+            checksum_of({reinterpret_cast<const uint8_t*>(writer.arrays.data()), writer.arrays.size()});
+        text.side.name = file_name + "." + hex(text.side.checksum) + ".bin";
+        head["arrays"] = {{"file", text.side.name}, {"bytes", text.side.bytes}, {"checksum", hex(text.side.checksum)}};
+    }
+    text.json = head.dump(2);
+    text.json.erase(text.json.size() - 2);  // the brace on its line
+    text.json += ",\n  \"steps\": [" + steps + (history.step_count > 0 ? "\n  ]\n}\n" : "]\n}\n");
+    text.arrays = std::move(writer.arrays);
+    return text;
+}
+
+}  // namespace flg::io

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Source: Wavefront's OBJ specification (v, l, f, usemtl; the rest is passed over).
+//
+// Lines: `l a b c` is a curve; one whose last index equals its first is closed; `l a a` is a curve of one point.
+// Statements of two indices that follow each other and chain (as programs write edge by edge) are joined into one
+// curve.
+//
+// Faces: colours may stand behind positions, as MeshLab and others write them. Regions are materials, numbered by the
+// first face that has them.
+#include "io/text/obj.h"
+
+#include <map>
+
+#include "io/base/polylines.h"
+#include "io/text/text_lines.h"
+
+namespace flg::io {
+
+namespace {
+
+// Hands out statements: lines, joined where a backslash continues them.
+class ObjStatements {
+public:
+    explicit ObjStatements(std::string_view text) : lines_(text) {}
+
+    // Lives until the next call.
+    bool next(std::string_view& statement) {
+        if (!lines_.next(statement)) return false;
+        line_ = lines_.number();
+        if (!statement.ends_with('\\')) return true;
+        joined_.clear();
+        do {
+            joined_.append(statement.substr(0, statement.size() - 1)) += ' ';
+        } while (lines_.next(statement) && statement.ends_with('\\'));
+        if (!statement.ends_with('\\')) joined_.append(statement);
+        statement = joined_;
+        return true;
+    }
+    uint64_t line() const { return line_; }  // of the statement's first line, from 1
+    uint64_t last_line() const { return lines_.number(); }
+
+private:
+    TextLines lines_;
+    std::string joined_;
+    uint64_t line_ = 0;
+};
+
+// The vertex of `v`, `v/vt`, `v//vn` or `v/vt/vn`, from 0, by the number of vertices so far; whether it exists is seen
+// at the end of the file.
+inline uint32_t read_obj_index(std::string_view word, uint64_t vertex_count, uint64_t line) {
+    const int64_t count = static_cast<int64_t>(vertex_count);
+    int64_t value = 0;
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole = stop == word.data() + word.size() || *stop == '/';
+    if (error == std::errc::invalid_argument || !whole) {
+        fail(FLG_ERROR_FORMAT, line_place(line), "no vertex index: %s", cited(word).c_str());
+    }
+    const int64_t index = value < 0 ? count + value : value - 1;
+    if (error != std::errc{} || index < 0 || index >= static_cast<int64_t>(max_points)) {
+        fail(FLG_ERROR_FORMAT, line_place(line), "the vertex index %s is out of range: %lld vertices so far",
+             cited(word).c_str(), static_cast<long long>(count));
+    }
+    return static_cast<uint32_t>(index);
+}
+
+struct Statement {
+    uint64_t line;
+    size_t begin;  // of its indices
+};
+
+class ObjReader {
+public:
+    CurveData read(std::string_view text) {
+        data_.format = "obj";
+        ObjStatements statements(text);
+        for (std::string_view statement; statements.next(statement);) {
+            read_statement(LineCursor(statement, statements.line()), statements.line());
+        }
+        if (statements_.empty())
+            fail(FLG_ERROR_FORMAT, line_place(statements.last_line()), "the file holds no lines (`l`)");
+        data_.warn(faces_, "face", "left out: only lines are read");
+        build();
+        return std::move(data_);
+    }
+
+private:
+    void read_statement(LineCursor cursor, uint64_t line) {
+        const std::string_view keyword = cursor.word();
+        if (keyword == "v") {
+            // A weight or a colour may follow.
+            for (const char* what : {"x", "y", "z"}) vertices_.push_back(cursor.number(what));
+            if (vertices_.size() / 3 > max_points) fail(FLG_ERROR_LIMIT, line_place(line), "more than 2^31 vertices");
+        } else if (keyword == "f") {
+            faces_.add(line);
+        } else if (keyword == "l") {
+            statements_.push_back({line, indices_.size()});
+            while (cursor.more()) indices_.push_back(read_obj_index(cursor.word(), vertices_.size() / 3, line));
+            if (indices_.size() - statements_.back().begin < 2) {
+                fail(FLG_ERROR_FORMAT, line_place(line), "a line of fewer than two vertices");
+            }
+            if (indices_.size() > max_points) fail(FLG_ERROR_LIMIT, line_place(line), "more than 2^31 points");
+        }
+    }
+
+    void build() {
+        const size_t vertex_count = vertices_.size() / 3;
+        Polylines lines;
+        size_t edges_begin = 0;  // of the run of two-index statements that is being gathered
+        for (size_t s = 0; s < statements_.size(); ++s) {
+            const size_t begin = statements_[s].begin;
+            const size_t end = s + 1 < statements_.size() ? statements_[s + 1].begin : indices_.size();
+            for (size_t i = begin; i < end; ++i) {
+                if (indices_[i] < vertex_count) continue;
+                fail(FLG_ERROR_FORMAT, line_place(statements_[s].line),
+                     "the vertex index %u is out of range: the file has %zu vertices", indices_[i] + 1, vertex_count);
+            }
+            if (end - begin == 2 && indices_[begin] != indices_[begin + 1]) continue;
+            add_edges(lines, edges_begin, begin);
+            lines.indices.insert(lines.indices.end(), indices_.begin() + static_cast<ptrdiff_t>(begin),
+                                 indices_.begin() + static_cast<ptrdiff_t>(end));
+            lines.end(false);
+            edges_begin = end;
+        }
+        add_edges(lines, edges_begin, indices_.size());
+
+        data_.positions.reserve(lines.indices.size() * 3);
+        for (size_t c = 0; c < lines.count(); ++c) {
+            for (size_t i = lines.offsets[c]; i < lines.offsets[c + 1]; ++i) {
+                const float* vertex = &vertices_[size_t{lines.indices[i]} * 3];
+                data_.positions.insert(data_.positions.end(), vertex, vertex + 3);
+            }
+            data_.end_curve(lines.closed[c]);
+        }
+    }
+
+    void add_edges(Polylines& lines, size_t begin, size_t end) const {
+        const uint32_t* pairs = indices_.data() + begin;
+        join_edges((end - begin) / 2, [&](size_t e) { return std::pair(pairs[2 * e], pairs[2 * e + 1]); },
+                   [](uint32_t a, uint32_t b) { return a == b; }, lines);
+    }
+
+    CurveData data_;
+    std::vector<float> vertices_;
+    std::vector<uint32_t> indices_;
+    std::vector<Statement> statements_;
+    Tally faces_;
+};
+
+}  // namespace
+
+CurveData read_obj(std::string_view text) {
+    return ObjReader().read(text);
+}
+
+std::string write_obj(const CheckedView& view) {
+    constexpr size_t usual_point = 48;
+    std::string text;
+    text.reserve(view.point_count() * usual_point);
+    for (size_t i = 0; i < view.point_count(); ++i) {
+        text += 'v';
+        for (int k = 0; k < 3; ++k) {
+            text += ' ';
+            append_number(text, view.position.at(i)[k]);
+        }
+        text += '\n';
+    }
+    for (uint32_t c = 0; c < view.curve_count(); ++c) {
+        text += 'l';
+        for (size_t i = view.begin(c); i < view.end(c); ++i) text.append(" ").append(std::to_string(i + 1));
+        // A curve of one point has it twice: the format has no shorter lines.
+        if (view.closed(c) || view.end(c) - view.begin(c) == 1)
+            text.append(" ").append(std::to_string(view.begin(c) + 1));
+        text += '\n';
+    }
+    return text;
+}
+
+namespace {
+
+constexpr uint32_t no_region = UINT32_MAX;
+
+class ObjMeshReader {
+public:
+    MeshData read(std::string_view text) {
+        data_.format = "obj";
+        ObjStatements statements(text);
+        for (std::string_view statement; statements.next(statement);) {
+            read_statement(LineCursor(statement, statements.line()), statements.line());
+        }
+        if (data_.triangles.empty()) {
+            fail(FLG_ERROR_FORMAT, line_place(statements.last_line()), "the file holds no faces (`f`)");
+        }
+        if (largest_index_ >= data_.vertex_count()) {
+            fail(FLG_ERROR_FORMAT, line_place(largest_line_),
+                 "the vertex index %llu is out of range: the file has %zu vertices",
+                 static_cast<unsigned long long>(largest_index_) + 1, data_.vertex_count());
+        }
+        end_region();
+        if (regions_.size() == 1) data_.regions.clear();
+        if (!colors_.empty()) {
+            colors_.resize(4 * data_.vertex_count(), 1.0f);
+            data_.columns.push_back({FLG_ATTRIBUTE_COLOR, 4, std::move(colors_)});
+        }
+        data_.warn(lines_, "line", "of lines or points (`l`, `p`), left out: only faces are read");
+        return std::move(data_);
+    }
+
+private:
+    void read_statement(LineCursor cursor, uint64_t line) {
+        const std::string_view keyword = cursor.word();
+        if (keyword == "v") {
+            read_vertex(cursor);
+        } else if (keyword == "f") {
+            read_face(cursor, line);
+        } else if (keyword == "usemtl") {
+            end_region();
+            material_ = cursor.word();
+            region_ = no_region;
+        } else if (keyword == "l" || keyword == "p") {
+            lines_.add(line);
+        }
+    }
+
+    void read_vertex(LineCursor& cursor) {
+        for (const char* what : {"x", "y", "z"}) data_.positions.push_back(cursor.number(what));
+        if (!cursor.more()) return;
+        float rest[3] = {cursor.number("weight or red"), 0, 0};
+        // A single number is a weight, which only rational curves and surfaces use.
+        if (!cursor.more()) return;
+        rest[1] = cursor.number("green");
+        rest[2] = cursor.number("blue");
+        colors_.resize(4 * (data_.vertex_count() - 1), 1.0f);
+        colors_.insert(colors_.end(), {rest[0], rest[1], rest[2], 1.0f});
+    }
+
+    void read_face(LineCursor& cursor, uint64_t line) {
+        corners_.clear();
+        while (cursor.more()) {
+            const uint32_t index = read_obj_index(cursor.word(), data_.vertex_count(), line);
+            if (index > largest_index_ || largest_line_ == 0) {
+                largest_index_ = index;
+                largest_line_ = line;
+            }
+            corners_.push_back(index);
+        }
+        if (corners_.size() < 3) {
+            fail(FLG_ERROR_FORMAT, line_place(line), "a face of %zu vertices: it needs three", corners_.size());
+        }
+        if (region_ == no_region) {
+            region_ = regions_.try_emplace(material_, static_cast<uint32_t>(regions_.size())).first->second;
+        }
+        data_.add_polygon(corners_);
+    }
+
+    // The triangles since the last material are its.
+    void end_region() {
+        if (region_ != no_region) data_.regions.resize(data_.triangle_count(), region_);
+    }
+
+    MeshData data_;
+    std::vector<float> colors_;  // of the vertices up to the last that has one
+    std::vector<uint32_t> corners_;
+    uint32_t largest_index_ = 0;  // and the line that has it first
+    uint64_t largest_line_ = 0;
+    std::string material_;  // of the next face; what comes before the first `usemtl` is nameless
+    uint32_t region_ = no_region;
+    std::map<std::string, uint32_t> regions_;
+    Tally lines_;
+};
+
+}  // namespace
+
+MeshData read_obj_mesh(std::string_view text) {
+    return ObjMeshReader().read(text);
+}
+
+std::string write_obj_mesh(const CheckedMesh& mesh) {
+    constexpr size_t usual_line = 36;
+    std::string text;
+    text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
+    for (size_t i = 0; i < mesh.vertex_count(); ++i) {
+        text += 'v';
+        append_numbers(text, mesh.position.at(i), 3);
+        if (mesh.color) append_numbers(text, mesh.color.at(i), 3);
+        text += '\n';
+    }
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        if (mesh.regions() && (t == 0 || mesh.region(t) != mesh.region(t - 1))) {
+            text.append("usemtl region_").append(std::to_string(mesh.region(t))) += '\n';
+        }
+        text += 'f';
+        for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(std::to_string(mesh.triangle(t)[k] + 1));
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace flg::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Geomview's object file format.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/base/checked_views.h"
+#include "io/base/mesh_data.h"
+
+namespace flg::io {
+
+MeshData read_off(std::string_view text);
+std::string write_off(const CheckedMesh& mesh);
+
+}  // namespace flg::io

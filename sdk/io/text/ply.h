@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Meshes of PLY files. They are written as little-endian binary.
+#pragma once
+
+#include <string>
+
+#include "io/base/checked_views.h"
+#include "io/base/files.h"
+#include "io/base/mesh_data.h"
+
+namespace flg::io {
+
+MeshData read_ply(Bytes file);
+
+std::string write_ply(const CheckedMesh& mesh);
+
+}  // namespace flg::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The smooth surface of a point cloud: a sample at each point, with the normal and the curvature of a quadric through
+// its neighbours. Noise is smoothed over the distance of the neighbours: samples lie on the quadrics, not at the
+// points. Normals that the host has not given are those of the neighbours' best planes, turned to one side along a
+// spanning tree of the neighbours graph that prefers neighbours whose normals are nearly parallel (Hoppe, DeRose,
+// Duchamp, McDonald, Stuetzle: Surface reconstruction from unorganized points, 1992). Of each connected part, the
+// normal of its highest point (along z) points up: outwards, if the part is closed.
+#pragma once
+
+#include "splines/manifolds/sampled_surface.h"
+
+namespace flg {
+
+struct CloudInput {
+    const Position* points = nullptr;   // metres, finite
+    const Position* normals = nullptr;  // outwards, of any length; may be null
+    uint32_t count = 0;
+    // Of each point, 6 to 32: more of them smooth more. A sample reaches as far as the last of them.
+    uint32_t neighbours = 16;
+};
+
+// A Failure says so if there are fewer than 4 points, or fewer than 4 that have a sample: points in whose neighbourhood
+// there is no plane have none. The arrays outlive the task. The deviation is that of points of the cloud: their noise.
+// About 6 us and 300 bytes a point.
+Task<SampledSurface> sample_cloud(Pace& pace, CloudInput input);
+
+}  // namespace flg

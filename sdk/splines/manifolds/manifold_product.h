@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Manifolds as hosts hold them.
+#pragma once
+
+#include "filigree/filigree_spline.h"
+#include "runtime/product.h"
+#include "splines/manifolds/manifold.h"
+#include "surfaces/surface.h"
+
+namespace flg {
+
+// What else may be done with one: obstacles are in space, or on a Hypersurface of R^3.
+enum class ManifoldKind { other, space, hypersurface };
+
+class ManifoldProduct final : public Product {
+public:
+    std::shared_ptr<const ManifoldProduct> base;  // that an image manifold is of; it looks into that
+    std::shared_ptr<const Manifold> manifold;     // there once the job that makes it is done
+    // A mesh that it is made of, for first curves along it where projected chords do not lead there; or null.
+    std::shared_ptr<Surface> surface;
+    Buffer<uint32_t> components;  // of its vertices; empty if it is all of one piece
+    // How far vertices or points it is made of are from it, at most and root mean square, m; 0 where it is exact.
+    double largest_deviation = 0, mean_deviation = 0;
+    // So many coordinates of a point are given and shown, the first ones; the others come from projection. Set at once.
+    uint32_t given_ambient = 3;
+    ManifoldKind kind = ManifoldKind::other;
+    // Whether it is a surface in R^3.
+    bool has_normals() const { return manifold->ambient() == 3 && manifold->dimension() == 2; }
+
+    const FlgManifoldView& view() const { return view_; }
+
+private:
+    void show() noexcept override {
+        view_ = {.struct_size = sizeof view_,
+                 .ambient = given_ambient,
+                 .dimension = manifold->dimension(),
+                 .reserved = 0,
+                 .size = manifold->size(),
+                 .largest_deviation = largest_deviation,
+                 .mean_deviation = mean_deviation};
+    }
+
+    FlgManifoldView view_{};
+};
+
+}  // namespace flg

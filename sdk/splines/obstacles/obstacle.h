@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// What curves keep out of (Hofer, Pottmann: Energy-minimizing splines in manifolds, 2004, sec. 5): a solid of the plane
+// or of space, known by the signed distance from its boundary, positive outside.
+//
+// Invariants
+// - The value is never more than the distance: what is `value` away from a place is free. Within `reach` of the
+//   boundary it is the distance, its gradient has length 1 and its second derivatives are those of the distance
+//   wherever it has any.
+// - Where several points of the boundary are nearest (inside of a solid, in front of a dent) one of them is taken,
+//   always the same; gradient and second derivatives are that one's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/memory.h"
+
+namespace flg {
+
+class Obstacle {
+public:
+    static constexpr uint32_t max_dimension = 3;
+    using Place = std::array<double, max_dimension>;
+    struct Box {
+        Place lower{}, upper{};
+    };
+
+    virtual ~Obstacle() = default;
+
+    // The signed distance of x, its gradient (d numbers) and its second derivatives (d x d), each but the value may be
+    // null. Finite x. Any thread. 1 us at most.
+    virtual double evaluate(const double* x, double* gradient, double* second) const = 0;
+
+    uint32_t dimension() const { return dimension_; }  // d, 2 or 3
+    // Has all of the boundary in it.
+    const Box& box() const { return box_; }
+    // The solid is inside of the box; else it is what lies around it.
+    bool bounded() const { return bounded_; }
+    // A length. Steps of a point that are shorter, followed by a way out along the gradient, leave it on its side: the
+    // solid has a connected core that is deeper everywhere.
+    double core_depth() const { return core_depth_; }
+    // A place deep inside: what ways of the plane turn around, on one side or the other.
+    const Place& core() const { return core_; }
+    // How far from the boundary the value is exact and smooth.
+    double reach() const { return reach_; }
+
+protected:
+    Obstacle(uint32_t dimension, const Box& box, bool bounded, double core_depth,
+             double reach = std::numeric_limits<double>::infinity())
+        : dimension_(dimension), box_(box), bounded_(bounded), core_depth_(core_depth), reach_(reach) {
+        for (uint32_t k = 0; k < max_dimension; ++k) core_[k] = 0.5 * (box.lower[k] + box.upper[k]);
+    }
+    // The box's middle is it otherwise.
+    void set_core(const Place& core) { core_ = core; }
+    Obstacle(const Obstacle&) = default;
+    Obstacle& operator=(const Obstacle&) = default;
+
+private:
+    uint32_t dimension_;
+    Box box_;
+    bool bounded_;
+    double core_depth_, reach_;
+    Place core_{};
+};
+
+// Several obstacles as one: the distance is the least one, less a clearance to keep from all of them (the radius of a
+// body whose centre the curve is). The obstacles outlive the set and do not change meanwhile.
+class ObstacleSet {
+public:
+    // Throws a Failure: no obstacle or more than max_count, one null or of another dimension, a clearance that is
+    // negative or not finite or too large for the reach of an obstacle.
+    ObstacleSet(std::span<const Obstacle* const> obstacles, double clearance, Memory* memory);
+
+    static constexpr uint32_t max_count = 256;
+
+    uint32_t dimension() const { return dimension_; }
+    uint32_t count() const { return static_cast<uint32_t>(obstacles_.size()); }
+    double clearance() const { return clearance_; }
+    const Obstacle& operator[](uint32_t i) const { return *obstacles_[i]; }
+
+    // The distance from obstacle i, less the clearance.
+    double evaluate(uint32_t i, const double* x, double* gradient, double* second) const {
+        return obstacles_[i]->evaluate(x, gradient, second) - clearance_;
+    }
+    // That distance is no less than this; quickly.
+    double at_least(uint32_t i, const double* x) const;
+    // The least distance, of obstacle `which`; nothing is evaluated that can't be less than `below`, which is then
+    // returned. Each may be null but x. 5 ns an obstacle that is far, beside those that are near.
+    double distance(const double* x, uint32_t* which = nullptr, double* gradient = nullptr,
+                    double below = std::numeric_limits<double>::infinity()) const;
+
+    // Whether the straight way from a to b stays clear: in steps of the distance, each of which ends `margin` (> 0)
+    // away at least, the ends of the way too. Exact: a way that is said to be clear has no point nearer than 0. Takes
+    // so many steps and, if these did not do, goes on from `done` (0 at first, a length) when called again.
+    enum class Way { clear, blocked, unfinished };
+    Way follow(const double* a, const double* b, double margin, uint32_t steps, double* done) const;
+    // In one go.
+    bool clear(const double* a, const double* b, double margin) const;
+
+    // Whether a curve's straight piece from a to b may become that from c to e, as far as one step tells, without a
+    // change of sides: in the plane, what the piece sweeps over has no core in it; in space, its ends do not go through
+    // a solid; and the new piece goes through none that the old one went around. Through: deeper than half of
+    // core_depth(). Of a curve of which given points stay, all pieces together keep its homotopy class in the plane. 5
+    // ns an obstacle that is far, and some evaluations of each that is near.
+    bool keeps_sides(const double* a, const double* b, const double* c, const double* e) const;
+
+    // Step limit of a point of the curve: shorter ones, projected, pass no obstacle (see core_depth()).
+    double step_limit() const;
+    // How far from the boundaries the distance is smooth.
+    double reach() const;
+    // Of all boundaries of which the box is finite; false if there is none.
+    bool box(Obstacle::Box& box) const;
+
+private:
+    bool pierces(uint32_t i, const double* a, const double* b) const;
+
+    std::pmr::vector<const Obstacle*> obstacles_;
+    uint32_t dimension_ = 0;
+    double clearance_;
+};
+
+}  // namespace flg

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "splines/obstacles/obstacle_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/failure.h"
+
+namespace flg {
+
+namespace {
+
+constexpr double border = 0.1;  // of the longest side, around points and obstacles
+constexpr double cells_per_gap = 4;
+constexpr uint32_t gap_rounds = 8;
+constexpr double margin_share = 1.0 / 16;  // of the spacing
+constexpr uint32_t edge_steps = 64;        // of a way as long as a cell: with a margin of 1/64 it has no more
+
+uint32_t min_cells(uint32_t dimension) {
+    return dimension == 2 ? 128 : 48;
+}
+uint32_t max_cells(uint32_t dimension) {
+    return dimension == 2 ? 512 : 96;
+}
+
+// The narrowest gap so far, `least`, or that between two: from the middle of one to the boundary of the other and back,
+// until the way is the gap. One that overlaps the other has none.
+double gap_between(const ObstacleSet& obstacles, const Obstacle& a, const Obstacle& b, double least) {
+    if (!a.bounded() || !b.bounded()) return least;
+    const uint32_t d = obstacles.dimension();
+    Obstacle::Place x{}, gradient{};
+    double apart = 0;
+    for (uint32_t k = 0; k < d; ++k) {
+        x[k] = 0.5 * (a.box().lower[k] + a.box().upper[k]);
+        const double away = std::max({a.box().lower[k] - b.box().upper[k], b.box().lower[k] - a.box().upper[k], 0.0});
+        apart += away * away;
+    }
+    if (std::sqrt(apart) > least + 2 * obstacles.clearance()) return least;
+    double gap = 0;
+    for (uint32_t round = 0; round < gap_rounds; ++round) {
+        for (const Obstacle* to : {&b, &a}) {
+            gap = to->evaluate(x.data(), gradient.data(), nullptr);
+            if (!(gap > 0)) break;
+            for (uint32_t k = 0; k < d; ++k) x[k] -= gap * gradient[k];
+        }
+        if (!(gap > 0)) return least;
+    }
+    gap -= 2 * obstacles.clearance();
+    return gap > 0 ? std::min(least, gap) : least;
+}
+
+SweepGrid grid_around(const ObstacleSet& obstacles, std::span<const double> points, double gap) {
+    const uint32_t d = obstacles.dimension();
+    Obstacle::Box box;
+    double longest = 0;
+    bool any = obstacles.box(box);
+    for (size_t p = 0; p < points.size() / d; ++p) {
+        for (uint32_t k = 0; k < d; ++k) {
+            const double x = points[p * d + k];
+            box.lower[k] = any ? std::min(box.lower[k], x) : x;
+            box.upper[k] = any ? std::max(box.upper[k], x) : x;
+        }
+        any = true;
+    }
+    for (uint32_t k = 0; k < d; ++k) longest = std::max(longest, box.upper[k] - box.lower[k]);
+    if (!(longest > 0)) longest = 1;
+    for (uint32_t k = 0; k < d; ++k) {
+        box.lower[k] -= border * longest;
+        box.upper[k] += border * longest;
+    }
+    longest *= 1 + 2 * border;
+    const double h = std::max(longest / max_cells(d), std::min(longest / min_cells(d), gap / cells_per_gap));
+    SweepGrid grid;
+    grid.dimension = d;
+    grid.spacing = h;
+    grid.origin = box.lower;
+    for (uint32_t k = 0; k < d; ++k) {
+        // As many on both sides of the box's middle.
+        const double side = box.upper[k] - box.lower[k];
+        grid.counts[k] = static_cast<uint32_t>(std::ceil(side / h - 1e-6)) + 1;
+        grid.origin[k] -= 0.5 * (h * (grid.counts[k] - 1) - side);
+    }
+    return grid;
+}
+
+}  // namespace
+
+ObstacleGrid::ObstacleGrid(const ObstacleSet& obstacles, std::span<const ObstacleSide> sides, Memory* memory)
+    : obstacles_(obstacles), sides_(sides.begin(), sides.end(), memory) {
+    const uint32_t d = obstacles.dimension();
+    for (size_t s = 0; s < sides_.size(); ++s) {
+        ObstacleSide& side = sides_[s];
+        if (side.obstacle >= obstacles.count() || !obstacles[side.obstacle].bounded()) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "sides[%zu] is of obstacle %u, which %s", s, side.obstacle,
+                          side.obstacle >= obstacles.count() ? "there is not" : "has no other side");
+        }
+        double square = 0;
+        for (uint32_t k = 0; k < d; ++k) square += side.direction[k] * side.direction[k];
+        if (!(square > 0) || !std::isfinite(square)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "sides[%zu] has a direction without length", s);
+        }
+        for (uint32_t k = 0; k < d; ++k) side.direction[k] /= std::sqrt(square);
+    }
+}
+
+void ObstacleGrid::flag_node(uint32_t node, Buffer<float>& away) {
+    const Obstacle::Place x = grid_.place(node);
+    const double d = obstacles_.distance(x.data());
+    away[node] = static_cast<float>(d);
+    flags_[node] = d >= margin_ ? 0 : SweepDistance::unused;
+    for (const ObstacleSide& side : sides_) {
+        // Thinner ones are taken for bars two cells wide.
+        const double wider = std::max(grid_.spacing - obstacles_[side.obstacle].core_depth(), 0.0);
+        if (!in_extension(side, x.data(), wider)) continue;
+        flags_[node] = SweepDistance::unused | extension;
+        return;
+    }
+}
+
+// Edges whose ends are both farther than they are long are open. Returns what that cost, in microseconds about.
+uint32_t ObstacleGrid::close_edges(uint32_t node, const Buffer<float>& away) {
+    const std::array<uint32_t, 3> cell = grid_.cell(node);
+    uint32_t cost = 1;
+    for (uint32_t k = 0; k < grid_.dimension; ++k) {
+        if (cell[k] + 1 == grid_.counts[k]) continue;
+        const uint32_t next = node + grid_.stride(k);
+        if (!free(node) || !free(next)) continue;
+        if (double(away[node]) + double(away[next]) > 1.001 * grid_.spacing) continue;
+        const Obstacle::Place a = grid_.place(node), b = grid_.place(next);
+        double done = 0;
+        cost += 2;
+        if (obstacles_.follow(a.data(), b.data(), way_margin(), edge_steps, &done) == ObstacleSet::Way::clear) continue;
+        flags_[node] |= SweepDistance::closed(k);
+    }
+    return cost;
+}
+
+bool ObstacleGrid::in_extension(const ObstacleSide& side, const double* x, double margin) const {
+    const uint32_t d = grid_.dimension;
+    const Obstacle::Box& box = obstacles_[side.obstacle].box();
+    const double wider = obstacles_.clearance() + margin;
+    double length = wider, along = 0, middle = 0, half = 0;  // until the box is behind; of its ball's middle; squares
+    for (uint32_t k = 0; k < d; ++k) {
+        const double low = box.lower[k] - x[k], high = box.upper[k] - x[k], u = side.direction[k];
+        length += std::max(u * low, u * high);
+        along += 0.5 * (low + high) * u;
+        middle += 0.25 * (low + high) * (low + high);
+        half += 0.25 * (high - low) * (high - low);
+    }
+    const double ball = std::sqrt(half) + wider;
+    if (length < 0 || middle - along * along > ball * ball) return false;
+    for (double t = 0; t <= length;) {
+        Obstacle::Place at{};
+        for (uint32_t k = 0; k < d; ++k) at[k] = x[k] + t * side.direction[k];
+        const double away = obstacles_.evaluate(side.obstacle, at.data(), nullptr, nullptr) - margin;
+        if (away < 0) return true;
+        t += std::max(away, 0.5 * grid_.spacing);
+    }
+    return false;
+}
+
+bool ObstacleGrid::on_side(const double* a, const double* b) const {
+    if (sides_.empty()) return true;
+    const uint32_t d = grid_.dimension;
+    double square = 0;
+    for (uint32_t k = 0; k < d; ++k) square += (b[k] - a[k]) * (b[k] - a[k]);
+    const auto steps = static_cast<uint32_t>(std::ceil(2 * std::sqrt(square) / grid_.spacing));
+    for (uint32_t s = 0; s <= steps; ++s) {
+        const double t = steps == 0 ? 0 : double(s) / steps;
+        Obstacle::Place x{};
+        for (uint32_t k = 0; k < d; ++k) x[k] = a[k] + t * (b[k] - a[k]);
+        if ((flags_[grid_.node(grid_.nearest(x.data()))] & extension) != 0) return false;
+    }
+    return true;
+}
+
+uint32_t ObstacleGrid::behind(const double* x) const {
+    for (uint32_t s = 0; s < sides_.size(); ++s) {
+        if (in_extension(sides_[s], x, 0)) return s;
+    }
+    return static_cast<uint32_t>(sides_.size());
+}
+
+Task<ObstacleGrid> obstacle_grid(Pace& pace, const ObstacleSet& obstacles, std::span<const double> points,
+                                 std::span<const ObstacleSide> sides) {
+    ObstacleGrid made(obstacles, sides, pace.memory());
+    const uint32_t count = obstacles.count();
+    double gap = std::numeric_limits<double>::infinity();
+    // What an obstacle leaves free that is not bounded is about so wide.
+    for (uint32_t i = 0; i < count; ++i) {
+        const double wide = 2 * (obstacles[i].core_depth() - obstacles.clearance());
+        if (!obstacles[i].bounded() && wide > 0) gap = std::min(gap, wide);
+    }
+    Slice slice(Cost::microseconds);
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t j = i + 1; j < count; ++j) {
+            gap = gap_between(obstacles, obstacles[i], obstacles[j], gap);
+            if (slice.is_over()) co_await pace;
+        }
+    }
+    made.grid_ = grid_around(obstacles, points, gap);
+    made.margin_ = margin_share * made.grid_.spacing;
+    const uint32_t nodes = made.grid_.size();
+    Buffer<float> away(nodes, pace.memory());  // a node's distance
+    made.flags_ = Buffer<uint8_t>(nodes, pace.memory());
+    co_await each(pace, nodes, Cost::microseconds, [&](uint32_t node) { made.flag_node(node, away); });
+    co_await each_by_work(pace, nodes, Cost::microseconds, [&](uint32_t node) { return made.close_edges(node, away); });
+    co_return made;
+}
+
+}  // namespace flg

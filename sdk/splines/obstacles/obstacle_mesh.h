@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Meshes as obstacles, by distances sampled on a grid (mesh_distance.h): a closed mesh is a solid; around a mesh with a
+// boundary all is an obstacle that is farther than a little, so that a curve stays in a thin layer (Hofer, Pottmann
+// 2004, end of sec. 5 and Fig. 1, left) and is projected onto the mesh in the end.
+//
+// The value is the spline's: its zero is off the mesh by the error that mesh_distance.h states, and it may be more
+// than the distance by as much. Beyond the grid it is the distance from the mesh's box, which is less.
+#pragma once
+
+#include "splines/obstacles/mesh_distance.h"
+#include "splines/obstacles/obstacle.h"
+
+namespace flg {
+
+class MeshObstacle final : public Obstacle {
+public:
+    // Of a distance with sign, which outlives it. core_depth() is half of its greatest depth: of a solid of several
+    // lumps with thin necks between them it says too much. Throws a Failure for one without sign.
+    explicit MeshObstacle(const SampledDistance& distance);
+    double evaluate(const double* x, double* gradient, double* second) const override;
+
+private:
+    const SampledDistance& distance_;
+};
+
+class LayerObstacle final : public Obstacle {
+public:
+    // All that is farther than epsilon from what the distance, one without sign, is from. epsilon: 4 of the grid's
+    // cells at least and less than the distance's reach (else a Failure). reach() is epsilon less 3 cells: a barrier's
+    // radius has to be less, as does a clearance. Steps shorter than epsilon stay with the part of the mesh that they
+    // are on, where others are more than 3 epsilon away.
+    LayerObstacle(const SampledDistance& distance, double epsilon);
+    double evaluate(const double* x, double* gradient, double* second) const override;
+    double epsilon() const { return epsilon_; }
+
+private:
+    const SampledDistance& distance_;
+    double epsilon_;
+};
+
+}  // namespace flg

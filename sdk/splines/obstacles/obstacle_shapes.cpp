@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "splines/obstacles/obstacle_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/failure.h"
+
+namespace flg {
+
+namespace {
+
+using Place = Obstacle::Place;
+constexpr double axes_tolerance = 1e-6;
+constexpr double relative_step = 1e-5;  // of a box: errors of differences then are 1e-10, their noise 1e-11
+
+uint32_t checked(uint32_t dimension) {
+    if (dimension != 2 && dimension != 3) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "an obstacle has dimension %u, it must be 2 or 3", dimension);
+    }
+    return dimension;
+}
+
+Place checked_place(const char* name, uint32_t dimension, const double* numbers) {
+    Place place{};
+    for (uint32_t k = 0; k < checked(dimension); ++k) {
+        place[k] = numbers[k];
+        if (!std::isfinite(place[k])) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "an obstacle's %s[%u] is not finite", name, k);
+        }
+    }
+    return place;
+}
+
+double checked_size(const char* name, double size) {
+    if (!(size > 0) || !std::isfinite(size)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "an obstacle's %s is %g, it must be finite and positive", name, size);
+    }
+    return size;
+}
+
+double dot(const Place& a, const Place& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The distance from a point at `to`, or from an axis at right angles to it (`axis` a unit vector, else 0). At distance
+// 0 some direction across the axis is taken, without second derivatives.
+double radial(uint32_t d, const Place& to, const Place& axis, double* gradient, double* second) {
+    const double rho = std::sqrt(dot(to, to));
+    Place g{};
+    if (rho > 0) {
+        for (uint32_t k = 0; k < d; ++k) g[k] = to[k] / rho;
+    } else {
+        uint32_t least = 0;
+        for (uint32_t k = 1; k < d; ++k) {
+            if (std::abs(axis[k]) < std::abs(axis[least])) least = k;
+        }
+        for (uint32_t k = 0; k < d; ++k) g[k] = (k == least ? 1 : 0) - axis[least] * axis[k];
+        const double length = std::sqrt(dot(g, g));
+        for (uint32_t k = 0; k < d; ++k) g[k] /= length;
+    }
+    if (gradient != nullptr) std::copy_n(g.begin(), d, gradient);
+    if (second != nullptr) {
+        for (uint32_t i = 0; i < d; ++i) {
+            for (uint32_t j = 0; j < d; ++j) {
+                second[i * d + j] = rho > 0 ? ((i == j ? 1 : 0) - g[i] * g[j] - axis[i] * axis[j]) / rho : 0;
+            }
+        }
+    }
+    return rho;
+}
+
+Obstacle::Box around(uint32_t dimension, const Place& a, const Place& b, const Place& radius) {
+    Obstacle::Box box;
+    for (uint32_t k = 0; k < dimension; ++k) {
+        box.lower[k] = std::min(a[k], b[k]) - radius[k];
+        box.upper[k] = std::max(a[k], b[k]) + radius[k];
+    }
+    return box;
+}
+
+// How far a turned box reaches along the coordinates.
+Place reaches(uint32_t d, const double* half, const double* axes) {
+    Place sum{};
+    for (uint32_t i = 0; i < checked(d); ++i) {
+        for (uint32_t k = 0; k < d; ++k) {
+            sum[k] += half[i] * (axes == nullptr ? (i == k ? 1 : 0) : std::abs(axes[i * d + k]));
+        }
+    }
+    return sum;
+}
+
+double diagonal(uint32_t d, const Obstacle::Box& box) {
+    double square = 0;
+    for (uint32_t k = 0; k < d; ++k) square += (box.upper[k] - box.lower[k]) * (box.upper[k] - box.lower[k]);
+    return std::sqrt(square);
+}
+
+}  // namespace
+
+BallObstacle::BallObstacle(uint32_t dimension, const double* centre, double radius)
+    : Obstacle(dimension,
+               around(dimension, checked_place("centre", dimension, centre), checked_place("centre", dimension, centre),
+                      {radius, radius, radius}),
+               true, radius),
+      centre_(checked_place("centre", dimension, centre)),
+      radius_(checked_size("radius", radius)) {}
+
+double BallObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    Place to{};
+    for (uint32_t k = 0; k < dimension(); ++k) to[k] = x[k] - centre_[k];
+    return radial(dimension(), to, {}, gradient, second) - radius_;
+}
+
+BoxObstacle::BoxObstacle(uint32_t dimension, const double* centre, const double* half, const double* axes)
+    : Obstacle(dimension,
+               around(dimension, checked_place("centre", dimension, centre), checked_place("centre", dimension, centre),
+                      reaches(dimension, half, axes)),
+               true, *std::min_element(half, half + checked(dimension))),
+      centre_(checked_place("centre", dimension, centre)),
+      half_(checked_place("half", dimension, half)) {
+    for (uint32_t i = 0; i < dimension; ++i) {
+        checked_size("half side", half[i]);
+        for (uint32_t k = 0; k < dimension; ++k)
+            axes_[i][k] = axes == nullptr ? (i == k ? 1 : 0) : axes[i * dimension + k];
+    }
+    for (uint32_t i = 0; i < dimension; ++i) {
+        for (uint32_t j = 0; j <= i; ++j) {
+            if (!(std::abs(dot(axes_[i], axes_[j]) - (i == j ? 1 : 0)) < axes_tolerance)) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a box's axes %u and %u are not orthonormal", j, i);
+            }
+        }
+    }
+}
+
+double BoxObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    const uint32_t d = dimension();
+    Place to{}, beyond{}, sign{};
+    for (uint32_t k = 0; k < d; ++k) to[k] = x[k] - centre_[k];
+    uint32_t outer = 0;
+    double square = 0;
+    for (uint32_t i = 0; i < d; ++i) {
+        const double along = dot(axes_[i], to);
+        sign[i] = along < 0 ? -1 : 1;
+        beyond[i] = std::abs(along) - half_[i];
+        if (beyond[i] > beyond[outer]) outer = i;
+        if (beyond[i] > 0) square += beyond[i] * beyond[i];
+    }
+    const bool outside = square > 0;
+    const double value = outside ? std::sqrt(square) : beyond[outer];
+    if (gradient == nullptr && second == nullptr) return value;
+    // Along the axes of the box: off a face, an edge or a corner.
+    Place g{};
+    for (uint32_t i = 0; i < d; ++i) {
+        if (outside ? beyond[i] > 0 : i == outer) g[i] = sign[i] * (outside ? beyond[i] / value : 1);
+    }
+    if (gradient != nullptr) {
+        for (uint32_t k = 0; k < d; ++k) {
+            gradient[k] = 0;
+            for (uint32_t i = 0; i < d; ++i) gradient[k] += axes_[i][k] * g[i];
+        }
+    }
+    if (second != nullptr) {
+        std::fill_n(second, d * d, 0.0);
+        for (uint32_t i = 0; i < d && outside; ++i) {
+            for (uint32_t j = 0; j < d; ++j) {
+                if (!(beyond[i] > 0 && beyond[j] > 0)) continue;
+                const double local = ((i == j ? 1 : 0) - g[i] * g[j]) / value;
+                for (uint32_t k = 0; k < d; ++k) {
+                    for (uint32_t l = 0; l < d; ++l) second[k * d + l] += local * axes_[i][k] * axes_[j][l];
+                }
+            }
+        }
+    }
+    return value;
+}
+
+CapsuleObstacle::CapsuleObstacle(uint32_t dimension, const double* from, const double* to, double radius)
+    : Obstacle(dimension,
+               around(dimension, checked_place("from", dimension, from), checked_place("to", dimension, to),
+                      {radius, radius, radius}),
+               true, radius),
+      from_(checked_place("from", dimension, from)),
+      radius_(checked_size("radius", radius)) {
+    for (uint32_t k = 0; k < dimension; ++k) along_[k] = to[k] - from[k];
+    length_ = std::sqrt(dot(along_, along_));
+    for (double& a : along_) a = length_ > 0 ? a / length_ : 0;
+}
+
+double CapsuleObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    const uint32_t d = dimension();
+    Place to{};
+    for (uint32_t k = 0; k < d; ++k) to[k] = x[k] - from_[k];
+    const double at = dot(to, along_);
+    const double nearest = std::clamp(at, 0.0, length_);
+    for (uint32_t k = 0; k < d; ++k) to[k] -= nearest * along_[k];
+    const bool beside = at > 0 && at < length_;
+    return radial(d, to, beside ? along_ : Place{}, gradient, second) - radius_;
+}
+
+FunctionObstacle::FunctionObstacle(uint32_t dimension, const Function& function, const Box& box, bool bounded,
+                                   double core_depth, double reach)
+    : Obstacle(checked(dimension), box, bounded, checked_size("core depth", core_depth), reach),
+      function_(function),
+      step_(relative_step * diagonal(dimension, box)) {
+    checked_place("box.lower", dimension, box.lower.data());
+    checked_place("box.upper", dimension, box.upper.data());
+    if (function.value == nullptr) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "an obstacle's function is null");
+    checked_size("box", step_);
+    if (!(reach > 0))
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "an obstacle's reach is %g, it must be positive", reach);
+}
+
+double FunctionObstacle::evaluate(const double* x, double* gradient, double* second) const {
+    const uint32_t d = dimension();
+    Place own{};
+    if (second != nullptr && function_.second != nullptr) function_.second(function_.user, x, second);
+    if (second != nullptr && function_.second == nullptr) {
+        Place at{}, above{}, below{};
+        std::copy_n(x, d, at.begin());
+        for (uint32_t j = 0; j < d; ++j) {
+            at[j] = x[j] + step_;
+            function_.value(function_.user, at.data(), above.data());
+            at[j] = x[j] - step_;
+            function_.value(function_.user, at.data(), below.data());
+            at[j] = x[j];
+            for (uint32_t i = 0; i < d; ++i) second[i * d + j] = (above[i] - below[i]) / (2 * step_);
+        }
+        for (uint32_t i = 0; i < d; ++i) {
+            for (uint32_t j = 0; j < i; ++j) {
+                second[i * d + j] = second[j * d + i] = 0.5 * (second[i * d + j] + second[j * d + i]);
+            }
+        }
+    }
+    return function_.value(function_.user, x, gradient == nullptr ? own.data() : gradient);
+}
+
+}  // namespace flg

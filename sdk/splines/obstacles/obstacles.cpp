@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "splines/obstacles/obstacles.h"
+
+#include "core/failure.h"
+#include "runtime/pace.h"
+#include "splines/obstacles/border_obstacle.h"
+#include "splines/obstacles/mesh_distance.h"
+#include "splines/obstacles/obstacle_mesh.h"
+
+namespace flg {
+
+namespace {
+
+constexpr double layer_cells = 4.2;
+constexpr double solid_reach = 0.15;  // of a solid's size: how far around it the distance is exact
+
+template <class T, class... Arguments>
+std::shared_ptr<T> make_shared_in(Memory* memory, Arguments&&... arguments) {
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::forward<Arguments>(arguments)...);
+}
+
+double longest_side(const Surface& surface) {
+    double longest = 0;
+    for (int c = 0; c < 3; ++c) longest = std::max(longest, double{surface.extent.upper[c]} - surface.extent.lower[c]);
+    return longest;
+}
+
+}  // namespace
+
+Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out) {
+    pace.stage("distances");
+    for (const Obstacles::OfMesh& mesh : out->meshes) {
+        if (mesh.kind == FLG_OBSTACLE_BORDER) {
+            BorderObstacle border = co_await border_obstacle(pace, mesh.surface->mesh());
+            out->solids[mesh.at] = make_shared_in<BorderObstacle>(pace.memory(), std::move(border));
+            continue;
+        }
+        const bool is_layer = mesh.kind == FLG_OBSTACLE_LAYER;
+        const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * longest_side(*mesh.surface) + out->clearance;
+        const double cell = (longest_side(*mesh.surface) + 2 * reach) / mesh.cells;
+        if (is_layer && mesh.layer < layer_cells * cell) {
+            throw Failure(
+                FLG_ERROR_INVALID_ARGUMENT,
+                "desc.obstacles[%u].radius is %g, a layer must be %g thick at least with %u cells, %g with 192",
+                mesh.at, mesh.layer, layer_cells * cell, mesh.cells, layer_cells * cell * mesh.cells / 192);
+        }
+        SampledDistance sampled = co_await mesh_distance(pace, mesh.surface->mesh(), reach, mesh.cells, !is_layer);
+        auto distance = make_shared_in<SampledDistance>(pace.memory(), std::move(sampled));
+        if (is_layer) {
+            out->solids[mesh.at] = make_shared_in<LayerObstacle>(pace.memory(), *distance, mesh.layer);
+        } else {
+            out->solids[mesh.at] = make_shared_in<MeshObstacle>(pace.memory(), *distance);
+        }
+        out->distances.push_back(std::move(distance));
+    }
+    std::pmr::vector<const Obstacle*> pointers(pace.memory());
+    for (const auto& solid : out->solids) pointers.push_back(solid.get());
+    out->set.emplace(pointers, out->clearance, pace.memory());
+}
+
+}  // namespace flg

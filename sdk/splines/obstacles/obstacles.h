@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Obstacles as hosts hold them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "filigree/filigree_spline.h"
+#include "runtime/product.h"
+#include "splines/obstacles/mesh_distance.h"
+#include "splines/obstacles/obstacle_grid.h"
+#include "surfaces/surface.h"
+
+namespace flg {
+
+class Obstacles final : public Product {
+public:
+    explicit Obstacles(uint32_t of_dimension, Memory* memory)
+        : dimension(of_dimension), solids(memory), meshes(memory), distances(memory) {}
+
+    // One that a job makes: solids[at], of a mesh.
+    struct OfMesh {
+        uint32_t at;
+        std::shared_ptr<Surface> surface;
+        FlgObstacleKind kind;  // MESH, LAYER or BORDER
+        uint32_t cells;
+        double layer;  // its thickness, m
+    };
+
+    const uint32_t dimension;
+    double clearance = 0;
+    std::pmr::vector<std::shared_ptr<const Obstacle>> solids;
+    std::pmr::vector<OfMesh> meshes;
+    std::pmr::vector<std::shared_ptr<SampledDistance>> distances;  // what the solids of meshes look into
+    std::optional<ObstacleSet> set;                                // of these; by the job
+};
+
+// The whole of flgObstaclesCreate.
+Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out);
+
+}  // namespace flg

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Distances on a grid by fast sweeping (Zhao: A fast sweeping method for Eikonal equations, 2004): Gauss-Seidel rounds
+// over the nodes in each of the 2^d orders of their axes, with the upwind difference of first order. As Hofer and
+// Pottmann (2004, sec. 5) use it among obstacles: some nodes are not used, and edges can be closed too (what is thinner
+// than a cell still parts its sides).
+//
+// Invariants: a value only falls, and comes from neighbours along the axes, across open edges, that are smaller. The
+// error is O(h log h) for a point as source, O(h) where the source's neighbourhood is exact; O(h^(2/3)), measured,
+// where the way creeps around a round obstacle: the second derivatives are not bounded there.
+#pragma once
+
+#include "runtime/each.h"
+#include "splines/obstacles/obstacle.h"
+
+namespace flg {
+
+// Nodes in a box of the plane or of space, x fastest.
+struct SweepGrid {
+    uint32_t dimension = 2;
+    std::array<uint32_t, 3> counts{1, 1, 1};  // along each axis, 2 at least; of the plane 1 along the third
+    Obstacle::Place origin{};
+    double spacing = 1;
+
+    uint32_t size() const { return counts[0] * counts[1] * counts[2]; }
+    uint32_t stride(uint32_t axis) const { return axis == 0 ? 1 : axis == 1 ? counts[0] : counts[0] * counts[1]; }
+    std::array<uint32_t, 3> cell(uint32_t node) const {
+        return {node % counts[0], node / counts[0] % counts[1], node / (counts[0] * counts[1])};
+    }
+    uint32_t node(const std::array<uint32_t, 3>& cell) const {
+        return (cell[2] * counts[1] + cell[1]) * counts[0] + cell[0];
+    }
+    Obstacle::Place place(uint32_t node) const {
+        Obstacle::Place x{};
+        const std::array<uint32_t, 3> at = cell(node);
+        for (uint32_t k = 0; k < dimension; ++k) x[k] = origin[k] + spacing * at[k];
+        return x;
+    }
+    // The node that is nearest.
+    std::array<uint32_t, 3> nearest(const double* x) const;
+};
+
+class SweepDistance {
+public:
+    // Of a node: the edge to the next node along axis k is closed; the node is not used.
+    static constexpr uint8_t closed(uint32_t axis) { return static_cast<uint8_t>(1u << axis); }
+    static constexpr uint8_t unused = 8;
+
+    struct Seed {
+        uint32_t node;
+        double value;
+    };
+
+    // flags: one a node; read while it is solved. Memory: 8 bytes a node.
+    SweepDistance(const SweepGrid& grid, const uint8_t* flags, Memory* memory)
+        : grid_(grid), flags_(flags), values_(grid.size(), memory) {}
+
+    // From these nodes, anew. About 13 ns a node and sweep in the plane, 19 in space. In free space two rounds of 2^d
+    // sweeps, with obstacles a round more for each time that a shortest way turns.
+    static Task<void> solve(Pace& pace, SweepDistance& of, std::span<const Seed> seeds);
+    // After that; infinite where nothing leads.
+    double operator[](uint32_t node) const { return values_[node]; }
+
+private:
+    double updated(uint32_t node, uint32_t x, uint32_t y, uint32_t z) const;
+
+    SweepGrid grid_;
+    const uint8_t* flags_;
+    Buffer<double> values_;
+};
+
+}  // namespace flg

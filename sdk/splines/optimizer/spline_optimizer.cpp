@@ -1,0 +1,648 @@
+// SPDX-License-Identifier: MIT
+#include "splines/optimizer/spline_optimizer.h"
+
+#include <cmath>
+
+#include "splines/manifolds/coordinates.h"
+
+namespace flg {
+
+namespace {
+
+// Rounds until the moments of both ends agree: each divides what is missing by 4 at least.
+constexpr uint32_t end_rounds = 30;
+
+void apply(const double* matrix, const double* vector, uint32_t n, double* out) {
+    for (uint32_t i = 0; i < n; ++i) {
+        double sum = 0;
+        for (uint32_t j = 0; j < n; ++j) sum += matrix[i * n + j] * vector[j];
+        out[i] = sum;
+    }
+}
+
+}  // namespace
+
+Moments::Moments(uint32_t nodes, uint32_t ambient, bool closed, Memory* memory)
+    : nodes_(nodes),
+      ambient_(ambient),
+      intervals_(closed ? nodes : nodes - 1),
+      closed_(closed),
+      steps_(intervals_, memory),
+      inverse_(intervals_, memory),
+      upper_(intervals_, memory),
+      from_first_(intervals_, memory),
+      from_last_(intervals_, memory),
+      inner_(size_t{intervals_} * ambient, memory) {}
+
+// Thomas's algorithm: down the rows, then up.
+Task<void> Moments::factorize(Pace& pace, Moments& m) {
+    const uint32_t inner = m.intervals_ - 1;
+    co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, inner](uint32_t i) {
+        const double before = m.steps_[i - 1] / 6, after = m.steps_[i] / 6;
+        const double pivot = m.row(i) - (i > 1 ? before * m.upper_[i - 1] : 0);
+        m.inverse_[i] = 1 / pivot;
+        m.upper_[i] = after / pivot;
+        m.from_first_[i] = (i > 1 ? -before * m.from_first_[i - 1] : before) / pivot;
+        m.from_last_[i] = i == inner ? after / pivot : 0;
+    });
+    co_await each(pace, 1, inner, Cost::tens_of_ns, [&m, inner](uint32_t k) {
+        const uint32_t i = inner - k;
+        m.from_first_[i] -= m.upper_[i] * m.from_first_[i + 1];
+        m.from_last_[i] -= m.upper_[i] * m.from_last_[i + 1];
+    });
+}
+
+void Moments::bend(uint32_t node, const double* points, double* out) const {
+    const uint32_t n = ambient_;
+    const double* const x = points + size_t{node} * n;
+    const bool first = !closed_ && node == 0, last = !closed_ && node + 1 == nodes_;
+    const double* const before = points + size_t{node == 0 ? nodes_ - 1 : node - 1} * n;
+    const double* const after = points + size_t{node + 1 == nodes_ ? 0 : node + 1} * n;
+    const double to_next = last ? 0 : 1 / step_after(node), to_previous = first ? 0 : 1 / step_before(node);
+    for (uint32_t c = 0; c < n; ++c) {
+        const double slope_after = last ? ends_[1].slope[c] : (after[c] - x[c]) * to_next;
+        const double slope_before = first ? ends_[0].slope[c] : (x[c] - before[c]) * to_previous;
+        out[c] = slope_after - slope_before;
+    }
+}
+
+Task<void> Moments::solve(Pace& pace, Moments& m, const double* points, double* moments) {
+    const uint32_t inner = m.intervals_ - 1, n = m.ambient_;
+    co_await each(pace, 1, m.intervals_, Cost::tens_of_ns, [&m, n, points](uint32_t i) {
+        double* const y = &m.inner_[size_t{i} * n];
+        m.bend(i, points, y);
+        const double* const last = y - n;
+        for (uint32_t c = 0; c < n; ++c) y[c] = (y[c] - (i > 1 ? m.steps_[i - 1] / 6 * last[c] : 0)) * m.inverse_[i];
+    });
+    co_await each(pace, 1, inner, Cost::tens_of_ns, [&m, n, inner](uint32_t k) {
+        const uint32_t i = inner - k;
+        double* const y = &m.inner_[size_t{i} * n];
+        for (uint32_t c = 0; c < n; ++c) y[c] -= m.upper_[i] * y[c + n];
+    });
+    m.solve_ends(points);
+    co_await each(pace, m.nodes_, Cost::tens_of_ns,
+                  [&m, n, moments](uint32_t i) { m.moment(i, moments + size_t{i} * n); });
+}
+
+// The first and the last row, with what lies between put in; closed curves have one row there, as both are one node.
+void Moments::solve_ends(const double* points) {
+    const uint32_t inner = intervals_ - 1, n = ambient_;
+    const double first_step = steps_[0] / 6, last_step = steps_[inner] / 6;
+    double first[Manifold::max_ambient], last[Manifold::max_ambient];
+    bend(0, points, first);
+    if (!closed_) bend(nodes_ - 1, points, last);
+    double own_first = row(0), own_last = row(closed_ ? 0 : nodes_ - 1), across = -first_step;
+    if (inner > 0) {
+        double* const to_last = closed_ ? first : last;
+        for (uint32_t c = 0; c < n; ++c) first[c] -= first_step * inner_[n + c];
+        for (uint32_t c = 0; c < n; ++c) to_last[c] -= last_step * inner_[size_t{inner} * n + c];
+        own_first -= first_step * from_first_[1];
+        own_last -= last_step * from_last_[inner];
+        across = first_step * from_last_[1];
+    }
+    double* const at_first = end_moments_[0];
+    double* const at_last = end_moments_[1];
+    if (closed_) {
+        const double own = own_first + own_last - row(0) - 2 * across;
+        for (uint32_t c = 0; c < n; ++c) at_first[c] = at_last[c] = first[c] / own;
+        return;
+    }
+    std::fill_n(at_first, n, 0.0);
+    std::fill_n(at_last, n, 0.0);
+    double sum[Manifold::max_ambient];
+    for (uint32_t round = 0; round < end_rounds; ++round) {
+        for (uint32_t c = 0; c < n; ++c) sum[c] = (first[c] + across * at_last[c]) / own_first;
+        apply(ends_[0].normals, sum, n, at_first);
+        for (uint32_t c = 0; c < n; ++c) sum[c] = (last[c] + across * at_first[c]) / own_last;
+        apply(ends_[1].normals, sum, n, at_last);
+    }
+}
+
+void Moments::moment(uint32_t node, double* out) const {
+    const uint32_t n = ambient_;
+    if (node == 0 || node == intervals_) {
+        std::copy_n(end_moments_[node != 0], n, out);
+        return;
+    }
+    const double* const y = &inner_[size_t{node} * n];
+    for (uint32_t c = 0; c < n; ++c) {
+        out[c] = y[c] - from_first_[node] * end_moments_[0][c] - from_last_[node] * end_moments_[1][c];
+    }
+}
+
+double Moments::energy(uint32_t node, const double* points, const double* moment) const {
+    double change[Manifold::max_ambient], sum = 0;
+    bend(node, points, change);
+    for (uint32_t c = 0; c < ambient_; ++c) sum += moment[c] * change[c];
+    return sum;
+}
+
+namespace {
+
+using Vector = double[Manifold::max_ambient];
+
+constexpr double armijo = 1e-4;        // the share of what the slope promises that a step must bring
+constexpr uint32_t max_shrinks = 40;   // of one step
+constexpr double tension_fall = 0.25;  // a round
+constexpr double heavy_change = 0.02;  // of a segment's share of the length, until parameters are measured again
+constexpr uint32_t max_reparametrizations = 6;
+constexpr double settled_residual = 0.05;  // when lengths are looked at for the first time
+constexpr double min_share = 0.1;          // of concave curvature, before there is none
+constexpr double epsilon = 0x1p-52;
+// About 4 us on slow manifolds, and 2.
+constexpr uint32_t projection_work = 3, frame_work = 2;
+
+uint32_t block_size(const SplineProblem& problem) {
+    return (problem.bending > 0 ? problem.manifold->ambient() : 0) + problem.manifold->dimension();
+}
+
+uint32_t count_nodes(const SplineProblem& problem) {
+    return static_cast<uint32_t>(problem.points.size() / problem.manifold->ambient());
+}
+
+// Makes a symmetric matrix more positive: negative eigenvalues become a share of themselves, 0 to 1. k x k numbers, in
+// place; k at most Manifold::max_dimension. By Jacobi's rotations: some k^3 multiplications, ten times.
+void scale_negative_part(double* matrix, uint32_t k, double share) {
+    constexpr uint32_t rounds = 12;
+    constexpr double negligible = 1e-14;  // of the whole, squared below
+    double axes[Manifold::max_dimension * Manifold::max_dimension] = {};
+    for (uint32_t i = 0; i < k; ++i) axes[i * k + i] = 1;
+    for (uint32_t round = 0; round < rounds; ++round) {
+        double off = 0, whole = 0;
+        for (uint32_t i = 0; i < k; ++i) {
+            for (uint32_t j = 0; j < k; ++j) (i == j ? whole : off) += matrix[i * k + j] * matrix[i * k + j];
+        }
+        if (off <= negligible * negligible * whole) break;
+        for (uint32_t p = 0; p < k; ++p) {
+            for (uint32_t q = p + 1; q < k; ++q) {
+                if (matrix[p * k + q] == 0) continue;
+                const double slope = (matrix[q * k + q] - matrix[p * k + p]) / (2 * matrix[p * k + q]);
+                const double t = (slope < 0 ? -1 : 1) / (std::abs(slope) + std::hypot(slope, 1.0));
+                const double cosine = 1 / std::hypot(t, 1.0), sine = t * cosine;
+                for (uint32_t i = 0; i < k; ++i) {
+                    const double a = matrix[i * k + p], b = matrix[i * k + q];
+                    matrix[i * k + p] = cosine * a - sine * b;
+                    matrix[i * k + q] = sine * a + cosine * b;
+                    const double u = axes[i * k + p], v = axes[i * k + q];
+                    axes[i * k + p] = cosine * u - sine * v;
+                    axes[i * k + q] = sine * u + cosine * v;
+                }
+                for (uint32_t i = 0; i < k; ++i) {
+                    const double a = matrix[p * k + i], b = matrix[q * k + i];
+                    matrix[p * k + i] = cosine * a - sine * b;
+                    matrix[q * k + i] = sine * a + cosine * b;
+                }
+            }
+        }
+    }
+    double values[Manifold::max_dimension];
+    for (uint32_t i = 0; i < k; ++i) values[i] = (matrix[i * k + i] > 0 ? 1 : share) * matrix[i * k + i];
+    for (uint32_t i = 0; i < k; ++i) {
+        for (uint32_t j = 0; j < k; ++j) {
+            double sum = 0;
+            for (uint32_t e = 0; e < k; ++e) sum += axes[i * k + e] * values[e] * axes[j * k + e];
+            matrix[i * k + j] = sum;
+        }
+    }
+}
+
+}  // namespace
+
+SplineOptimizer::SplineOptimizer(SplineProblem& problem, Memory* memory)
+    : problem_(problem),
+      n_(problem.manifold->ambient()),
+      k_(problem.manifold->dimension()),
+      nodes_(count_nodes(problem)),
+      hint_size_(problem.manifold->hint_size()),
+      moments_(nodes_, n_, problem.closed, memory),
+      moment_(size_t{nodes_} * n_, memory),
+      gradient_(size_t{nodes_} * n_, memory),
+      basis_(size_t{nodes_} * n_ * k_, memory),
+      form_(size_t{nodes_} * k_ * k_, memory),
+      shift_(size_t{nodes_} * k_, memory),
+      knot_of_(nodes_, memory),
+      lengths_(problem.knots.size(), memory),
+      spans_(problem.knots.size(), memory),
+      system_(nodes_, block_size(problem), problem.closed, memory) {
+    now_.points = std::move(problem.points);
+    remembers_ = hint_size_ > 0 && problem.hints.size() == size_t{nodes_} * hint_size_;
+    now_.hints = remembers_ ? std::move(problem.hints) : Buffer<double>(size_t{nodes_} * hint_size_, memory);
+    trial_.points = Buffer<double>(size_t{nodes_} * n_, memory);
+    trial_.hints = Buffer<double>(size_t{nodes_} * hint_size_, memory);
+    tension_ = std::max(problem.tension, problem.first_tension);
+    pull_ = problem.smoothing > 0 ? 1 / problem.smoothing : 0;
+}
+
+Task<void> SplineOptimizer::minimize(Pace& pace, SplineOptimizer& s) {
+    for (bool goes_on = true; goes_on;) goes_on = co_await next_round(pace, s);
+}
+
+Task<bool> SplineOptimizer::next_round(Pace& pace, SplineOptimizer& s) {
+    if (!s.has_begun_) co_await begin(pace, s);
+    if (s.report_.ending != SplineEnding::running) co_return false;
+    for (;;) {
+        co_await find_forces(pace, s);
+        s.assess();
+        if (!s.needs_parameters()) break;
+        ++s.reparametrizations_;
+        co_await set_parameters(pace, s);
+    }
+    if (s.is_over()) co_return false;
+    for (;;) {
+        co_await eliminate(pace, s);
+        if (!s.is_indefinite() || !(s.concave_share_ > 0)) break;
+        s.concave_share_ = s.concave_share_ > min_share ? 0.5 * s.concave_share_ : 0;
+    }
+    co_await substitute(pace, s);
+    if (!(s.slope_ < 0) || s.largest_ <= 4 * epsilon * s.problem_.manifold->size()) {
+        s.report_.ending = SplineEnding::rounding;
+        co_return false;
+    }
+    s.step_ = 1;
+    for (uint32_t shrinks = 0;; s.step_ *= 0.5) {
+        const bool leads_down = co_await try_step(pace, s);
+        if (leads_down) break;
+        if (++shrinks <= max_shrinks) continue;
+        s.report_.ending = -s.slope_ < s.noise() ? SplineEnding::rounding : SplineEnding::stalled;
+        co_return false;
+    }
+    co_return s.accept();
+}
+
+Task<void> SplineOptimizer::begin(Pace& pace, SplineOptimizer& s) {
+    s.has_begun_ = true;
+    co_await each_by_work(pace, s.nodes_, Cost::microseconds, [&s](uint32_t node) {
+        s.project_first(node);
+        return projection_work;
+    });
+    if (!s.projects_) {
+        s.report_.ending = SplineEnding::failed;
+        co_return;
+    }
+    s.report_.length = 0;
+    co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s](uint32_t node) { s.measure_length(node); });
+    co_await set_parameters(pace, s);
+}
+
+// From the lengths of segments, unless they are given.
+Task<void> SplineOptimizer::set_parameters(Pace& pace, SplineOptimizer& s) {
+    s.span_ = 0;
+    co_await each(pace, s.problem_.closed ? s.nodes_ : s.nodes_ - 1, Cost::tens_of_ns,
+                  [&s](uint32_t i) { s.set_step(i); });
+    if (s.bends()) co_await Moments::factorize(pace, s.moments_);
+    co_await measure(pace, s, s.now_);
+}
+
+// The curve's moments and energies.
+Task<void> SplineOptimizer::measure(Pace& pace, SplineOptimizer& s, Curve& curve) {
+    if (s.bends()) {
+        if (!s.problem_.closed) {
+            s.set_end(false, curve);
+            s.set_end(true, curve);
+        }
+        co_await Moments::solve(pace, s.moments_, curve.points.data(), s.moment_.data());
+    }
+    curve.bending = curve.stretching = curve.misfit = 0;
+    co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s, &curve](uint32_t node) { s.add_energy(curve, node); });
+}
+
+// Forces, bases and curvatures at the present points.
+Task<void> SplineOptimizer::find_forces(Pace& pace, SplineOptimizer& s) {
+    s.forces_ = s.report_.length = 0;
+    co_await each(pace, s.nodes_, Cost::tens_of_ns, [&s](uint32_t node) { s.find_gradient(node); });
+    s.tangential_ = s.change_ = 0;
+    s.free_nodes_ = 0;
+    co_await each_by_work(pace, s.nodes_, Cost::microseconds, [&s](uint32_t node) {
+        s.find_frame(node);
+        return frame_work;
+    });
+}
+
+void SplineOptimizer::assess() {
+    const double density = forces_ / span_;
+    const double mean = free_nodes_ > 0 ? std::sqrt(tangential_ / free_nodes_) : 0;
+    last_residual_ = report_.residual;
+    // The energy of a straight chain whose points are rounded.
+    const double rounding = epsilon * problem_.manifold->size(), mean_step = span_ / nodes_;
+    const double nothing = 1e3 * nodes_ * rounding * rounding / (mean_step * mean_step * mean_step);
+    report_.residual = weighted(now_) > nothing ? mean / density : 0;
+    report_.energy = weighted(now_);
+    report_.bending = now_.bending;
+    report_.stretching = now_.stretching;
+}
+
+bool SplineOptimizer::needs_parameters() const {
+    return tension_ == problem_.tension && report_.residual <= settled_residual && problem_.parameters.size() == 0 &&
+           reparametrizations_ < max_reparametrizations && change_ > heavy_change;
+}
+
+bool SplineOptimizer::is_over() {
+    if (tension_ == problem_.tension && report_.residual <= problem_.tolerance) {
+        report_.ending = SplineEnding::converged;
+    } else if (report_.rounds >= problem_.max_rounds) {
+        report_.ending = SplineEnding::rounds;
+    }
+    return report_.ending != SplineEnding::running;
+}
+
+// Blocks that others are subtracted from have to be there before.
+Task<void> SplineOptimizer::eliminate(Pace& pace, SplineOptimizer& s) {
+    const uint32_t ahead = s.problem_.closed ? 2 : 1, size = s.system_.size();
+    for (uint32_t node = 0; node < ahead; ++node) s.assemble(node);
+    co_await each_by_work(pace, s.nodes_, Cost::hundreds_of_ns, [&s, ahead, size](uint32_t k) {
+        if (k + ahead < s.nodes_) s.assemble(k + ahead);
+        s.system_.eliminate(k);
+        return 1 + size * size * size / 200;
+    });
+}
+
+bool SplineOptimizer::is_indefinite() const {
+    const uint32_t expected = bends() ? n_ * nodes_ : 0;
+    return system_.negative_pivots() != expected || system_.is_singular();
+}
+
+Task<void> SplineOptimizer::substitute(Pace& pace, SplineOptimizer& s) {
+    s.slope_ = s.largest_ = 0;
+    const uint32_t size = s.system_.size();
+    co_await each_by_work(pace, s.nodes_, Cost::hundreds_of_ns, [&s, size](uint32_t k) {
+        s.system_.substitute(k);
+        s.find_shift(s.problem_.closed ? (s.nodes_ - k) % s.nodes_ : s.nodes_ - 1 - k);
+        return 1 + size * size / 100;
+    });
+}
+
+// Whether the step, projected, leads down by Armijo's rule.
+Task<bool> SplineOptimizer::try_step(Pace& pace, SplineOptimizer& s) {
+    s.projects_ = true;
+    co_await each_by_work(pace, s.nodes_, Cost::microseconds, [&s](uint32_t node) {
+        s.move(node);
+        return projection_work;
+    });
+    ++s.report_.projections;
+    if (!s.projects_) co_return false;
+    co_await measure(pace, s, s.trial_);
+    co_return s.weighted(s.trial_) <= s.weighted(s.now_) + 2 * armijo* s.step_* s.slope_ + s.noise();
+}
+
+// What rounding of the points does to the energy.
+double SplineOptimizer::noise() const {
+    return 10 * epsilon * problem_.manifold->size() * forces_;
+}
+
+// False where it ends with that.
+bool SplineOptimizer::accept() {
+    // What Newton's method promises is below what can be told from rounding, and it no longer gets nearer.
+    const bool idle = -slope_ < noise() && report_.residual > 0.5 * last_residual_ && last_residual_ > 0;
+    if (step_ == 1) concave_share_ = std::min(1.0, std::max(2 * concave_share_, min_share));
+    std::swap(now_, trial_);
+    ++report_.rounds;
+    if (tension_ > problem_.tension) {
+        tension_ *= tension_fall;
+        // Where the weight says less than a hundredth of what bending does it is left out.
+        if (tension_ * now_.stretching < 0.01 * now_.bending || tension_ < problem_.tension)
+            tension_ = problem_.tension;
+    }
+    if (idle && tension_ == problem_.tension) report_.ending = SplineEnding::rounding;
+    return report_.ending == SplineEnding::running;
+}
+
+// Given points are where they were given, to the bit: they are on the manifold, but a projection may round.
+void SplineOptimizer::project_first(uint32_t node) {
+    if (!remembers_) std::fill_n(hint_of(now_, node), hint_size_, 0.0);
+    knot_of_[node] = no_knot;
+    if (next_knot_ < problem_.knots.size() && problem_.knots[next_knot_] == node) knot_of_[node] = next_knot_++;
+    double* const x = at(now_, node);
+    if (!is_free(node)) std::copy_n(&problem_.given[size_t{knot_of_[node]} * n_], n_, x);
+    if (!problem_.manifold->project(x, hint_of(now_, node))) {
+        if (projects_) report_.failed_node = node;
+        projects_ = false;
+    }
+    if (!is_free(node)) std::copy_n(&problem_.given[size_t{knot_of_[node]} * n_], n_, x);
+}
+
+uint32_t SplineOptimizer::intervals_of(uint32_t knot) const {
+    const uint32_t end = knot + 1 < problem_.knots.size() ? problem_.knots[knot + 1] : nodes_;
+    return end - problem_.knots[knot];
+}
+
+void SplineOptimizer::measure_length(uint32_t node) {
+    if (knot_of_[node] != no_knot) {
+        segment_ = knot_of_[node];
+        lengths_[segment_] = 0;
+    }
+    if (!has_next(node)) return;
+    const double length = distance_between(at(now_, node), at(now_, next(node)), n_);
+    lengths_[segment_] += length;
+    report_.length += length;
+}
+
+// Steps between two given points are equal.
+void SplineOptimizer::set_step(uint32_t interval) {
+    if (knot_of_[interval] != no_knot) {
+        segment_ = knot_of_[interval];
+        spans_[segment_] = problem_.parameters.size() > 0
+                               ? problem_.parameters[segment_ + 1] - problem_.parameters[segment_]
+                               : std::max(lengths_[segment_], 1e-9 * report_.length);
+        span_ += spans_[segment_];
+    }
+    moments_.steps()[interval] = spans_[segment_] / intervals_of(segment_);
+}
+
+void SplineOptimizer::set_end(bool last, Curve& curve) {
+    SplineEnd& end = moments_.end(last);
+    const bool prescribed = problem_.has_slope[last];
+    std::fill_n(end.slope, n_, 0.0);
+    std::fill_n(end.normals, n_ * n_, 0.0);
+    for (uint32_t c = 0; c < n_; ++c) end.normals[c * n_ + c] = 1;
+    if (prescribed) {
+        std::copy_n(problem_.slopes[last], n_, end.slope);
+        return;
+    }
+    // An end that moves would turn these directions, which the gradient does not know of: natural in all of them.
+    if (pull_ > 0) {
+        std::fill_n(end.normals, n_ * n_, 0.0);
+        return;
+    }
+    double basis[Manifold::max_dimension * Manifold::max_ambient];
+    const uint32_t node = last ? nodes_ - 1 : 0;
+    problem_.manifold->tangent_basis(at(curve, node), hint_of(curve, node), basis);
+    for (uint32_t a = 0; a < k_; ++a) {
+        for (uint32_t r = 0; r < n_; ++r) {
+            for (uint32_t c = 0; c < n_; ++c) end.normals[r * n_ + c] -= basis[a * n_ + r] * basis[a * n_ + c];
+        }
+    }
+}
+
+// The node's share of E2, of E1 (its interval to the next node), and of the distances to given points.
+void SplineOptimizer::add_energy(Curve& curve, uint32_t node) {
+    const double* const x = at(curve, node);
+    if (bends()) curve.bending += moments_.energy(node, curve.points.data(), &moment_[size_t{node} * n_]);
+    if (has_next(node)) {
+        const double length = distance_between(x, at(curve, next(node)), n_);
+        curve.stretching += length * length / moments_.step_after(node);
+    }
+    if (knot_of_[node] == no_knot || pull_ == 0) return;
+    const double off = distance_between(x, &problem_.given[size_t{knot_of_[node]} * n_], n_);
+    curve.misfit += off * off;
+}
+
+void SplineOptimizer::find_gradient(uint32_t node) {
+    measure_length(node);
+    double* const g = &gradient_[size_t{node} * n_];
+    const double* const x = at(now_, node);
+    std::fill_n(g, n_, 0.0);
+    const auto add = [&](uint32_t other, double step) {
+        const double* const y = at(now_, other);
+        for (uint32_t c = 0; c < n_; ++c) g[c] += tension_ / step * (x[c] - y[c]);
+        if (!bends()) return;
+        const double* const own = &moment_[size_t{node} * n_];
+        const double* const its = &moment_[size_t{other} * n_];
+        for (uint32_t c = 0; c < n_; ++c) g[c] += (its[c] - own[c]) / step;
+    };
+    if (has_next(node)) add(next(node), moments_.step_after(node));
+    if (has_previous(node)) add(previous(node), moments_.step_before(node));
+    forces_ += std::sqrt(inner_product(g, g, n_));
+    if (knot_of_[node] != no_knot && pull_ > 0) {
+        const double* const given = &problem_.given[size_t{knot_of_[node]} * n_];
+        for (uint32_t c = 0; c < n_; ++c) g[c] += pull_ * (x[c] - given[c]);
+    }
+}
+
+void SplineOptimizer::find_frame(uint32_t node) {
+    if (knot_of_[node] != no_knot && has_next(node)) {
+        const uint32_t s = knot_of_[node];
+        change_ = std::max(change_, std::abs(lengths_[s] / report_.length * span_ / spans_[s] - 1));
+    }
+    double* const basis = &basis_[size_t{node} * k_ * n_];
+    const double* const g = &gradient_[size_t{node} * n_];
+    problem_.manifold->tangent_basis(at(now_, node), hint_of(now_, node), basis);
+    if (!is_free(node)) return;
+    const double width = 0.5 * ((has_previous(node) ? moments_.step_before(node) : 0) +
+                                (has_next(node) ? moments_.step_after(node) : 0));
+    for (uint32_t a = 0; a < k_; ++a) {
+        const double along = inner_product(g, basis + a * n_, n_) / width;
+        tangential_ += along * along;
+    }
+    ++free_nodes_;
+    problem_.manifold->second_form(at(now_, node), hint_of(now_, node), basis, g, &form_[size_t{node} * k_ * k_]);
+}
+
+// Moments at the ends of an open curve have only the parts that Moments gives them.
+void SplineOptimizer::restrict_moment(uint32_t node, double* vector) const {
+    if (problem_.closed || (node > 0 && node + 1 < nodes_)) return;
+    const double* const normals = moments_.end(node > 0).normals;
+    Vector out;
+    for (uint32_t r = 0; r < n_; ++r) out[r] = inner_product(normals + r * n_, vector, n_);
+    std::copy_n(out, n_, vector);
+}
+
+// A node's rows of
+//     [ -R     Q^T B ] [ M ]   [ -Q^T x                           ]
+//     [ B^T Q  W + H ] [ v ] = [ -B^T (E1's and the pull's force) ]
+// M: moments of the displaced points x + B v; W: E1 and the pull in the basis; H: the surface's curvature times the
+// force.
+void SplineOptimizer::assemble(uint32_t node) {
+    const uint32_t moments = bends() ? n_ : 0, b = system_.size();
+    double* const diagonal = system_.diagonal(node);
+    double* const coupling = system_.coupling(node);
+    double* const right = system_.right_side(node);
+    std::fill_n(diagonal, b * b, 0.0);
+    std::fill_n(coupling, b * b, 0.0);
+    std::fill_n(right, b, 0.0);
+    const double before = has_previous(node) ? moments_.step_before(node) : 0;
+    const double after = has_next(node) ? moments_.step_after(node) : 0;
+    const double stiffness = (before > 0 ? 1 / before : 0) + (after > 0 ? 1 / after : 0);
+    const auto direction = [&](uint32_t of, uint32_t a, double* out) { std::copy_n(basis_of(of) + a * n_, n_, out); };
+    Vector own, its;
+    for (uint32_t c = 0; c < moments; ++c) diagonal[c * b + c] = -(before + after) / 3;
+    if (bends()) {
+        moments_.bend(node, now_.points.data(), own);
+        restrict_moment(node, own);
+        for (uint32_t c = 0; c < n_; ++c) right[c] = -own[c];
+    }
+    const bool free = is_free(node);
+    const double pull = knot_of_[node] != no_knot ? pull_ : 0;
+    double form[Manifold::max_dimension * Manifold::max_dimension];
+    if (free) {
+        std::copy_n(&form_[size_t{node} * k_ * k_], k_ * k_, form);
+        if (concave_share_ < 1) scale_negative_part(form, k_, concave_share_);
+    }
+    for (uint32_t a = 0; a < k_; ++a) {
+        double* const row = diagonal + (moments + a) * b;
+        row[moments + a] = free ? tension_ * stiffness + pull : 1;
+        if (!free) continue;
+        direction(node, a, own);
+        // What bending does not say is the rest of the gradient.
+        const double* const g = &gradient_[size_t{node} * n_];
+        double force = inner_product(g, own, n_);
+        if (bends()) {
+            const double* const m = &moment_[size_t{node} * n_];
+            if (after > 0)
+                force -=
+                    (inner_product(&moment_[size_t{next(node)} * n_], own, n_) - inner_product(m, own, n_)) / after;
+            if (before > 0)
+                force -= (inner_product(&moment_[size_t{previous(node)} * n_], own, n_) - inner_product(m, own, n_)) /
+                         before;
+        }
+        right[moments + a] = -force;
+        for (uint32_t e = 0; e <= a; ++e) row[moments + e] += form[a * k_ + e];
+        restrict_moment(node, own);
+        for (uint32_t c = 0; c < moments; ++c) row[c] = -stiffness * own[c];
+    }
+    if (after == 0) return;
+    const uint32_t other = next(node);
+    const bool other_free = is_free(other);
+    for (uint32_t c = 0; c < moments; ++c) {
+        std::fill_n(its, n_, 0.0);
+        its[c] = 1;
+        restrict_moment(other, its);
+        restrict_moment(node, its);
+        for (uint32_t r = 0; r < n_; ++r) coupling[r * b + c] = -after / 6 * its[r];
+    }
+    for (uint32_t a = 0; other_free && a < k_; ++a) {
+        direction(other, a, its);
+        for (uint32_t e = 0; free && e < k_; ++e) {
+            direction(node, e, own);
+            coupling[(moments + e) * b + moments + a] = -tension_ / after * inner_product(own, its, n_);
+        }
+        restrict_moment(node, its);
+        for (uint32_t r = 0; r < moments; ++r) coupling[r * b + moments + a] = its[r] / after;
+    }
+    for (uint32_t e = 0; free && e < k_; ++e) {
+        direction(node, e, own);
+        restrict_moment(other, own);
+        for (uint32_t c = 0; c < moments; ++c) coupling[(moments + e) * b + c] = own[c] / after;
+    }
+}
+
+void SplineOptimizer::find_shift(uint32_t node) {
+    const double* const solution = system_.solution(node) + (bends() ? n_ : 0);
+    double* const shift = &shift_[size_t{node} * k_];
+    double square = 0;
+    for (uint32_t a = 0; a < k_; ++a) {
+        shift[a] = is_free(node) ? solution[a] : 0;
+        square += shift[a] * shift[a];
+        slope_ += shift[a] * inner_product(&gradient_[size_t{node} * n_], basis_of(node) + a * n_, n_);
+    }
+    largest_ = std::max(largest_, std::sqrt(square));
+}
+
+void SplineOptimizer::move(uint32_t node) {
+    const double* const from = at(now_, node);
+    double* const to = at(trial_, node);
+    std::copy_n(from, n_, to);
+    std::copy_n(hint_of(now_, node), hint_size_, hint_of(trial_, node));
+    for (uint32_t a = 0; a < k_ && is_free(node); ++a) {
+        const double by = step_ * shift_[size_t{node} * k_ + a];
+        for (uint32_t c = 0; c < n_; ++c) to[c] += by * basis_of(node)[a * n_ + c];
+    }
+    if (is_free(node) && !problem_.manifold->project(to, hint_of(trial_, node))) projects_ = false;
+    const auto keeps = [&](uint32_t first) {
+        const uint32_t second = next(first);
+        return problem_.manifold->keeps_sides(at(now_, first), at(now_, second), at(trial_, first), at(trial_, second));
+    };
+    if (projects_ && node > 0 && !keeps(node - 1)) projects_ = false;
+    if (projects_ && node + 1 == nodes_ && problem_.closed && !keeps(node)) projects_ = false;
+}
+
+}  // namespace flg

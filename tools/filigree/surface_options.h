@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What a .glb of curves holds: lines, or surfaces, and how exact these are.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "choices.h"
+#include "documents/report.h"
+#include "filigree/filigree_io.h"
+
+namespace flg::cli {
+
+class SurfaceOptions {
+public:
+    void add_to(CLI::App& app);
+    void describe(Report& report) const;
+
+    // Whether ribbons or tubes were asked for.
+    bool is_surface() const { return as_ == Shapes::ribbon || as_ == Shapes::tube; }
+    // Throws UsageError where they have no place.
+    void check_usage(const std::string& file, bool all_columns) const;
+
+    // Writes the curves, as surfaces if so. `shapes`, those of painted strokes or empty, are one a curve; `diagonal` is
+    // that of the whole. Throws InputError.
+    void write(const std::string& file, const FlgCurveSetView& view, FlgCurveWriteDesc desc,
+               const std::vector<FlgGeometry>& shapes, float diagonal, Report& report) const;
+
+private:
+    Shapes as_ = Shapes::automatic;
+    std::optional<float> tolerance_;
+    bool quantize_ = false;
+};
+
+}  // namespace flg::cli
