@@ -46,7 +46,10 @@ void Pace::end_slice(uint64_t now_ns) noexcept {
 
 void Pace::end_chunk(uint64_t now_ns) noexcept {
     const uint64_t duration_ns = now_ns - chunk_start_ns_;
-    if (duration_ns > longest_.duration_ns) longest_ = {duration_ns, job_.stage.load(std::memory_order_relaxed)};
+    if (duration_ns > longest_.duration_ns) {
+        const char* const stage = job_.stage.load(std::memory_order_relaxed);
+        longest_ = {duration_ns, *stage != '\0' ? stage : "start"};
+    }
     chunk_start_ns_ = now_ns;
 }
 

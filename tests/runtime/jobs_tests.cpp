@@ -294,6 +294,22 @@ TEST_F(WithoutWorkers, TheLongestChunkIsNamed) {
     EXPECT_EQ(runtime.tick(0).longest_chunk_us, 0.0f);
 }
 
+TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
+    Runtime runtime(desc(clock), &memory);
+    struct Body {
+        static Task<void> run(Pace& pace, ManualClock& time) {
+            time.now_ns += 70'000;
+            pace.stage("short");
+            time.now_ns += 20'000;
+            co_await pace;
+        }
+    };
+    submit(runtime, [&](Pace& pace) { return Body::run(pace, clock); });
+    const FlgFrameReport report = runtime.tick(0);
+    EXPECT_NEAR(report.longest_chunk_us, 70.0f, 0.1f);
+    EXPECT_STREQ(report.longest_chunk_stage, "start");
+}
+
 TEST_F(WithoutWorkers, CancelledJobsFreeWhatTheyHold) {
     Runtime runtime(desc(clock), &memory);
     clock.step_ns = 1000;

@@ -198,7 +198,7 @@ typedef struct FlgFrameReport {
     float callback_us;              /* part of it spent in the host's callbacks */
     float worker_us;                /* time all workers spent on jobs since the last tick */
     float longest_chunk_us;         /* longest uninterrupted kernel chunk since the last tick, on any thread */
-    const char* longest_chunk_stage; /* its stage, a string literal; "" if there was none */
+    const char* longest_chunk_stage; /* its stage, a string literal; "start" before a job's first, "" without a chunk */
     FlgJob longest_chunk_job;       /* its job; may have been released since */
 } FlgFrameReport;
 

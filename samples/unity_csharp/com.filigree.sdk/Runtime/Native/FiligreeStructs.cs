@@ -174,7 +174,7 @@ namespace Filigree
         public float worker_us;
         /// <summary>longest uninterrupted kernel chunk since the last tick, on any thread</summary>
         public float longest_chunk_us;
-        /// <summary>its stage, a string literal; "" if there was none</summary>
+        /// <summary>its stage, a string literal; "start" before a job's first, "" without a chunk</summary>
         public byte* longest_chunk_stage;
         /// <summary>its job; may have been released since</summary>
         public FlgJob longest_chunk_job;
