@@ -138,9 +138,9 @@ TEST(Gltf, RefusesWithThePlace) {
            "accessors[0].componentType", "5124");
     refuse(accessor(R"({"bufferView": 0, "componentType": 5125, "count": 4, "type": "VEC3"})"), "accessors[0]",
            "not three floats");
-    refuse(accessor(R"({"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "sparse": {}})"),
-           "accessors[0]", "sparse");
-    refuse(accessor(R"({"componentType": 5126, "count": 4, "type": "VEC3"})"), "accessors[0]", "no bufferView");
+    refuse(accessor(R"({"componentType": 5126, "count": 0, "type": "VEC3"})"), "accessors[0].count", "is 0");
+    refuse(accessor(R"({"componentType": 5126, "count": 2147483649, "type": "VEC3"})"), "accessors[0].count",
+           "from 1 to 2147483648");
     refuse(accessor("17"), "accessors[0]", "no object");
     Document document;
     document.length = 1000;
@@ -176,6 +176,55 @@ TEST(Gltf, RefusesWithThePlace) {
     refuse(document, "buffers[0].uri", "no base64: '?'");
 }
 
+TEST(Gltf, RefusesSparseValuesWithThePlace) {
+    const Folder folder;
+    // Indices of 8 bits from byte 48: 1 3 3 9; values from byte 0.
+    const auto refuse = [&](const std::string& sparse, const char* place, const char* reason) {
+        Document document;
+        document.more = std::string("\1\3\3\x9", 4);
+        document.views = R"(, {"buffer": 0, "byteOffset": 48, "byteLength": 4},
+                             {"buffer": 0, "byteLength": 48, "byteStride": 12})";
+        document.positions = R"({"componentType": 5126, "count": 4, "type": "VEC3", "sparse": )" + sparse + "}";
+        expect_refused(folder.put("a.gltf", document.text()), FLG_ERROR_FORMAT, place, reason);
+    };
+    const auto parts = [](const char* count, const char* indices, const char* values) {
+        return std::string(R"({"count": )") + count + R"(, "indices": )" + indices + R"(, "values": )" + values + "}";
+    };
+    const char* good = R"({"bufferView": 1, "componentType": 5121})";
+    const char* values = R"({"bufferView": 0})";
+    refuse("3", "accessors[0].sparse", "no object");
+    refuse("{}", "accessors[0].sparse", "has no count");
+    refuse(R"({"count": 1})", "accessors[0].sparse", "no object indices");
+    refuse(R"({"count": 1, "indices": 7})", "accessors[0].sparse", "no object indices");
+    refuse(R"({"count": 1, "indices": {"bufferView": 1, "componentType": 5121}})", "accessors[0].sparse",
+           "no object values");
+    refuse(parts("0", good, values), "accessors[0].sparse.count", "is 0");
+    refuse(parts("5", good, values), "accessors[0].sparse.count", "holds 4 values");
+    refuse(parts("3", good, R"({"bufferView": 0, "byteOffset": 24})"), "accessors[0].sparse.count", "holds 2 values");
+    refuse(parts("3", good, values), "accessors[0].sparse.indices", "index 3 at 2: must rise");
+    refuse(parts("1", R"({"bufferView": 1, "byteOffset": 3, "componentType": 5121})", values),
+           "accessors[0].sparse.indices", "index 9 at 0: must rise, and be below 4");
+    refuse(parts("1", R"({"bufferView": 1, "componentType": 5120})", values), "accessors[0].sparse.indices",
+           "no unsigned integers");
+    refuse(parts("1", R"({"bufferView": 1})", values), "accessors[0].sparse.indices", "has no componentType");
+    refuse(parts("1", R"({"bufferView": 9, "componentType": 5121})", values), "accessors[0].sparse.indices.bufferView",
+           "bufferViews 9 of 3");
+    refuse(parts("1", good, R"({"bufferView": 2})"), "bufferViews[2].byteStride", "sparse");
+}
+
+TEST(Gltf, RefusesRequiredExtensionsThatKeepVerticesElsewhere) {
+    const Folder folder;
+    Document document;
+    const std::string nodes = document.nodes;
+    document.nodes = R"("extensionsRequired": ["KHR_mesh_quantization", "KHR_materials_unlit"],)" + nodes;
+    EXPECT_EQ(read(folder.put("a.gltf", document.text())).result, FLG_OK);
+    document.nodes = R"("extensionsRequired": ["KHR_mesh_quantization", "KHR_draco_mesh_compression"],)" + nodes;
+    expect_refused(folder.put("a.gltf", document.text()), FLG_ERROR_FORMAT, "extensionsRequired[1]",
+                   "KHR_draco_mesh_compression");
+    document.nodes = R"("extensionsRequired": 1,)" + nodes;
+    expect_refused(folder.put("a.gltf", document.text()), FLG_ERROR_FORMAT, "extensionsRequired", "no array");
+}
+
 TEST(Gltf, RefusesWhatIsNoGltf) {
     const Folder folder;
     expect_refused(folder.put("a.gltf", "{\"asset\": "), FLG_ERROR_FORMAT, "@11", "no JSON");
@@ -198,6 +247,15 @@ TEST(Gltf, SmallFilesCannotAskForMemoryWithoutEnd) {
         R"(, {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": )" + std::to_string(indices) + "}";
     document.views = R"(, {"buffer": 0, "byteOffset": 48, "byteLength": )" + std::to_string(indices) + "}";
     expect_refused(folder.put("a.gltf", document.text()), FLG_ERROR_LIMIT, "meshes[0].primitives[0]", "2 GiB");
+
+    // Zeros without a bufferView take no bytes at all.
+    for (const char* more : {"", R"(, "indices": 1)"}) {
+        document = {};
+        document.primitive = std::string(R"({"attributes": {"POSITION": 0}, "mode": 3)") + more + "}";
+        document.accessors = R"(, {"componentType": 5125, "type": "SCALAR", "count": 2147483648})";
+        if (!*more) document.positions = R"({"componentType": 5126, "type": "VEC3", "count": 2147483648})";
+        expect_refused(folder.put("a.gltf", document.text()), FLG_ERROR_LIMIT, "meshes[0].primitives[0]", "2 GiB");
+    }
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 // Source: Khronos, glTF 2.0 specification (sections 3.6, 4.4 and 5).
 // Invariants: nothing is read outside the bytes that are there; files are read only below the document's folder; all
 // buffers together hold at most 2 GiB, and JSON nests at most max_depth levels.
-// Departures: no sparse accessors and no accessors without data (refused). Written here rather than on tinygltf, which
-// descends into nested extras without bound, opens buffers wherever their URI points, and has no places in its errors.
+// Written here rather than on tinygltf: io's README says why.
 #include "io/gltf/gltf_document.h"
 
 #include <algorithm>
@@ -92,30 +91,101 @@ T load(const uint8_t* at) {
     return value;
 }
 
+uint32_t load_index(const uint8_t* at, uint32_t type) {
+    if (type == gltf_unsigned_byte) return *at;
+    return type == gltf_unsigned_short ? load<uint16_t>(at) : load<uint32_t>(at);
+}
+
 template <class T>
 float normalized_number(const uint8_t* at, bool normalized) {
     const float value = static_cast<float>(load<T>(at));
     return normalized ? std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f) : value;
 }
 
+// What accessors without a bufferView hold: a value of any type.
+constexpr uint8_t zeros[16 * sizeof(float)] = {};
+
+uint32_t component_type(const Json& json, const std::string& place) {
+    const uint64_t type = gltf_required(json, "componentType", place);
+    const uint32_t known = type <= gltf_float ? static_cast<uint32_t>(type) : 0;
+    if (component_size(known) == 0) {
+        fail(FLG_ERROR_FORMAT, place + ".componentType", "is %llu, which is none of glTF's",
+             static_cast<unsigned long long>(type));
+    }
+    return known;
+}
+
+// The first of `count` values that begin at `offset`, all inside of the view.
+const uint8_t* values_in(const GltfDocument::View& view, uint64_t offset, uint64_t count, uint64_t size,
+                         uint64_t stride, const std::string& count_place) {
+    const uint64_t room = offset <= view.bytes.size() ? view.bytes.size() - offset : 0;
+    // The last value need not fill its stride.
+    const uint64_t fitting = room >= size ? (room - size) / stride + 1 : 0;
+    if (count == 0 || count > fitting) {
+        fail(FLG_ERROR_FORMAT, count_place, "is %llu, but its bufferView holds %llu values",
+             static_cast<unsigned long long>(count), static_cast<unsigned long long>(fitting));
+    }
+    return view.bytes.data() + offset;
+}
+
+// Extensions that keep vertices where this reader does not look: without them a mesh would be empty, or zeros.
+constexpr std::string_view unknown_geometry[] = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                                 "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
+
+void refuse_unknown_geometry(const Json& root) {
+    const Json* required = gltf_array(root, "extensionsRequired", "");
+    for (size_t i = 0; required && i < required->size(); ++i) {
+        const Json& name = (*required)[i];
+        for (std::string_view unknown : unknown_geometry) {
+            if (name != unknown) continue;
+            fail(FLG_ERROR_FORMAT, "extensionsRequired[" + std::to_string(i) + "]", "is %s, which is not supported",
+                 cited(std::string(unknown)).c_str());
+        }
+    }
+}
+
 }  // namespace
 
+bool is_index_type(uint32_t component_type) {
+    return component_type == gltf_unsigned_byte || component_type == gltf_unsigned_short ||
+           component_type == gltf_unsigned_int;
+}
+
+const uint8_t* GltfValues::at(uint64_t element) const {
+    uint64_t first = 0, last = sparse_count;
+    while (first < last) {
+        const uint64_t middle = (first + last) / 2;
+        if (sparse_element(middle) < element)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    if (first < sparse_count && sparse_element(first) == element) return sparse_data + first * element_size();
+    return data + element * stride;
+}
+
+uint64_t GltfValues::element_size() const {
+    return uint64_t{components} * component_size(component_type);
+}
+
+uint32_t GltfValues::sparse_element(uint64_t i) const {
+    return load_index(sparse_indices + i * component_size(sparse_type), sparse_type);
+}
+
 float GltfValues::number(uint64_t element, uint32_t component) const {
-    const uint8_t* at = data + element * stride + component * component_size(component_type);
+    const uint8_t* from = at(element) + component * component_size(component_type);
     switch (component_type) {
-        case gltf_byte: return normalized_number<int8_t>(at, normalized);
-        case gltf_unsigned_byte: return normalized_number<uint8_t>(at, normalized);
-        case gltf_short: return normalized_number<int16_t>(at, normalized);
-        case gltf_unsigned_short: return normalized_number<uint16_t>(at, normalized);
-        case gltf_unsigned_int: return normalized_number<uint32_t>(at, normalized);
-        default: return load<float>(at);
+        case gltf_byte: return normalized_number<int8_t>(from, normalized);
+        case gltf_unsigned_byte: return normalized_number<uint8_t>(from, normalized);
+        case gltf_short: return normalized_number<int16_t>(from, normalized);
+        case gltf_unsigned_short: return normalized_number<uint16_t>(from, normalized);
+        case gltf_unsigned_int: return normalized_number<uint32_t>(from, normalized);
+        default: return load<float>(from);
     }
 }
 
 uint32_t GltfValues::index(uint64_t element) const {
-    const uint8_t* at = data + element * stride;
-    if (component_type == gltf_unsigned_byte) return *at;
-    return component_type == gltf_unsigned_short ? load<uint16_t>(at) : load<uint32_t>(at);
+    return load_index(at(element), component_type);
 }
 
 uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const std::string& place) {
@@ -150,6 +220,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& path) : file_(read_file(
     if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2.")) {
         fail(FLG_ERROR_FORMAT, "asset.version", "is %s; only 2.x is known", cited(version.dump()).c_str());
     }
+    refuse_unknown_geometry(root_);
     load_buffers(path.parent_path(), binary);
 }
 
@@ -254,25 +325,28 @@ GltfValues GltfDocument::matrices(uint64_t index, const std::string& place) cons
     return values;
 }
 
+GltfDocument::View GltfDocument::view(uint64_t index, const std::string& referrer) const {
+    const Json& json = element("bufferViews", index, referrer);
+    View view;
+    view.place = element_place("bufferViews", index);
+    const uint64_t buffer_index = gltf_required(json, "buffer", view.place);
+    element("buffers", buffer_index, view.place + ".buffer");
+    const Bytes buffer = buffers_[buffer_index];
+    const uint64_t offset = gltf_unsigned(json, "byteOffset", 0, view.place);
+    const uint64_t length = gltf_required(json, "byteLength", view.place);
+    if (offset > buffer.size() || length > buffer.size() - offset) {
+        fail(FLG_ERROR_FORMAT, view.place, "covers %llu bytes from %llu, but its buffer has %zu",
+             static_cast<unsigned long long>(length), static_cast<unsigned long long>(offset), buffer.size());
+    }
+    view.bytes = buffer.subspan(offset, length);
+    view.stride = gltf_unsigned(json, "byteStride", 0, view.place);
+    return view;
+}
+
 GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, bool of_matrices) const {
     const Json& accessor = element("accessors", index, place);
     GltfValues values;
     values.place = element_place("accessors", index);
-    if (accessor.contains("sparse")) fail(FLG_ERROR_FORMAT, values.place, "is sparse, which is not supported");
-    if (!accessor.contains("bufferView")) fail(FLG_ERROR_FORMAT, values.place, "has no bufferView");
-    const uint64_t view_index = gltf_required(accessor, "bufferView", values.place);
-    const Json& view = element("bufferViews", view_index, values.place + ".bufferView");
-    const std::string view_place = element_place("bufferViews", view_index);
-    const uint64_t buffer_index = gltf_required(view, "buffer", view_place);
-    element("buffers", buffer_index, view_place + ".buffer");
-    const Bytes buffer = buffers_[buffer_index];
-    const uint64_t view_offset = gltf_unsigned(view, "byteOffset", 0, view_place);
-    const uint64_t view_length = gltf_required(view, "byteLength", view_place);
-    if (view_offset > buffer.size() || view_length > buffer.size() - view_offset) {
-        fail(FLG_ERROR_FORMAT, view_place, "covers %llu bytes from %llu, but its buffer has %zu",
-             static_cast<unsigned long long>(view_length), static_cast<unsigned long long>(view_offset), buffer.size());
-    }
-
     const auto type = accessor.find("type");
     const auto is_type = [&](const char* name) { return type != accessor.end() && *type == name; };
     if (is_type("SCALAR")) values.components = 1;
@@ -283,33 +357,58 @@ GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, boo
     if (of_matrices && values.components == 0) fail(FLG_ERROR_FORMAT, values.place + ".type", "is not MAT4");
     if (values.components == 0)
         fail(FLG_ERROR_FORMAT, values.place + ".type", "is none of SCALAR, VEC2, VEC3 and VEC4");
-    const uint64_t component_type = gltf_required(accessor, "componentType", values.place);
-    values.component_type = component_type <= gltf_float ? static_cast<uint32_t>(component_type) : 0;
-    const uint64_t element_size = uint64_t{values.components} * component_size(values.component_type);
-    if (element_size == 0) {
-        fail(FLG_ERROR_FORMAT, values.place + ".componentType", "is %llu, which is none of glTF's",
-             static_cast<unsigned long long>(component_type));
-    }
-    values.stride = gltf_unsigned(view, "byteStride", element_size, view_place);
-    const bool strided = view.contains("byteStride");
-    if (strided && (values.stride < std::max(least_stride, element_size) || values.stride > most_stride)) {
-        fail(FLG_ERROR_FORMAT, view_place + ".byteStride", "is %llu for values of %llu bytes",
-             static_cast<unsigned long long>(values.stride), static_cast<unsigned long long>(element_size));
-    }
+    values.component_type = component_type(accessor, values.place);
+    const uint64_t element_size = values.element_size();
     const auto normalized = accessor.find("normalized");
     values.normalized = normalized != accessor.end() && *normalized == true;
-
-    const uint64_t offset = gltf_unsigned(accessor, "byteOffset", 0, values.place);
     values.count = gltf_required(accessor, "count", values.place);
-    const uint64_t room = offset <= view_length ? view_length - offset : 0;
-    // The last value need not fill its stride.
-    const uint64_t fitting = room >= element_size ? (room - element_size) / values.stride + 1 : 0;
-    if (values.count == 0 || values.count > fitting) {
-        fail(FLG_ERROR_FORMAT, values.place + ".count", "is %llu, but its bufferView holds %llu values",
-             static_cast<unsigned long long>(values.count), static_cast<unsigned long long>(fitting));
+
+    if (accessor.contains("bufferView")) {
+        const View view = this->view(gltf_required(accessor, "bufferView", values.place), values.place + ".bufferView");
+        if (view.stride != 0 && (view.stride < std::max(least_stride, element_size) || view.stride > most_stride)) {
+            fail(FLG_ERROR_FORMAT, view.place + ".byteStride", "is %llu for values of %llu bytes",
+                 static_cast<unsigned long long>(view.stride), static_cast<unsigned long long>(element_size));
+        }
+        values.stride = view.stride != 0 ? view.stride : element_size;
+        values.data = values_in(view, gltf_unsigned(accessor, "byteOffset", 0, values.place), values.count,
+                                element_size, values.stride, values.place + ".count");
+    } else if (values.count == 0 || values.count > max_bytes) {
+        fail(FLG_ERROR_FORMAT, values.place + ".count", "is %llu, must be from 1 to %llu",
+             static_cast<unsigned long long>(values.count), static_cast<unsigned long long>(max_bytes));
+    } else {
+        values.data = zeros;  // of any count, as the stride is 0
     }
-    values.data = buffer.data() + view_offset + offset;
+    if (accessor.contains("sparse")) read_sparse(accessor["sparse"], values);
     return values;
+}
+
+void GltfDocument::read_sparse(const Json& sparse, GltfValues& values) const {
+    const std::string place = values.place + ".sparse";
+    if (!sparse.is_object()) fail(FLG_ERROR_FORMAT, place, "is no object");
+    const auto part = [&](const char* key) -> const Json& {
+        const auto found = sparse.find(key);
+        if (found == sparse.end() || !found->is_object()) fail(FLG_ERROR_FORMAT, place, "has no object %s", key);
+        return *found;
+    };
+    const auto bytes_of = [&](const Json& json, const std::string& here, uint64_t count, uint64_t size) {
+        const View view = this->view(gltf_required(json, "bufferView", here), here + ".bufferView");
+        if (view.stride != 0) fail(FLG_ERROR_FORMAT, view.place + ".byteStride", "is set, but the values are sparse");
+        return values_in(view, gltf_unsigned(json, "byteOffset", 0, here), count, size, size, place + ".count");
+    };
+    const uint64_t count = gltf_required(sparse, "count", place);
+    const Json& indices = part("indices");
+    const std::string indices_place = place + ".indices";
+    values.sparse_type = component_type(indices, indices_place);
+    if (!is_index_type(values.sparse_type)) fail(FLG_ERROR_FORMAT, indices_place, "are no unsigned integers");
+    values.sparse_indices = bytes_of(indices, indices_place, count, component_size(values.sparse_type));
+    values.sparse_data = bytes_of(part("values"), place + ".values", count, values.element_size());
+    values.sparse_count = count;
+    for (uint64_t i = 0; i < count; ++i) {
+        const uint32_t element = values.sparse_element(i);
+        if (element < values.count && (i == 0 || element > values.sparse_element(i - 1))) continue;
+        fail(FLG_ERROR_FORMAT, indices_place, "index %u at %llu: must rise, and be below %llu", element,
+             static_cast<unsigned long long>(i), static_cast<unsigned long long>(values.count));
+    }
 }
 
 }  // namespace flg::io

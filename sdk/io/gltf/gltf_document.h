@@ -13,20 +13,32 @@ namespace flg::io {
 
 using Json = nlohmann::json;
 
-// The values of an accessor; all of them lie inside their buffer.
+// The values of an accessor; all of them lie inside their buffers. Those that are sparse stand beside the others, which
+// they replace, and are found by bisection: nothing is copied, whatever count a file claims.
 struct GltfValues {
     const uint8_t* data = nullptr;
     uint64_t count = 0;
-    uint64_t stride = 0;  // bytes
+    uint64_t stride = 0;  // bytes; 0: all values are the first
     uint32_t components = 0;
     uint32_t component_type = 0;
     bool normalized = false;
+    uint32_t sparse_type = 0;  // of the indices, which rise
+    uint64_t sparse_count = 0;
+    const uint8_t* sparse_indices = nullptr;
+    const uint8_t* sparse_data = nullptr;
     std::string place;
 
     // As float; integers are mapped to 0..1 or -1..1 if they are normalized.
     float number(uint64_t element, uint32_t component) const;
     // Of unsigned integers.
     uint32_t index(uint64_t element) const;
+
+    uint64_t element_size() const;  // bytes
+    // The element that sparse value i replaces.
+    uint32_t sparse_element(uint64_t i) const;
+
+private:
+    const uint8_t* at(uint64_t element) const;
 };
 
 constexpr uint32_t gltf_byte = 5120;
@@ -35,6 +47,9 @@ constexpr uint32_t gltf_short = 5122;
 constexpr uint32_t gltf_unsigned_short = 5123;
 constexpr uint32_t gltf_unsigned_int = 5125;
 constexpr uint32_t gltf_float = 5126;
+
+// Of unsigned integers.
+bool is_index_type(uint32_t component_type);
 
 class GltfDocument {
 public:
@@ -48,8 +63,17 @@ public:
     // Of 4 x 4 floats each, column by column.
     GltfValues matrices(uint64_t index, const std::string& place) const;
 
+    // A bufferView.
+    struct View {
+        Bytes bytes;
+        uint64_t stride = 0;  // bytes; 0: values without gaps
+        std::string place;
+    };
+
 private:
+    View view(uint64_t index, const std::string& referrer) const;
     GltfValues values_of(uint64_t index, const std::string& place, bool of_matrices) const;
+    void read_sparse(const Json& sparse, GltfValues& values) const;
     Bytes split_glb(Bytes file, Bytes& binary) const;
     void load_buffers(const std::filesystem::path& folder, Bytes binary);
     Bytes load_uri(const std::string& uri, const std::filesystem::path& folder, const std::string& place);

@@ -224,8 +224,7 @@ std::optional<GltfValues> read_index_values(const GltfDocument& document, const 
     if (!primitive.json.contains("indices")) return {};
     GltfValues values =
         document.accessor(gltf_required(primitive.json, "indices", primitive.place), primitive.place + ".indices");
-    if (values.components != 1 || values.component_type == gltf_float || values.component_type == gltf_byte ||
-        values.component_type == gltf_short) {
+    if (values.components != 1 || !is_index_type(values.component_type)) {
         fail(FLG_ERROR_FORMAT, values.place, "holds indices that are no unsigned integers");
     }
     return values;
