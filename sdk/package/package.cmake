@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` leaves: headers, libraries, a CMake package with one component a target, and pkg-config files.
-# All of it finds itself by relative paths, so that the folder can be moved.
+# What `cmake --install` leaves: headers, libraries, the licences of all that is in them, a CMake package with one
+# component a target, and pkg-config files. All of it finds itself by relative paths, so that the folder can be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -29,6 +29,15 @@ function(flg_package target name)
     install(TARGETS ${target} EXPORT filigree-${name} RUNTIME COMPONENT runtime LIBRARY COMPONENT runtime
         NAMELINK_COMPONENT development ARCHIVE COMPONENT development)
     install(EXPORT filigree-${name} NAMESPACE filigree:: DESTINATION ${FLG_PACKAGE_DIR} COMPONENT development)
+endfunction()
+
+# flg_licences(<name>...): what a library links or has compiled in. licences/<name>.txt is installed beside it.
+function(flg_licences)
+    if(NOT FLG_INSTALL)
+        return()
+    endif()
+    list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/sdk/package/licences/\\1.txt" OUTPUT_VARIABLE texts)
+    install(FILES ${texts} DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences COMPONENT runtime)
 endfunction()
 
 # flg_pkg_config(<name> <description> <requires.private> <libs.private>): <name>.pc for lib<name>.
