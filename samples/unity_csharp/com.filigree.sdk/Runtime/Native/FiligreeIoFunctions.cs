@@ -16,8 +16,8 @@
 //   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS, and with NORMAL,
 //                 _TIME, _PRESSURE, _STYLE_INDEX, _RADII, _ANGLE, _WIDTH, _SPEED, _DISPLACEMENT and _USERN (1 to 4
 //                 floats) if all curves have them; node transforms apply to lengths, speeds and directions too. .glb is
-//                 written, as lines, ribbons or tubes; colours of these have 16 bits. No sparse accessors; buffers only
-//                 embedded or below the file's folder
+//                 written, as lines, ribbons or tubes; colours of these have 16 bits. Buffers only embedded or
+//                 below the file's folder
 //   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system
 //   .svg          outlines of shapes and paths, read only; y upwards, one metre per px, curves flattened to 1/1000 of
 //                 their size
