@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wang, Juettler, Zheng, Liu: Computation of Rotation Minimizing Frames, ACM TOG 2008, section 4.
-// Given normals need not be perpendicular to the curve: results of flgStylize bring their target's.
+// Given normals need not be perpendicular to the curve: results of flgCurveSetStylize bring their target's.
 #include "curve_frames.h"
 
 #include <cmath>

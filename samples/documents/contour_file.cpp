@@ -66,10 +66,10 @@ void put_first(ContourArrays& contour, uint32_t ring) {
 
 ContourArrays read_svg(const std::string& path) {
     FlgCurveFile file = nullptr;
-    if (flgCurveFileRead(path.c_str(), &file) < 0) throw InputError(flgIoLastError());
+    if (flgCurveFileRead(path.c_str(), &file) < 0) throw InputError(flgIoErrorGetMessage());
     const std::unique_ptr<FlgCurveFileT, decltype(&flgCurveFileRelease)> owner(file, flgCurveFileRelease);
     FlgCurveSetView view = flgCurveSetViewDefaults();
-    if (flgCurveFileGetView(file, &view) < 0) throw InputError(flgIoLastError());
+    if (flgCurveFileGetView(file, &view) < 0) throw InputError(flgIoErrorGetMessage());
     const FlgColumn& column = view.columns[0];  // positions
     const size_t stride = column.stride == 0 ? 3 : column.stride / sizeof(float);
     ContourArrays contour;

@@ -22,7 +22,7 @@ public:
 
 // Throws InputError with the SDK's sentence, about `subject` (a file).
 inline void check(FlgResult result, const std::string& subject) {
-    if (result != FLG_OK) throw InputError(subject + ": " + flgLastError());
+    if (result != FLG_OK) throw InputError(subject + ": " + flgErrorGetMessage());
 }
 
 }  // namespace flg::cli

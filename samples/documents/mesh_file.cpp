@@ -2,6 +2,10 @@
 #include "documents/mesh_file.h"
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
+#include <string_view>
+#include <utility>
 
 #include "documents/failure.h"
 #include "documents/progress.h"
@@ -11,13 +15,69 @@ namespace flg::cli {
 namespace {
 
 void check_io(FlgResult result) {
-    if (result != FLG_OK) throw InputError(flgIoLastError());
+    if (result != FLG_OK) throw InputError(flgIoErrorGetMessage());
+}
+
+constexpr std::string_view kPrefix = "builtin:";
+
+// NAME and COUNT of `builtin:NAME:COUNT`; both empty of other names.
+std::pair<std::string_view, std::string_view> parts_of(std::string_view name) {
+    if (!name.starts_with(kPrefix)) return {};
+    name.remove_prefix(kPrefix.size());
+    const size_t colon = std::min(name.find(':'), name.size());
+    return {name.substr(0, colon), name.substr(std::min(colon + 1, name.size()))};
 }
 
 }  // namespace
 
+bool is_builtin_mesh(const std::string& name) {
+    const std::vector<std::string>& names = scenes::mesh_names();
+    return std::find(names.begin(), names.end(), parts_of(name).first) != names.end();
+}
+
+void MeshFile::make() {
+    const auto [name, text] = parts_of(name_);
+    uint32_t count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (!text.empty() && (error != std::errc() || end != text.data() + text.size()))
+        throw InputError(name_ + ": '" + std::string(text) + "' is no number");
+    builtin_ = std::make_unique<Builtin>();
+    scenes::Mesh& mesh = builtin_->mesh;
+    mesh = scenes::make_mesh(name, count);
+    if (mesh.vertices.empty()) {
+        std::string names;
+        for (const std::string& known : scenes::mesh_names()) names += (names.empty() ? "" : ", ") + known;
+        throw InputError(name_ + ": no such built-in mesh; there are " + names);
+    }
+    builtin_->columns[0] = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
+    view_ = flgMeshViewDefaults();
+    view_.columns = builtin_->columns;
+    view_.column_count = 1;
+    if (!mesh.normals.empty())
+        builtin_->columns[view_.column_count++] = {FLG_ATTRIBUTE_NORMAL, 3, &mesh.normals[0].x, 0, 0};
+    info_.format = "builtin";
+    info_.region_count = 1;
+    info_.polygon_count = mesh.triangles.size();
+    std::fill_n(info_.box_min, 3, std::numeric_limits<float>::max());
+    std::fill_n(info_.box_max, 3, std::numeric_limits<float>::lowest());
+    for (const scenes::Point& p : mesh.vertices) {
+        const float place[] = {p.x, p.y, p.z};
+        for (size_t k = 0; k < 3; ++k) {
+            info_.box_min[k] = std::min(info_.box_min[k], place[k]);
+            info_.box_max[k] = std::max(info_.box_max[k], place[k]);
+        }
+    }
+    info_.vertex_count = view_.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
+    info_.triangle_count = view_.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
+    view_.triangles = mesh.triangles[0].data();
+}
+
 MeshFile::MeshFile(const std::string& name) : name_(name) {
     say_step("reading " + name);
+    if (name.starts_with(kPrefix)) {
+        make();
+        return;
+    }
     FlgMeshFile file = nullptr;
     check_io(flgMeshFileRead(name.c_str(), &file));
     file_.reset(file);
@@ -30,6 +90,7 @@ MeshFile::MeshFile(const std::string& name) : name_(name) {
 std::vector<FlgMeshFaceColumn> MeshFile::face_columns() const {
     const FlgMeshFaceColumn* columns = nullptr;
     uint32_t count = 0;
+    if (!file_) return {};
     check_io(flgMeshFileGetFaceColumns(file_.get(), &columns, &count));
     return {columns, columns + count};
 }
@@ -37,6 +98,7 @@ std::vector<FlgMeshFaceColumn> MeshFile::face_columns() const {
 std::vector<FlgMeshMaterial> MeshFile::materials() const {
     const FlgMeshMaterial* materials = nullptr;
     uint32_t count = 0;
+    if (!file_) return {};
     check_io(flgMeshFileGetMaterials(file_.get(), &materials, &count));
     return {materials, materials + count};
 }

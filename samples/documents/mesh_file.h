@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh from a file, with its memory.
+// A mesh from a file, or built in, with its memory.
 #pragma once
 
 #include <memory>
@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "filigree/filigree_io.h"
+#include "scenes/scenes.h"
 
 namespace flg::cli {
 
+// Whether it is `builtin:NAME` or `builtin:NAME:COUNT` with the name of a mesh.
+bool is_builtin_mesh(const std::string& name);
+
 class MeshFile {
 public:
-    // Throws InputError.
+    // Reads a file or makes what is built in. Throws InputError.
     explicit MeshFile(const std::string& name);
 
     const std::string& name() const { return name_; }
@@ -24,7 +28,14 @@ public:
     std::vector<FlgMeshMaterial> materials() const;
 
 private:
+    struct Builtin {
+        scenes::Mesh mesh;
+        FlgColumn columns[2];
+    };
+    void make();
+
     std::string name_;
+    std::unique_ptr<Builtin> builtin_;
     std::unique_ptr<FlgMeshFileT, decltype(&flgMeshFileRelease)> file_{nullptr, flgMeshFileRelease};
     FlgMeshView view_ = {};
     FlgMeshFileInfo info_ = {};

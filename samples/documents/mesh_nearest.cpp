@@ -4,6 +4,7 @@
 #include "documents/failure.h"
 
 #if defined(FLG_WITH_PICK)
+#include <algorithm>
 #include <limits>
 
 #include "filigree/filigree_pick.h"
@@ -16,28 +17,35 @@ struct NearestSearch::Scene {
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
     FlgPickScene handle = nullptr;
+    double origin[3] = {};  // of the surface
 };
 
 namespace {
 
 void check_pick(FlgResult result, const std::string& subject) {
-    if (result != FLG_OK) throw InputError(subject + ": " + flgPickLastError());
+    if (result != FLG_OK) throw InputError(subject + ": " + flgPickErrorGetMessage());
 }
 
 }  // namespace
 
 NearestSearch::NearestSearch(const FlgSurfaceView& surface, const std::string& subject)
     : scene_(std::make_unique<Scene>()), subject_(subject) {
-    check_pick(flgPickSceneCreate(nullptr, &scene_->handle), subject);
+    FlgPickSceneDesc desc = flgPickSceneDefaults();
+    std::copy(std::begin(surface.mesh->origin), std::end(surface.mesh->origin), desc.origin);
+    std::copy(std::begin(surface.mesh->origin), std::end(surface.mesh->origin), scene_->origin);
+    check_pick(flgPickSceneCreate(&desc, &scene_->handle), subject);
     check_pick(flgPickSceneSetSurface(scene_->handle, 0, &surface, nullptr, 0), subject);
     check_pick(flgPickSceneCommit(scene_->handle), subject);
 }
 
 NearestSearch::~NearestSearch() = default;
 
-NearestPoint NearestSearch::nearest(const std::array<float, 3>& position) const {
+NearestPoint NearestSearch::nearest(const std::array<double, 3>& position) const {
     FlgHit hit = {};
-    check_pick(flgPickNearest(scene_->handle, position.data(), std::numeric_limits<float>::infinity(), &hit), subject_);
+    std::array<float, 3> near;
+    for (size_t k = 0; k < 3; ++k) near[k] = static_cast<float>(position[k] - scene_->origin[k]);
+    check_pick(flgPickSceneFindNearest(scene_->handle, near.data(), std::numeric_limits<float>::infinity(), &hit),
+               subject_);
     return {{hit.element, hit.u, hit.v}, hit.distance};
 }
 
@@ -55,7 +63,7 @@ NearestSearch::NearestSearch(const FlgSurfaceView&, const std::string& subject) 
 
 NearestSearch::~NearestSearch() = default;
 
-NearestPoint NearestSearch::nearest(const std::array<float, 3>&) const {
+NearestPoint NearestSearch::nearest(const std::array<double, 3>&) const {
     return {};
 }
 

@@ -23,7 +23,7 @@ public:
     NearestSearch(const NearestSearch&) = delete;
     NearestSearch& operator=(const NearestSearch&) = delete;
 
-    NearestPoint nearest(const std::array<float, 3>& position) const;
+    NearestPoint nearest(const std::array<double, 3>& position) const;
 
 private:
     struct Scene;

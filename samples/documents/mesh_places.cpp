@@ -12,7 +12,7 @@ namespace flg::cli {
 namespace {
 
 // As the SDK takes positions.
-constexpr float kLargestCoordinate = 1e30f;
+constexpr double kLargestCoordinate = 1e30;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -77,7 +77,7 @@ uint32_t PlaceFinder::vertex(const Place& place) const {
 
 FlgSurfacePoint PlaceFinder::point(const Place& place) {
     if (place.vertex) {
-        const uint32_t *first = view_.mesh.triangles, *end = first + size_t{3} * view_.mesh.triangle_count;
+        const uint32_t *first = view_.mesh->triangles, *end = first + size_t{3} * view_.mesh->triangle_count;
         const auto corner = static_cast<size_t>(std::find(first, end, vertex(place)) - first);
         return {static_cast<uint32_t>(corner / 3), corner % 3 == 1 ? 1.0f : 0.0f, corner % 3 == 2 ? 1.0f : 0.0f};
     }

@@ -16,7 +16,7 @@ namespace flg::cli {
 struct Place {
     std::string text;                // as given
     std::optional<uint32_t> vertex;  // else:
-    std::array<float, 3> position;
+    std::array<double, 3> position;
 };
 
 // An option for places with `;` between them.

@@ -49,7 +49,7 @@ MeshSurface::MeshSurface(Session& session, const std::string& file, float weld_d
     for (uint32_t i = 0; i < file_.info().warning_count; ++i) report.warn(file + ": " + file_.info().warnings[i]);
     FlgSurfaceDesc desc;
     flgSurfaceDescInit(&desc, sizeof desc);
-    desc.mesh = file_.view();
+    desc.mesh = &file_.view();
     desc.weld_distance = weld_distance;
     FlgJob job = {};
     check(flgSurfaceCreate(context_, &desc, &surface_, &job), file);
@@ -98,12 +98,12 @@ void require_mesh_output(const std::string& path, Regions regions) {
 
 void write_mesh(const std::string& path, const FlgMeshView& mesh, std::span<const FlgMeshMaterial> materials) {
     say_step("writing " + path);
-    FlgMeshWriteDesc desc;
-    flgMeshWriteDescInit(&desc, sizeof desc);
+    FlgMeshFileWriteDesc desc;
+    flgMeshFileWriteDescInit(&desc, sizeof desc);
     desc.split_regions = mesh.regions != nullptr;
     desc.materials = materials.data();
     desc.material_count = static_cast<uint32_t>(materials.size());
-    if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw InputError(flgIoLastError());
+    if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 }  // namespace flg::cli

@@ -175,10 +175,12 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     for (const DrawnPart& drawn : drawing.parts) {
         const std::string name = subject + ": " + drawn.name;
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = drawn.contour.points.data();
-        desc.contour.point_count = static_cast<uint32_t>(drawn.contour.points.size() / 2);
-        desc.contour.ring_offsets = drawn.contour.offsets.data();
-        desc.contour.ring_count = static_cast<uint32_t>(drawn.contour.offsets.size()) - 1;
+        FlgContourView input = flgContourViewDefaults();
+        input.points = drawn.contour.points.data();
+        input.point_count = static_cast<uint32_t>(drawn.contour.points.size() / 2);
+        input.ring_offsets = drawn.contour.offsets.data();
+        input.ring_count = static_cast<uint32_t>(drawn.contour.offsets.size()) - 1;
+        desc.contour = &input;
         desc.repair = drawing.repair;
         FlgModelPart part = flgModelPartDefaults();
         FlgJob job = {};
@@ -194,7 +196,7 @@ FlgModel make_drawn_model(Session& session, const ModelDrawing& drawing, const s
     FlgModelDesc desc = flgModelDefaults();
     desc.parts = parts.data();
     desc.part_count = static_cast<uint32_t>(parts.size());
-    desc.thresholds = drawing.thresholds;
+    desc.thresholds = &drawing.thresholds;
     std::copy(drawing.mirror.begin(), drawing.mirror.end(), desc.mirror);
     FlgModel model = {};
     FlgJob job = {};

@@ -31,7 +31,7 @@ struct DrawnPart {
 struct ModelDrawing {
     std::vector<DrawnPart> parts;
     std::array<float, 4> mirror = {1, 0, 0, 0};
-    FlgBoneThresholds thresholds = flgModelDefaults().thresholds;
+    FlgBoneThresholds thresholds = flgBoneThresholdsDefaults();
     bool has_colors = false;
     bool repair = false;  // contours that cross themselves
 };

@@ -23,7 +23,7 @@ FlgJobStatus status_of(FlgContext context, FlgJob job) {
 Session::Session(const CommonOptions& common, const FlgAllocator& allocator) : common_(common) {
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = common.workers;
-    desc.allocator = allocator;
+    desc.allocator = &allocator;
     check(flgContextCreate(&desc, &context_), "context");
 }
 
@@ -34,13 +34,13 @@ Session::~Session() {
 void Session::finish(std::span<const Pending> jobs, Report& report) {
     const auto all_finished = [&] {
         return std::all_of(jobs.begin(), jobs.end(), [&](const Pending& pending) {
-            return status_of(context_, pending.job).state == FLG_JOB_FINISHED;
+            return status_of(context_, pending.job).state == FLG_JOB_STATE_FINISHED;
         });
     };
     while (!all_finished()) {
         FlgFrameReport frame = {};
         frame.struct_size = sizeof frame;
-        check(flgTick(context_, common_.budget_us, &frame), "tick");
+        check(flgContextTick(context_, common_.budget_us, &frame), "tick");
         times_.ticks_us.push_back(frame.tick_us);
         if (frame.longest_chunk_us > times_.longest_chunk_us) {
             times_.longest_chunk_us = frame.longest_chunk_us;
@@ -67,7 +67,7 @@ void Session::finish(std::span<const Pending> jobs, Report& report) {
 void Session::say_progress(std::span<const Pending> jobs) const {
     for (const Pending& pending : jobs) {
         const FlgJobStatus status = status_of(context_, pending.job);
-        if (status.state != FLG_JOB_RUNNING) continue;
+        if (status.state != FLG_JOB_STATE_RUNNING) continue;
         return say_share(status.stage, status.progress);
     }
 }

@@ -14,7 +14,7 @@ namespace flg::cli {
 class Session {
 public:
     // The hooks must outlive it.
-    explicit Session(const CommonOptions& common, const FlgAllocator& allocator = {});
+    explicit Session(const CommonOptions& common, const FlgAllocator& allocator = flgAllocatorDefaults());
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -34,7 +34,7 @@ private:
     void say_progress(std::span<const Pending> jobs) const;
 
     const CommonOptions& common_;
-    FlgContext context_ = nullptr;
+    FlgContext context_{};
     TickTimes times_;
 };
 

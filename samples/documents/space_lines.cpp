@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "documents/space_lines.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "documents/failure.h"
 #include "filigree/filigree_io.h"
@@ -40,7 +42,7 @@ void SpaceLines::end_line(bool closed) {
 
 SpaceLines read_lines(const std::string& file, Report& report) {
     FlgCurveFile curves = nullptr;
-    if (flgCurveFileRead(file.c_str(), &curves) != FLG_OK) throw InputError(flgIoLastError());
+    if (flgCurveFileRead(file.c_str(), &curves) != FLG_OK) throw InputError(flgIoErrorGetMessage());
     FlgCurveSetView view = flgCurveSetViewDefaults();
     flgCurveFileGetView(curves, &view);
     FlgCurveFileInfo info = {};
@@ -51,6 +53,7 @@ SpaceLines read_lines(const std::string& file, Report& report) {
     lines.offsets.assign(view.curve_offsets, view.curve_offsets + view.curve_count + 1);
     lines.flags.assign(view.curve_flags, view.curve_flags + view.curve_count);
     lines.positions.assign(view.columns[0].data, view.columns[0].data + size_t{3} * lines.offsets.back());
+    std::copy(std::begin(view.origin), std::end(view.origin), lines.origin.begin());
     flgCurveFileRelease(curves);
     return lines;
 }
@@ -64,6 +67,7 @@ FlgCurveSet create_set(FlgContext context, const SpaceLines& lines, const std::s
     view.curve_flags = lines.flags.data();
     view.columns = columns;
     view.column_count = lines.normals.empty() ? 1 : 2;
+    std::copy(lines.origin.begin(), lines.origin.end(), view.origin);
     FlgCurveSet set = {};
     check(flgCurveSetCreate(context, &view, &set), subject);
     return set;
@@ -71,13 +75,13 @@ FlgCurveSet create_set(FlgContext context, const SpaceLines& lines, const std::s
 
 FlgSurfaceCurves lay_lines(Session& session, FlgSurface surface, FlgCurveSet lines, const std::string& subject,
                            Report& report) {
-    FlgProjectDesc desc;
-    flgProjectDescInit(&desc, sizeof desc);
+    FlgCurveSetProjectDesc desc;
+    flgCurveSetProjectDescInit(&desc, sizeof desc);
     desc.surface = surface;
     desc.curves = lines;
     FlgSurfaceCurves laid = {};
     FlgJob job = {};
-    check(flgProjectCurves(session.context(), &desc, &laid, &job), subject);
+    check(flgCurveSetProject(session.context(), &desc, &laid, &job), subject);
     session.finish({{{job, subject}}}, report);
     return laid;
 }

@@ -33,6 +33,9 @@ inline Vector cross(const Vector& a, const Vector& b) {
 Vector unit(const Vector& a);
 
 Vector vertex_at(const FlgMeshView& mesh, uint32_t vertex);
+inline Vector origin_of(const FlgMeshView& mesh) {
+    return {mesh.origin[0], mesh.origin[1], mesh.origin[2]};
+}
 // Twice the triangle's area, along its normal.
 Vector area_vector(const FlgMeshView& mesh, uint32_t triangle);
 
@@ -40,6 +43,7 @@ struct SpaceLines {
     std::vector<float> positions, normals;  // x, y, z a point; normals may be none
     std::vector<uint32_t> offsets = {0};
     std::vector<uint8_t> flags;
+    Vector origin = {};  // metres: what positions are relative to
 
     uint32_t count() const { return static_cast<uint32_t>(flags.size()); }
     Vector point(uint32_t i) const { return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "documents/surface_spline.h"
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "documents/failure.h"
@@ -9,8 +11,8 @@
 namespace flg::cli {
 
 FlgManifold create_manifold(Session& session, FlgSurface surface, const std::string& subject, Report& report) {
-    FlgMeshManifoldDesc desc;
-    flgMeshManifoldDescInit(&desc, sizeof desc);
+    FlgManifoldFromSurfaceDesc desc;
+    flgManifoldFromSurfaceDescInit(&desc, sizeof desc);
     desc.surface = surface;
     FlgManifold manifold = {};
     FlgJob job = {};
@@ -24,9 +26,9 @@ FlgCurveSet spline_through(Session& session, FlgManifold manifold, const FlgSurf
                            Report& report) {
     std::vector<double> places;
     for (const FlgSurfacePoint& point : points) {
-        const uint32_t* const corners = surface.mesh.triangles + size_t{3} * point.triangle;
-        const Vector a = vertex_at(surface.mesh, corners[0]), b = vertex_at(surface.mesh, corners[1]);
-        const Vector x = a + double{point.u} * (b - a) + double{point.v} * (vertex_at(surface.mesh, corners[2]) - a);
+        const uint32_t* const corners = surface.mesh->triangles + size_t{3} * point.triangle;
+        const Vector a = vertex_at(*surface.mesh, corners[0]), b = vertex_at(*surface.mesh, corners[1]);
+        const Vector x = a + double{point.u} * (b - a) + double{point.v} * (vertex_at(*surface.mesh, corners[2]) - a);
         places.insert(places.end(), x.begin(), x.end());
     }
     FlgSplineDesc desc;
@@ -35,15 +37,16 @@ FlgCurveSet spline_through(Session& session, FlgManifold manifold, const FlgSurf
     desc.points = places.data();
     desc.point_count = static_cast<uint32_t>(points.size());
     desc.closed = closed ? 1 : 0;
+    std::copy(std::begin(surface.mesh->origin), std::end(surface.mesh->origin), desc.origin);
     FlgSpline spline = {};
     FlgJob job = {};
     check(flgSplineCreate(session.context(), &desc, &spline, &job), subject);
     session.finish({{{job, subject}}}, report);
-    FlgSplineCurvesDesc copy;
-    flgSplineCurvesDescInit(&copy, sizeof copy);
+    FlgSplineSampleDesc copy;
+    flgSplineSampleDescInit(&copy, sizeof copy);
     copy.spline = spline;
     FlgCurveSet set = {};
-    check(flgSplineCurves(session.context(), &copy, &set, &job), subject);
+    check(flgSplineSample(session.context(), &copy, &set, &job), subject);
     session.finish({{{job, subject}}}, report);
     flgSplineRelease(session.context(), spline);
     return set;

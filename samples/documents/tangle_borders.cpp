@@ -23,9 +23,9 @@ class BorderWalk {
 public:
     BorderWalk(const FlgSurfaceView& surface, const std::set<uint32_t>& inside) : surface_(surface), inside_(inside) {}
 
-    bool is_inside(uint32_t triangle) const { return inside_.contains(surface_.mesh.regions[triangle]); }
+    bool is_inside(uint32_t triangle) const { return inside_.contains(surface_.mesh->regions[triangle]); }
     uint32_t across(Edge edge) const { return surface_.neighbours[edge]; }
-    uint32_t start(Edge edge) const { return surface_.mesh.triangles[edge]; }
+    uint32_t start(Edge edge) const { return surface_.mesh->triangles[edge]; }
     bool is_border(Edge edge) const { return across(edge) == FLG_NO_INDEX || !is_inside(across(edge)); }
 
     // The border's next edge: around the edge's end, within the regions.
@@ -75,10 +75,11 @@ double longest_side(const SpaceLines& lines) {
 
 RegionBorders find_borders(const FlgSurfaceView& surface, const std::set<uint32_t>& inside) {
     const BorderWalk walk(surface, inside);
-    const FlgMeshView& mesh = surface.mesh;
+    const FlgMeshView& mesh = *surface.mesh;
     std::vector<bool> passed(size_t{3} * mesh.triangle_count);
     std::vector<std::vector<Edge>> loops;
     RegionBorders borders;
+    borders.lines.origin = origin_of(mesh);
     for (Edge first = 0; first < 3 * mesh.triangle_count; ++first) {
         if (passed[first] || !walk.is_inside(first / 3) || !walk.is_border(first)) continue;
         loops.emplace_back();
@@ -126,12 +127,12 @@ FlgCurveSet stylize_lines(Session& session, const SpaceLines& lines, const Strok
     FlgStyleDesc style;
     flgStyleDescInit(&style, sizeof style);
     style.style = create_set(context, example, look.file);
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     FlgJob prepared = {}, applied = {};
     check(flgStyleCreate(context, &style, &desc.style, &prepared), look.file);
     desc.target = create_set(context, lines, subject);
     desc.scale = static_cast<float>(look.length / longest_side(example));
-    desc.frame = FLG_FRAME_SUPPLIED;
+    desc.frame = FLG_FRAME_METHOD_SUPPLIED;
     desc.seed = look.seed;
     desc.pin_ends = 1;
     // A stroke in a plane goes to the side along its first normal; a border along its second, as the first is the
@@ -139,7 +140,7 @@ FlgCurveSet stylize_lines(Session& session, const SpaceLines& lines, const Strok
     const float sideways[] = {1, 0, 0, 0, 0, -1, 0, 1, 0};
     std::copy(std::begin(sideways), std::end(sideways), desc.basis);
     FlgCurveSet result = {};
-    check(flgStylize(context, &desc, &result, &applied), subject);
+    check(flgCurveSetStylize(context, &desc, &result, &applied), subject);
     session.finish({{{prepared, look.file}, {applied, subject}}}, report);
     for (const FlgCurveSet set : {style.style, desc.target}) flgCurveSetRelease(context, set);
     flgStyleRelease(context, desc.style);

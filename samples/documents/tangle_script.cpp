@@ -30,12 +30,12 @@ struct Operation {
 const std::vector<Operation>& operations() {
     static const std::vector<Operation> all = [] {
         std::vector<Operation> list;
-        for (uint32_t n = 0; const char* name = flgTangleOperatorName(n); ++n)
+        for (uint32_t n = 0; const char* name = flgTangleOperatorGetName(n); ++n)
             list.push_back({name, Action::divide, n});
         list.push_back({"displace", Action::displace});
         list.push_back({"group", Action::group});
         list.push_back({"join", Action::join});
-        for (uint32_t n = 0; const char* name = flgTangleMacroName(n); ++n)
+        for (uint32_t n = 0; const char* name = flgTangleMacroGetName(n); ++n)
             list.push_back({name, Action::apply_macro, n});
         list.push_back({"shapes", Action::cut_shapes});
         list.push_back({"stylize", Action::stylize_borders});
@@ -64,12 +64,19 @@ Place read_place(const JsonPlace& item) {
     return place;
 }
 
+// Of up to nine digits.
+uint32_t number_in(const JsonPlace& place, const std::string& digits) {
+    if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos)
+        place.fail("needs a number after `.part:`, or two as in `.part:1/3`");
+    return static_cast<uint32_t>(std::stoul(digits));
+}
+
 }  // namespace
 
 TangleScript::TangleScript(Session& session, const MeshSurface& surface, Report& report)
     : session_(session), surface_(surface), report_(report) {
     FlgJob job = {};
-    check(flgTangleCreate(session.context(), surface.handle(), &tangle_, &job), surface.name());
+    check(flgTangleCreate(session.context(), surface.handle(), nullptr, &tangle_, &job), surface.name());
     session.finish({{{job, surface.name()}}}, report);
 }
 
@@ -130,7 +137,7 @@ void TangleScript::run_operation(const JsonPlace& operation) {
     const uint32_t before = info().region_count;
     const bool each = operation.find("each") && operation.at("each").flag();
     const bool smooth = operation.find("smooth") && operation.at("smooth").flag();
-    if (smooth && !(op.action == Action::divide && op.kind == FLG_TANGLE_POLYLINE))
+    if (smooth && !(op.action == Action::divide && op.kind == FLG_TANGLE_OPERATOR_POLYLINE))
         operation.at("smooth").fail("is for polylines");
     const auto divide_all = [&](const std::vector<uint32_t>& regions) {
         if (smooth) return cut_spline(operation, regions);
@@ -140,7 +147,7 @@ void TangleScript::run_operation(const JsonPlace& operation) {
     const auto change = [&](auto function) {
         FlgJob job = {};
         check(function(session_.context(), tangle_, result.applied.data(), static_cast<uint32_t>(result.applied.size()),
-                       &job),
+                       nullptr, &job),
               operation.path());
         finish(job, operation);
     };
@@ -187,10 +194,15 @@ void TangleScript::divide(const JsonPlace& operation, FlgTangleOperator kind, co
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
     SeedArrays from, to;
-    desc.a = read_seeds(operation.at("from"), from);
-    if (const auto seeds = operation.find("to")) desc.b = read_seeds(*seeds, to);
+    const FlgTangleSeeds a = read_seeds(operation.at("from"), from);
+    desc.a = &a;
+    FlgTangleSeeds b;
+    if (const auto seeds = operation.find("to")) {
+        b = read_seeds(*seeds, to);
+        desc.b = &b;
+    }
     // A share of the blend has no unit.
-    const bool is_share = kind == FLG_TANGLE_CONTOUR && operation.find("to");
+    const bool is_share = kind == FLG_TANGLE_OPERATOR_CONTOUR && operation.find("to");
     if (!is_share) desc.delta = in_metres(desc.delta);
     if (const auto delta = operation.find("delta")) desc.delta = is_share ? delta->number(0, 1) : length(*delta);
     if (const auto count = operation.find("count")) desc.count = count->count(0, 256);
@@ -239,11 +251,13 @@ std::string TangleScript::file_of(const JsonPlace& place) const {
 void TangleScript::cut_lines(const JsonPlace& operation, const std::vector<uint32_t>& regions, FlgSurfaceCurves lines) {
     FlgTangleDivideDesc desc;
     flgTangleDivideDescInit(&desc, sizeof desc);
-    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     desc.tangle = tangle_;
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
-    desc.a.curves = lines;
+    FlgTangleSeeds a = flgTangleSeedsDefaults();
+    a.curves = lines;
+    desc.a = &a;
     read_groups(operation, desc);
     FlgJob job = {};
     check(flgTangleDivide(session_.context(), &desc, &job), operation.path());
@@ -289,7 +303,8 @@ void TangleScript::stylize_borders(const JsonPlace& operation, const std::vector
         std::vector<uint32_t> joined = {region};
         joined.insert(joined.end(), won.begin(), won.end());
         FlgJob job = {};
-        check(flgTangleJoin(session_.context(), tangle_, joined.data(), static_cast<uint32_t>(joined.size()), &job),
+        check(flgTangleJoin(session_.context(), tangle_, joined.data(), static_cast<uint32_t>(joined.size()), nullptr,
+                            &job),
               operation.path());
         finish(job, operation);
     }
@@ -302,10 +317,10 @@ std::map<uint32_t, std::vector<uint32_t>> TangleScript::won_regions(const std::v
     const FlgSurfaceView surface = surface_.view();
     const std::set<uint32_t> inside(others.begin(), others.end());
     std::map<uint32_t, std::map<uint32_t, uint32_t>> edges;
-    for (uint32_t edge = 0; edge < 3 * surface.mesh.triangle_count; ++edge) {
+    for (uint32_t edge = 0; edge < 3 * surface.mesh->triangle_count; ++edge) {
         const uint32_t across = surface.neighbours[edge];
         if (across == FLG_NO_INDEX) continue;
-        const uint32_t a = surface.mesh.regions[edge / 3], b = surface.mesh.regions[across];
+        const uint32_t a = surface.mesh->regions[edge / 3], b = surface.mesh->regions[across];
         if (a >= first && inside.contains(b) && region(a).part == 0 && region(b).part == 0) ++edges[a][b];
     }
     std::map<uint32_t, std::vector<uint32_t>> won;
@@ -324,8 +339,9 @@ void TangleScript::cut_shapes(const JsonPlace& operation, const std::vector<uint
     const float turn = operation.find("turn") ? operation.at("turn").number(-kLargest, kLargest) : 0;
     const std::vector<uint32_t> cells = leaves_of(regions);
     const std::vector<CellMiddle> middles = find_middles(session_, surface_, cells, operation.path(), report_);
-    const FlgMeshView mesh = surface_.view().mesh;
+    const FlgMeshView& mesh = *surface_.view().mesh;
     SpaceLines all;
+    all.origin = origin_of(mesh);
     for (const CellMiddle& middle : middles) {
         if (middle.vertex == FLG_NO_INDEX) continue;
         place_shape(shape, vertex_at(mesh, middle.vertex), middle.normal, double{size} * middle.radius,
@@ -340,8 +356,8 @@ void TangleScript::cut_shapes(const JsonPlace& operation, const std::vector<uint
 }
 
 void TangleScript::apply_macro(const JsonPlace& operation, FlgTangleMacro kind, const std::vector<uint32_t>& regions) {
-    FlgTangleMacroDesc desc;
-    flgTangleMacroDescInit(&desc, sizeof desc);
+    FlgTangleApplyMacroDesc desc;
+    flgTangleApplyMacroDescInit(&desc, sizeof desc);
     desc.kind = kind;
     desc.tangle = tangle_;
     desc.regions = regions.data();
@@ -376,7 +392,7 @@ void TangleScript::displace(const JsonPlace& operation, const std::vector<uint32
 }
 
 FlgTangleSeeds TangleScript::read_seeds(const JsonPlace& place, SeedArrays& arrays) const {
-    FlgTangleSeeds seeds = {};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     place.allow({"borders", "stretches", "points", "samples", "spacing", "of"});
     if (const auto borders = place.find("borders")) {
         seeds.borders = static_cast<FlgTangleBorders>(borders->word({"none", "outer", "each"}));
@@ -444,7 +460,7 @@ bool TangleScript::is_of(uint32_t number, const std::string& which) const {
     return ((node.part + around) % 2 == 1) == (which == "dark");
 }
 
-// NAME, NAME.regions, NAME.foreground, NAME.background, NAME.light, NAME.dark or NAME.part:N.
+// NAME, NAME.regions, NAME.foreground, NAME.background, NAME.light, NAME.dark, NAME.part:N or NAME.part:N/M.
 std::vector<uint32_t> TangleScript::select_by_name(const JsonPlace& place) const {
     const std::string text = place.text();
     if (text == "root") return {0};
@@ -458,17 +474,19 @@ std::vector<uint32_t> TangleScript::select_by_name(const JsonPlace& place) const
     if (!by_part && which != "foreground" && which != "background" && which != "light" && which != "dark") {
         place.fail("knows .regions, .foreground, .background, .light, .dark and .part:N, not `." + which + "`");
     }
-    uint32_t part = 0;
+    uint32_t part = 0, every = 0;
     if (by_part) {
-        const std::string digits = which.substr(5);
-        if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) {
-            place.fail("needs a number after `.part:`");
-        }
-        part = static_cast<uint32_t>(std::stoul(digits));
+        const size_t slash = std::min(which.find('/'), which.size());
+        part = number_in(place, which.substr(5, slash - 5));
+        if (slash < which.size()) every = number_in(place, which.substr(slash + 1));
+        if (slash < which.size() && part >= every)
+            place.fail("needs a second number above the first: `." + which + "`");
     }
     std::vector<uint32_t> chosen;
-    std::copy_if(found->second.made.begin(), found->second.made.end(), std::back_inserter(chosen),
-                 [&](uint32_t r) { return by_part ? region(r).part == part : is_of(r, which); });
+    std::copy_if(found->second.made.begin(), found->second.made.end(), std::back_inserter(chosen), [&](uint32_t r) {
+        if (!by_part) return is_of(r, which);
+        return (every > 0 ? region(r).part % every : region(r).part) == part;
+    });
     return chosen;
 }
 

@@ -17,13 +17,13 @@ constexpr double least_upwards = 1e-3;
 
 FlgFieldView solve(Session& session, FlgSurface surface, std::span<const uint32_t> cells, const std::string& subject,
                    Report& report, FlgField& field) {
-    FlgGeodesicDesc desc;
-    flgGeodesicDescInit(&desc, sizeof desc);
+    FlgFieldGeodesicDesc desc;
+    flgFieldGeodesicDescInit(&desc, sizeof desc);
     desc.surface = surface;
     desc.border_regions = desc.regions = cells.data();
     desc.border_region_count = desc.region_count = static_cast<uint32_t>(cells.size());
     FlgJob job = {};
-    check(flgGeodesic(session.context(), &desc, &field, &job), subject);
+    check(flgFieldCreateGeodesic(session.context(), &desc, &field, &job), subject);
     session.finish({{{job, subject}}}, report);
     FlgFieldView view;
     flgFieldViewInit(&view, sizeof view);
@@ -63,7 +63,7 @@ std::vector<CellMiddle> find_middles(Session& session, const MeshSurface& surfac
                                      const std::string& subject, Report& report) {
     FlgField field = {};
     const FlgFieldView distances = solve(session, surface.handle(), cells, subject, report, field);
-    const FlgMeshView mesh = surface.view().mesh;
+    const FlgMeshView& mesh = *surface.view().mesh;
     std::map<uint32_t, size_t> number;
     for (size_t c = 0; c < cells.size(); ++c) number[cells[c]] = c;
     std::vector<CellMiddle> middles(cells.size());

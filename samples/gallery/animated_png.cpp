@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gallery/palette.h"
-#include "gallery/png_chunks.h"
+#include "panels/palette.h"
+#include "panels/png_chunks.h"
 
 namespace flg::gallery {
 namespace {

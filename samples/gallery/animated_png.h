@@ -5,8 +5,11 @@
 #include <string>
 
 #include "filigree_renderer/image.h"
+#include "panels/png_chunks.h"
 
 namespace flg::gallery {
+
+using namespace panels;
 
 struct Frame {
     render::Image image;

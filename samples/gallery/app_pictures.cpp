@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "gallery/pictures.h"
-#include "gallery/small_png.h"
+#include "panels/small_png.h"
 #include "shell/studio.h"
 
 namespace flg::gallery {

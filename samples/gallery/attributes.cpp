@@ -34,7 +34,7 @@ filigree::CurveSet example(Workshop& workshop, const scenes::Curve& stroke, FlgA
         values.push_back(value(static_cast<float>(i) / static_cast<float>(stroke.points.size() - 1)));
     }
     const Columns columns = Columns(arrays.view()).with({attribute, components, values[0].data(), 0, 0});
-    return workshop.context().curves(columns.view());
+    return workshop.context().curve_set(columns.view());
 }
 
 // 1, and 0 towards the ends.
@@ -63,15 +63,15 @@ void attributes(Workshop& workshop, Studio& studio) {
     prepare.attributes = kept;
     prepare.attribute_count = 2;
     const filigree::Style beads = workshop.style(drawn, prepare);
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.scale = 1.5f;
     const filigree::CurveSet shape = workshop.stylize(plain, target, desc), all = workshop.stylize(beads, target, desc);
     Panel panels[3];
-    panels[0].layers = {{drawn.view(), tube(kInk, 0.0f, 1.5f)}};
+    panels[0].layers = {{drawn.view().get(), tube(kInk, 0.0f, 1.5f)}};
     panels[0].title = "The example: a thread with beads";
     panels[1] = panel_of(shape.view(), tube(kLeaf, 0.008f));
     panels[1].title = "A result that takes its shape alone";
-    panels[2].layers = {{all.view(), tube(kInk, 0.0f, 1.5f)}};
+    panels[2].layers = {{all.view().get(), tube(kInk, 0.0f, 1.5f)}};
     panels[2].title = "A result that takes radius and colour as well";
     for (Panel& panel : panels) {
         panel.sight = {0.0f, -0.1f, -1.0f};
@@ -121,7 +121,7 @@ void ribbons(Workshop& workshop, Studio& studio) {
     for (const FlgMetric metric : {FLG_METRIC_CIRCLE, FLG_METRIC_PROJECTIVE}) {
         const FlgStyleAttribute angle[] = {{FLG_ATTRIBUTE_ANGLE, metric, 0.05f, 0}};
         const filigree::Style style = workshop.style(drawn, angle);
-        FlgStylizeDesc desc = sized(style, 0.030f);
+        FlgCurveSetStylizeDesc desc = sized(style, 0.030f);
         const filigree::CurveSet& result = results.emplace_back(workshop.stylize(style, target, desc));
         bands.push_back(Sweep::bands(result.view(), kThickness, [](uint32_t) { return kHalfWidth; }));
         Panel& panel = panels.emplace_back(solid(bands.back(), kRed));

@@ -61,7 +61,8 @@ void bounded_dp(Workshop& workshop, Studio& studio) {
         upright.push_back({{lengths.back(), s.left}, {lengths.back(), -s.right}});
     }
     std::deque<Sketch> above, below;
-    FlgBoneThresholds thresholds = {.simplify = 0.5f, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f};
+    FlgBoneThresholds thresholds = {
+        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.5f, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f};
     uint32_t joints = 0;
     while (above.size() < 4) {
         const FlgModelView model = make_model(workshop, {&part, 1}, thresholds);
@@ -142,8 +143,12 @@ void over_simplification(Workshop& workshop, Studio& studio) {
     const FlgPart part = make_part(workshop, line);
     const std::vector<FlgAxisSample> samples = axis_of(part_view(workshop, part));
     const FlgPartMeshView body = body_of(workshop, part);
-    const FlgModelView model =
-        make_model(workshop, {&part, 1}, {.simplify = kThreshold, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f});
+    const FlgModelView model = make_model(workshop, {&part, 1},
+                                          {.struct_size = sizeof(FlgBoneThresholds),
+                                           .simplify = kThreshold,
+                                           .merge = 0.0f,
+                                           .prune = 0.0f,
+                                           .collapse = 0.0f});
     Line axis;
     for (const FlgAxisSample& s : samples) axis.push_back(sample_at(s));
     std::vector<bool> by_axis, by_shape(axis.size());
@@ -246,12 +251,13 @@ Line strip(glm::dvec2 from, glm::dvec2 to, double half_width) {
 // Fig. 9: a leg on a torso. Balls and cones are what tells whether they meet.
 void connection(Workshop& workshop, Studio& studio) {
     constexpr double kUnit = 0.04;
-    constexpr FlgBoneThresholds kKeepAll = {.simplify = 0.01f, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f};
+    constexpr FlgBoneThresholds kKeepAll = {
+        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.01f, .merge = 0.0f, .prune = 0.0f, .collapse = 0.0f};
     const Line torso = strip({-2.4, 0.0}, {2.2, 0.3}, 1.0);
     std::deque<Sketch> sketches;
     std::vector<Panel> panels;
-    for (const FlgPartEvent event : {FLG_PART_BONE_SPLIT, FLG_PART_JOINT_CONNECT}) {
-        const double x = event == FLG_PART_BONE_SPLIT ? 0.3 : 2.65;
+    for (const FlgPartEvent event : {FLG_PART_EVENT_BONE_SPLIT, FLG_PART_EVENT_JOINT_CONNECT}) {
+        const double x = event == FLG_PART_EVENT_BONE_SPLIT ? 0.3 : 2.65;
         const Line leg = strip({x, -0.25}, {x + 0.35, -2.9}, 0.42);
         const FlgPart parts[] = {make_part(workshop, torso), make_part(workshop, leg)};
         const FlgModelView model = make_model(workshop, parts, kKeepAll);

@@ -4,10 +4,12 @@
 
 #include "documents/model_drawing.h"
 #include "documents/test_motion.h"
-#include "gallery/studio.h"
+#include "panels/panels.h"
 #include "scenes/scenes.h"
 
 namespace flg::gallery {
+
+using namespace panels;
 
 cli::ModelDrawing drawing_of(const char* name);
 

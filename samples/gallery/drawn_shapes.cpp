@@ -28,7 +28,7 @@ FlgContourView contour_of(const Line& line) {
 }
 
 FlgPartView part_view(Workshop& workshop, FlgPart part) {
-    workshop.context().finish();
+    workshop.context().run();
     FlgPartView view = flgPartViewDefaults();
     filigree::check(flgPartGetView(workshop.context().get(), part, &view));
     return view;
@@ -36,7 +36,8 @@ FlgPartView part_view(Workshop& workshop, FlgPart part) {
 
 FlgPart make_part(Workshop& workshop, const Line& line) {
     FlgPartDesc desc = flgPartDefaults();
-    desc.contour = contour_of(line);
+    const FlgContourView drawn = contour_of(line);
+    desc.contour = &drawn;
     FlgPart part = {};
     filigree::check(flgPartCreate(workshop.context().get(), &desc, &part, nullptr));
     return part;
@@ -48,10 +49,10 @@ FlgModelView make_model(Workshop& workshop, std::span<const FlgPart> parts, cons
     FlgModelDesc desc = flgModelDefaults();
     desc.parts = list.data();
     desc.part_count = static_cast<uint32_t>(list.size());
-    desc.thresholds = thresholds;
+    desc.thresholds = &thresholds;
     FlgModel model = {};
     filigree::check(flgModelCreate(workshop.context().get(), &desc, &model, nullptr));
-    workshop.context().finish();
+    workshop.context().run();
     FlgModelView view = flgModelViewDefaults();
     filigree::check(flgModelGetView(workshop.context().get(), model, &view));
     return view;
@@ -59,10 +60,10 @@ FlgModelView make_model(Workshop& workshop, std::span<const FlgPart> parts, cons
 
 FlgStraightSkeletonView straight_skeleton(Workshop& workshop, const FlgContourView& contour) {
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-    desc.contour = contour;
+    desc.contour = &contour;
     FlgStraightSkeleton skeleton = {};
     filigree::check(flgStraightSkeletonCreate(workshop.context().get(), &desc, &skeleton, nullptr));
-    workshop.context().finish();
+    workshop.context().run();
     FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
     filigree::check(flgStraightSkeletonGetView(workshop.context().get(), skeleton, &view));
     return view;
@@ -73,7 +74,7 @@ FlgPartMeshView body_of(Workshop& workshop, FlgPart part) {
     desc.part = part;
     FlgPartMesh mesh = {};
     filigree::check(flgPartMeshCreate(workshop.context().get(), &desc, &mesh, nullptr));
-    workshop.context().finish();
+    workshop.context().run();
     FlgPartMeshView view = flgPartMeshViewDefaults();
     filigree::check(flgPartMeshGetView(workshop.context().get(), mesh, &view));
     return view;

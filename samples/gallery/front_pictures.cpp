@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 
+#include "gallery/animated_png.h"
 #include "gallery/looks.h"
 #include "gallery/marks.h"
 #include "gallery/pictures.h"
@@ -63,7 +64,7 @@ struct Pass {
     float size;  // of the displacement, metres
     glm::vec3 color;
     scenes::Curve hand;  // a point a sample
-    FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;
+    FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
 };
 
 scenes::Curve sampled(int count, const std::function<glm::vec3(float u)>& place) {
@@ -80,8 +81,8 @@ std::vector<Pass> passes() {
     };
     const auto sweep = [](float u) { return glm::vec3(-0.86f + 1.7f * u, -0.40f - 0.12f * std::sin(3.2f * u), 0.0f); };
     return {{"curls", 0.032f, kTeal, scaled(make_target("flourish", 230), 0.80f, {0.06f, -0.10f, 0.0f})},
-            {"loops", 0.034f, kRed, sampled(140, hill), FLG_FRAME_SUPPLIED},
-            {"knit", 0.030f, kGold, sampled(120, sweep), FLG_FRAME_SUPPLIED}};
+            {"loops", 0.034f, kRed, sampled(140, hill), FLG_FRAME_METHOD_SUPPLIED},
+            {"knit", 0.030f, kGold, sampled(120, sweep), FLG_FRAME_METHOD_SUPPLIED}};
 }
 
 // Draws passes one after the other, as live strokes, a frame each 15th of a second.
@@ -117,8 +118,8 @@ private:
         constexpr uint16_t kFrameMilliseconds = 1000 * kSamplesAFrame / kSamplesASecond;
         const render::CurveLook look = tube(pass.color, 0.0075f);
         const filigree::Style style = workshop_.style(make_style(pass.style));
-        workshop_.context().warm(style);
-        workshop_.context().finish();
+        style.warm();
+        workshop_.context().run();
         FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
         desc.style = style.get();
         desc.scale = sized(style, pass.size).scale;
@@ -129,10 +130,11 @@ private:
             const scenes::Point& p = pass.hand.points[i];
             FlgLiveSample sample{};
             sample.position[0] = p.x, sample.position[1] = p.y, sample.position[2] = p.z;
-            if (pass.frame == FLG_FRAME_SUPPLIED) sample.orientation[3] = 1.0f;  // the controller is held upright
+            if (pass.frame == FLG_FRAME_METHOD_SUPPLIED)
+                sample.orientation[3] = 1.0f;  // the controller is held upright
             sample.pressure = 0.5f;
             sample.time = static_cast<double>(i) / kSamplesASecond;
-            for (const glm::vec3& point : vectors_of(stroke.push(&sample, 1))) made.points.push_back(to_point(point));
+            for (const glm::vec3& point : vectors_of(stroke.push({&sample, 1}))) made.points.push_back(to_point(point));
             hand.points.push_back(p);
             if ((i + 1) % kSamplesAFrame != 0 || made.points.empty()) continue;
             std::vector<Layer> layers = finished_;
@@ -143,7 +145,7 @@ private:
             frames_.push_back({picture(layers), kFrameMilliseconds});
         }
         sets_.push_back(stroke.end().stylized);
-        workshop_.context().finish();
+        workshop_.context().run();
         finished_.push_back(shape_of(sets_.back().view(), look));
     }
 
@@ -181,7 +183,7 @@ private:
 };
 
 void drawing(Workshop& workshop, Studio& studio) {
-    studio.keep("drawing", Drawing(workshop, studio).frames());
+    write_animated_png(Drawing(workshop, studio).frames(), studio.path_of("drawing"));
 }
 
 // ---- A sketch of the user's
@@ -207,13 +209,13 @@ constexpr Picture kPictures[] = {
 
 void before_and_after(const std::string& file, const std::string& credit, Workshop& workshop, Studio& studio) {
     const samples::CurveSource source(file);
-    const filigree::CurveSet drawn = workshop.context().curves(source.view());
+    const filigree::CurveSet drawn = workshop.context().curve_set(source.view());
     const filigree::Style style = workshop.style(make_style("loops"));
     const float radius = mean_radius(source.view());
     const filigree::CurveSet result = workshop.stylize(style, drawn, sized(style, kDisplacementPerRadius * radius));
     Panel panels[2];
     panels[0].layers = {{source.view(), tube()}};
-    panels[1].layers = {{result.view(), tube(kInk, radius, kRadiusPerRadius)}};
+    panels[1].layers = {{result.view().get(), tube(kInk, radius, kRadiusPerRadius)}};
     panels[0].title = "A sketch drawn in VR";
     panels[0].credit = credit;
     panels[1].title = "the same strokes in the style of one example";

@@ -29,9 +29,9 @@ std::vector<FlgLiveSample> hand_samples() {
 void live(Workshop& workshop, Studio& studio) {
     constexpr glm::vec3 kColors[] = {kTeal, kGold};
     const filigree::Style style = workshop.style(scenes::make_style("curls"));
-    workshop.context().warm(style);
-    workshop.context().finish();
-    const FlgStylizeDesc size = sized(style, 0.022f);
+    style.warm();
+    workshop.context().run();
+    const FlgCurveSetStylizeDesc size = sized(style, 0.022f);
     FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
     desc.style = style.get();
     desc.scale = size.scale;
@@ -44,7 +44,7 @@ void live(Workshop& workshop, Studio& studio) {
     std::vector<scenes::Curve> hand;
     scenes::Point last = {};
     for (uint32_t first = 0, push = 0; first < samples.size(); first += kSamplesAPush, ++push) {
-        const FlgCurveSetView made = stroke.push(&samples[first], kSamplesAPush);
+        const FlgCurveSetView made = stroke.push({&samples[first], kSamplesAPush});
         scenes::Curve piece;
         if (push > 0) piece.points.push_back(last);
         for (const glm::vec3& p : vectors_of(made)) piece.points.push_back(to_point(p));

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Remakes the pictures of the READMEs and of the gallery, offscreen.
+// Remakes those pictures of the gallery that no command makes, offscreen; the others are in scripts/.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <vector>
 
-#include "gallery/forms.h"
 #include "gallery/pictures.h"
 #include "support/vulkan_loader.h"
 
@@ -16,16 +15,19 @@ using namespace flg::gallery;
 
 std::vector<Picture> all_pictures() {
     std::vector<Picture> list;
-    for (const auto pictures :
-         {front_pictures(), showpieces(), scene_pictures(), examples(), attribute_pictures(), comparisons(), steps(),
-          live_pictures(), surface_pictures(), tangle_pictures(), tangle_comparisons(), skeleton_pictures(),
-          bone_pictures(), spline_pictures(), footpoint_pictures(), obstacle_pictures(), motion_pictures()}) {
+    for (const auto pictures : {front_pictures(), coaster_pictures(), attribute_pictures(), live_pictures(),
+                                surface_pictures(), skeleton_pictures(), bone_pictures(), spline_pictures(),
+                                footpoint_pictures(), obstacle_pictures(), motion_pictures()}) {
         list.insert(list.end(), pictures.begin(), pictures.end());
     }
+#if defined(FLG_WITH_REFERENCE)
+    for (const Picture& picture : steps()) list.push_back(picture);
+#endif
+#if defined(FLG_WITH_BASELINE)
+    for (const Picture& picture : analogies_pictures()) list.push_back(picture);
+#endif
 #if defined(FLG_WITH_SCRIPTS)
-    for (const auto pictures : {piece_pictures(), model_pictures()}) {
-        list.insert(list.end(), pictures.begin(), pictures.end());
-    }
+    for (const Picture& picture : model_pictures()) list.push_back(picture);
 #endif
 #if defined(FLG_WITH_STUDIO)
     for (const Picture& picture : app_pictures()) list.push_back(picture);
@@ -63,7 +65,7 @@ void run(const std::vector<std::string>& names, const std::string& folder, bool 
 
 int main(int argc, char** argv) {
     std::vector<std::string> names;
-    std::string folder = "out/gallery", forms;
+    std::string folder = "out/gallery";
     SketchFile sketch;
     bool readme = false, list = false;
     CLI::App program("Remakes the gallery's pictures, offscreen.", "gallery");
@@ -72,8 +74,6 @@ int main(int argc, char** argv) {
     program.add_option("--sketch", sketch.file,
                        "Make only the picture `sketch`: this file's strokes (.tilt) before and after");
     program.add_option("--credit", sketch.credit, "Written below that picture");
-    program.add_option("--forms", forms,
-                       "Write the meshes that scripts of samples/tangles decorate to a folder, no pictures");
     program.add_flag("--readme", readme, "Make those that READMEs show, into the repository");
     program.add_flag("--list", list, "Say what there is, and make nothing");
     CLI11_PARSE(program, argc, argv);
@@ -82,11 +82,6 @@ int main(int argc, char** argv) {
         return 0;
     }
     try {
-        if (!forms.empty()) {
-            Workshop workshop;
-            write_forms(workshop, forms);
-            return 0;
-        }
         run(names, readme ? FLG_README_PICTURES : folder, readme, sketch);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "gallery: %s\n", error.what());

@@ -107,8 +107,8 @@ public:
                 thickness += limb.radii[i] / static_cast<float>(limb.radii.size());
             }
             if (length < as.shortest * size) continue;
-            FlgStylizeDesc desc = sized(style, as.size * std::min(thickness, kLargest * size));
-            desc.frame = FLG_FRAME_SUPPLIED;
+            FlgCurveSetStylizeDesc desc = sized(style, as.size * std::min(thickness, kLargest * size));
+            desc.frame = FLG_FRAME_METHOD_SUPPLIED;
             std::copy(std::begin(kBasis), std::end(kBasis), desc.basis);
             sets_.push_back(workshop_.stylize(style, workshop_.curve(limb), desc));
             panel.layers.push_back(shape_of(sets_.back().view(), tube(as.stroke, kWidth * size)));
@@ -151,10 +151,21 @@ cli::ModelDrawing with_thresholds(cli::ModelDrawing drawing, const FlgBoneThresh
 
 // Fig. 10: finer, as the drawing says, coarser.
 void refinement(Workshop& workshop, Studio& studio) {
-    constexpr FlgBoneThresholds kSettings[] = {
-        {.simplify = 0.0015f, .merge = 0.005f, .prune = 0.01f, .collapse = 0.002f},
-        {.simplify = 0.006f, .merge = 0.02f, .prune = 0.035f, .collapse = 0.012f},
-        {.simplify = 0.03f, .merge = 0.06f, .prune = 0.09f, .collapse = 0.05f}};
+    constexpr FlgBoneThresholds kSettings[] = {{.struct_size = sizeof(FlgBoneThresholds),
+                                                .simplify = 0.0015f,
+                                                .merge = 0.005f,
+                                                .prune = 0.01f,
+                                                .collapse = 0.002f},
+                                               {.struct_size = sizeof(FlgBoneThresholds),
+                                                .simplify = 0.006f,
+                                                .merge = 0.02f,
+                                                .prune = 0.035f,
+                                                .collapse = 0.012f},
+                                               {.struct_size = sizeof(FlgBoneThresholds),
+                                                .simplify = 0.03f,
+                                                .merge = 0.06f,
+                                                .prune = 0.09f,
+                                                .collapse = 0.05f}};
     Shelf shelf(workshop);
     std::vector<Panel> panels;
     for (const FlgBoneThresholds& thresholds : kSettings) {
@@ -194,7 +205,8 @@ void overview(Workshop& workshop, Studio& studio) {
         some.parts.resize(count);
         return some;
     };
-    const FlgBoneThresholds coarse = {.simplify = 0.03f, .merge = 0.06f, .prune = 0.09f, .collapse = 0.05f};
+    const FlgBoneThresholds coarse = {
+        .struct_size = sizeof(FlgBoneThresholds), .simplify = 0.03f, .merge = 0.06f, .prune = 0.09f, .collapse = 0.05f};
     Shelf shelf(workshop);
     std::vector<Panel> panels;
     const auto add = [&](Panel panel, const char* title) {

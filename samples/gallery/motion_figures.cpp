@@ -124,7 +124,7 @@ void shortest(Workshop& workshop, Studio& studio) {
     const glm::dvec3 from(-0.9, 0.0, 0.0), to(0.9, 0.0, 0.0), tip = 1.1 * glm::dvec3(1.0, 0.0, 0.0);
     const glm::dquat first = about({0, 0, 1}, 130.0), last = about({0, 0, 1}, 50.0) * about({1, 0, 0}, 170.0);
     Keys keys{{pose_of(from, first), pose_of(to, last)}};
-    keys.desc.energy = FLG_SPLINE_E1;
+    keys.desc.energy = FLG_SPLINE_ENERGY_E1;
     const std::vector<Pose> free = poses_of(motion_of(workshop, body, keys, kPositions));
     std::vector<Pose> turned;
     for (uint32_t i = 0; i < kPositions; ++i) {
@@ -164,8 +164,8 @@ void cyclic(Workshop& workshop, Studio& studio) {
     keys.desc.tension = 60.0;
     std::deque<Show> shows;
     for (const auto& [energy, title] :
-         {std::pair{FLG_SPLINE_E2, "E2: bends least"}, std::pair{FLG_SPLINE_ET, "E2 + 60 E1: tighter"},
-          std::pair{FLG_SPLINE_E1, "E1: shortest, flies freely between"}}) {
+         {std::pair{FLG_SPLINE_ENERGY_E2, "E2: bends least"}, std::pair{FLG_SPLINE_ENERGY_ET, "E2 + 60 E1: tighter"},
+          std::pair{FLG_SPLINE_ENERGY_E1, "E1: shortest, flies freely between"}}) {
         keys.desc.energy = energy;
         const std::vector<Pose> poses = poses_of(motion_of(workshop, body, keys, kPositions));
         Show& show = shows.emplace_back(workshop);
@@ -242,7 +242,7 @@ void obstacles(Workshop& workshop, Studio& studio) {
         const Pose& pose = straight[static_cast<size_t>(solid.share * (kPositions - 1))];
         const glm::dvec3 middle = glm::dvec3(pose[3], pose[7], pose[11]) + solid.aside;
         FlgObstacle obstacle = flgObstacleDefaults();
-        obstacle.kind = solid.along == glm::dvec3(0.0) ? FLG_OBSTACLE_BALL : FLG_OBSTACLE_CAPSULE;
+        obstacle.kind = solid.along == glm::dvec3(0.0) ? FLG_OBSTACLE_KIND_BALL : FLG_OBSTACLE_KIND_CAPSULE;
         for (int c = 0; c < 3; ++c) {
             obstacle.centre[c] = middle[c] - solid.along[c];
             obstacle.to[c] = middle[c] + solid.along[c];
@@ -267,7 +267,7 @@ void obstacles(Workshop& workshop, Studio& studio) {
         show.path(poses, {0.0, 0.0, 0.0}, free ? kGold : kBlue, 0.028f, false);
         for (const FlgObstacle& obstacle : solids) {
             scenes::Curve curve = dot(glm::vec3(obstacle.centre[0], obstacle.centre[1], obstacle.centre[2]));
-            if (obstacle.kind == FLG_OBSTACLE_CAPSULE)
+            if (obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE)
                 curve.points = {to_point({obstacle.centre[0], obstacle.centre[1], obstacle.centre[2]}),
                                 to_point({obstacle.to[0], obstacle.to[1], obstacle.to[2]})};
             show.add({curve}, kStone, static_cast<float>(obstacle.radius));

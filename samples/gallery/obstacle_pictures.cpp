@@ -16,7 +16,7 @@ namespace {
 
 FlgObstacle ball(const glm::dvec3& centre, double radius) {
     FlgObstacle obstacle = flgObstacleDefaults();
-    obstacle.kind = FLG_OBSTACLE_BALL;
+    obstacle.kind = FLG_OBSTACLE_KIND_BALL;
     obstacle.radius = radius;
     for (int c = 0; c < 3; ++c) obstacle.centre[c] = centre[c];
     return obstacle;
@@ -24,21 +24,21 @@ FlgObstacle ball(const glm::dvec3& centre, double radius) {
 
 FlgObstacle box(const glm::dvec3& centre, const glm::dvec3& half) {
     FlgObstacle obstacle = flgObstacleDefaults();
-    obstacle.kind = FLG_OBSTACLE_BOX;
+    obstacle.kind = FLG_OBSTACLE_KIND_BOX;
     for (int c = 0; c < 3; ++c) obstacle.centre[c] = centre[c], obstacle.half[c] = half[c];
     return obstacle;
 }
 
 FlgObstacle capsule(const glm::dvec3& from, const glm::dvec3& to, double radius) {
     FlgObstacle obstacle = ball(from, radius);
-    obstacle.kind = FLG_OBSTACLE_CAPSULE;
+    obstacle.kind = FLG_OBSTACLE_KIND_CAPSULE;
     for (int c = 0; c < 3; ++c) obstacle.to[c] = to[c];
     return obstacle;
 }
 
 FlgObstacle solid_of(const filigree::Surface& surface) {
     FlgObstacle obstacle = flgObstacleDefaults();
-    obstacle.kind = FLG_OBSTACLE_MESH;
+    obstacle.kind = FLG_OBSTACLE_KIND_MESH;
     obstacle.surface = surface.get();
     obstacle.cells = 128;
     return obstacle;
@@ -51,10 +51,10 @@ glm::dvec3 place(const double* p) {
 // As it is, in space.
 void show(Workshop& workshop, Stage& stage, const FlgObstacle& obstacle, const glm::vec3& color) {
     const glm::dvec3 centre = place(obstacle.centre);
-    if (obstacle.kind == FLG_OBSTACLE_BOX) {
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BOX) {
         stage.surface(surface_of(workshop, box_mesh(centre, place(obstacle.half))), color, true);
     } else {
-        const glm::dvec3 to = obstacle.kind == FLG_OBSTACLE_CAPSULE ? place(obstacle.to) : centre;
+        const glm::dvec3 to = obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE ? place(obstacle.to) : centre;
         stage.surface(surface_of(workshop, capsule_mesh(centre, to, obstacle.radius)), color);
     }
 }
@@ -90,9 +90,9 @@ void among(Workshop& workshop, Studio& studio) {
     draw({{-0.95, 0.62, -0.40}, {-0.30, 0.40, 0.10}, {0.46, 0.85, 0.0}, {0.95, 0.45, 0.10}}, kBlue);
     for (const FlgObstacle& obstacle : list)
         show(workshop, stage, obstacle,
-             obstacle.kind == FLG_OBSTACLE_BALL  ? kClay
-             : obstacle.kind == FLG_OBSTACLE_BOX ? kSand
-                                                 : kSlate);
+             obstacle.kind == FLG_OBSTACLE_KIND_BALL  ? kClay
+             : obstacle.kind == FLG_OBSTACLE_KIND_BOX ? kSand
+                                                      : kSlate);
     studio.take("spline_obstacles", {&stage.panel, 1}, 1, kWidth, 560);
 }
 
@@ -101,7 +101,7 @@ void among(Workshop& workshop, Studio& studio) {
 // Distances of discs and boxes, negative inside.
 double distance(const FlgObstacle& obstacle, const glm::dvec2& p) {
     const glm::dvec2 from = p - glm::dvec2(obstacle.centre[0], obstacle.centre[1]);
-    if (obstacle.kind == FLG_OBSTACLE_BALL) return glm::length(from) - obstacle.radius;
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BALL) return glm::length(from) - obstacle.radius;
     const glm::dvec2 beyond = glm::abs(from) - glm::dvec2(obstacle.half[0], obstacle.half[1]);
     return glm::length(glm::max(beyond, 0.0)) + std::min(std::max(beyond.x, beyond.y), 0.0);
 }
@@ -147,7 +147,7 @@ filigree::Surface free_plane(Workshop& workshop, const std::vector<FlgObstacle>&
 // A solid of the plane, standing this high.
 void stand(Workshop& workshop, Stage& stage, const FlgObstacle& obstacle, double height, const glm::vec3& color) {
     const glm::dvec3 foot = laid({obstacle.centre[0], obstacle.centre[1], 0.0});
-    if (obstacle.kind == FLG_OBSTACLE_BOX) {
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BOX) {
         stage.surface(surface_of(workshop, box_mesh(foot + glm::dvec3(0.0, height / 2, 0.0),
                                                     {obstacle.half[0], height / 2, obstacle.half[1]})),
                       color, true);
@@ -192,7 +192,7 @@ void barriers(Workshop& workshop, Studio& studio) {
         show(stage, lifted(nodes_of(curve)), curve, lifted(given_of(curve)), kRed, 0.012f);
         filigree::Surface free = free_plane(workshop, list, radius, low, high);
         std::vector<float>& heights = fields.emplace_back();
-        const FlgMeshView mesh = free.view().mesh;
+        const FlgMeshView& mesh = free.view().mesh;
         for (uint32_t i = 0; i < mesh.vertex_count; ++i) heights.push_back(samples::value_at(mesh.columns[0], i)[1]);
         stage.surface(std::move(free), heights, 0.02f);
         for (const FlgObstacle& obstacle : list) stand(workshop, stage, obstacle, radius, kSlate);
@@ -230,7 +230,7 @@ void first_curves(Workshop& workshop, Studio& studio) {
     const filigree::Obstacles obstacles = obstacles_of(workshop, list, 2, kTube);
     filigree::Surface plane = free_plane(workshop, list, 1e-6, low, high);
     const glm::dvec3 begin(-0.82, 0.40, 0.0), end(0.82, -0.30, 0.0);
-    const FlgMeshView mesh = plane.view().mesh;
+    const FlgMeshView& mesh = plane.view().mesh;
     uint32_t source = 0;
     double least = 1e9;
     for (uint32_t i = 0; i < mesh.vertex_count; ++i) {
@@ -238,18 +238,18 @@ void first_curves(Workshop& workshop, Studio& studio) {
         const double d = glm::distance(glm::dvec3(p[0], p[1], p[2]), laid(begin));
         if (d < least) least = d, source = i;
     }
-    FlgGeodesicDesc geodesic = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc geodesic = flgFieldGeodesicDefaults();
     geodesic.surface = plane.get();
     geodesic.vertices = &source;
     geodesic.vertex_count = 1;
-    const filigree::Field field = workshop.finished(workshop.context().geodesic(geodesic));
+    const filigree::Field field = workshop.finished(workshop.context().field_geodesic(geodesic));
     const FlgFieldView distances = field.view();
     left.surface(std::move(plane), {distances.values, distances.vertex_count}, 0.08f);
     desc.obstacles = obstacles.get();
-    desc.energy = FLG_SPLINE_E1;
+    desc.energy = FLG_SPLINE_ENERGY_E1;
     const Points ends = {begin, end};
     const filigree::Spline shortest = spline(workshop, ends, desc);
-    desc.energy = FLG_SPLINE_E2;
+    desc.energy = FLG_SPLINE_ENERGY_E2;
     const filigree::Spline smooth = spline(workshop, ends, desc);
     left.curve(laid(nodes_of(smooth)), kGold, kTube);
     show(left, laid(nodes_of(shortest)), shortest, laid(given_of(shortest)), kRed, kTube);

@@ -5,10 +5,12 @@
 #include <span>
 #include <string>
 
-#include "gallery/studio.h"
 #include "gallery/workshop.h"
+#include "panels/panels.h"
 
 namespace flg::gallery {
+
+using namespace panels;
 
 struct Picture {
     const char* name;
@@ -18,24 +20,23 @@ struct Picture {
 };
 
 std::span<const Picture> front_pictures();      // what the project's README opens with
-std::span<const Picture> showpieces();          // strokes before and after, large targets
-std::span<const Picture> scene_pictures();      // each built-in scene, stylized
-std::span<const Picture> examples();            // what a style may be made of, and put on
+std::span<const Picture> coaster_pictures();    // a camera path as a track
 std::span<const Picture> attribute_pictures();  // what a style carries besides its shape
-std::span<const Picture> comparisons();         // what an option does
-std::span<const Picture> steps();               // what a step of the method does
 std::span<const Picture> live_pictures();       // strokes that are being drawn
 std::span<const Picture> surface_pictures();    // distances, paths and regions
-std::span<const Picture> tangle_pictures();     // recursive ornament
 std::span<const Picture> skeleton_pictures();   // from a drawn line to bones
 std::span<const Picture> bone_pictures();       // joints, and parts that are connected
 std::span<const Picture> spline_pictures();     // curves that stay on surfaces
 std::span<const Picture> obstacle_pictures();   // and out of solids
 std::span<const Picture> footpoint_pictures();  // how splines are found
-std::span<const Picture> tangle_comparisons();  // ornament by distances on the surface, and by flat patterns
 std::span<const Picture> motion_pictures();     // rigid bodies on their way
+#if defined(FLG_WITH_REFERENCE)
+std::span<const Picture> steps();  // what a step of the method does
+#endif
+#if defined(FLG_WITH_BASELINE)
+std::span<const Picture> analogies_pictures();  // another method
+#endif
 #if defined(FLG_WITH_SCRIPTS)
-std::span<const Picture> piece_pictures();  // finished pieces, by scripts
 std::span<const Picture> model_pictures();  // models, by drawings
 #endif
 #if defined(FLG_WITH_STUDIO)

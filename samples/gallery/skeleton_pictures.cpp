@@ -36,7 +36,7 @@ void steps_to_bones(Workshop& workshop, Studio& studio) {
     Line outline;
     for (size_t i = 0; i < view.outline_count; ++i) outline.emplace_back(view.outline[2 * i], view.outline[2 * i + 1]);
     const FlgStraightSkeletonView skeleton = straight_skeleton(workshop, contour_of(outline));
-    const FlgModelView model = make_model(workshop, {&part, 1}, flgModelDefaults().thresholds);
+    const FlgModelView model = make_model(workshop, {&part, 1}, flgBoneThresholdsDefaults());
     const FlgPartMeshView body = body_of(workshop, part);
     std::vector<Line> arcs, axis, branches, slices;
     for (size_t a = 0; a < skeleton.arc_count; ++a) {
@@ -155,11 +155,12 @@ void events(Workshop& workshop, Studio& studio) {
 // The border of a repaired contour, ring by ring as nodes of its skeleton come.
 Line repaired(Workshop& workshop, const Line& line) {
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-    desc.contour = contour_of(line);
+    const FlgContourView drawn = contour_of(line);
+    desc.contour = &drawn;
     desc.repair = 1;
     FlgStraightSkeleton skeleton = {};
     filigree::check(flgStraightSkeletonCreate(workshop.context().get(), &desc, &skeleton, nullptr));
-    workshop.context().finish();
+    workshop.context().run();
     FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
     filigree::check(flgStraightSkeletonGetView(workshop.context().get(), skeleton, &view));
     Line border;

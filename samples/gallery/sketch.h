@@ -9,10 +9,12 @@
 
 #include "filigree/filigree_model.h"
 #include "gallery/looks.h"
-#include "gallery/studio.h"
 #include "gallery/workshop.h"
+#include "panels/panels.h"
 
 namespace flg::gallery {
+
+using namespace panels;
 
 using Line = std::vector<glm::dvec2>;
 

@@ -58,11 +58,11 @@ Solid solid(Workshop& workshop, double half_side, uint32_t cells,
             for (uint32_t x = 0; x < n; ++x) values[index(x, y, z)] = static_cast<float>(value(place(x, y, z)));
         }
     }
-    FlgGridManifoldDesc desc = flgGridManifoldDefaults();
-    for (int c = 0; c < 3; ++c) desc.counts[c] = n, desc.origin[c] = -half_side;
+    FlgManifoldFromGridDesc desc = flgManifoldFromGridDefaults();
+    for (int c = 0; c < 3; ++c) desc.counts[c] = n, desc.corner[c] = -half_side;
     desc.spacing = spacing;
     desc.values = values.data();
-    filigree::Manifold manifold = workshop.finished(workshop.context().manifold(desc));
+    filigree::Manifold manifold = workshop.finished(workshop.context().manifold_from_grid(desc));
     // A vertex in the middle of each cell with both signs at its corners; a square across each edge with both.
     std::vector<uint32_t> vertex(values.size(), UINT32_MAX);
     std::vector<double> points;

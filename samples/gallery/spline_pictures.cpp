@@ -56,7 +56,7 @@ void meshes(Workshop& workshop, Studio& studio) {
     filigree::Surface band = surface_of(workshop, sheet(320, 60, false, on_band));
     const filigree::Manifold manifold = manifold_of(workshop, band);
     FlgObstacle border = flgObstacleDefaults();
-    border.kind = FLG_OBSTACLE_BORDER;
+    border.kind = FLG_OBSTACLE_KIND_BORDER;
     border.surface = band.get();
     const filigree::Obstacles beyond = obstacles_of(workshop, {&border, 1}, 3);
     desc = flgSplineDefaults();
@@ -149,10 +149,10 @@ void energies(Workshop& workshop, Studio& studio) {
     const Points zigzag = {Jar::at(-0.42, 0.22), Jar::at(-0.36, 0.66), Jar::at(-0.22, 0.70),
                            Jar::at(-0.19, 0.28), Jar::at(-0.07, 0.24), Jar::at(-0.01, 0.72)};
     const filigree::Spline e2 = spline(workshop, zigzag, desc);
-    desc.energy = FLG_SPLINE_ET;
+    desc.energy = FLG_SPLINE_ENERGY_ET;
     desc.tension = 90;
     const filigree::Spline et = spline(workshop, zigzag, desc);
-    desc.energy = FLG_SPLINE_E1;
+    desc.energy = FLG_SPLINE_ENERGY_E1;
     const filigree::Spline e1 = spline(workshop, zigzag, desc);
     compared.curve(nodes_of(e2), kBlue, 0.009f);
     compared.curve(nodes_of(et), kRed, 0.009f);
@@ -246,7 +246,7 @@ void implicit_and_cloud(Workshop& workshop, Studio& studio) {
     left.surface(std::move(cube.surface), kSlate);
 
     const Solid both = solid(workshop, 0.75, 130, rings);
-    const FlgMeshView mesh = both.surface.view().mesh;
+    const FlgMeshView& mesh = both.surface.view().mesh;
     std::vector<float> cloud;
     Points places;
     for (uint32_t i = 0; i < mesh.vertex_count; ++i) {
@@ -254,10 +254,10 @@ void implicit_and_cloud(Workshop& workshop, Studio& studio) {
         cloud.insert(cloud.end(), p, p + 3);
         places.emplace_back(p[0], p[1], p[2]);
     }
-    FlgCloudManifoldDesc points = flgCloudManifoldDefaults();
+    FlgManifoldFromPointsDesc points = flgManifoldFromPointsDefaults();
     points.points = cloud.data();
     points.point_count = static_cast<uint32_t>(places.size());
-    const filigree::Manifold manifold = workshop.finished(workshop.context().manifold(points));
+    const filigree::Manifold manifold = workshop.finished(workshop.context().manifold_from_points(points));
     desc.manifold = manifold.get();
     Points around;
     for (int i = 0; i < 8; ++i) {

@@ -105,9 +105,9 @@ Points laid(Points points) {
 }
 
 filigree::Manifold manifold_of(Workshop& workshop, const filigree::Surface& surface) {
-    FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+    FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
     desc.surface = surface.get();
-    return workshop.finished(workshop.context().manifold(desc));
+    return workshop.finished(workshop.context().manifold_from_surface(desc));
 }
 
 filigree::Obstacles obstacles_of(Workshop& workshop, std::span<const FlgObstacle> list, uint32_t dimension,
@@ -118,14 +118,14 @@ filigree::Obstacles obstacles_of(Workshop& workshop, std::span<const FlgObstacle
     desc.obstacle_count = static_cast<uint32_t>(list.size());
     desc.clearance = clearance;
     filigree::Obstacles obstacles = workshop.context().obstacles(desc);
-    workshop.context().finish();
+    workshop.context().run();
     return obstacles;
 }
 
 filigree::Manifold space(Workshop& workshop, uint32_t dimension) {
-    FlgShapeDesc desc = flgShapeDefaults();
+    FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
     desc.ambient = dimension;
-    return workshop.context().manifold(desc);
+    return workshop.context().manifold_shape(desc);
 }
 
 }  // namespace flg::gallery

@@ -5,10 +5,12 @@
 
 #include <deque>
 
-#include "gallery/studio.h"
 #include "gallery/workshop.h"
+#include "panels/panels.h"
 
 namespace flg::gallery {
+
+using namespace panels;
 
 using Points = std::vector<glm::dvec3>;
 

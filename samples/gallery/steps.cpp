@@ -4,24 +4,19 @@
 #include <cmath>
 #include <cstdio>
 #include <deque>
-#include <iterator>
 #include <span>
 
 #include "gallery/looks.h"
 #include "gallery/marks.h"
 #include "gallery/pictures.h"
-#if defined(FLG_WITH_REFERENCE)
 #include "reference/literal_guide_flow.h"
 #include "reference/literal_matching.h"
-#endif
 
 namespace flg::gallery {
 namespace {
 
 using scenes::make_style;
-using scenes::make_target;
 
-#if defined(FLG_WITH_REFERENCE)
 std::vector<Vec3> evenly_spaced(const scenes::Curve& curve, size_t count) {
     std::vector<Vec3> points, even;
     std::vector<double> lengths;
@@ -153,95 +148,10 @@ void matching(Workshop& workshop, Studio& studio) {
     aim_together(panels);
     studio.take("matching", panels, 2, kWidth, 400);
 }
-#endif
-
-// Fig. 15, without length preservation. Above: the style, itself a bent curve with curls, and its guide; below: the
-// result.
-void length_preservation(Workshop& workshop, Studio& studio) {
-    const filigree::CurveSet bend = workshop.curve(make_target("s_curve"));
-    const filigree::Style curls = workshop.style(make_style("curls"));
-    const filigree::CurveSet bent = workshop.stylize(curls, bend, sized(curls, 0.045f));
-    scenes::Curve arch;
-    for (int i = -50; i <= 50; ++i) {
-        const float x = 0.016f * static_cast<float>(i);
-        arch.points.push_back({x, -0.4f * x * x, 0.0f});
-    }
-    const filigree::CurveSet target = workshop.curve(arch);
-    std::vector<filigree::CurveSet> sets;
-    std::vector<Panel> above, below;
-    FlgStyleDesc prepare = flgStyleDefaults();
-    for (const float alpha : {prepare.alpha, 0.0f}) {
-        const glm::vec3 color = alpha > 0.0f ? kTeal : kRed;
-        prepare.alpha = alpha;
-        const filigree::Style style = workshop.style(bent, prepare);
-        sets.push_back(style.guide());
-        above.push_back(panel_of(bent.view(), tube(kGrey, 0.004f)));
-        above.back().layers.push_back({Columns(sets.back().view()), tube(color, 0.010f)});
-        sets.push_back(workshop.stylize(style, target));
-        below.push_back(panel_of(sets.back().view(), tube(color, 0.007f)));
-    }
-    above.insert(above.end(), below.begin(), below.end());
-    entitle(above, {"Length preserved: the guide keeps the bends", "Not preserved: it cuts them short",
-                    "The result on an arch", "The result on an arch: bends come back"});
-    studio.take("length_preservation", above, 2, kWidth, kHeight);
-}
-
-// A line with spikes.
-scenes::Curve spikes() {
-    constexpr float kSpacing = 0.10f, kHalfWidth = 0.014f, kStep = 0.002f;
-    constexpr float kHeights[] = {0.10f, 0.13f, 0.09f, 0.14f, 0.11f, 0.12f, 0.09f, 0.13f};
-    std::vector<glm::vec3> corners = {glm::vec3(0.0f)};
-    for (size_t i = 0; i < std::size(kHeights); ++i) {
-        const float x = kSpacing * (static_cast<float>(i) + 0.5f);
-        corners.insert(corners.end(),
-                       {{x - kHalfWidth, 0.0f, 0.0f}, {x, kHeights[i], 0.0f}, {x + kHalfWidth, 0.0f, 0.0f}});
-    }
-    corners.emplace_back(kSpacing * std::size(kHeights), 0.0f, 0.0f);
-    scenes::Curve curve;
-    for (size_t i = 0; i + 1 < corners.size(); ++i) {
-        const auto steps = static_cast<uint32_t>(std::ceil(glm::distance(corners[i], corners[i + 1]) / kStep));
-        for (uint32_t k = 0; k < steps; ++k) {
-            const float along = static_cast<float>(k) / static_cast<float>(steps);
-            curve.points.push_back(to_point(glm::mix(corners[i], corners[i + 1], along)));
-        }
-    }
-    return curve;
-}
-
-// Fig. 15, without matching: at the right evenness alone, each point of the guide has its equal share of the style.
-void evenness(Workshop& workshop, Studio& studio) {
-    constexpr float kClose = 0.9f, kEvennessAlone = 1e-4f, kRadius = 0.12f;
-    scenes::Curve arc;
-    for (int i = 0; i <= 200; ++i) {
-        const float a = 0.028f * static_cast<float>(i);
-        arc.points.push_back({kRadius * std::cos(a), kRadius * std::sin(a), 0.0f});
-    }
-    const filigree::CurveSet target = workshop.curve(arc);
-    std::vector<filigree::CurveSet> sets;
-    std::vector<Panel> panels;
-    FlgStyleDesc prepare = flgStyleDefaults();
-    for (const float beta : {kClose, prepare.beta, kEvennessAlone}) {
-        prepare.beta = beta;
-        const filigree::Style style = workshop.style(spikes(), prepare);
-        sets.push_back(workshop.stylize(style, target));
-        Panel& panel =
-            panels.emplace_back(panel_of(sets.back().view(), tube(beta > kEvennessAlone ? kTeal : kRed, 0.0035f)));
-        panel.layers.push_back(shape_of(target.view(), tube(kGrey, 0.0015f)));
-        panel.sight = {0.0f, -0.1f, -1.0f};
-        panel.ground = false;
-    }
-    aim_together(panels);
-    entitle(panels, {"Closeness: spikes are cut off", "Default: spikes are kept", "Evenness alone: spikes bulge"});
-    studio.take("evenness", panels, 3, kWidth, 330);
-}
 
 constexpr Picture kPictures[] = {
-#if defined(FLG_WITH_REFERENCE)
     {"redistribution", "Fig. 13: the guide's flow with and without tangential redistribution", true, redistribution},
     {"matching", "Fig. 14: discrete and semi-discrete matching", true, matching},
-#endif
-    {"length_preservation", "Fig. 15: with and without length preservation", true, length_preservation},
-    {"evenness", "Fig. 15: matching by closeness, as usual, and by evenness alone", true, evenness},
 };
 
 }  // namespace

@@ -29,11 +29,11 @@ uint32_t vertex_near(const FlgMeshView& mesh, const glm::vec3& place) {
 
 filigree::Field distances(Workshop& workshop, const filigree::Surface& surface, const glm::vec3& from) {
     const uint32_t source = vertex_near(surface.view().mesh, from);
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     desc.surface = surface.get();
     desc.vertices = &source;
     desc.vertex_count = 1;
-    return workshop.finished(workshop.context().geodesic(desc));
+    return workshop.finished(workshop.context().field_geodesic(desc));
 }
 
 Panel panel_with(const filigree::Surface& surface, const render::SurfaceLook& look, std::span<const float> field = {}) {
@@ -47,20 +47,21 @@ Panel panel_with(const filigree::Surface& surface, const render::SurfaceLook& lo
 // Rings around the nose, each of them again by rings around the tail: every second piece is gold.
 std::vector<render::Material> cut_chequered(Workshop& workshop, const filigree::Surface& surface) {
     constexpr uint32_t kRings = 11;
-    const FlgLevels levels = {nullptr, kRings, 0.16f, 0.12f};
-    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
-    cut.levels = levels;
+    FlgSurfaceCutIsolinesDesc cut = flgSurfaceCutIsolinesDefaults();
+    cut.level_count = kRings;
+    cut.level_first = 0.16f;
+    cut.level_every = 0.12f;
     cut.first_label = 0;
     const filigree::Field from_nose = distances(workshop, surface, kNose);
     cut.field = from_nose.get();
-    workshop.finished(workshop.context().cut(cut));
+    workshop.finished(workshop.context().cut_isolines(cut));
     std::vector<uint32_t> rings(kRings + 1);
     for (uint32_t i = 0; i <= kRings; ++i) rings[i] = i;
     const filigree::Field from_tail = distances(workshop, surface, kTail);
     cut.field = from_tail.get();
     cut.regions = rings.data();
     cut.region_count = kRings + 1;
-    workshop.finished(workshop.context().cut(cut));
+    workshop.finished(workshop.context().cut_isolines(cut));
     std::vector<render::Material> materials;
     for (uint32_t label = 0; label < (kRings + 1) * (kRings + 1); ++label) {
         const bool gold = (label / (kRings + 1) + label % (kRings + 1)) % 2 == 0;
@@ -72,12 +73,11 @@ std::vector<render::Material> cut_chequered(Workshop& workshop, const filigree::
 // From the tail's tip to places all over the figure.
 filigree::CurveSet paths(Workshop& workshop, const filigree::Surface& surface) {
     constexpr float kApart = 0.14f;
-    FlgSamplingDesc sampling = flgSamplingDefaults();
-    sampling.surface = surface.get();
+    filigree::SurfaceSampleDesc sampling;
     sampling.radius = kApart;
-    const filigree::Field ends = workshop.finished(workshop.context().sample(sampling));
+    const filigree::Field ends = workshop.finished(surface.sample(sampling));
     const FlgFieldView spread = ends.view();
-    const FlgMeshView mesh = surface.view().mesh;
+    const FlgMeshView& mesh = surface.view().mesh;
     std::vector<FlgSurfacePoint> at_vertex(mesh.vertex_count);
     for (uint32_t t = 0; t < 3 * mesh.triangle_count; ++t) {
         at_vertex[mesh.triangles[t]] = {t / 3, t % 3 == 1 ? 1.0f : 0.0f, t % 3 == 2 ? 1.0f : 0.0f};
@@ -90,30 +90,27 @@ filigree::CurveSet paths(Workshop& workshop, const filigree::Surface& surface) {
         points.insert(points.end(), {at_vertex[start], at_vertex[spread.samples[i]]});
         offsets.push_back(static_cast<uint32_t>(points.size()));
     }
-    FlgPathsDesc desc = flgPathsDefaults();
+    FlgFieldTracePathsDesc desc = flgFieldTracePathsDefaults();
     desc.surface = surface.get();
     desc.points = points.data();
     desc.path_offsets = offsets.data();
     desc.path_count = static_cast<uint32_t>(offsets.size() - 1);
-    const filigree::SurfaceCurves traced = workshop.context().paths(desc);
-    FlgLiftDesc lift = flgLiftDefaults();
-    lift.curves = traced.get();
-    return workshop.finished(workshop.context().lift(lift));
+    const filigree::SurfaceCurves traced = workshop.context().trace_paths(desc);
+    return workshop.finished(traced.lift());
 }
 
 // Isolines in the surface's own frame, with a style.
 filigree::CurveSet stylized_rings(Workshop& workshop, const filigree::Field& field) {
-    FlgIsolinesDesc desc = flgIsolinesDefaults();
-    desc.field = field.get();
-    desc.levels = {nullptr, 0, 2.0f * kIsolineEvery, 2.0f * kIsolineEvery};
-    const filigree::SurfaceCurves rings = workshop.context().isolines(desc);
-    FlgLiftDesc lift = flgLiftDefaults();
-    lift.curves = rings.get();
+    filigree::FieldTraceIsolinesDesc desc;
+    desc.level_first = 2.0f * kIsolineEvery;
+    desc.level_every = 2.0f * kIsolineEvery;
+    const filigree::SurfaceCurves rings = field.trace_isolines(desc);
+    filigree::SurfaceCurvesLiftDesc lift;
     lift.height = 0.009f;
-    const filigree::CurveSet lifted = workshop.finished(workshop.context().lift(lift));
+    const filigree::CurveSet lifted = workshop.finished(rings.lift(lift));
     const filigree::Style style = workshop.style(scenes::make_style("knit"));
-    FlgStylizeDesc stylize = sized(style, 0.012f);
-    stylize.frame = FLG_FRAME_SUPPLIED;
+    FlgCurveSetStylizeDesc stylize = sized(style, 0.012f);
+    stylize.frame = FLG_FRAME_METHOD_SUPPLIED;
     // The style's plane is the surface's.
     const float basis[9] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};
     std::copy(basis, basis + 9, stylize.basis);

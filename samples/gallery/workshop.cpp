@@ -8,7 +8,7 @@
 namespace flg::gallery {
 
 filigree::CurveSet Workshop::curves(std::span<const scenes::Curve> list) {
-    return context_.curves(samples::CurveArrays(list).view());
+    return context_.curve_set(samples::CurveArrays(list).view());
 }
 
 filigree::Style Workshop::style(const filigree::CurveSet& example, FlgStyleDesc desc) {
@@ -24,14 +24,14 @@ filigree::Style Workshop::style(const filigree::CurveSet& example, std::span<con
 }
 
 filigree::CurveSet Workshop::stylize(const filigree::Style& style, const filigree::CurveSet& target,
-                                     FlgStylizeDesc desc) {
+                                     FlgCurveSetStylizeDesc desc) {
     desc.style = style.get();
     desc.target = target.get();
     return finished(context_.stylize(desc));
 }
 
-FlgStylizeDesc sized(const filigree::Style& style, float displacement_m) {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+FlgCurveSetStylizeDesc sized(const filigree::Style& style, float displacement_m) {
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.scale = displacement_m / std::max(style.info().displacement_rms, 1e-9f);
     return desc;
 }

@@ -24,11 +24,11 @@ public:
     filigree::Style style(const filigree::CurveSet& example, std::span<const FlgStyleAttribute> attributes);
     // Sets desc.style and desc.target; waits.
     filigree::CurveSet stylize(const filigree::Style& style, const filigree::CurveSet& target,
-                               FlgStylizeDesc desc = flgStylizeDefaults());
+                               FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults());
     // Waits for what the context makes; throws what it failed with.
     template <class Made>
     Made finished(Made made) {
-        context_.finish();
+        context_.run();
         made.ready();
         return made;
     }
@@ -36,10 +36,10 @@ public:
     filigree::Context& context() { return context_; }
 
 private:
-    filigree::Context context_;
+    filigree::Context context_ = filigree::Context::create();
 };
 
 // The style in a size at which its displacement is about so many metres.
-FlgStylizeDesc sized(const filigree::Style& style, float displacement_m);
+FlgCurveSetStylizeDesc sized(const filigree::Style& style, float displacement_m);
 
 }  // namespace flg::gallery

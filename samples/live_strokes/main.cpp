@@ -53,7 +53,8 @@ PacingReport draw_session(XrSource& source, render::Renderer& renderer, render::
         source.end_frame();
         const render::FrameStats& stats = renderer.stats();
         report.add({added.push_us, tick.tick_us, stats.cpu_ms, stats.submit_ms, stats.wait_ms, ms_since(start),
-                    stats.gpu_ms, frame.missed, added.samples, added.points, added.strokes, stats.uploaded_bytes});
+                    stats.gpu_ms, frame.missed, added.samples, added.points, added.strokes, added.tips,
+                    stats.uploaded_bytes});
     }
     renderer.wait_idle();
     return report;

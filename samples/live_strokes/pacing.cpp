@@ -39,8 +39,8 @@ uint32_t PacingReport::over_bound() const {
     uint32_t count = 0;
     for (size_t i = kSceneFrames; i < frames_.size(); ++i) {
         const FrameRecord& frame = frames_[i];
-        const uint64_t points = frame.points + frame.strokes;
-        const uint64_t chunks = frame.points / kChunkPoints + 2 * frame.strokes;
+        const uint64_t points = frame.points + frame.tips + frame.strokes;
+        const uint64_t chunks = (frame.points + frame.tips) / kChunkPoints + 2 * frame.strokes;
         count += frame.uploaded_bytes > kPointBytes * points + kChunkBytes * chunks;
     }
     return count;
@@ -84,9 +84,10 @@ void PacingReport::write(const SessionFacts& facts, const std::string& path) con
         std::fprintf(file, " \"%s\": {\"p50\": %.4f, \"p99\": %.4f, \"p99.9\": %.4f, \"max\": %.4f},\n", figure.name,
                      percentile(figure.member, kShares[0]), percentile(figure.member, kShares[1]),
                      percentile(figure.member, kShares[2]), percentile(figure.member, kShares[3]));
-    std::fprintf(file, " \"growth_bytes\": %llu, \"frames_over_bound\": %u, \"device_bytes\": %llu}\n",
-                 static_cast<unsigned long long>(growth_bytes()), over_bound(),
-                 static_cast<unsigned long long>(facts.device_bytes));
+    std::fprintf(
+        file, " \"tip_points\": %llu, \"growth_bytes\": %llu, \"frames_over_bound\": %u, \"device_bytes\": %llu}\n",
+        static_cast<unsigned long long>(sum(&FrameRecord::tips)), static_cast<unsigned long long>(growth_bytes()),
+        over_bound(), static_cast<unsigned long long>(facts.device_bytes));
     if (std::fclose(file) != 0) throw std::runtime_error(path + ": can't be written");
 }
 

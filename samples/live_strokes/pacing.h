@@ -11,7 +11,7 @@ namespace flg::samples {
 struct FrameRecord {
     double push_us, tick_us, record_ms, submit_ms, wait_ms, frame_ms;
     double gpu_ms;  // of an earlier frame; negative: not known
-    uint32_t missed, samples, points, strokes;
+    uint32_t missed, samples, points, strokes, tips;
     uint64_t uploaded_bytes;
 };
 

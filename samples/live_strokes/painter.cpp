@@ -15,13 +15,13 @@ const glm::vec3 kColors[] = {
     {0.90f, 0.13f, 0.03f}, {0.05f, 0.30f, 0.62f}, {0.95f, 0.50f, 0.04f}, {0.50f, 0.02f, 0.22f}, {0.06f, 0.42f, 0.30f}};
 
 void check(FlgResult result) {
-    if (result != FLG_OK) throw std::runtime_error(flgLastError());
+    if (result != FLG_OK) throw std::runtime_error(flgErrorGetMessage());
 }
 
 FlgFrameReport tick_context(FlgContext context) {
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
-    check(flgTick(context, kTickUs, &report));
+    check(flgContextTick(context, kTickUs, &report));
     return report;
 }
 
@@ -29,12 +29,12 @@ FlgJobStatus status_of(FlgContext context, FlgJob job) {
     FlgJobStatus status = {};
     status.struct_size = sizeof status;
     check(flgJobGetStatus(context, job, &status));
-    if (status.state == FLG_JOB_FINISHED && status.result != FLG_OK) throw std::runtime_error(status.error);
+    if (status.state == FLG_JOB_STATE_FINISHED && status.result != FLG_OK) throw std::runtime_error(status.error);
     return status;
 }
 
 void finish(FlgContext context, FlgJob job) {
-    while (status_of(context, job).state != FLG_JOB_FINISHED) tick_context(context);
+    while (status_of(context, job).state != FLG_JOB_STATE_FINISHED) tick_context(context);
     check(flgJobRelease(context, job));
 }
 
@@ -114,6 +114,7 @@ void Painter::push(const XrController& controller, double time_s, Added& added) 
     check(result);
     ++added.samples;
     append(stroke_, fresh, added);
+    show_tip(stroke_, added);
 }
 
 void Painter::end() {
@@ -121,7 +122,9 @@ void Painter::end() {
     ending_.push_back(stroke_);
 }
 
+// In place of the tip that was shown before.
 void Painter::append(Stroke& stroke, const FlgCurveSetView& view, Added& added) {
+    renderer_.truncate(stroke.curve, stroke.points);
     if (view.curve_count == 0) return;
     renderer_.append(stroke.curve, view);
     const uint32_t points = view.curve_offsets[1];
@@ -131,19 +134,23 @@ void Painter::append(Stroke& stroke, const FlgCurveSetView& view, Added& added) 
     ++added.strokes;
 }
 
+void Painter::show_tip(const Stroke& stroke, Added& added) {
+    FlgCurveSetView tip = flgCurveSetViewDefaults();
+    check(flgLiveStrokeGetTip(context_, stroke.live, &tip));
+    if (tip.curve_count == 0) return;
+    const PointRange provisional(tip, stroke.points > 0 ? 1 : 0);  // it begins with the last point that stays
+    renderer_.append(stroke.curve, provisional.view());
+    added.tips += provisional.view().curve_offsets[1];
+}
+
 FlgFrameReport Painter::tick(Added& in_out_added) {
     const FlgFrameReport report = tick_context(context_);
     std::erase_if(ending_, [&](Stroke& stroke) {
-        if (status_of(context_, stroke.ending).state != FLG_JOB_FINISHED) return false;
+        if (status_of(context_, stroke.ending).state != FLG_JOB_STATE_FINISHED) return false;
         FlgCurveSetView whole = flgCurveSetViewDefaults();
         check(flgLiveStrokeGetPoints(context_, stroke.live, &whole));
         // What its end has added.
-        const uint32_t offsets[2] = {0, whole.curve_offsets[1] - stroke.points};
-        std::vector<FlgColumn> columns(whole.columns, whole.columns + whole.column_count);
-        for (FlgColumn& column : columns) column.data = value_at(column, stroke.points);
-        whole.curve_offsets = offsets;
-        whole.columns = columns.data();
-        if (offsets[1] > 0) append(stroke, whole, in_out_added);
+        append(stroke, PointRange(whole, stroke.points).view(), in_out_added);
         check(flgJobRelease(context_, stroke.ending));
         check(flgLiveStrokeRelease(context_, stroke.live));
         return true;

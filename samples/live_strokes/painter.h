@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws with a controller: while its trigger is pressed samples go to a live stroke, and the points that each makes to
-// a curve that grows in the renderer.
+// a curve that grows in the renderer. Behind them is the stroke's tip, until the next sample, so that what is seen is
+// where the controller is.
 #pragma once
 
 #include <string>
@@ -18,6 +19,7 @@ struct Added {
     uint32_t samples = 0;
     uint32_t points = 0;
     uint32_t strokes = 0;  // that have grown
+    uint32_t tips = 0;     // points of provisional ends, taken off again with the next sample
     double push_us = 0;    // of the frame's pushes
 };
 
@@ -43,15 +45,16 @@ private:
         FlgLiveStroke live = {};
         FlgJob ending = {};
         render::CurvesId curve;
-        uint32_t points = 0;  // in the curve
+        uint32_t points = 0;  // in the curve, the tip's not counted
     };
     void begin();
     void push(const XrController& controller, double time_s, Added& added);
     void end();
     void append(Stroke& stroke, const FlgCurveSetView& view, Added& added);
+    void show_tip(const Stroke& stroke, Added& added);
 
     render::Renderer& renderer_;
-    FlgContext context_ = nullptr;
+    FlgContext context_{};
     FlgLiveStrokeDesc desc_ = {};
     Stroke stroke_;
     bool pressed_ = false;

@@ -8,7 +8,7 @@
 /* Every call of the SDK says whether it worked; FLG_NOT_READY, above zero, is no failure. */
 static FlgResult check(FlgResult result) {
     if (result >= 0) return result;
-    fprintf(stderr, "%s: %s\n", flgResultName(result), flgLastError());
+    fprintf(stderr, "%s: %s\n", flgResultGetName(result), flgErrorGetMessage());
     exit(1);
 }
 
@@ -20,17 +20,17 @@ int main(void) {
 
     /* Both calls start a job and return at once. The second needs what the first makes, and waits for it by itself. */
     FlgStyleDesc style = flgStyleDefaults();
-    FlgStylizeDesc stylize = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
     FlgCurveSet result;
     check(flgCurveSetCreateFromPoints(context, zigzag[0], 7, 0, &style.style)); /* the SDK copies points */
     check(flgCurveSetCreateFromPoints(context, line[0], 2, 0, &stylize.target));
     check(flgStyleCreate(context, &style, &stylize.style, NULL));
-    check(flgStylize(context, &stylize, &result, NULL));
+    check(flgCurveSetStylize(context, &stylize, &result, NULL));
 
-    /* The game's loop: results appear in flgTick and nowhere else, and it takes no longer than it may, here 2 ms. */
+    /* The game's loop: results appear in flgContextTick alone, which takes no longer than it may, here 2 ms. */
     FlgCurveSetView view = flgCurveSetViewDefaults();
     while (check(flgCurveSetGetView(context, result, &view)) == FLG_NOT_READY) {
-        check(flgTick(context, 2000, NULL));
+        check(flgContextTick(context, 2000, NULL));
         check(flgContextWait(context, 11000)); /* a game draws its frame here */
     }
 

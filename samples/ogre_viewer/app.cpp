@@ -100,10 +100,13 @@ void App::setup() {
     const auto threads = static_cast<Ogre::DefaultWorkQueueBase*>(mRoot->getWorkQueue())->getWorkerThreadCount();
     jobs_ = std::make_unique<JobSystem>(*mRoot->getWorkQueue(), static_cast<uint32_t>(threads));
     FlgContextDesc desc = flgContextDefaults();
-    desc.allocator = allocator_.hook();
-    desc.job_system = jobs_->hook();
-    desc.log = ogre_log();
-    context_.emplace(desc);
+    const FlgAllocator allocator = allocator_.hook();
+    const FlgJobSystem job_system = jobs_->hook();
+    const FlgLog log = ogre_log();
+    desc.allocator = &allocator;
+    desc.job_system = &job_system;
+    desc.log = &log;
+    context_ = filigree::Context::create(desc);
 
     Ogre::SceneManager* const scene = mRoot->createSceneManager();
     set_up_shading(*scene);

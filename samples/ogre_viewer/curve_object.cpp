@@ -5,7 +5,7 @@
 #include <OgreHardwareBufferManager.h>
 #include <OgreNode.h>
 
-#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace viewer {
@@ -17,26 +17,25 @@ const FlgColumn* find(const FlgCurveSetView& view, FlgAttribute attribute) {
     return nullptr;
 }
 
-Ogre::Vector3 reflected(const Ogre::Vector3& v, const Ogre::Vector3& along) {
-    const float square = along.squaredLength();
-    return square > 0 ? v - along * (2 * along.dotProduct(v) / square) : v;
+void check(FlgResult result) {
+    if (result != FLG_OK) throw std::runtime_error(flgErrorGetMessage());
 }
 
 }  // namespace
 
-CurveObject::CurveObject(uint32_t max_points, const Look& look, const Ogre::MaterialPtr& material)
-    : max_points_(max_points), look_(look) {
+CurveObject::CurveObject(uint32_t max_points, uint32_t max_curves, const Look& look, const Ogre::MaterialPtr& material)
+    : look_(look), max_vertices_(size_t{kSides} * (max_points + size_t{kCapRings} * max_curves)) {
     setMaterial(material);
     Ogre::VertexDeclaration& declaration = *vertex_data_.vertexDeclaration;
-    size_t offset = 0;
-    offset += declaration.addElement(0, offset, Ogre::VET_FLOAT3, Ogre::VES_POSITION).getSize();
-    offset += declaration.addElement(0, offset, Ogre::VET_FLOAT3, Ogre::VES_NORMAL).getSize();
-    offset += declaration.addElement(0, offset, Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE).getSize();
+    declaration.addElement(0, offsetof(Vertex, position), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
+    declaration.addElement(0, offsetof(Vertex, normal), Ogre::VET_FLOAT3, Ogre::VES_NORMAL);
+    declaration.addElement(0, offsetof(Vertex, colour), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
     Ogre::HardwareBufferManager& manager = Ogre::HardwareBufferManager::getSingleton();
-    vertices_ = manager.createVertexBuffer(offset, size_t{kSides} * max_points, Ogre::HBU_CPU_TO_GPU);
+    vertices_ = manager.createVertexBuffer(sizeof(Vertex), max_vertices_, Ogre::HBU_CPU_TO_GPU);
     vertex_data_.vertexBufferBinding->setBinding(0, vertices_);
-    index_data_.indexBuffer = manager.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT,
-                                                        size_t{6} * kSides * max_points, Ogre::HBU_CPU_TO_GPU);
+    // Two triangles for each vertex: from it to the next around, and to the next ring.
+    index_data_.indexBuffer =
+        manager.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, 6 * max_vertices_, Ogre::HBU_CPU_TO_GPU);
     mRenderOp.vertexData = &vertex_data_;
     mRenderOp.indexData = &index_data_;
     mRenderOp.operationType = Ogre::RenderOperation::OT_TRIANGLE_LIST;
@@ -45,8 +44,9 @@ CurveObject::CurveObject(uint32_t max_points, const Look& look, const Ogre::Mate
 }
 
 void CurveObject::clear() {
-    points_ = curve_points_ = 0;
-    index_count_ = uploaded_ = 0;
+    points_ = 0;
+    state_ = flgBrushMeshStateDefaults();
+    first_vertex_ = first_index_ = vertex_count_ = index_count_ = uploaded_ = 0;
     vertex_data_.vertexCount = 0;
     index_data_.indexCount = 0;
     mBox.setNull();
@@ -55,86 +55,63 @@ void CurveObject::clear() {
 
 void CurveObject::append(const FlgCurveSetView& view, bool continues) {
     if (view.curve_count == 0) return;
-    const FlgColumn& positions = *find(view, FLG_ATTRIBUTE_POSITION);
-    const FlgColumn* const radii = find(view, FLG_ATTRIBUTE_RADIUS);
-    const FlgColumn* const colours = find(view, FLG_ATTRIBUTE_COLOR);
-    first_ring_ = points_;
+    FlgBrushMeshDesc desc = flgBrushMeshDefaults();
+    desc.curves = &view;
+    desc.curve_count = 1;
+    desc.sides = kSides;
+    desc.join = FLG_BRUSH_JOIN_NARROW;
+    desc.start_cap = desc.end_cap = FLG_BRUSH_CAP_TAPERED;
+    desc.default_radius = look_.radius;
+    desc.radius_scale = find(view, FLG_ATTRIBUTE_RADIUS) ? look_.radius_scale : 1.0f;
+    for (int k = 0; k < 4; ++k) desc.default_color[k] = look_.colour[k];
+    uploaded_ = 0;
     for (uint32_t c = 0; c < view.curve_count; ++c) {
-        if (c > 0 || !continues) curve_points_ = 0;
-        const uint32_t begin = view.curve_offsets[c], count = view.curve_offsets[c + 1] - begin;
+        if (c > 0 || !continues) {
+            state_ = flgBrushMeshStateDefaults();
+            first_vertex_ = vertex_count_;
+            first_index_ = index_count_;
+        }
+        desc.first_curve = c;
+        desc.base_vertex = static_cast<uint32_t>(first_vertex_);
         const bool closed = view.curve_flags && (view.curve_flags[c] & FLG_CURVE_CLOSED);
-        if (count + closed > max_points_ - points_) throw std::length_error("CurveObject: no room for so many points");
-        for (uint32_t k = 0; k < count + closed; ++k) {
-            const size_t i = begin + k % count;
-            Point point{Ogre::Vector3(positions.data + 3 * i), look_.radius, look_.colour.getAsABGR()};
-            if (radii) point.radius = look_.radius_scale * radii->data[i];
-            if (colours) {
-                const float* const rgba = colours->data + 4 * i;
-                point.colour = Ogre::ColourValue(rgba[0], rgba[1], rgba[2]).getAsABGR();
-            }
-            add_point(point, !closed);
-        }
+        write(desc, closed ? nullptr : &state_);
     }
-    upload();
-}
-
-void CurveObject::add_point(const Point& point, bool tip) {
-    if (curve_points_ == 0) {
-        tangent_ = normal_ = Ogre::Vector3::ZERO;
-    } else {
-        // Now it is known where the curve goes from the last point. Its frame is the one before, carried along by two
-        // reflections (Wang et al. 2008), which turns it no more than it must.
-        const bool first = curve_points_ == 1;
-        Ogre::Vector3 tangent = (point.position - (first ? last_ : before_).position).normalisedCopy();
-        if (first) {
-            normal_ = tangent.perpendicular();
-        } else {
-            const Ogre::Vector3 step = last_.position - before_.position;
-            normal_ = reflected(reflected(normal_, step), tangent - reflected(tangent_, step));
-        }
-        tangent_ = tangent;
-        place_ring(points_ - 1, tangent_, first && tip ? 0.0f : last_.radius);
-        for (uint32_t k = 0; k < kSides; ++k) {
-            const uint32_t a = (points_ - 1) * kSides + k, b = (points_ - 1) * kSides + (k + 1) % kSides;
-            for (const uint32_t index : {a, b, a + kSides, a + kSides, b, b + kSides}) indices_.push_back(index);
-        }
-    }
-    before_ = last_;
-    last_ = point;
-    ++curve_points_;
-    place_ring(points_++, tangent_, tip ? 0.0f : point.radius);
-}
-
-// Puts the last point's ring where it will be uploaded from.
-void CurveObject::place_ring(uint32_t ring, const Ogre::Vector3& tangent, float radius) {
-    if (ring < first_ring_) {  // the tip of what was uploaded before
-        first_ring_ = ring;
-        rings_.insert(rings_.begin(), kSides, Vertex{});
-    }
-    rings_.resize(std::max(rings_.size(), size_t{kSides} * (ring - first_ring_ + 1)));
-    const Ogre::Vector3 across = tangent.crossProduct(normal_);
-    for (uint32_t k = 0; k < kSides; ++k) {
-        const float angle = Ogre::Math::TWO_PI * static_cast<float>(k) / kSides;
-        const Ogre::Vector3 outwards = std::cos(angle) * normal_ + std::sin(angle) * across;
-        const Ogre::Vector3 position = last_.position + radius * outwards;
-        rings_[size_t{kSides} * (ring - first_ring_) + k] = {position, outwards, last_.colour};
-    }
-    mBox.merge(last_.position);
-}
-
-void CurveObject::upload() {
-    const size_t vertex_bytes = rings_.size() * sizeof(Vertex), index_bytes = indices_.size() * sizeof(uint32_t);
-    if (vertex_bytes > 0) vertices_->writeData(first_ring_ * kSides * sizeof(Vertex), vertex_bytes, rings_.data());
-    if (index_bytes > 0)
-        index_data_.indexBuffer->writeData(index_count_ * sizeof(uint32_t), index_bytes, indices_.data());
-    index_count_ += indices_.size();
-    uploaded_ = vertex_bytes + index_bytes;
-    rings_.clear();
-    indices_.clear();
-    vertex_data_.vertexCount = size_t{points_} * kSides;
+    const FlgColumn& positions = *find(view, FLG_ATTRIBUTE_POSITION);
+    const uint32_t count = view.curve_offsets[view.curve_count];
+    for (uint32_t i = 0; i < count; ++i) mBox.merge(Ogre::Vector3(positions.data + 3 * size_t{i}));
+    points_ += count;
+    vertex_data_.vertexCount = vertex_count_;
     index_data_.indexCount = index_count_;
     setVisible(index_count_ > 0);
     if (getParentNode()) getParentNode()->needUpdate();
+}
+
+void CurveObject::write(const FlgBrushMeshDesc& desc, FlgBrushMeshState* state) {
+    FlgBrushMeshSizes sizes = flgBrushMeshSizesDefaults();
+    check(flgBrushMeshGetSizes(&desc, state, &sizes));
+    FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
+    if (sizes.vertex_count == 0) return check(flgBrushMeshWrite(&desc, state, &output, nullptr));  // a single point
+    const size_t vertex = first_vertex_ + sizes.first_vertex, index = first_index_ + sizes.first_index;
+    vertex_count_ = vertex + sizes.vertex_count;
+    index_count_ = index + sizes.index_count;
+    if (vertex_count_ > max_vertices_) throw std::length_error("CurveObject: no room for so many points");
+    const size_t vertex_bytes = sizes.vertex_count * sizeof(Vertex), index_bytes = sizes.index_count * sizeof(uint32_t);
+    const Ogre::HardwareBufferLockGuard vertices(vertices_, vertex * sizeof(Vertex), vertex_bytes,
+                                                 Ogre::HardwareBuffer::HBL_WRITE_ONLY);
+    const Ogre::HardwareBufferLockGuard indices(index_data_.indexBuffer, index * sizeof(uint32_t), index_bytes,
+                                                Ogre::HardwareBuffer::HBL_WRITE_ONLY);
+    auto* const to = static_cast<unsigned char*>(vertices.pData);
+    const FlgVertexColumn columns[] = {
+        {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, to + offsetof(Vertex, position), sizeof(Vertex), 0},
+        {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, to + offsetof(Vertex, normal), sizeof(Vertex), 0},
+        {FLG_VERTEX_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_UNORM8, to + offsetof(Vertex, colour), sizeof(Vertex), 0}};
+    output.columns = columns;
+    output.column_count = 3;
+    output.vertex_capacity = sizes.vertex_count;
+    output.indices = indices.pData;
+    output.index_capacity = sizes.index_count;
+    check(flgBrushMeshWrite(&desc, state, &output, nullptr));
+    uploaded_ += vertex_bytes + index_bytes;
 }
 
 Ogre::Real CurveObject::getBoundingRadius() const {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Curves of the SDK as tubes in OGRE's scene: one renderable over hardware buffers of fixed size, to which points are
-// appended. What was uploaded stays as it is, but for the ring of a curve's last point, which is a tip until the next
-// point says where the curve goes on.
+// appended. The SDK writes rings and triangles straight into the buffers while they are mapped. What was written stays
+// as it is, but for a growing curve's last ring and its tip.
 #pragma once
 
 #include <OgreColourValue.h>
 #include <OgreSimpleRenderable.h>
 
-#include <vector>
-
-#include "filigree/filigree.h"
+#include "filigree/filigree_brush.h"
 
 namespace viewer {
 
@@ -21,11 +19,11 @@ public:
         float radius = 0.004f, radius_scale = 1.0f;
         Ogre::ColourValue colour = Ogre::ColourValue::White;
     };
-    // Room for so many points, and one more for each closed curve.
-    CurveObject(uint32_t max_points, const Look& look, const Ogre::MaterialPtr& material);
+    // Room for so many points in so many curves.
+    CurveObject(uint32_t max_points, uint32_t max_curves, const Look& look, const Ogre::MaterialPtr& material);
 
-    // Copies the points of a view to the graphics card; with `continues` its first curve goes on where the last one
-    // ended. Throws std::length_error where there is no room.
+    // Makes tubes of a view's curves; with `continues` its first curve goes on where the last one ended. Throws
+    // std::length_error where there is no room.
     void append(const FlgCurveSetView& view, bool continues = false);
     void clear();
 
@@ -38,29 +36,21 @@ public:
 
 private:
     static constexpr uint32_t kSides = 4;
+    static constexpr uint32_t kCapRings = 4;  // of a curve's two ends
     struct Vertex {
         Ogre::Vector3f position, normal;
         Ogre::uint32 colour;
     };
-    struct Point {
-        Ogre::Vector3 position;
-        float radius;
-        Ogre::uint32 colour;
-    };
 
-    void add_point(const Point& point, bool tip);
-    void place_ring(uint32_t ring, const Ogre::Vector3& tangent, float radius);
-    void upload();
+    void write(const FlgBrushMeshDesc& desc, FlgBrushMeshState* state);
 
-    uint32_t max_points_, points_ = 0, curve_points_ = 0;  // of the last curve
-    Look look_;
-    Point last_ = {}, before_ = {};
-    Ogre::Vector3 tangent_, normal_;  // the frame that is carried along, at the point `before_`
-    // Not uploaded yet: rings from first_ring_ on, and indices.
-    uint32_t first_ring_ = 0;
-    std::vector<Vertex> rings_;
-    std::vector<uint32_t> indices_;
-    size_t index_count_ = 0, uploaded_ = 0;
+    const Look look_;
+    const size_t max_vertices_;
+    uint32_t points_ = 0;
+    FlgBrushMeshState state_;                    // of the last curve
+    size_t first_vertex_ = 0, first_index_ = 0;  // likewise
+    size_t vertex_count_ = 0, index_count_ = 0;  // of all
+    size_t uploaded_ = 0;
     Ogre::VertexData vertex_data_;
     Ogre::IndexData index_data_;
     Ogre::HardwareVertexBufferSharedPtr vertices_;

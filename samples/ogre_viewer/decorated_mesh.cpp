@@ -16,11 +16,13 @@ namespace {
 filigree::Surface surface_of(filigree::Context& context, const flg::scenes::Mesh& mesh) {
     const FlgColumn positions = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
-    desc.mesh.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
-    desc.mesh.columns = &positions;
-    desc.mesh.column_count = 1;
-    desc.mesh.triangles = mesh.triangles[0].data();
+    FlgMeshView input = flgMeshViewDefaults();
+    input.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
+    input.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
+    input.columns = &positions;
+    input.column_count = 1;
+    input.triangles = mesh.triangles[0].data();
+    desc.mesh = &input;
     return context.surface(desc);
 }
 
@@ -59,25 +61,20 @@ void DecoratedMesh::update() {
     if (!ornament_.published() || !surface_.ready()) return;
     refresh(surface_.view());
     if (ornament_.start_next()) return;
-    FlgSurfaceCurves curves = {};
-    filigree::check(flgTangleBorders(context_.get(), ornament_.tangle().get(), &curves, nullptr));
-    border_curves_ = filigree::SurfaceCurves(context_.get(), curves);
-    FlgLiftDesc lift = flgLiftDefaults();
-    lift.curves = border_curves_.get();
-    lifted_ = context_.lift(lift);
-    FlgResampleDesc even = flgResampleDefaults();
-    even.curves = lifted_.get();
+    border_curves_ = ornament_.tangle().trace_borders();
+    lifted_ = border_curves_.lift();
+    filigree::CurveSetResampleDesc even;
     even.spacing = 0.006f;
-    lines_ = context_.resample(even);
+    lines_ = lifted_.resample(even);
 }
 
 void DecoratedMesh::refresh(const FlgSurfaceView& view) {
-    refresh_vertices(view.mesh);
+    refresh_vertices(*view.mesh);
     if (!entity_) node_.attachObject(entity_ = node_.getCreator()->createEntity(mesh_));
     std::array<std::vector<uint32_t>, kColourCount> triangles;
-    for (size_t t = 0; t < view.mesh.triangle_count; ++t) {
-        auto& list = triangles[static_cast<size_t>(ornament_.colours()[view.mesh.regions[t]])];
-        list.insert(list.end(), view.mesh.triangles + 3 * t, view.mesh.triangles + 3 * t + 3);
+    for (size_t t = 0; t < view.mesh->triangle_count; ++t) {
+        auto& list = triangles[static_cast<size_t>(ornament_.colours()[view.mesh->regions[t]])];
+        list.insert(list.end(), view.mesh->triangles + 3 * t, view.mesh->triangles + 3 * t + 3);
     }
     for (size_t c = 0; c < kColourCount; ++c) {
         Ogre::IndexData& data = *mesh_->getSubMesh(static_cast<unsigned short>(c))->indexData;
@@ -113,7 +110,7 @@ void DecoratedMesh::draw_borders() {
     CurveObject::Look look;
     look.radius = 0.0012f;
     look.colour = Ogre::ColourValue(0.012f, 0.016f, 0.03f);
-    borders_ = std::make_unique<CurveObject>(view.curve_offsets[view.curve_count] + view.curve_count, look, line_);
+    borders_ = std::make_unique<CurveObject>(view.curve_offsets[view.curve_count], view.curve_count, look, line_);
     borders_->append(view);
     borders_->setCastShadows(false);
     node_.attachObject(borders_.get());

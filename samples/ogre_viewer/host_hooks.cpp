@@ -8,7 +8,7 @@
 namespace viewer {
 
 FlgAllocator CountingAllocator::hook() {
-    FlgAllocator hook = {};
+    FlgAllocator hook = flgAllocatorDefaults();
     hook.user_data = this;
     hook.allocate = [](void* self, size_t size, size_t alignment) {
         return static_cast<CountingAllocator*>(self)->allocate(size, alignment);
@@ -35,7 +35,7 @@ void CountingAllocator::free(void* memory, size_t size, size_t alignment) {
 }
 
 FlgLog ogre_log() {
-    FlgLog hook = {};
+    FlgLog hook = flgLogDefaults();
     hook.write = [](void*, FlgLogLevel level, const char* message) {
         constexpr Ogre::LogMessageLevel kLevels[] = {Ogre::LML_NORMAL, Ogre::LML_WARNING, Ogre::LML_CRITICAL};
         Ogre::LogManager::getSingleton().logMessage(Ogre::String("Filigree: ") + message, kLevels[level]);

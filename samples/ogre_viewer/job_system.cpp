@@ -22,7 +22,7 @@ JobSystem::~JobSystem() {
 
 // The queue locks what it shares: any thread may add requests, those that run tasks too.
 FlgJobSystem JobSystem::hook() {
-    FlgJobSystem hook = {};
+    FlgJobSystem hook = flgJobSystemDefaults();
     hook.user_data = this;
     hook.concurrency = threads_;
     hook.submit = [](void* self, void (*run)(void*), void* task) {
@@ -32,7 +32,7 @@ FlgJobSystem JobSystem::hook() {
     return hook;
 }
 
-// On a worker thread. The response says no more than that the request was seen to: results come by flgTick.
+// On a worker thread. The response says no more than that the request was seen to: results come by flgContextTick.
 Ogre::WorkQueue::Response* JobSystem::handleRequest(const Ogre::WorkQueue::Request* request, const Ogre::WorkQueue*) {
     const Task task = Ogre::any_cast<Task>(request->getData());
     task.run(task.task);

@@ -9,13 +9,11 @@ using enum Colour;
 // Borders of the whole vase, or of a region around it: below and above.
 constexpr FlgBorderStretch kLower = {0, 0, 1}, kUpper = {1, 0, 1};
 
-FlgTangleDivideDesc from_below() {
-    FlgTangleDivideDesc desc = flgTangleDivideDefaults();
-    desc.a.stretches = &kLower;
-    desc.a.stretch_count = 1;
-    desc.b.stretches = &kUpper;
-    desc.b.stretch_count = 1;
-    return desc;
+FlgTangleSeeds at(const FlgBorderStretch& stretch) {
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
+    seeds.stretches = &stretch;
+    seeds.stretch_count = 1;
+    return seeds;
 }
 
 }  // namespace
@@ -40,7 +38,10 @@ bool Ornament::published() {
 bool Ornament::start_next() {
     switch (stage_++) {
         case 0: {  // rings around the vase, from its foot to its lip
-            FlgTangleDivideDesc desc = from_below();
+            const FlgTangleSeeds below = at(kLower), above = at(kUpper);
+            FlgTangleDivideDesc desc = flgTangleDivideDefaults();
+            desc.a = &below;
+            desc.b = &above;
             desc.delta = 1.0f / 14;
             desc.count = 0;
             bands_ = divide(
@@ -61,11 +62,15 @@ bool Ornament::start_next() {
             tiles_ = strips({cream[1]}, 0.075f, false, {kCream, kRust});
             strips(leaves(bands_, kRust), 0.04f, false, {kRust, kCream});
             FlgTangleDivideDesc hems = flgTangleDivideDefaults();  // scallops
-            hems.a.border_spacing = 0.04f;
+            FlgTangleSeeds spaced = flgTangleSeedsDefaults();
+            spaced.border_spacing = 0.04f;
+            hems.a = &spaced;
             hems.delta = 0.024f;
             hems_ = divide(leaves(bands_, kGold), hems, {kBlue, kGold});
             FlgTangleDivideDesc dots = flgTangleDivideDefaults();
-            dots.a.sample_radius = 0.085f;
+            FlgTangleSeeds samples = flgTangleSeedsDefaults();
+            samples.sample_radius = 0.085f;
+            dots.a = &samples;
             dots.delta = 0.027f;
             dots.seed = 5;
             dots_ = divide({cream[0]}, dots, {kGold, kCream});
@@ -90,9 +95,12 @@ bool Ornament::start_next() {
         }
         case 4: {  // a flower in each panel: from its border to a point in its middle
             FlgTangleDivideDesc flower = flgTangleDivideDefaults();
-            flower.a.borders = FLG_TANGLE_BORDERS_OUTER;
-            flower.b.sample_radius = 0.2f;
-            flower.b.sample_count = 1;
+            FlgTangleSeeds borders = flgTangleSeedsDefaults(), middle = flgTangleSeedsDefaults();
+            borders.borders = FLG_TANGLE_BORDERS_OUTER;
+            middle.sample_radius = 0.2f;
+            middle.sample_count = 1;
+            flower.a = &borders;
+            flower.b = &middle;
             flower.delta = 0.16f;
             flower.count = 0;
             divide(leaves(panels_, kBlue), flower, {kBlue, kCream, kRust, kGold, kCream, kBlue, kGold});
@@ -127,15 +135,20 @@ Ornament::Division Ornament::divide(const Regions& each, FlgTangleDivideDesc des
 
 Ornament::Division Ornament::bands_inwards(const Regions& each, float width, uint32_t count, const Palette& palette) {
     FlgTangleDivideDesc desc = flgTangleDivideDefaults();
-    desc.a.borders = FLG_TANGLE_BORDERS_OUTER;
+    FlgTangleSeeds borders = flgTangleSeedsDefaults();
+    borders.borders = FLG_TANGLE_BORDERS_OUTER;
+    desc.a = &borders;
     desc.delta = width;
     desc.count = count;
     return divide(each, desc, palette);
 }
 
 Ornament::Division Ornament::strips(const Regions& each, float width, bool scaffold, const Palette& palette) {
-    FlgTangleDivideDesc desc = from_below();
-    desc.kind = FLG_TANGLE_STREAM;
+    const FlgTangleSeeds below = at(kLower), above = at(kUpper);
+    FlgTangleDivideDesc desc = flgTangleDivideDefaults();
+    desc.a = &below;
+    desc.b = &above;
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     desc.delta = width;
     desc.scaffold = scaffold;
     return divide(each, desc, palette);

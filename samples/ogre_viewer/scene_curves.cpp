@@ -22,7 +22,7 @@ filigree::CurveSet curve_set(filigree::Context& context, const std::vector<flg::
     view.curve_offsets = offsets.data();
     view.columns = columns;
     view.column_count = radii.size() == points.size() ? 3 : 2;
-    return context.curves(view);
+    return context.curve_set(view);
 }
 
 }  // namespace viewer

@@ -83,11 +83,21 @@ SkinnedModel::SkinnedModel(filigree::Context& context, const Drawing& drawing, O
     // Handles of what is still in the making are good inputs: one call after the other, and nothing waits.
     std::vector<filigree::Part> parts;
     std::vector<FlgBoneThresholds> thresholds(drawing.parts.size());
+    const auto thresholds_of = [&](float prune) {
+        FlgBoneThresholds made = flgBoneThresholdsDefaults();
+        made.simplify = drawing.simplify;
+        made.merge = drawing.merge;
+        made.prune = prune;
+        made.collapse = drawing.collapse;
+        return made;
+    };
     std::vector<FlgModelPart> placed;
     for (const DrawnPart& drawn : drawing.parts) {
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = drawn.contour.data();
-        desc.contour.point_count = static_cast<uint32_t>(drawn.contour.size() / 2);
+        FlgContourView input = flgContourViewDefaults();
+        input.points = drawn.contour.data();
+        input.point_count = static_cast<uint32_t>(drawn.contour.size() / 2);
+        desc.contour = &input;
         parts.push_back(context.part(desc));
         FlgModelPart& part = placed.emplace_back(flgModelPartDefaults());
         part.part = parts.back().get();
@@ -95,14 +105,15 @@ SkinnedModel::SkinnedModel(filigree::Context& context, const Drawing& drawing, O
         for (size_t k = 0; k < 12; ++k) part.placement[k] = drawn.placement[k / 4][k % 4];
         part.thickness = drawn.thickness;
         part.mirrored = drawn.mirrored;
-        thresholds[placed.size() - 1] = {drawing.simplify, drawing.merge, drawn.prune, drawing.collapse};
+        thresholds[placed.size() - 1] = thresholds_of(drawn.prune);
         part.thresholds = &thresholds[placed.size() - 1];
         colours_.push_back(drawn.colour);
     }
     FlgModelDesc model = flgModelDefaults();
     model.parts = placed.data();
     model.part_count = static_cast<uint32_t>(placed.size());
-    model.thresholds = {drawing.simplify, drawing.merge, drawing.prune, drawing.collapse};
+    const FlgBoneThresholds of_all = thresholds_of(drawing.prune);
+    model.thresholds = &of_all;
     for (size_t k = 0; k < 4; ++k) model.mirror[k] = drawing.mirror[k];
     model_ = context.model(model);
     FlgSkinDesc skin = flgSkinDefaults();

@@ -24,7 +24,7 @@ Bouquet::Bouquet(filigree::Context& context, Ogre::SceneNode& node, const Ogre::
     style.point_count = 256;  // as fine as it has to be from across a room
     style_ = context.style(style);
     stems_ = curve_set(context, flg::scenes::make_bouquet());
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = style_.get();
     desc.target = stems_.get();
     desc.scale = 0.2f;
@@ -36,17 +36,18 @@ void Bouquet::update() {
     const FlgCurveSetView view = stylized_.view();
     CurveObject::Look look;
     look.radius_scale = 0.22f;
-    object_ = std::make_unique<CurveObject>(view.curve_offsets[view.curve_count], look, material_);
+    object_ = std::make_unique<CurveObject>(view.curve_offsets[view.curve_count], view.curve_count, look, material_);
     object_->append(view);
     node_.attachObject(object_.get());
     stylized_.reset();  // the graphics card has it now
 }
 
 LiveStroke::LiveStroke(filigree::Context& context, Ogre::SceneNode& node, const Ogre::MaterialPtr& material)
-    : context_(context), object_(kMaxPoints, {0.006f, 1.0f, Ogre::ColourValue(0.02f, 0.22f, 0.55f)}, material) {
+    : context_(context), object_(kMaxPoints, 1, {0.006f, 1.0f, Ogre::ColourValue(0.02f, 0.22f, 0.55f)}, material) {
     node.attachObject(&object_);
-    style_ = context.style(curve_set(context, {flg::scenes::make_style("curls")}));
-    warming_ = context.warm(style_);
+    const filigree::CurveSet example = curve_set(context, {flg::scenes::make_style("curls")});
+    style_ = context.style({example});
+    warming_ = style_.warm();
     const flg::scenes::Curve flourish = flg::scenes::make_target("flourish", kHandSamples);
     for (const flg::scenes::Point& p : flourish.points) {
         FlgLiveSample sample = {};
@@ -76,7 +77,7 @@ void LiveStroke::update(double time) {
     size_t due = taken_;
     while (due < hand_.size() && hand_[due].time <= time - begun_) ++due;
     // What is new, and nothing else, goes to the graphics card.
-    object_.append(stroke_.push(hand_.data() + taken_, static_cast<uint32_t>(due - taken_)), taken_ > 0);
+    object_.append(stroke_.push({hand_.data() + taken_, due - taken_}), taken_ > 0);
     if (due > taken_) largest_upload_ = std::max(largest_upload_, object_.uploaded_bytes());
     taken_ = due;
 }

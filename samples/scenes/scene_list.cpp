@@ -27,21 +27,52 @@ constexpr Maker kMakers[] = {
     {"flow", [](uint32_t count) { return make_flow(curve_count(count, kUsualFlowLines)); }, false},
 };
 
+constexpr struct {
+    const char* name;
+    Mesh (*make)(uint32_t count);
+} kMeshMakers[] = {
+    {"figure", [](uint32_t) { return make_figure(); }},
+    {"scalp", [](uint32_t) { return make_scalp(); }},
+    {"vase", [](uint32_t count) { return count == 0 ? make_vase() : make_vase(std::clamp(count, 3u, kMostCurves)); }},
+    {"dish", [](uint32_t) { return make_dish(); }},
+    {"ball", [](uint32_t) { return make_ball_mesh(); }},
+    {"egg", [](uint32_t) { return make_egg(); }},
+    {"cloth", [](uint32_t) { return make_cloth(); }},
+    {"torus", [](uint32_t) { return make_torus(); }},
+};
+
+template <class Makers>
+std::vector<std::string> names_of(const Makers& makers) {
+    std::vector<std::string> list;
+    for (const auto& maker : makers) list.emplace_back(maker.name);
+    return list;
+}
+
 }  // namespace
 
 const std::vector<std::string>& scene_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> list;
-        for (const Maker& maker : kMakers) list.emplace_back(maker.name);
-        return list;
-    }();
+    static const std::vector<std::string> names = names_of(kMakers);
     return names;
+}
+
+const std::vector<std::string>& mesh_names() {
+    static const std::vector<std::string> names = names_of(kMeshMakers);
+    return names;
+}
+
+Mesh make_mesh(std::string_view name, uint32_t count) {
+    for (const auto& maker : kMeshMakers) {
+        if (name == maker.name) return maker.make(count);
+    }
+    return {};
 }
 
 Scene make_scene(std::string_view name, uint32_t count) {
     for (const Maker& maker : kMakers) {
         if (name == maker.name) return {maker.make(count), maker.network};
     }
+    if (name == "head") return {{make_head()}};
+    if (name == "flow_ball") return {{make_ball()}};
     return {};
 }
 

@@ -55,7 +55,8 @@ struct Scene {
 const std::vector<std::string>& scene_names();
 
 // `count` is the number of hairs or flow lines, at most 100,000; 0 = the usual number; the other scenes have but one
-// size. No curves for an unknown name.
+// size. No curves for an unknown name. Beside the names above: head and flow_ball, the tubes that hair grows on and
+// flow parts around.
 Scene make_scene(std::string_view name, uint32_t count = 0);
 
 // A picture's worth of strokes: a bouquet of stems that end in volutes, with radii and colours.
@@ -69,6 +70,13 @@ struct Mesh {
 
 // A cat of blocks, 1 m long, closed and manifold: to be subdivided. No normals.
 Mesh make_figure();
+
+// figure, scalp, vase, dish, ball, egg, cloth, torus.
+const std::vector<std::string>& mesh_names();
+
+// One of those below. `count` is the vase's columns, 3 to 100,000; 0 = the usual number; the others have but one size.
+// No vertices for an unknown name.
+Mesh make_mesh(std::string_view name, uint32_t count = 0);
 
 // The part of the head that hair grows on; and the head as a tube whose radius changes along its axis, for pictures.
 Mesh make_scalp();

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMostPoints = 4e5;
 
 void check(FlgResult result) {
-    if (result != FLG_OK) throw std::runtime_error(flgLastError());
+    if (result != FLG_OK) throw std::runtime_error(flgErrorGetMessage());
 }
 
 FlgJobStatus status_of(FlgContext context, FlgJob job) {
@@ -66,17 +66,19 @@ void Live::start_groups() {
     for (StrokeGroup& group : *groups_) {
         points += total_length(group.strokes.view()) * info.displacement_rms / (group.displacement * info.spacing);
     }
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
     const double enlargement = std::max(1.0, points / kMostPoints);
     for (StrokeGroup& group : *groups_) {
         Item item = {&group};
         const FlgCurveSetView view = group.strokes.view();
-        FlgStylizeDesc desc = flgStylizeDefaults();
-        desc.job.partial_results = 1;
+        FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
+        desc.job = &options;
         desc.style = style_;
         check(flgCurveSetCreate(context_, &view, &desc.target));
-        desc.start = FLG_START_RANDOM;
+        desc.start = FLG_STYLE_START_RANDOM;
         desc.scale = static_cast<float>(enlargement * group.displacement / info.displacement_rms);
-        check(flgStylize(context_, &desc, &item.result, &item.job));
+        check(flgCurveSetStylize(context_, &desc, &item.result, &item.job));
         check(flgCurveSetRelease(context_, desc.target));
         log_.target_points += group.strokes.point_count();
         items_.push_back(item);
@@ -89,7 +91,7 @@ bool Live::frame(render::Renderer& renderer, render::Target& target, const rende
     const auto begin = std::chrono::steady_clock::now();
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
-    check(flgTick(context_, budget_us_, &report));
+    check(flgContextTick(context_, budget_us_, &report));
     log_.tick_us.push_back(report.tick_us);
     if (report.longest_chunk_us > log_.longest_chunk_us) {
         log_.longest_chunk_us = report.longest_chunk_us;
@@ -99,7 +101,7 @@ bool Live::frame(render::Renderer& renderer, render::Target& target, const rende
     if (style_ready_) {
         working = false;
         for (Item& item : items_) working |= show(item, renderer);
-    } else if (const FlgJobStatus status = status_of(context_, style_job_); status.state == FLG_JOB_FINISHED) {
+    } else if (const FlgJobStatus status = status_of(context_, style_job_); status.state == FLG_JOB_STATE_FINISHED) {
         if (status.result != FLG_OK) throw std::runtime_error(std::string("style: ") + status.error);
         log_.busy_ms += status.busy_us / 1000.0f;
         start_groups();
@@ -113,7 +115,7 @@ bool Live::frame(render::Renderer& renderer, render::Target& target, const rende
 bool Live::show(Item& item, render::Renderer& renderer) {
     if (item.curves_drawn == item.group->strokes.curve_count()) return false;
     const FlgJobStatus status = status_of(context_, item.job);
-    if (status.state == FLG_JOB_FINISHED && status.result != FLG_OK) throw std::runtime_error(status.error);
+    if (status.state == FLG_JOB_STATE_FINISHED && status.result != FLG_OK) throw std::runtime_error(status.error);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     const FlgResult result = flgCurveSetGetView(context_, item.result, &view);
     if (result != FLG_OK && result != FLG_NOT_READY) check(result);
@@ -123,7 +125,7 @@ bool Live::show(Item& item, render::Renderer& renderer) {
         log_.result_points += fresh.view().curve_offsets[fresh.view().curve_count];
         item.curves_drawn = view.curve_count;
     }
-    if (status.state != FLG_JOB_FINISHED) return true;
+    if (status.state != FLG_JOB_STATE_FINISHED) return true;
     log_.busy_ms += status.busy_us / 1000.0f;
     return false;
 }

@@ -52,7 +52,7 @@ private:
     void start_groups();
     bool show(Item& item, render::Renderer& renderer);
 
-    FlgContext context_ = nullptr;
+    FlgContext context_{};
     uint32_t budget_us_;
     FlgStyle style_ = {};
     FlgJob style_job_ = {};

@@ -128,11 +128,11 @@ void run(const Options& options) {
     const Framing framing = frame_strokes(all);
     offscreen.resize(framing.width, kHeight);
     save_picture(renderer, offscreen, framing.camera, before, render::Shape::ribbon, path("before.png"));
-    FlgCurveWriteDesc write = {};
-    flgCurveWriteDescInit(&write, sizeof write);
-    write.geometry = FLG_GEOMETRY_RIBBON;
+    FlgCurveFileWriteDesc write = {};
+    flgCurveFileWriteDescInit(&write, sizeof write);
+    write.geometry = FLG_CURVE_GEOMETRY_RIBBON;
     if (flgCurveFileWrite(path("result.glb").c_str(), &view, &write) != FLG_OK) {
-        throw std::runtime_error(flgIoLastError());
+        throw std::runtime_error(flgIoErrorGetMessage());
     }
     std::printf("wrote %s\n", path("result.glb").c_str());
     save_picture(renderer, offscreen, framing.camera, view, render::Shape::tube, path("styled_tubes.png"));

@@ -10,9 +10,9 @@
 namespace flg::samples {
 
 // Brushes that are not known by name are flat, as most are.
-FlgGeometry shape_of_brush(std::string_view brush);
+FlgCurveGeometry shape_of_brush(std::string_view brush);
 
 // Of each curve; empty if the file says nothing of brushes.
-std::vector<FlgGeometry> shapes_of_strokes(const CurveSource& source);
+std::vector<FlgCurveGeometry> shapes_of_strokes(const CurveSource& source);
 
 }  // namespace flg::samples

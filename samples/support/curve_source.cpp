@@ -25,10 +25,10 @@ CurveSource::CurveSource(const std::string& name) : name_(name), view_(flgCurveS
         make(std::string_view(name).substr(kPrefix.size()));
         return;
     }
-    if (flgCurveFileRead(name.c_str(), &file_) != FLG_OK) throw SourceError(flgIoLastError());
+    if (flgCurveFileRead(name.c_str(), &file_) != FLG_OK) throw SourceError(flgIoErrorGetMessage());
     if (flgCurveFileGetView(file_, &view_) != FLG_OK) {
         flgCurveFileRelease(file_);
-        throw SourceError(flgIoLastError());
+        throw SourceError(flgIoErrorGetMessage());
     }
     if (view_.curve_count == 0) {
         flgCurveFileRelease(file_);
@@ -91,6 +91,15 @@ CurveRange::CurveRange(const FlgCurveSetView& view, uint32_t first, uint32_t cou
     view_.curve_count = count;
     view_.curve_offsets = offsets_.data();
     if (view.curve_flags != nullptr) view_.curve_flags = view.curve_flags + first;
+    view_.columns = columns_.data();
+}
+
+PointRange::PointRange(const FlgCurveSetView& view, uint32_t first)
+    : columns_(view.columns, view.columns + view.column_count), view_(view) {
+    if (view.curve_count > 0) offsets_[1] = view.curve_offsets[1] - first;
+    for (FlgColumn& column : columns_) column.data = value_at(column, first);
+    view_.curve_count = offsets_[1] > 0 ? 1 : 0;
+    view_.curve_offsets = offsets_;
     view_.columns = columns_.data();
 }
 

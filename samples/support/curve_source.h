@@ -64,6 +64,21 @@ private:
     FlgCurveSetView view_;
 };
 
+// The points from `first` on of a view's only curve, without a copy.
+class PointRange {
+public:
+    PointRange(const FlgCurveSetView& view, uint32_t first);
+    const FlgCurveSetView& view() const { return view_; }
+    bool empty() const { return view_.curve_count == 0; }
+    PointRange(const PointRange&) = delete;
+    PointRange& operator=(const PointRange&) = delete;
+
+private:
+    uint32_t offsets_[2] = {0, 0};
+    std::vector<FlgColumn> columns_;
+    FlgCurveSetView view_;
+};
+
 // Null if the view has no such column.
 const FlgColumn* find_column(const FlgCurveSetView& view, FlgAttribute attribute);
 

@@ -75,6 +75,10 @@ void check_columns(const FlgColumn* columns, uint32_t count, const char* owner) 
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.columns[%u].components is %u, attribute %d has %d", owner, i,
                           column.components, attribute, components == 0 ? max_user_components : components);
         }
+        if (column.reserved != 0) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.columns[%u].reserved is %u, must be 0", owner, i,
+                          column.reserved);
+        }
         if (!column.data) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.columns[%u].data is null", owner, i);
         if (column.stride != 0 &&
             (column.stride % sizeof(float) != 0 || column.stride < column.components * sizeof(float))) {

@@ -3,6 +3,7 @@
 #include "api/context.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -21,16 +22,63 @@ namespace {
 constexpr uint32_t max_threads = 256;
 constexpr double run_tick_us = 10'000;  // of flgContextRun
 
-// Counts contexts, so that handles of one that is gone don't fit the next at the same address. The one thing that
-// contexts share; what it counts to shows nowhere else.
+// The living contexts: all that contexts share. A slot's id is that of its context's handle; the count keeps handles of
+// contexts that are gone from fitting the next in their slot.
+struct Slot {
+    static constexpr uint64_t vacant = 0, taken = 1;  // no handle has these ids
+    std::atomic<uint64_t> id{vacant};
+    std::atomic<Context*> context{nullptr};
+};
+constexpr uint32_t max_contexts = 1024;
+std::array<Slot, max_contexts> slots;
 std::atomic<uint32_t> contexts_made{0};
 
+// A handle's bits are those of runtime/handle_table.h, its kind 0xff.
+uint64_t context_id(uint32_t slot, uint32_t count) {
+    return (uint64_t{slot} + 1) | uint64_t{count & 0xffffff} << 32 | uint64_t{0xff} << 56;
+}
+
+uint32_t take_slot() {
+    for (uint32_t slot = 0; slot < max_contexts; ++slot) {
+        uint64_t expected = Slot::vacant;
+        if (slots[slot].id.compare_exchange_strong(expected, Slot::taken)) return slot;
+    }
+    throw Failure(FLG_ERROR_LIMIT, "there are %u contexts already, the most at a time", max_contexts);
+}
+
+Slot& slot_of(FlgContext context) {
+    if (context.id == 0) throw Failure(FLG_ERROR_INVALID_HANDLE, "context is null");
+    const uint32_t index = static_cast<uint32_t>(context.id) - 1;
+    if (index >= max_contexts || slots[index].id.load(std::memory_order_acquire) != context.id) {
+        throw Failure(FLG_ERROR_INVALID_HANDLE, "context (0x%llx) is not a living context",
+                      static_cast<unsigned long long>(context.id));
+    }
+    return slots[index];
+}
+
+// The host's struct, completed; null stands for the defaults.
+template <class T>
+T read_hook(const T* hook, const char* name) {
+    return hook ? read_struct(hook, sized<T>(), name) : sized<T>();
+}
+
+FlgJobSystem default_job_system() {
+    auto system = sized<FlgJobSystem>();
+    system.concurrency = 1;
+    return system;
+}
+
 FlgContextDesc default_context_desc() {
-    FlgContextDesc desc{};
-    desc.struct_size = sizeof desc;
+    auto desc = sized<FlgContextDesc>();
     desc.version = FLG_VERSION;
     desc.worker_count = 1;
     return desc;
+}
+
+FlgFrameReport empty_report() {
+    auto report = sized<FlgFrameReport>();
+    report.longest_chunk_stage = "";
+    return report;
 }
 
 // Before anything else: with another version even the struct's size may differ.
@@ -45,30 +93,54 @@ void check_version(const FlgContextDesc& desc) {
     }
 }
 
-void check(const FlgContextDesc& desc) {
-    if (desc.worker_count > max_threads) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "worker_count is %u, must be 0 to %u", desc.worker_count,
-                      max_threads);
-    }
-    if (!desc.allocator.allocate != !desc.allocator.free) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "allocator has only one of allocate and free");
-    }
-    if (desc.job_system.submit && (desc.job_system.concurrency < 1 || desc.job_system.concurrency > max_threads)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job_system.concurrency is %u, must be 1 to %u",
-                      desc.job_system.concurrency, max_threads);
-    }
-    if (!desc.profiler.begin != !desc.profiler.end) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "profiler has only one of begin and end");
-    }
-}
+// A context's settings and hooks at this library's sizes, checked.
+struct Settings {
+    FlgContextDesc desc;
+    FlgAllocator allocator;
+    FlgJobSystem job_system;
+    FlgLog log;
+    FlgClock clock;
+    FlgProfiler profiler;
 
-// Callbacks run inside flgTick and must not enter it again.
+    explicit Settings(const FlgContextDesc& from)
+        : desc(from),
+          allocator(read_hook(from.allocator, "desc.allocator")),
+          job_system(from.job_system ? read_struct(from.job_system, default_job_system(), "desc.job_system")
+                                     : default_job_system()),
+          log(read_hook(from.log, "desc.log")),
+          clock(read_hook(from.clock, "desc.clock")),
+          profiler(read_hook(from.profiler, "desc.profiler")) {
+        if (desc.worker_count > max_threads) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "worker_count is %u, must be 0 to %u", desc.worker_count,
+                          max_threads);
+        }
+        if (!allocator.allocate != !allocator.free) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "allocator has only one of allocate and free");
+        }
+        if (job_system.submit && (job_system.concurrency < 1 || job_system.concurrency > max_threads)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job_system.concurrency is %u, must be 1 to %u",
+                          job_system.concurrency, max_threads);
+        }
+        if (!profiler.begin != !profiler.end) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "profiler has only one of begin and end");
+        }
+        desc.allocator = &allocator;
+        desc.job_system = &job_system;
+        desc.log = &log;
+        desc.clock = &clock;
+        desc.profiler = &profiler;
+    }
+    Settings(const Settings&) = delete;
+    Settings& operator=(const Settings&) = delete;
+};
+
+// Callbacks run inside flgContextTick and must not enter it again.
 void refuse_inside_callback(const Context& context, const char* function) {
     if (context.ticking)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s was called from a callback inside flgTick", function);
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s was called from a callback inside flgContextTick", function);
 }
 
-// Marks the time inside flgTick, also if a callback throws.
+// Marks the time inside flgContextTick, also if a callback throws.
 class Ticking {
 public:
     explicit Ticking(Context& context) : context_(context) { context_.ticking = true; }
@@ -89,9 +161,7 @@ void refuse_after_destroy(const Context& context) {
 }
 
 Context& get_context(FlgContext context) {
-    if (!context) throw Failure(FLG_ERROR_INVALID_HANDLE, "context is null");
-    if (context->magic != Context::alive) throw Failure(FLG_ERROR_INVALID_HANDLE, "context is not a living FlgContext");
-    return *context;
+    return *slot_of(context).context.load(std::memory_order_relaxed);
 }
 
 }  // namespace flg
@@ -100,24 +170,49 @@ using namespace flg;
 
 extern "C" {
 
+FlgResult flgAllocatorInit(FlgAllocator* allocator, uint32_t struct_size) {
+    return init(allocator, struct_size, sized<FlgAllocator>(), "allocator");
+}
+
+FlgResult flgLogInit(FlgLog* log, uint32_t struct_size) {
+    return init(log, struct_size, sized<FlgLog>(), "log");
+}
+
+FlgResult flgClockInit(FlgClock* clock, uint32_t struct_size) {
+    return init(clock, struct_size, sized<FlgClock>(), "clock");
+}
+
+FlgResult flgProfilerInit(FlgProfiler* profiler, uint32_t struct_size) {
+    return init(profiler, struct_size, sized<FlgProfiler>(), "profiler");
+}
+
+FlgResult flgJobSystemInit(FlgJobSystem* system, uint32_t struct_size) {
+    return init(system, struct_size, default_job_system(), "system");
+}
+
 FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_context_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_context_desc());
 }
 
 FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context) {
     return guarded([&] {
-        require(out_context, "out_context") = nullptr;
+        require(out_context, "out_context") = {};
         if (desc) check_version(*desc);
-        const FlgContextDesc read = desc ? read_struct(desc, default_context_desc(), "desc") : default_context_desc();
-        check(read);
-        HostMemory memory(read.allocator);
+        const Settings settings(desc ? read_struct(desc, default_context_desc(), "desc") : default_context_desc());
+        HostMemory memory(settings.allocator);
         void* place = memory.allocate(sizeof(Context), alignof(Context));
         try {
-            const auto salt = static_cast<uint32_t>(mix64(contexts_made.fetch_add(1, std::memory_order_relaxed)));
-            *out_context = new (place) Context(read, memory, salt);
+            const uint32_t count = contexts_made.fetch_add(1, std::memory_order_relaxed);
+            const uint32_t slot = take_slot();
+            try {
+                const auto salt = static_cast<uint32_t>(mix64(count));
+                slots[slot].context.store(new (place) Context(settings.desc, memory, salt), std::memory_order_relaxed);
+            } catch (...) {
+                slots[slot].id.store(Slot::vacant, std::memory_order_release);
+                throw;
+            }
+            *out_context = {context_id(slot, count)};
+            slots[slot].id.store(out_context->id, std::memory_order_release);
         } catch (...) {
             memory.deallocate(place, sizeof(Context), alignof(Context));
             throw;
@@ -128,26 +223,28 @@ FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context) 
 
 FlgResult flgContextDestroy(FlgContext context) {
     return guarded([&] {
-        if (!context) return FLG_OK;
+        if (context.id == 0) return FLG_OK;
         Context& self = get_context(context);
         refuse_inside_callback(self, "flgContextDestroy");
         if (!self.runtime.stop()) return FLG_NOT_READY;
+        slot_of(context).id.store(Slot::vacant, std::memory_order_release);
         HostMemory memory(self.memory);
-        self.magic = 0;
         self.~Context();
         memory.deallocate(&self, sizeof(Context), alignof(Context));
         return FLG_OK;
     });
 }
 
-FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report) {
+FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_size) {
+    return init(report, struct_size, empty_report(), "report");
+}
+
+FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report) {
     return guarded([&] {
-        FlgFrameReport made{};
-        made.struct_size = sizeof made;
-        made.longest_chunk_stage = "";
+        FlgFrameReport made = empty_report();
         if (report) write_struct(report, made, "report");
         Context& self = get_context(context);
-        refuse_inside_callback(self, "flgTick");
+        refuse_inside_callback(self, "flgContextTick");
         refuse_after_destroy(self);
         {
             const Ticking ticking(self);
@@ -182,7 +279,7 @@ FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t count, 
             bool finished = count > 0;
             for (uint32_t i = 0; i < count; ++i) {
                 const Job& job = *self.jobs.get(jobs[i].id, "jobs");  // a callback may have released it
-                finished = finished && job.status.state == FLG_JOB_FINISHED;
+                finished = finished && job.status.state == FLG_JOB_STATE_FINISHED;
             }
             if (finished) break;
             const double left_us = std::chrono::duration<double, std::micro>(end - Clock::now()).count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an FlgContext points to: the runtime and the handles of one context.
+// A context: the runtime and the handles of its objects.
 #pragma once
 
 #include "curves/curve_set.h"
@@ -23,62 +23,55 @@ class ManifoldProduct;
 class Obstacles;
 class Spline;
 class Motion;
-}  // namespace flg
 
-// In the global namespace because the C header declares it.
-struct FlgContextT {
-    FlgContextT(const FlgContextDesc& desc, const flg::HostMemory& host_memory, uint32_t salt)
+// What the handle of a context stands for.
+struct Context {
+    Context(const FlgContextDesc& desc, const HostMemory& host_memory, uint32_t salt)
         : memory(host_memory),
-          jobs(flg::HandleKind::job, salt, &memory),
-          curve_sets(flg::HandleKind::curve_set, salt, &memory),
-          styles(flg::HandleKind::style, salt, &memory),
-          live_strokes(flg::HandleKind::live_stroke, salt, &memory),
-          surfaces(flg::HandleKind::surface, salt, &memory),
-          fields(flg::HandleKind::field, salt, &memory),
-          surface_curves(flg::HandleKind::surface_curves, salt, &memory),
-          tangles(flg::HandleKind::tangle, salt, &memory),
-          straight_skeletons(flg::HandleKind::straight_skeleton, salt, &memory),
-          outlines(flg::HandleKind::outline, salt, &memory),
-          parts(flg::HandleKind::part, salt, &memory),
-          part_meshes(flg::HandleKind::part_mesh, salt, &memory),
-          models(flg::HandleKind::model, salt, &memory),
-          skins(flg::HandleKind::skin, salt, &memory),
-          manifolds(flg::HandleKind::manifold, salt, &memory),
-          obstacles(flg::HandleKind::obstacles, salt, &memory),
-          splines(flg::HandleKind::spline, salt, &memory),
-          motions(flg::HandleKind::motion, salt, &memory),
+          jobs(HandleKind::job, salt, &memory),
+          curve_sets(HandleKind::curve_set, salt, &memory),
+          styles(HandleKind::style, salt, &memory),
+          live_strokes(HandleKind::live_stroke, salt, &memory),
+          surfaces(HandleKind::surface, salt, &memory),
+          fields(HandleKind::field, salt, &memory),
+          surface_curves(HandleKind::surface_curves, salt, &memory),
+          tangles(HandleKind::tangle, salt, &memory),
+          straight_skeletons(HandleKind::straight_skeleton, salt, &memory),
+          outlines(HandleKind::outline, salt, &memory),
+          parts(HandleKind::part, salt, &memory),
+          part_meshes(HandleKind::part_mesh, salt, &memory),
+          models(HandleKind::model, salt, &memory),
+          skins(HandleKind::skin, salt, &memory),
+          manifolds(HandleKind::manifold, salt, &memory),
+          obstacles(HandleKind::obstacles, salt, &memory),
+          splines(HandleKind::spline, salt, &memory),
+          motions(HandleKind::motion, salt, &memory),
           runtime(desc, &memory) {}
 
-    static constexpr uint64_t alive = 0x66696c6967726565;  // "filigree"
-    uint64_t magic = alive;
-    flg::HostMemory memory;
-    flg::HandleTable<flg::Job> jobs;
-    flg::HandleTable<flg::CurveSet> curve_sets;
-    flg::HandleTable<flg::Style> styles;
-    flg::HandleTable<flg::LiveStroke> live_strokes;
-    flg::HandleTable<flg::Surface> surfaces;
-    flg::HandleTable<flg::Field> fields;
-    flg::HandleTable<flg::TracedCurves> surface_curves;
-    flg::HandleTable<flg::Tangle> tangles;
-    flg::HandleTable<flg::HeldStraightSkeleton> straight_skeletons;
-    flg::HandleTable<flg::HeldOutline> outlines;
-    flg::HandleTable<flg::HeldPart> parts;
-    flg::HandleTable<flg::HeldPartMesh> part_meshes;
-    flg::HandleTable<flg::HeldModel> models;
-    flg::HandleTable<flg::HeldSkin> skins;
-    flg::HandleTable<flg::ManifoldProduct> manifolds;
-    flg::HandleTable<flg::Obstacles> obstacles;
-    flg::HandleTable<flg::Spline> splines;
-    flg::HandleTable<flg::Motion> motions;
-    flg::Runtime runtime;
-    bool ticking = false;  // inside flgTick: callbacks may not tick, wait or destroy
+    HostMemory memory;
+    HandleTable<Job> jobs;
+    HandleTable<CurveSet> curve_sets;
+    HandleTable<Style> styles;
+    HandleTable<LiveStroke> live_strokes;
+    HandleTable<Surface> surfaces;
+    HandleTable<Field> fields;
+    HandleTable<TracedCurves> surface_curves;
+    HandleTable<Tangle> tangles;
+    HandleTable<HeldStraightSkeleton> straight_skeletons;
+    HandleTable<HeldOutline> outlines;
+    HandleTable<HeldPart> parts;
+    HandleTable<HeldPartMesh> part_meshes;
+    HandleTable<HeldModel> models;
+    HandleTable<HeldSkin> skins;
+    HandleTable<ManifoldProduct> manifolds;
+    HandleTable<Obstacles> obstacles;
+    HandleTable<Spline> splines;
+    HandleTable<Motion> motions;
+    Runtime runtime;
+    bool ticking = false;  // inside flgContextTick: callbacks may not tick, wait or destroy
 };
 
-namespace flg {
-
-using Context = FlgContextT;
-
-// The context behind the pointer; throws if it is null or visibly none.
+// The context behind the handle; throws if there is none.
 Context& get_context(FlgContext context);
 
 // After a first flgContextDestroy that had to wait, nothing else is to be done with a context.
@@ -95,7 +88,7 @@ std::shared_ptr<T> make_object(Context& context, Arguments&&... arguments) {
 // strand with a task, then commit. `Output` is the object that the job makes.
 class Submission {
 public:
-    Submission(Context& context, const FlgJobOptions& options);
+    Submission(Context& context, const FlgJobOptions* job);  // null: defaults
 
     Job& job() { return *job_; }
     Pace& pace() { return job_->strand.pace; }
@@ -166,8 +159,5 @@ private:
     };
     std::pmr::vector<Turn> turns_;
 };
-
-// Defaults of the job part of descriptors.
-FlgJobOptions default_job_options();
 
 }  // namespace flg

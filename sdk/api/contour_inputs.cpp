@@ -12,14 +12,13 @@ constexpr uint32_t most_points = 1u << 24;
 }  // namespace
 
 FlgContourView default_contour_view() {
-    FlgContourView view{};
-    view.struct_size = sizeof view;
+    auto view = sized<FlgContourView>();
     view.ring_count = 1;
     return view;
 }
 
-Contour read_contour(const FlgContourView& view, Memory* memory, bool to_repair) {
-    check_struct_size<FlgContourView>(view.struct_size, "desc.contour");
+Contour read_contour(const FlgContourView* contour, Memory* memory, bool to_repair) {
+    const FlgContourView view = read_struct(contour, default_contour_view(), "desc.contour");
     if (view.point_count > most_points)
         throw Failure(FLG_ERROR_LIMIT, "desc.contour.point_count is %u, at most %u", view.point_count, most_points);
     check_range(view.point_count >= 3, "desc.contour.point_count", view.point_count, "at least 3");

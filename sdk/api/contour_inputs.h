@@ -10,6 +10,6 @@ namespace flg {
 FlgContourView default_contour_view();
 
 // Of desc.contour. Throws, with a sentence that names what is wrong. What is to be repaired is not cleaned.
-Contour read_contour(const FlgContourView& view, Memory* memory, bool to_repair = false);
+Contour read_contour(const FlgContourView* contour, Memory* memory, bool to_repair = false);
 
 }  // namespace flg

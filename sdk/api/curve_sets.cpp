@@ -3,20 +3,12 @@
 #include <cstring>
 
 #include "api/columns.h"
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
 
 namespace flg {
 
 namespace {
-
-FlgCurveSetView default_view() {
-    FlgCurveSetView view{};
-    view.struct_size = sizeof view;
-    return view;
-}
 
 void check_structure(const FlgCurveSetView& view) {
     if (view.curve_count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "view.curve_count is 0, must be at least 1");
@@ -62,21 +54,19 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgCurveSetViewInit(FlgCurveSetView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, FlgCurveSet* out_set) {
     return guarded([&] {
         require(out_set, "out_set") = {};
         Context& self = get_context(context);
-        const FlgCurveSetView read = read_struct(view, default_view(), "view");
+        const FlgCurveSetView read = read_struct(view, sized<FlgCurveSetView>(), "view");
         check_structure(read);
         check_columns(read.columns, read.column_count, "view");
 
         const auto set = make_object<CurveSet>(self, &self.memory);
+        set->origin = read_origin(read.origin, "view.origin");
         set->allocate_curves(read.curve_count);
         std::memcpy(set->offsets().data(), read.curve_offsets, (size_t{read.curve_count} + 1) * sizeof(uint32_t));
         for (uint32_t c = 0; c < read.curve_count; ++c) set->begin_curve(c, read.curve_flags ? read.curve_flags[c] : 0);
@@ -92,7 +82,6 @@ FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, Flg
         }
         set->publish_complete();
         *out_set = {self.curve_sets.add(set)};
-        return FLG_OK;
     });
 }
 
@@ -121,31 +110,19 @@ FlgResult flgCurveSetCreateFromPoints(FlgContext context, const float* points, u
         }
         set->publish_complete();
         *out_set = {self.curve_sets.add(set)};
-        return FLG_OK;
     });
 }
 
-const FlgColumn* flgCurveSetViewColumn(const FlgCurveSetView* view, FlgAttribute attribute) {
+const FlgColumn* flgCurveSetViewGetColumn(const FlgCurveSetView* view, FlgAttribute attribute) {
     return view ? find_column(view->columns, view->column_count, attribute) : nullptr;
 }
 
 FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, default_view(), "out_view");
-        const CurveSet& self = *get_context(context).curve_sets.get(set.id, "set");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_NOT_READY) return result;
-        if (result != FLG_OK) return set_last_error(result, self.error());
-        write_struct(out_view, self.view(), "out_view");
-        return FLG_OK;
-    });
+    return get_view(out_view, [&] { return get_context(context).curve_sets.get(set.id, "set"); });
 }
 
 FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set) {
-    return guarded([&] {
-        get_context(context).curve_sets.remove(set.id, "set");
-        return FLG_OK;
-    });
+    return release(context, &Context::curve_sets, set, "set");
 }
 
 }  // extern "C"

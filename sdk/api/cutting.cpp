@@ -11,18 +11,14 @@ namespace flg {
 
 namespace {
 
-FlgCutIsolinesDesc default_cut_isolines_desc() {
-    FlgCutIsolinesDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgSurfaceCutIsolinesDesc default_cut_isolines_desc() {
+    auto desc = sized<FlgSurfaceCutIsolinesDesc>();
     desc.first_label = FLG_NO_INDEX;
     return desc;
 }
 
-FlgCutCurvesDesc default_cut_curves_desc() {
-    FlgCutCurvesDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgSurfaceCutCurvesDesc default_cut_curves_desc() {
+    auto desc = sized<FlgSurfaceCutCurvesDesc>();
     desc.first_label = FLG_NO_INDEX;
     return desc;
 }
@@ -58,29 +54,26 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgCutIsolinesDescInit(FlgCutIsolinesDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_cut_isolines_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSurfaceCutIsolinesDescInit(FlgSurfaceCutIsolinesDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_cut_isolines_desc());
 }
 
-FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, FlgField* out_field, FlgJob* out_job) {
+FlgResult flgSurfaceCutIsolines(FlgContext context, const FlgSurfaceCutIsolinesDesc* desc, FlgField* out_field,
+                                FlgJob* out_job) {
     return guarded([&] {
         if (out_field) *out_field = {};
         if (out_job) *out_job = {};
         Context& self = get_context(context);
-        const FlgCutIsolinesDesc read = read_struct(desc, default_cut_isolines_desc(), "desc");
+        const FlgSurfaceCutIsolinesDesc read = read_struct(desc, default_cut_isolines_desc(), "desc");
         check_first_label(read.first_label);
         Submission submission(self, read.job);
-        const auto field = self.fields.get(read.field.id, "desc.field");
-        check_revision(*field, "desc.field");
-        submission.read(*field, "desc.field");
+        const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         const auto surface = field->surface;
         submission.change_surface(surface, "the surface of desc.field");
         const std::shared_ptr<Field> out = out_field ? make_object<Field>(self, surface, &self.memory) : nullptr;
         std::pmr::vector<uint32_t> regions = list_regions(read.regions, read.region_count, &self.memory);
-        LevelRequest levels = read_levels(read.levels, &self.memory);
+        LevelRequest levels =
+            read_levels(read.levels, read.level_count, read.level_first, read.level_every, &self.memory);
         CutIsolinesRequest request{.surface = surface,
                                    .revision = surface->order.revision() + 1,
                                    .field = field,
@@ -97,27 +90,21 @@ FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, Flg
         } else {
             submission.commit(change, out_job);
         }
-        return FLG_OK;
     });
 }
 
-FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_cut_curves_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSurfaceCutCurvesDescInit(FlgSurfaceCutCurvesDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_cut_curves_desc());
 }
 
-FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob* out_job) {
+FlgResult flgSurfaceCutCurves(FlgContext context, const FlgSurfaceCutCurvesDesc* desc, FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
-        const FlgCutCurvesDesc read = read_struct(desc, default_cut_curves_desc(), "desc");
+        const FlgSurfaceCutCurvesDesc read = read_struct(desc, default_cut_curves_desc(), "desc");
         check_first_label(read.first_label);
         Submission submission(self, read.job);
-        const auto curves = self.surface_curves.get(read.curves.id, "desc.curves");
-        check_revision(*curves, "desc.curves");
-        submission.read(*curves, "desc.curves");
+        const auto curves = read_current(self.surface_curves, read.curves.id, "desc.curves", submission);
         const auto surface = curves->surface;
         submission.change_surface(surface, "the surface of desc.curves");
         CutCurvesRequest request{.surface = surface,
@@ -126,7 +113,6 @@ FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob*
                                  .first_label = read.first_label};
         submission.job().strand.start(cut_curves(submission.pace(), std::move(request)));
         submission.commit(make_object<SurfaceChange>(self, surface, nullptr), out_job);
-        return FLG_OK;
     });
 }
 

@@ -1,63 +1,70 @@
 // SPDX-License-Identifier: MIT
-// Sized structs at the ABI: the host's struct may be smaller than ours (an older header); what it lacks takes its
-// default.
+// What entry points share: defaults for structs, outputs cleared before work begins, views of what jobs made, handles
+// given back.
 #pragma once
 
-#include <algorithm>
-#include <cstring>
-
-#include "core/failure.h"
+#include "api/context.h"
+#include "api/error.h"
+#include "core/sized_struct.h"
 
 namespace flg {
 
-// The size a struct had in its first release; smaller is not a size that any host can have. Structs that grow later get
-// a specialization here.
+// The whole of an entry point that fills a struct with its defaults.
 template <class T>
-inline constexpr uint32_t first_size = sizeof(T);
-
-template <class T>
-void check_struct_size(uint32_t struct_size, const char* name) {
-    if (struct_size < first_size<T> || struct_size > sizeof(T)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "%s: struct_size is %u, must be %u to %zu; take the struct from its defaults function", name,
-                      struct_size, first_size<T>, sizeof(T));
-    }
+FlgResult init(T* out, uint32_t struct_size, const T& defaults, const char* name = "desc") {
+    return guarded([&] { init_struct(out, struct_size, defaults, name); });
 }
 
-template <class T>
-T read_struct(const T* in, const T& defaults, const char* name) {
-    if (!in) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
-    check_struct_size<T>(in->struct_size, name);
-    T value = defaults;
-    std::memcpy(static_cast<void*>(&value), in, in->struct_size);
-    return value;
+template <class View>
+FlgResult init_view(View* view, uint32_t struct_size) {
+    return init(view, struct_size, sized<View>(), "view");
 }
 
-// Fills the host's struct with `value`, as far as it reaches.
-template <class T>
-void write_struct(T* out, const T& value, const char* name) {
-    if (!out) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
-    const uint32_t struct_size = out->struct_size;
-    check_struct_size<T>(struct_size, name);
-    std::memcpy(static_cast<void*>(out), &value, struct_size);
-    out->struct_size = struct_size;
+// Clears what an entry point that starts a job hands out.
+template <class Handle>
+Context& clear_outputs(FlgContext context, Handle* out, const char* name, FlgJob* out_job) {
+    if (out_job) *out_job = {};
+    require(out, name) = {};
+    return get_context(context);
 }
 
-// The host's defaults. Its struct may be larger than ours, of a newer header: the rest becomes zero, and
-// flgContextCreate tells the host that the versions do not fit.
-template <class T>
-void init_struct(T* out, uint32_t struct_size, const T& defaults, const char* name) {
-    if (!out) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
-    if (struct_size < first_size<T>) check_struct_size<T>(struct_size, name);
-    std::memset(static_cast<void*>(out), 0, struct_size);
-    std::memcpy(static_cast<void*>(out), &defaults, std::min<size_t>(struct_size, sizeof(T)));
-    out->struct_size = struct_size;
+// Likewise one that makes something at once.
+template <class Handle>
+Context& clear_output(FlgContext context, Handle* out, const char* name) {
+    require(out, name) = {};
+    Context& self = get_context(context);
+    refuse_after_destroy(self);
+    return self;
 }
 
-template <class T>
-T& require(T* pointer, const char* name) {
-    if (!pointer) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
-    return *pointer;
+// Whether what a job makes can be seen now: FLG_NOT_READY while it is made, its job's error if that failed.
+template <class Product>
+FlgResult visible_result_now(const Product& product) {
+    const FlgResult result = product.visible_result();
+    return result < 0 ? set_last_error(result, product.error()) : result;
+}
+
+// The whole of an entry point that shows a product: `find` gives it, or throws; until it can be seen, `empty` is shown.
+template <class Out, class Find, class Describe>
+FlgResult show(Out* out, const char* name, const Out& empty, Find find, Describe describe) {
+    return guarded([&] {
+        write_struct(out, empty, name);
+        const auto product = find();
+        const FlgResult result = visible_result_now(*product);
+        if (result == FLG_OK) write_struct(out, describe(*product), name);
+        return result;
+    });
+}
+
+template <class View, class Find>
+FlgResult get_view(View* out_view, Find find) {
+    return show(out_view, "out_view", sized<View>(), find, [](const auto& product) { return product.view(); });
+}
+
+// The whole of an entry point that gives a handle back.
+template <class T, class Handle>
+FlgResult release(FlgContext context, HandleTable<T> Context::*table, Handle handle, const char* name) {
+    return guarded([&] { (get_context(context).*table).remove(handle.id, name); });
 }
 
 }  // namespace flg

@@ -2,7 +2,6 @@
 #include "api/error.h"
 
 #include <cstdio>
-#include <new>
 
 namespace flg {
 
@@ -18,32 +17,22 @@ FlgResult set_last_error(FlgResult result, const char* message) noexcept {
 }
 
 FlgResult translate_exception() noexcept {
-    try {
-        throw;
-    } catch (const Failure& failure) {
-        return set_last_error(failure.result(), failure.what());
-    } catch (const std::bad_alloc&) {
-        return set_last_error(FLG_ERROR_OUT_OF_MEMORY, "the allocator returned null");
-    } catch (const std::exception& e) {
-        return set_last_error(FLG_ERROR_INTERNAL, e.what());
-    } catch (...) {
-        return set_last_error(FLG_ERROR_INTERNAL, "unknown exception");
-    }
+    return translate_exception(last_error, sizeof last_error, "the allocator returned null");
 }
 
 }  // namespace flg
 
 extern "C" {
 
-const char* flgLastError(void) {
+const char* flgErrorGetMessage(void) {
     return flg::last_error;
 }
 
-uint32_t flgVersion(void) {
+uint32_t flgVersionGet(void) {
     return FLG_VERSION;
 }
 
-const char* flgResultName(FlgResult result) {
+const char* flgResultGetName(FlgResult result) {
     switch (result) {
         case FLG_OK: return "FLG_OK";
         case FLG_NOT_READY: return "FLG_NOT_READY";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The wrapper around every entry point: whatever is thrown becomes a result and a sentence for flgLastError.
+// The guard of this library's entry points: whatever is thrown becomes a result and a sentence for flgErrorGetMessage.
 #pragma once
 
-#include "core/failure.h"
+#include "core/guard.h"
 
 namespace flg {
 
-// Remembers the sentence for flgLastError on this thread, cut at 511 bytes; returns `result`.
+// Remembers the sentence for flgErrorGetMessage on this thread, cut at 511 bytes; returns `result`.
 FlgResult set_last_error(FlgResult result, const char* message) noexcept;
 
 // Turns the exception being handled into a result; for use inside catch (...).
@@ -14,11 +14,7 @@ FlgResult translate_exception() noexcept;
 
 template <class Body>
 FlgResult guarded(Body&& body) noexcept {
-    try {
-        return body();
-    } catch (...) {
-        return translate_exception();
-    }
+    return guarded(std::forward<Body>(body), [] { return translate_exception(); });
 }
 
 }  // namespace flg

@@ -12,30 +12,15 @@ namespace flg {
 
 namespace {
 
-FlgFieldView default_field_view() {
-    FlgFieldView view{};
-    view.struct_size = sizeof view;
-    return view;
-}
-
-FlgGeodesicDesc default_geodesic_desc() {
-    FlgGeodesicDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgFieldGeodesicDesc default_geodesic_desc() {
+    auto desc = sized<FlgFieldGeodesicDesc>();
     desc.max_distance = HUGE_VALF;
     desc.frequency = 1;
     desc.seed = 1;
     return desc;
 }
 
-FlgBlendDesc default_blend_desc() {
-    FlgBlendDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    return desc;
-}
-
-void check(const FlgGeodesicDesc& desc) {
+void check(const FlgFieldGeodesicDesc& desc) {
     check_range(desc.max_distance > 0, "desc.max_distance", desc.max_distance, "above 0");
     check_range(desc.perturbation >= 0 && std::isfinite(desc.perturbation), "desc.perturbation", desc.perturbation,
                 "finite and at least 0");
@@ -47,7 +32,7 @@ void check(const FlgGeodesicDesc& desc) {
     }
 }
 
-GeodesicRequest read_request(Context& context, const FlgGeodesicDesc& desc, Submission& submission) {
+GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc, Submission& submission) {
     Memory* memory = &context.memory;
     const auto surface = context.surfaces.get(desc.surface.id, "desc.surface");
     // What may fail comes first: GCC 12 frees members of an aggregate twice if a later one throws.
@@ -82,33 +67,23 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgGeodesicDescInit(FlgGeodesicDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_geodesic_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgFieldGeodesicDescInit(FlgFieldGeodesicDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_geodesic_desc());
 }
 
 FlgResult flgFieldViewInit(FlgFieldView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_field_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
-FlgResult flgBlendDescInit(FlgBlendDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_blend_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgFieldBlendDescInit(FlgFieldBlendDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgFieldBlendDesc>());
 }
 
-FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job) {
+FlgResult flgFieldCreateGeodesic(FlgContext context, const FlgFieldGeodesicDesc* desc, FlgField* out_field,
+                                 FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_field, "out_field") = {};
-        Context& self = get_context(context);
-        const FlgGeodesicDesc read = read_struct(desc, default_geodesic_desc(), "desc");
+        Context& self = clear_outputs(context, out_field, "out_field", out_job);
+        const FlgFieldGeodesicDesc read = read_struct(desc, default_geodesic_desc(), "desc");
         check(read);
         Submission submission(self, read.job);
         GeodesicRequest request = read_request(self, read, submission);
@@ -118,18 +93,11 @@ FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField*
         submission.read_surface(request.surface, "desc.surface");
         submission.job().strand.start(solve_geodesic(submission.pace(), std::move(request)));
         *out_field = {submission.commit(self.fields, out, out_job)};
-        return FLG_OK;
     });
 }
 
 FlgResult flgFieldGetView(FlgContext context, FlgField field, FlgFieldView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, default_field_view(), "out_view");
-        const Field& self = *get_context(context).fields.get(field.id, "field");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).fields.get(field.id, "field"); });
 }
 
 FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* values, uint32_t value_count,
@@ -160,18 +128,13 @@ FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* va
 }
 
 FlgResult flgFieldRelease(FlgContext context, FlgField field) {
-    return guarded([&] {
-        get_context(context).fields.remove(field.id, "field");
-        return FLG_OK;
-    });
+    return release(context, &Context::fields, field, "field");
 }
 
-FlgResult flgFieldBlend(FlgContext context, const FlgBlendDesc* desc, FlgField* out_field, FlgJob* out_job) {
+FlgResult flgFieldBlend(FlgContext context, const FlgFieldBlendDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_field, "out_field") = {};
-        Context& self = get_context(context);
-        const FlgBlendDesc read = read_struct(desc, default_blend_desc(), "desc");
+        Context& self = clear_outputs(context, out_field, "out_field", out_job);
+        const FlgFieldBlendDesc read = read_struct(desc, sized<FlgFieldBlendDesc>(), "desc");
         Submission submission(self, read.job);
         const auto from = self.fields.get(read.from.id, "desc.from");
         const auto to = self.fields.get(read.to.id, "desc.to");
@@ -182,7 +145,6 @@ FlgResult flgFieldBlend(FlgContext context, const FlgBlendDesc* desc, FlgField* 
         out->revision = from->revision;
         submission.job().strand.start(blend_fields(submission.pace(), from, to, out));
         *out_field = {submission.commit(self.fields, out, out_job)};
-        return FLG_OK;
     });
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "splines/manifolds/host_manifold.h"
 
 namespace flg {
@@ -13,8 +12,7 @@ namespace flg {
 namespace {
 
 FlgManifoldFunctions default_functions() {
-    FlgManifoldFunctions functions{};
-    functions.struct_size = sizeof functions;
+    auto functions = sized<FlgManifoldFunctions>();
     functions.ambient = 3;
     functions.dimension = 2;
     functions.size = 1;
@@ -22,8 +20,7 @@ FlgManifoldFunctions default_functions() {
 }
 
 FlgPatchFunctions default_patch() {
-    FlgPatchFunctions functions{};
-    functions.struct_size = sizeof functions;
+    auto functions = sized<FlgPatchFunctions>();
     functions.high[0] = functions.high[1] = 1;
     functions.margin = 0.05;
     functions.size = 1;
@@ -87,18 +84,13 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(functions, struct_size, default_functions(), "functions");
-        return FLG_OK;
-    });
+    return init(functions, struct_size, default_functions(), "functions");
 }
 
 FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* functions, const double* point_near,
                                 FlgManifold* out_manifold) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        refuse_after_destroy(self);
+        Context& self = clear_output(context, out_manifold, "out_manifold");
         const FlgManifoldFunctions read = read_struct(functions, default_functions(), "functions");
         require(point_near, "point_near");
         check_range(read.ambient >= 2 && read.ambient <= Manifold::max_ambient, "functions.ambient", read.ambient,
@@ -113,31 +105,26 @@ FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* 
         try_functions(*manifold, point_near);
         const auto held = make_object<ManifoldProduct>(self);
         held->manifold = manifold;
+        held->origin = read_origin_in(read.ambient, read.origin, "functions.origin");
         *out_manifold = publish_at_once(self, held);
-        return FLG_OK;
     });
 }
 
 FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(functions, struct_size, default_patch(), "functions");
-        return FLG_OK;
-    });
+    return init(functions, struct_size, default_patch(), "functions");
 }
 
 FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* functions, FlgManifold* out_manifold) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        refuse_after_destroy(self);
+        Context& self = clear_output(context, out_manifold, "out_manifold");
         const FlgPatchFunctions read = read_struct(functions, default_patch(), "functions");
         check_patch(read);
         const auto patch = make_object<HostPatch>(self, read, &self.memory);
         try_patch(*patch);
         const auto held = make_object<ManifoldProduct>(self);
         held->manifold = patch;
+        held->origin = read_origin(read.origin, "functions.origin");
         *out_manifold = publish_at_once(self, held);
-        return FLG_OK;
     });
 }
 

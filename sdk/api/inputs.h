@@ -9,6 +9,7 @@
 
 #include "core/failure.h"
 #include "core/number_text.h"
+#include "core/origin.h"
 
 namespace flg {
 
@@ -39,8 +40,31 @@ inline bool is_coordinate(float value) {
     return std::abs(value) <= 1e30f;
 }
 
+// The place that a host counts coordinates from.
+inline Origin read_origin(const double (&origin)[3], const char* argument) {
+    Origin read;
+    for (uint32_t c = 0; c < 3; ++c) {
+        if (!(std::abs(origin[c]) <= 1e30)) {
+            char name[64];
+            std::snprintf(name, sizeof name, "%s[%u]", argument, c);
+            check_range(false, name, origin[c], "finite and at most 1e30 in size");
+        }
+        read[c] = origin[c];
+    }
+    return read;
+}
+
+// Of what has so many coordinates.
+inline Origin read_origin_in(uint32_t ambient, const double (&origin)[3], const char* argument) {
+    const Origin read = read_origin(origin, argument);
+    for (const double coordinate : read) {
+        check_range(ambient == 3 || coordinate == 0, argument, coordinate, "0 unless in R^3");
+    }
+    return read;
+}
+
 inline void check_frame(const FlgFrameMethod& method, const char* argument) {
-    check_enum(method, FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_SUPPLIED, argument, "FLG_FRAME_");
+    check_enum(method, FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_SUPPLIED, argument, "FLG_FRAME_");
 }
 
 // desc.basis of any numbers up to 1e30.

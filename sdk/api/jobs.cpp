@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Jobs as the host sees them.
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 
 using namespace flg;
 
+namespace {
+
+constexpr FlgJobStatus empty_status = {.struct_size = sizeof(FlgJobStatus),
+                                       .state = FLG_JOB_STATE_WAITING,
+                                       .result = FLG_NOT_READY,
+                                       .progress = 0,
+                                       .stage = "",
+                                       .error = "",
+                                       .busy_us = 0,
+                                       .longest_chunk_us = 0};
+
+}  // namespace
+
 extern "C" {
+
+FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size) {
+    return init(status, struct_size, empty_status, "status");
+}
 
 FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status) {
     return guarded([&] {
-        write_struct(out_status,
-                     FlgJobStatus{.struct_size = sizeof(FlgJobStatus),
-                                  .state = FLG_JOB_WAITING,
-                                  .result = FLG_NOT_READY,
-                                  .progress = 0,
-                                  .stage = "",
-                                  .error = "",
-                                  .busy_us = 0,
-                                  .longest_chunk_us = 0},
-                     "out_status");
+        write_struct(out_status, empty_status, "out_status");
         write_struct(out_status, get_context(context).jobs.get(job.id, "job")->status, "out_status");
-        return FLG_OK;
     });
 }
 
@@ -31,7 +36,7 @@ FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* out_stag
         require(out_count, "out_count") = 0;
         if (capacity > 0) require(out_stages, "out_stages");
         const Job& self = *get_context(context).jobs.get(job.id, "job");
-        if (self.status.state != FLG_JOB_FINISHED) return FLG_NOT_READY;
+        if (self.status.state != FLG_JOB_STATE_FINISHED) return FLG_NOT_READY;
         constexpr float us_per_ns = 1e-3f;
         for (uint32_t i = 0; i < std::min(capacity, self.stage_count); ++i) {
             const StageTime& stage = self.stages[i];
@@ -47,15 +52,11 @@ FlgResult flgJobCancel(FlgContext context, FlgJob job) {
     return guarded([&] {
         Context& self = get_context(context);
         self.runtime.scheduler().cancel(*self.jobs.get(job.id, "job"));
-        return FLG_OK;
     });
 }
 
 FlgResult flgJobRelease(FlgContext context, FlgJob job) {
-    return guarded([&] {
-        get_context(context).jobs.remove(job.id, "job");
-        return FLG_OK;
-    });
+    return release(context, &Context::jobs, job, "job");
 }
 
 }  // extern "C"

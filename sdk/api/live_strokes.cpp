@@ -19,9 +19,8 @@ constexpr uint32_t points_limit = 1u << 24;
 
 FlgLiveStrokeDesc default_live_stroke_desc() {
     const LiveSettings settings;
-    FlgLiveStrokeDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.start = FLG_START_AUTO;
+    auto desc = sized<FlgLiveStrokeDesc>();
+    desc.start = FLG_STYLE_START_AUTO;
     desc.magnitude = static_cast<float>(settings.magnitude);
     desc.scale = static_cast<float>(settings.scale);
     desc.radius_min = 0.001f;
@@ -36,7 +35,7 @@ FlgLiveStrokeDesc default_live_stroke_desc() {
 }
 
 void check(const FlgLiveStrokeDesc& desc) {
-    check_enum(desc.start, FLG_START_AUTO, FLG_START_RANDOM, "desc.start", "FLG_START_");
+    check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_START_");
     check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");
@@ -54,11 +53,11 @@ void check(const FlgLiveStrokeDesc& desc) {
     check_range(desc.max_points >= 1 && desc.max_points <= points_limit, "desc.max_points", desc.max_points,
                 "1 to 2^24");
     check_frame(desc.frame, "desc.frame");
-    if (desc.frame == FLG_FRAME_FRENET) {
-        throw Failure(
-            FLG_ERROR_INVALID_ARGUMENT,
-            "desc.frame is FLG_FRAME_FRENET, whose normals depend on points that are not drawn yet; live strokes "
-            "take FLG_FRAME_ROTATION_MINIMIZING or FLG_FRAME_SUPPLIED");
+    if (desc.frame == FLG_FRAME_METHOD_FRENET) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.frame is FLG_FRAME_METHOD_FRENET, whose normals depend on points that are not drawn yet; "
+                      "live strokes "
+                      "take FLG_FRAME_METHOD_ROTATION_MINIMIZING or FLG_FRAME_METHOD_SUPPLIED");
     }
     check_basis(desc.basis);
 }
@@ -72,19 +71,14 @@ LiveSettings settings_of(const FlgLiveStrokeDesc& desc) {
     settings.smoothing = desc.smoothing;
     settings.frame = desc.frame;
     std::copy(std::begin(desc.basis), std::end(desc.basis), settings.basis.begin());
-    settings.from_start = desc.start != FLG_START_RANDOM;
+    settings.from_start = desc.start != FLG_STYLE_START_RANDOM;
     settings.seed = desc.seed;
     settings.max_points = desc.max_points;
     return settings;
 }
 
-FlgJobOptions options_of(const FlgJobOptions* options) {
-    return options ? *options : default_job_options();
-}
-
 FlgCurveSetView empty_view() {
-    FlgCurveSetView view{};
-    view.struct_size = sizeof view;
+    auto view = sized<FlgCurveSetView>();
     return view;
 }
 
@@ -101,9 +95,10 @@ public:
     NewSets& operator=(const NewSets&) = delete;
 
     // Null if it isn't wanted.
-    std::shared_ptr<CurveSet> add(FlgCurveSet* out, Job& producer) {
+    std::shared_ptr<CurveSet> add(FlgCurveSet* out, const Origin& origin, Job& producer) {
         if (!out) return nullptr;
         auto set = make_object<CurveSet>(context_, &context_.memory);
+        set->origin = origin;
         set->producer = producer.shared_from_this();
         *out = {context_.curve_sets.add(set)};
         out_[count_++] = out;
@@ -125,7 +120,7 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, const FlgJobOptions* options,
+FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, const FlgJobOptions* job,
                        FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
@@ -133,7 +128,7 @@ FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, co
         const std::shared_ptr<Style> warmed = self.styles.get(style.id, "style");
         check_range(temperature >= 0 && std::isfinite(temperature), "temperature", temperature,
                     "finite and at least 0");
-        Submission submission(self, options_of(options));
+        Submission submission(self, job);
         submission.read(*warmed, "style");
         submission.job().strand.start(warm_style(submission.pace(), warmed, temperature));
         submission.commit(nullptr, out_job);
@@ -142,10 +137,7 @@ FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, co
 }
 
 FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_live_stroke_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_live_stroke_desc());
 }
 
 FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke) {
@@ -173,6 +165,7 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
         request.settings = settings_of(read);
         request.max_jump = read.max_jump;
         request.max_samples = read.max_samples;
+        request.origin = read_origin(read.origin, "desc.origin");
         *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(self, request, &self.memory))};
         return FLG_OK;
     });
@@ -200,10 +193,22 @@ FlgResult flgLiveStrokeGetPoints(FlgContext context, FlgLiveStroke stroke, FlgCu
     });
 }
 
+FlgResult flgLiveStrokeInfoInit(FlgLiveStrokeInfo* info, uint32_t struct_size) {
+    return init(info, struct_size, sized<FlgLiveStrokeInfo>(), "info");
+}
+
+FlgResult flgLiveStrokeGetTip(FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_tip) {
+    return guarded([&] {
+        write_struct(out_tip, empty_view(), "out_tip");
+        LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
+        write_struct(out_tip, self.tip(), "out_tip");
+        return FLG_OK;
+    });
+}
+
 FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info) {
     return guarded([&] {
-        FlgLiveStrokeInfo info{};
-        info.struct_size = sizeof info;
+        auto info = sized<FlgLiveStrokeInfo>();
         write_struct(out_info, info, "out_info");
         const LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
         info.sample_count = self.sample_count();
@@ -227,7 +232,7 @@ FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, uint32_t c
     });
 }
 
-FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* options,
+FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* job,
                            FlgCurveSet* out_stylized, FlgCurveSet* out_samples, FlgJob* out_job) {
     return guarded([&] {
         if (out_stylized) *out_stylized = {};
@@ -241,12 +246,12 @@ FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJo
         if (ended->sample_count() == 0) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has no samples; release it");
         }
-        Submission submission(self, options_of(options));
+        Submission submission(self, job);
         NewSets sets(self);
         const auto ending = make_object<LiveEnding>(self);
         ending->stroke = ended;
-        ending->stylized = sets.add(out_stylized, submission.job());
-        ending->samples = sets.add(out_samples, submission.job());
+        ending->stylized = sets.add(out_stylized, ended->origin, submission.job());
+        ending->samples = sets.add(out_samples, ended->origin, submission.job());
         submission.job().strand.start(end_stroke(submission.pace(), *ending));
         ended->begin_end();
         try {
@@ -272,7 +277,7 @@ FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke) {
     });
 }
 
-FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point, const FlgJobOptions* options,
+FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point, const FlgJobOptions* job,
                              FlgCurveSet* out_first, FlgCurveSet* out_second, FlgJob* out_job) {
     return guarded([&] {
         if (out_first) *out_first = {};
@@ -287,13 +292,13 @@ FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t 
         if (point >= cut->point_count()) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "point is %u, stroke has %u points", point, cut->point_count());
         }
-        Submission submission(self, options_of(options));
+        Submission submission(self, job);
         NewSets sets(self);
         const auto split = make_object<LiveSplit>(self);
         split->stroke = cut;
         split->point = point;
-        split->first = sets.add(out_first, submission.job());
-        split->second = sets.add(out_second, submission.job());
+        split->first = sets.add(out_first, cut->origin, submission.job());
+        split->second = sets.add(out_second, cut->origin, submission.job());
         submission.job().strand.start(split_stroke(submission.pace(), *split));
         ++cut->readers;
         try {
@@ -315,20 +320,21 @@ FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke) {
 }
 
 FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
-                              const FlgJobOptions* options, FlgCurveSet* out_set, FlgJob* out_job) {
+                              const FlgJobOptions* job, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
         require(out_set, "out_set") = {};
         Context& self = get_context(context);
         const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
         check(read);
-        Submission submission(self, options_of(options));
+        Submission submission(self, job);
         LiveReplayRequest request;
         request.style = self.styles.get(read.style.id, "desc.style");
         request.samples = self.curve_sets.get(samples.id, "samples");
         submission.read(*request.style, "desc.style");
         submission.read(*request.samples, "samples");
         request.out = make_object<CurveSet>(self, &self.memory);
+        request.out->origin = request.samples->origin;
         request.settings = settings_of(read);
         request.temperature = read.temperature;
         request.max_jump = read.max_jump;

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "api/descriptors.h"
-#include "api/error.h"
-#include "api/products.h"
 #include "splines/manifolds/image_manifold.h"
 #include "splines/manifolds/implicit_surfaces.h"
 #include "splines/manifolds/space_manifold.h"
@@ -17,9 +15,8 @@ namespace {
 
 constexpr uint32_t most_projected = 64;
 
-FlgShapeDesc default_shape_desc() {
-    FlgShapeDesc desc{};
-    desc.struct_size = sizeof desc;
+FlgManifoldShapeDesc default_shape_desc() {
+    auto desc = sized<FlgManifoldShapeDesc>();
     desc.ambient = 3;
     desc.radius = 1;
     desc.tube_radius = 0.25;
@@ -32,26 +29,26 @@ std::shared_ptr<const Manifold> make_manifold(Context& context, Arguments&&... a
     return make_object<T>(context, std::forward<Arguments>(arguments)...);
 }
 
-std::shared_ptr<const Manifold> make_shape(Context& context, const FlgShapeDesc& desc) {
-    check_enum(desc.shape, FLG_SHAPE_SPACE, FLG_SHAPE_FORMULA, "desc.shape", "FLG_SHAPE_");
-    if (desc.shape == FLG_SHAPE_SPACE) {
+std::shared_ptr<const Manifold> make_shape(Context& context, const FlgManifoldShapeDesc& desc) {
+    check_enum(desc.shape, FLG_MANIFOLD_SHAPE_SPACE, FLG_MANIFOLD_SHAPE_FORMULA, "desc.shape", "FLG_SHAPE_");
+    if (desc.shape == FLG_MANIFOLD_SHAPE_SPACE) {
         check_range(desc.ambient >= 2 && desc.ambient <= Manifold::max_ambient, "desc.ambient", desc.ambient,
                     "2 to 12");
         check_length(desc.size, "desc.size");
         return make_manifold<SpaceManifold>(context, desc.ambient, desc.size);
     }
-    if (desc.shape == FLG_SHAPE_PLANE) {
+    if (desc.shape == FLG_MANIFOLD_SHAPE_PLANE) {
         check_length(desc.size, "desc.size");
         return make_manifold<PlaneSurface>(context, desc.size);
     }
-    if (desc.shape == FLG_SHAPE_FORMULA) {
+    if (desc.shape == FLG_MANIFOLD_SHAPE_FORMULA) {
         const ImplicitFormula* const formula = find_implicit_formula(&require(desc.name, "desc.name"));
         if (!formula)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.name is \"%.60s\", which is no formula's name", desc.name);
         return make_manifold<NamedSurface>(context, *formula);
     }
     check_length(desc.radius, "desc.radius");
-    if (desc.shape == FLG_SHAPE_SPHERE) return make_manifold<SphereSurface>(context, desc.radius);
+    if (desc.shape == FLG_MANIFOLD_SHAPE_SPHERE) return make_manifold<SphereSurface>(context, desc.radius);
     check_range(desc.tube_radius >= smallest_length && desc.tube_radius < desc.radius, "desc.tube_radius",
                 desc.tube_radius, "1e-6 to below desc.radius");
     return make_manifold<TorusSurface>(context, desc.radius, desc.tube_radius);
@@ -65,40 +62,40 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgShapeDescInit(FlgShapeDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_shape_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgManifoldShapeDescInit(FlgManifoldShapeDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_shape_desc());
 }
 
-FlgResult flgManifoldCreateShape(FlgContext context, const FlgShapeDesc* desc, FlgManifold* out_manifold) {
+FlgResult flgManifoldCreateShape(FlgContext context, const FlgManifoldShapeDesc* desc, FlgManifold* out_manifold) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        refuse_after_destroy(self);
-        const FlgShapeDesc read = read_struct(desc, default_shape_desc(), "desc");
+        Context& self = clear_output(context, out_manifold, "out_manifold");
+        const FlgManifoldShapeDesc read = read_struct(desc, default_shape_desc(), "desc");
         const auto held = make_object<ManifoldProduct>(self);
         held->manifold = make_shape(self, read);
-        held->kind = read.shape == FLG_SHAPE_SPACE ? ManifoldKind::space : ManifoldKind::hypersurface;
+        held->origin = read_origin(read.origin, "desc.origin");
+        if (read.shape == FLG_MANIFOLD_SHAPE_SPACE) {
+            for (const double coordinate : held->origin) {
+                check_range(coordinate == 0, "desc.origin", coordinate,
+                            "0 for FLG_MANIFOLD_SHAPE_SPACE, which is everywhere");
+            }
+        }
+        held->kind = read.shape == FLG_MANIFOLD_SHAPE_SPACE ? ManifoldKind::space : ManifoldKind::hypersurface;
         *out_manifold = publish_at_once(self, held);
-        return FLG_OK;
     });
 }
 
 FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double weight, FlgManifold* out_manifold) {
     return guarded([&] {
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        refuse_after_destroy(self);
+        Context& self = clear_output(context, out_manifold, "out_manifold");
         const auto surface = self.manifolds.get(base.id, "base");
-        const FlgResult result = surface->visible_result();
-        if (result != FLG_OK) return result < 0 ? set_last_error(result, surface->error()) : result;
+        const FlgResult result = visible_result_now(*surface);
+        if (result != FLG_OK) return result;
         if (surface->kind != ManifoldKind::hypersurface)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "base is not a surface in R^3");
         check_range(weight > 0 && weight <= largest_length, "weight", weight, "above 0, at most 1e6");
         const auto held = make_object<ManifoldProduct>(self);
         held->base = surface;
+        held->origin = surface->origin;
         held->manifold =
             make_manifold<ImageManifold>(self, static_cast<const Hypersurface&>(*surface->manifold), weight);
         held->given_ambient = 3;
@@ -110,7 +107,7 @@ FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double we
     });
 }
 
-const char* flgFormulaName(uint32_t number) {
+const char* flgFormulaGetName(uint32_t number) {
     return number < implicit_formulas().size() ? implicit_formulas()[number].name : nullptr;
 }
 
@@ -127,8 +124,8 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
     return guarded([&] {
         Context& self = get_context(context);
         const ManifoldProduct& held = *self.manifolds.get(manifold.id, "manifold");
-        const FlgResult result = held.visible_result();
-        if (result != FLG_OK) return result < 0 ? set_last_error(result, held.error()) : result;
+        const FlgResult result = visible_result_now(held);
+        if (result != FLG_OK) return result;
         check_range(point_count <= most_projected, "point_count", point_count, "at most 64");
         if (point_count > 0) require(points, "points");
         const uint32_t shown = held.given_ambient, n = held.manifold->ambient();
@@ -156,10 +153,7 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
 }
 
 FlgResult flgManifoldRelease(FlgContext context, FlgManifold manifold) {
-    return guarded([&] {
-        get_context(context).manifolds.remove(manifold.id, "manifold");
-        return FLG_OK;
-    });
+    return release(context, &Context::manifolds, manifold, "manifold");
 }
 
 }  // extern "C"

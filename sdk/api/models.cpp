@@ -3,12 +3,9 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "api/context.h"
 #include "api/contour_inputs.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
-#include "api/products.h"
 #include "bones/model.h"
 
 namespace flg {
@@ -20,10 +17,7 @@ constexpr size_t longest_name = 63;
 constexpr double shear_limit = 1e-4;  // of the scale
 
 FlgPartDesc default_part_desc() {
-    FlgPartDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    desc.contour = default_contour_view();
+    auto desc = sized<FlgPartDesc>();
     desc.spacing = default_spacing;
     desc.tolerance = 0.0015;
     desc.collapse = 0.5;
@@ -31,32 +25,42 @@ FlgPartDesc default_part_desc() {
 }
 
 FlgModelPart default_model_part() {
-    FlgModelPart part{};
+    auto part = sized<FlgModelPart>();
     part.placement[0] = part.placement[5] = part.placement[10] = 1;
     part.thickness = 1;
     return part;
 }
 
 FlgModelDesc default_model_desc() {
-    FlgModelDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    desc.thresholds = {0.0025f, 0.015f, 0.015f, 0.005f};
+    auto desc = sized<FlgModelDesc>();
     desc.shape_weight = 0.25f;
     desc.mirror[0] = 1;
     return desc;
 }
 
-void check_thresholds(const FlgBoneThresholds& thresholds, const char* argument) {
+FlgBoneThresholds default_thresholds() {
+    return {.struct_size = sizeof(FlgBoneThresholds),
+            .simplify = 0.0025f,
+            .merge = 0.015f,
+            .prune = 0.015f,
+            .collapse = 0.005f};
+}
+
+// Those without a struct of their own take `others`.
+FlgBoneThresholds read_thresholds(const FlgBoneThresholds* thresholds, const FlgBoneThresholds& others,
+                                  const char* argument) {
+    if (!thresholds) return others;
+    const FlgBoneThresholds read = read_struct(thresholds, default_thresholds(), argument);
     const auto check = [&](float value, const char* name) {
         char field[96];
         std::snprintf(field, sizeof field, "%s.%s", argument, name);
         check_range(value >= 0 && value <= 10, field, value, "0 to 10");
     };
-    check(thresholds.simplify, "simplify");
-    check(thresholds.merge, "merge");
-    check(thresholds.prune, "prune");
-    check(thresholds.collapse, "collapse");
+    check(read.simplify, "simplify");
+    check(read.merge, "merge");
+    check(read.prune, "prune");
+    check(read.collapse, "collapse");
+    return read;
 }
 
 // The scale of a placement that turns, scales and moves, mirrored or not.
@@ -77,8 +81,8 @@ double read_placement(const double (&placement)[12], uint32_t part, Eigen::Matri
     return scale;
 }
 
-ModelPart read_part(Context& context, const FlgModelDesc& desc, uint32_t number, Submission& submission) {
-    const FlgModelPart& in = desc.parts[number];
+ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThresholds& thresholds, uint32_t number,
+                    Submission& submission) {
     char name[64];
     const auto field = [&](const char* member) {
         std::snprintf(name, sizeof name, "desc.parts[%u].%s", number, member);
@@ -88,14 +92,10 @@ ModelPart read_part(Context& context, const FlgModelDesc& desc, uint32_t number,
     out.part = context.parts.get(in.part.id, field("part"));
     out.source = number;
     out.thickness = in.thickness;
-    out.thresholds = desc.thresholds;
+    out.thresholds = read_thresholds(in.thresholds, thresholds, field("thresholds"));
     submission.read(*out.part, field("part"));
     out.scale = read_placement(in.placement, number, out.placement);
     check_range(in.thickness >= 0.01f && in.thickness <= 100, field("thickness"), in.thickness, "0.01 to 100");
-    if (in.thresholds) {
-        check_thresholds(*in.thresholds, field("thresholds"));
-        out.thresholds = *in.thresholds;
-    }
     if (in.branch_simplify) {
         for (uint32_t b = 0; b < in.branch_count; ++b) {
             check_range(in.branch_simplify[b] <= 10, field("branch_simplify"), in.branch_simplify[b], "at most 10");
@@ -140,17 +140,12 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgPartDescInit(FlgPartDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_part_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_part_desc());
 }
 
 FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* out_part, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_part, "out_part") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_part, "out_part", out_job);
         const FlgPartDesc read = read_struct(desc, default_part_desc(), "desc");
         check_range(read.spacing == 0 || (read.spacing >= 0.0005 && read.spacing <= 0.1), "desc.spacing", read.spacing,
                     "0, or 0.0005 to 0.1");
@@ -165,7 +160,6 @@ FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* ou
         out->collapse = read.collapse;
         submission.job().strand.start(make_part(submission.pace(), out));
         *out_part = {submission.commit(self.parts, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -178,59 +172,54 @@ FlgResult flgPartGetView(FlgContext context, FlgPart part, FlgPartView* out_view
 }
 
 FlgResult flgPartRelease(FlgContext context, FlgPart part) {
-    return guarded([&] {
-        get_context(context).parts.remove(part.id, "part");
-        return FLG_OK;
-    });
+    return release(context, &Context::parts, part, "part");
 }
 
-FlgResult flgModelPartInit(FlgModelPart* part) {
-    return guarded([&] {
-        require(part, "part") = default_model_part();
-        return FLG_OK;
-    });
+FlgResult flgBoneThresholdsInit(FlgBoneThresholds* thresholds, uint32_t struct_size) {
+    return init(thresholds, struct_size, default_thresholds(), "thresholds");
+}
+
+FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size) {
+    return init(part, struct_size, default_model_part(), "part");
 }
 
 FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_model_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_model_desc());
 }
 
 FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_model, "out_model") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_model, "out_model", out_job);
         const FlgModelDesc read = read_struct(desc, default_model_desc(), "desc");
         check_range(read.part_count >= 1 && read.part_count <= most_parts, "desc.part_count", read.part_count,
                     "1 to 4096");
         require(read.parts, "desc.parts");
-        check_thresholds(read.thresholds, "desc.thresholds");
         check_range(read.shape_weight >= 0 && read.shape_weight <= 100, "desc.shape_weight", read.shape_weight,
                     "0 to 100");
         Submission submission(self, read.job);
         const auto out = make_object<HeldModel>(self, &self.memory);
-        out->thresholds = read.thresholds;
+        out->origin = read_origin(read.origin, "desc.origin");
+        out->thresholds = read_thresholds(read.thresholds, default_thresholds(), "desc.thresholds");
         out->shape_weight = read.shape_weight;
         read_mirror(read.mirror, *out);
         std::pmr::unordered_set<std::pmr::string> names(&self.memory);
         for (uint32_t p = 0; p < read.part_count; ++p) {
-            out->parts.push_back(read_part(self, read, p, submission));
+            char place[32];
+            std::snprintf(place, sizeof place, "desc.parts[%u]", p);
+            const FlgModelPart part = read_element(read.parts, p, default_model_part(), place);
+            out->parts.push_back(read_part(self, part, out->thresholds, p, submission));
             if (!names.insert(out->parts.back().name).second)
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].name is \"%s\", as that of a part before", p,
                               out->parts.back().name.c_str());
-            if (!read.parts[p].mirrored) continue;
+            if (!part.mirrored) continue;
             const auto original = static_cast<uint32_t>(out->parts.size()) - 1;
-            out->parts.push_back(read_part(self, read, p, submission));
+            out->parts.push_back(read_part(self, part, out->thresholds, p, submission));
             mirror_part(out->parts.back(), *out);
             out->parts[original].twin = original + 1;
             out->parts[original + 1].twin = original;
         }
         submission.job().strand.start(make_model(submission.pace(), out));
         *out_model = {submission.commit(self.models, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -243,10 +232,7 @@ FlgResult flgModelGetView(FlgContext context, FlgModel model, FlgModelView* out_
 }
 
 FlgResult flgModelRelease(FlgContext context, FlgModel model) {
-    return guarded([&] {
-        get_context(context).models.remove(model.id, "model");
-        return FLG_OK;
-    });
+    return release(context, &Context::models, model, "model");
 }
 
 }  // extern "C"

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
-#include "api/products.h"
 
 namespace flg {
 
@@ -22,10 +19,8 @@ constexpr double largest_weight = 1e12;
 constexpr double largest_smoothing = 1e9;  // rounding hides the pull of the keys beyond
 
 FlgMotionDesc default_motion_desc() {
-    FlgMotionDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    desc.energy = FLG_SPLINE_E2;
+    auto desc = sized<FlgMotionDesc>();
+    desc.energy = FLG_SPLINE_ENERGY_E2;
     desc.tension = 1;
     desc.max_rounds = 200;
     desc.tolerance = 1e-6;
@@ -61,13 +56,13 @@ BodyInertia read_body(const FlgMotionDesc& desc) {
 }
 
 void read_weights(const FlgMotionDesc& desc, MotionInput& input) {
-    check_enum(desc.energy, FLG_SPLINE_E2, FLG_SPLINE_ET, "desc.energy", "FLG_SPLINE_");
-    if (desc.energy == FLG_SPLINE_ET) {
+    check_enum(desc.energy, FLG_SPLINE_ENERGY_E2, FLG_SPLINE_ENERGY_ET, "desc.energy", "FLG_SPLINE_");
+    if (desc.energy == FLG_SPLINE_ENERGY_ET) {
         check_range(desc.tension > 0 && desc.tension <= largest_weight, "desc.tension", desc.tension,
                     "above 0, to 1e12");
         input.tension = desc.tension;
     }
-    if (desc.energy == FLG_SPLINE_E1) {
+    if (desc.energy == FLG_SPLINE_ENERGY_E1) {
         input.bending = 0;
         input.tension = 1;
     }
@@ -88,6 +83,7 @@ MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
     require(desc.times, "desc.times");
     require(desc.poses, "desc.poses");
     input.times.assign(desc.times, desc.times + keys);
+    input.origin = read_origin(desc.origin, "desc.origin");
     input.poses.assign(desc.poses, desc.poses + MotionKeys::pose_size * keys);
     input.body = read_body(desc);
     read_weights(desc, input);
@@ -135,17 +131,12 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_motion_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_motion_desc());
 }
 
 FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMotion* out_motion, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_motion, "out_motion") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_motion, "out_motion", out_job);
         const FlgMotionDesc read = read_struct(desc, default_motion_desc(), "desc");
         Submission submission(self, read.job);
         MotionInput input = read_input(read, &self.memory);
@@ -153,7 +144,6 @@ FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMoti
         const auto out = make_object<Motion>(self, std::move(input), &self.memory);
         submission.job().strand.start(make_motion(submission.pace(), out));
         *out_motion = {submission.commit(self.motions, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -166,10 +156,7 @@ FlgResult flgMotionGetView(FlgContext context, FlgMotion motion, FlgMotionView* 
 }
 
 FlgResult flgMotionRelease(FlgContext context, FlgMotion motion) {
-    return guarded([&] {
-        get_context(context).motions.remove(motion.id, "motion");
-        return FLG_OK;
-    });
+    return release(context, &Context::motions, motion, "motion");
 }
 
 }  // extern "C"

@@ -2,9 +2,7 @@
 // Obstacles: made, released.
 #include <cmath>
 
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
 #include "splines/obstacles/mesh_distance.h"
 #include "splines/obstacles/obstacle_polygon.h"
@@ -16,7 +14,7 @@ namespace flg {
 namespace {
 
 FlgObstacle default_obstacle() {
-    FlgObstacle obstacle{};
+    auto obstacle = sized<FlgObstacle>();
     obstacle.radius = 1;
     obstacle.cells = 64;
     for (int i = 0; i < 3; ++i) obstacle.half[i] = obstacle.axes[4 * i] = 1;
@@ -24,10 +22,8 @@ FlgObstacle default_obstacle() {
 }
 
 FlgObstaclesDesc default_obstacles_desc() {
-    FlgObstaclesDesc desc{};
-    desc.struct_size = sizeof desc;
+    auto desc = sized<FlgObstaclesDesc>();
     desc.dimension = 3;
-    desc.job = default_job_options();
     return desc;
 }
 
@@ -56,17 +52,19 @@ std::shared_ptr<const Obstacle> make_function(Context& context, const FlgObstacl
 }
 
 std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacle& in, uint32_t dimension) {
-    check_enum(in.kind, FLG_OBSTACLE_BALL, FLG_OBSTACLE_BORDER, "kind", "FLG_OBSTACLE_");
+    check_enum(in.kind, FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BORDER, "kind", "FLG_OBSTACLE_");
     switch (in.kind) {
-        case FLG_OBSTACLE_BALL: return make_object<BallObstacle>(context, dimension, in.centre, in.radius);
-        case FLG_OBSTACLE_BOX: return make_box(context, in, dimension);
-        case FLG_OBSTACLE_CAPSULE: return make_object<CapsuleObstacle>(context, dimension, in.centre, in.to, in.radius);
-        case FLG_OBSTACLE_FUNCTION: return make_function(context, in, dimension);
+        case FLG_OBSTACLE_KIND_BALL: return make_object<BallObstacle>(context, dimension, in.centre, in.radius);
+        case FLG_OBSTACLE_KIND_BOX: return make_box(context, in, dimension);
+        case FLG_OBSTACLE_KIND_CAPSULE:
+            return make_object<CapsuleObstacle>(context, dimension, in.centre, in.to, in.radius);
+        case FLG_OBSTACLE_KIND_FUNCTION: return make_function(context, in, dimension);
         default: break;
     }
-    if (in.kind >= FLG_OBSTACLE_MESH) return nullptr;
+    if (in.kind >= FLG_OBSTACLE_KIND_MESH) return nullptr;
     if (dimension != 2)
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is FLG_OBSTACLE_POLYGON, which is for the plane, dimension 2");
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "kind is FLG_OBSTACLE_KIND_POLYGON, which is for the plane, dimension 2");
     require(in.points, "points");
     return make_object<PolygonObstacle>(context, std::span<const double>(in.points, size_t{2} * in.point_count),
                                         &context.memory);
@@ -78,7 +76,7 @@ void read_mesh(Context& context, const FlgObstacle& in, uint32_t number, Obstacl
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "kind is that of a mesh, which is for space, dimension 3");
     const auto surface = context.surfaces.get(in.surface.id, "surface");
     check_range(in.cells >= min_distance_cells && in.cells <= max_distance_cells, "cells", in.cells, "8 to 192");
-    const bool is_layer = in.kind == FLG_OBSTACLE_LAYER;
+    const bool is_layer = in.kind == FLG_OBSTACLE_KIND_LAYER;
     if (is_layer) check_range(in.radius > 0 && in.radius <= 1e30, "radius", in.radius, "above 0");
     submission.read_surface(surface, "surface");
     out.meshes.push_back({number, surface, in.kind, in.cells, in.radius});
@@ -92,23 +90,18 @@ using namespace flg;
 
 extern "C" {
 
-void flgObstacleInit(FlgObstacle* obstacle) {
-    if (obstacle) *obstacle = default_obstacle();
+FlgResult flgObstacleInit(FlgObstacle* obstacle, uint32_t struct_size) {
+    return init(obstacle, struct_size, default_obstacle(), "obstacle");
 }
 
 FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_obstacles_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_obstacles_desc());
 }
 
 FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, FlgObstacles* out_obstacles,
                              FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_obstacles, "out_obstacles") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_obstacles, "out_obstacles", out_job);
         const FlgObstaclesDesc read = read_struct(desc, default_obstacles_desc(), "desc");
         check_range(read.dimension == 2 || read.dimension == 3, "desc.dimension", read.dimension, "2 or 3");
         check_range(read.obstacle_count >= 1 && read.obstacle_count <= ObstacleSet::max_count, "desc.obstacle_count",
@@ -117,26 +110,24 @@ FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, F
         check_range(read.clearance >= 0 && read.clearance <= 1e30, "desc.clearance", read.clearance, "0 to 1e30");
         Submission submission(self, read.job);
         const auto held = make_object<Obstacles>(self, read.dimension, &self.memory);
+        held->origin = read_origin_in(read.dimension, read.origin, "desc.origin");
         held->clearance = read.clearance;
         for (uint32_t i = 0; i < read.obstacle_count; ++i) {
             try {
-                held->solids.push_back(make_obstacle(self, read.obstacles[i], read.dimension));
-                if (!held->solids.back()) read_mesh(self, read.obstacles[i], i, *held, submission);
+                const FlgObstacle obstacle = read_element(read.obstacles, i, default_obstacle(), "obstacle");
+                held->solids.push_back(make_obstacle(self, obstacle, read.dimension));
+                if (!held->solids.back()) read_mesh(self, obstacle, i, *held, submission);
             } catch (const Failure& failure) {
                 throw Failure(failure.result(), "desc.obstacles[%u]: %.200s", i, failure.what());
             }
         }
         submission.job().strand.start(make_obstacles(submission.pace(), held));
         *out_obstacles = {submission.commit(self.obstacles, held, out_job)};
-        return FLG_OK;
     });
 }
 
 FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles) {
-    return guarded([&] {
-        get_context(context).obstacles.remove(obstacles.id, "obstacles");
-        return FLG_OK;
-    });
+    return release(context, &Context::obstacles, obstacles, "obstacles");
 }
 
 }  // extern "C"

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Outlines of surfaces: made, shown, released.
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
-#include "api/products.h"
 #include "bones/outline.h"
 
 namespace flg {
 
 namespace {
-
-FlgOutlineDesc default_outline_desc() {
-    FlgOutlineDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    return desc;
-}
 
 void read_regions(const FlgOutlineDesc& desc, HeldOutline& out) {
     if (!desc.regions) {
@@ -32,6 +22,15 @@ void read_regions(const FlgOutlineDesc& desc, HeldOutline& out) {
     }
 }
 
+constexpr FlgContourView no_contour = sized<FlgContourView>();
+
+// Shown until there is an outline: hosts may read the counts without a look at the result.
+FlgOutlineView no_outline_view() {
+    auto view = sized<FlgOutlineView>();
+    view.contour = &no_contour;
+    return view;
+}
+
 }  // namespace
 
 }  // namespace flg
@@ -41,18 +40,13 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgOutlineDescInit(FlgOutlineDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_outline_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, sized<FlgOutlineDesc>());
 }
 
 FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* desc, FlgOutline* out_outline, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_outline, "out_outline") = {};
-        Context& self = get_context(context);
-        const FlgOutlineDesc read = read_struct(desc, default_outline_desc(), "desc");
+        Context& self = clear_outputs(context, out_outline, "out_outline", out_job);
+        const FlgOutlineDesc read = read_struct(desc, sized<FlgOutlineDesc>(), "desc");
         for (int i = 0; i < 3; ++i) {
             check_range(is_coordinate(read.direction[i]), "desc.direction", read.direction[i],
                         "finite and at most 1e30 in size");
@@ -65,23 +59,22 @@ FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* desc, FlgOu
         submission.read_surface(out->surface, "desc.surface");
         submission.job().strand.start(make_outline(submission.pace(), out));
         *out_outline = {submission.commit(self.outlines, out, out_job)};
-        return FLG_OK;
     });
 }
 
 FlgResult flgOutlineViewInit(FlgOutlineView* view, uint32_t struct_size) {
-    return init_view(view, struct_size);
+    return init(view, struct_size, no_outline_view(), "view");
 }
 
 FlgResult flgOutlineGetView(FlgContext context, FlgOutline outline, FlgOutlineView* out_view) {
-    return get_view(out_view, [&] { return get_context(context).outlines.get(outline.id, "outline"); });
+    return show(
+        out_view, "out_view", no_outline_view(),
+        [&] { return get_context(context).outlines.get(outline.id, "outline"); },
+        [](const HeldOutline& held) { return held.view(); });
 }
 
 FlgResult flgOutlineRelease(FlgContext context, FlgOutline outline) {
-    return guarded([&] {
-        get_context(context).outlines.remove(outline.id, "outline");
-        return FLG_OK;
-    });
+    return release(context, &Context::outlines, outline, "outline");
 }
 
 }  // extern "C"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
 #include "bones/skin_pose.h"
 #include "filigree/filigree_model.h"
@@ -19,18 +18,6 @@ constexpr uint32_t most_joints = 65535;
 constexpr double length_tolerance = 1e-3;  // of quaternions of length 1
 constexpr float weight_tolerance = 1e-4f;  // of weights whose sum is 1
 constexpr size_t joints_on_stack = 256;
-
-FlgSkinView default_skin_view() {
-    FlgSkinView view{};
-    view.struct_size = sizeof view;
-    return view;
-}
-
-FlgSkinAnimation default_animation() {
-    FlgSkinAnimation animation{};
-    animation.struct_size = sizeof animation;
-    return animation;
-}
 
 void check_coordinates(const float* values, size_t index, const char* name) {
     for (size_t k = 3 * index; k < 3 * index + 3; ++k) {
@@ -153,23 +140,17 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgSkinViewInit(FlgSkinView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_skin_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgSkinAnimationInit(FlgSkinAnimation* animation, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(animation, struct_size, default_animation(), "animation");
-        return FLG_OK;
-    });
+    return init(animation, struct_size, sized<FlgSkinAnimation>(), "animation");
 }
 
 FlgResult flgSkinPose(const FlgSkinView* skin, const float* rotations, const float* translation, float* out_matrices,
                       float* out_dual_quaternions) {
     return guarded([&] {
-        const FlgSkinView read = read_struct(skin, default_skin_view(), "skin");
+        const FlgSkinView read = read_struct(skin, sized<FlgSkinView>(), "skin");
         check_joints(read);
         for (size_t j = 0; rotations && j < read.joint_count; ++j) check_rotation(rotations, j, "rotations");
         if (translation) check_coordinates(translation, 0, "translation");
@@ -183,14 +164,13 @@ FlgResult flgSkinPose(const FlgSkinView* skin, const float* rotations, const flo
             if (out_matrices) store_matrix(motions[j], out_matrices + 12 * j);
             if (out_dual_quaternions) store_dual_quaternion(motions[j], out_dual_quaternions + 8 * j);
         }
-        return FLG_OK;
     });
 }
 
 FlgResult flgSkinAnimationSample(const FlgSkinAnimation* animation, uint32_t joint_count, float time,
                                  float* out_rotations, float* out_translation) {
     return guarded([&] {
-        const FlgSkinAnimation read = read_struct(animation, default_animation(), "animation");
+        const FlgSkinAnimation read = read_struct(animation, sized<FlgSkinAnimation>(), "animation");
         check_joint_count(joint_count, "joint_count");
         check_keys(read);
         check_range(is_coordinate(time), "time", time, "finite and at most 1e30 in size");
@@ -217,7 +197,7 @@ FlgResult flgSkinAnimationSample(const FlgSkinAnimation* animation, uint32_t joi
 FlgResult flgSkinDeform(const FlgSkinView* skin, FlgSkinning skinning, const float* transforms, float* out_positions,
                         float* out_normals) {
     return guarded([&] {
-        const FlgSkinView read = read_struct(skin, default_skin_view(), "skin");
+        const FlgSkinView read = read_struct(skin, sized<FlgSkinView>(), "skin");
         check_enum(skinning, FLG_SKINNING_LINEAR, FLG_SKINNING_DUAL_QUATERNION, "skinning", "FLG_SKINNING_");
         check_joint_count(read.joint_count, "skin.joint_count");
         check_vertices(read, out_normals != nullptr);
@@ -231,7 +211,6 @@ FlgResult flgSkinDeform(const FlgSkinView* skin, FlgSkinning skinning, const flo
             store_vec3(moved, out_positions + 3 * v);
             if (out_normals) store_vec3(turned_normal(motion, load_vec3(read.normals + 3 * v)), out_normals + 3 * v);
         }
-        return FLG_OK;
     });
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/surface_inputs.h"
 #include "splines/manifold_jobs.h"
 
@@ -13,37 +12,26 @@ namespace flg {
 
 namespace {
 
-FlgMeshManifoldDesc default_mesh_desc() {
-    FlgMeshManifoldDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    return desc;
-}
-
-FlgCloudManifoldDesc default_cloud_desc() {
-    FlgCloudManifoldDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgManifoldFromPointsDesc default_cloud_desc() {
+    auto desc = sized<FlgManifoldFromPointsDesc>();
     desc.neighbours = 16;
     return desc;
 }
 
-FlgGridManifoldDesc default_grid_desc() {
-    FlgGridManifoldDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgManifoldFromGridDesc default_grid_desc() {
+    auto desc = sized<FlgManifoldFromGridDesc>();
     desc.spacing = 1;
     return desc;
 }
 
-GridInput read_grid(const FlgGridManifoldDesc& desc) {
+GridInput read_grid(const FlgManifoldFromGridDesc& desc) {
     GridInput input;
     uint64_t all = 1;
     for (uint32_t c = 0; c < 3; ++c) {
         check_range(desc.counts[c] >= 2 && desc.counts[c] <= 65536, "desc.counts", desc.counts[c], "2 to 65536 each");
-        check_range(std::abs(desc.origin[c]) <= 1e30, "desc.origin", desc.origin[c], "finite and at most 1e30 in size");
+        check_range(std::abs(desc.corner[c]) <= 1e30, "desc.corner", desc.corner[c], "finite and at most 1e30 in size");
         input.counts[c] = desc.counts[c];
-        input.origin[c] = desc.origin[c];
+        input.origin[c] = desc.corner[c];
         all = std::min(all * desc.counts[c], uint64_t{1} << 40);
     }
     check_range(all <= uint64_t{1} << 31, "the product of desc.counts", static_cast<double>(all), "at most 2^31");
@@ -60,45 +48,35 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_mesh_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgManifoldFromSurfaceDescInit(FlgManifoldFromSurfaceDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgManifoldFromSurfaceDesc>());
 }
 
-FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc, FlgManifold* out_manifold,
-                                       FlgJob* out_job) {
+FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFromSurfaceDesc* desc,
+                                       FlgManifold* out_manifold, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        const FlgMeshManifoldDesc read = read_struct(desc, default_mesh_desc(), "desc");
+        Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
+        const FlgManifoldFromSurfaceDesc read = read_struct(desc, sized<FlgManifoldFromSurfaceDesc>(), "desc");
         Submission submission(self, read.job);
         const auto held = make_object<ManifoldProduct>(self);
         held->kind = ManifoldKind::hypersurface;
         held->surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(held->surface, "desc.surface");
+        held->origin = held->surface->origin;
         submission.job().strand.start(make_mesh_manifold(submission.pace(), held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_cloud_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgManifoldFromPointsDescInit(FlgManifoldFromPointsDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_cloud_desc());
 }
 
-FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifoldDesc* desc, FlgManifold* out_manifold,
-                                      FlgJob* out_job) {
+FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgManifoldFromPointsDesc* desc,
+                                      FlgManifold* out_manifold, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        const FlgCloudManifoldDesc read = read_struct(desc, default_cloud_desc(), "desc");
+        Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
+        const FlgManifoldFromPointsDesc read = read_struct(desc, default_cloud_desc(), "desc");
         check_range(read.point_count >= 4 && read.point_count <= 1u << 24, "desc.point_count", read.point_count,
                     "4 to 2^24");
         check_range(read.neighbours >= 6 && read.neighbours <= 32, "desc.neighbours", read.neighbours, "6 to 32");
@@ -108,27 +86,22 @@ FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifold
         if (read.normals) normals = read_positions(read.normals, read.point_count, "desc.normals", &self.memory);
         const auto held = make_object<ManifoldProduct>(self);
         held->kind = ManifoldKind::hypersurface;
+        held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(
             make_cloud_manifold(submission.pace(), std::move(points), std::move(normals), read.neighbours, held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_grid_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgManifoldFromGridDescInit(FlgManifoldFromGridDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_grid_desc());
 }
 
-FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc, FlgManifold* out_manifold,
+FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgManifoldFromGridDesc* desc, FlgManifold* out_manifold,
                                     FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_manifold, "out_manifold") = {};
-        Context& self = get_context(context);
-        const FlgGridManifoldDesc read = read_struct(desc, default_grid_desc(), "desc");
+        Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
+        const FlgManifoldFromGridDesc read = read_struct(desc, default_grid_desc(), "desc");
         const GridInput input = read_grid(read);
         require(read.values, "desc.values");
         Submission submission(self, read.job);
@@ -140,9 +113,9 @@ FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDes
         }
         const auto held = make_object<ManifoldProduct>(self);
         held->kind = ManifoldKind::hypersurface;
+        held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(make_grid_manifold(submission.pace(), std::move(values), input, held));
         *out_manifold = {submission.commit(self.manifolds, held, out_job)};
-        return FLG_OK;
     });
 }
 

@@ -11,18 +11,9 @@ namespace flg {
 
 namespace {
 
-FlgSamplingDesc default_sampling_desc() {
-    FlgSamplingDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgSurfaceSampleDesc default_sampling_desc() {
+    auto desc = sized<FlgSurfaceSampleDesc>();
     desc.seed = 1;
-    return desc;
-}
-
-FlgBorderSamplingDesc default_border_sampling_desc() {
-    FlgBorderSamplingDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
     return desc;
 }
 
@@ -34,19 +25,14 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_sampling_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSurfaceSampleDescInit(FlgSurfaceSampleDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_sampling_desc());
 }
 
-FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgField* out_field, FlgJob* out_job) {
+FlgResult flgSurfaceSample(FlgContext context, const FlgSurfaceSampleDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_field, "out_field") = {};
-        Context& self = get_context(context);
-        const FlgSamplingDesc read = read_struct(desc, default_sampling_desc(), "desc");
+        Context& self = clear_outputs(context, out_field, "out_field", out_job);
+        const FlgSurfaceSampleDesc read = read_struct(desc, default_sampling_desc(), "desc");
         check_range(read.radius > 0 && std::isfinite(read.radius), "desc.radius", read.radius, "finite and above 0");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
@@ -62,24 +48,18 @@ FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgF
         submission.read_surface(surface, "desc.surface");
         submission.job().strand.start(sample_surface(submission.pace(), std::move(request)));
         *out_field = {submission.commit(self.fields, out, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgBorderSamplingDescInit(FlgBorderSamplingDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_border_sampling_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSurfaceSampleBordersDescInit(FlgSurfaceSampleBordersDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSurfaceSampleBordersDesc>());
 }
 
-FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDesc* desc, FlgSurfaceCurves* out_curves,
-                          FlgJob* out_job) {
+FlgResult flgSurfaceSampleBorders(FlgContext context, const FlgSurfaceSampleBordersDesc* desc,
+                                  FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_curves, "out_curves") = {};
-        Context& self = get_context(context);
-        const FlgBorderSamplingDesc read = read_struct(desc, default_border_sampling_desc(), "desc");
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        const FlgSurfaceSampleBordersDesc read = read_struct(desc, sized<FlgSurfaceSampleBordersDesc>(), "desc");
         check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
                     "finite and above 0");
         check_range(read.region <= FLG_REGION_MAX, "desc.region", read.region, "at most FLG_REGION_MAX");
@@ -89,7 +69,6 @@ FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDesc* desc,
         const auto out = make_object<TracedCurves>(self, surface, &self.memory);
         submission.job().strand.start(sample_border(submission.pace(), read.region, read.spacing, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
-        return FLG_OK;
     });
 }
 

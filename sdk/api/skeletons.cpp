@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/context.h"
 #include "api/contour_inputs.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
-#include "api/products.h"
 #include "skeletons/offset_polygons.h"
 #include "skeletons/skeleton_jobs.h"
 
@@ -17,17 +14,8 @@ namespace flg {
 namespace {
 
 FlgStraightSkeletonDesc default_straight_skeleton_desc() {
-    FlgStraightSkeletonDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    desc.contour = default_contour_view();
+    auto desc = sized<FlgStraightSkeletonDesc>();
     return desc;
-}
-
-FlgOffsetPolygons default_offset_polygons() {
-    FlgOffsetPolygons polygons{};
-    polygons.struct_size = sizeof polygons;
-    return polygons;
 }
 
 // The counts, and the arrays there are if there is room.
@@ -52,25 +40,17 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgContourViewInit(FlgContourView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_contour_view(), "view");
-        return FLG_OK;
-    });
+    return init(view, struct_size, default_contour_view(), "view");
 }
 
 FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_straight_skeleton_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_straight_skeleton_desc());
 }
 
 FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeletonDesc* desc,
                                     FlgStraightSkeleton* out_skeleton, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_skeleton, "out_skeleton") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_skeleton, "out_skeleton", out_job);
         const FlgStraightSkeletonDesc read = read_struct(desc, default_straight_skeleton_desc(), "desc");
         Submission submission(self, read.job);
         const bool repair = read.repair != 0;
@@ -78,7 +58,6 @@ FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeleto
             make_object<HeldStraightSkeleton>(self, read_contour(read.contour, &self.memory, repair), &self.memory);
         submission.job().strand.start(make_straight_skeleton(submission.pace(), out, repair));
         *out_skeleton = {submission.commit(self.straight_skeletons, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -92,22 +71,19 @@ FlgResult flgStraightSkeletonGetView(FlgContext context, FlgStraightSkeleton ske
 }
 
 FlgResult flgOffsetPolygonsInit(FlgOffsetPolygons* polygons, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(polygons, struct_size, default_offset_polygons(), "polygons");
-        return FLG_OK;
-    });
+    return init(polygons, struct_size, sized<FlgOffsetPolygons>(), "polygons");
 }
 
 FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skeleton, double distance,
                                     FlgOffsetPolygons* polygons) {
     return guarded([&] {
-        FlgOffsetPolygons out = read_struct(polygons, default_offset_polygons(), "polygons");
+        FlgOffsetPolygons out = read_struct(polygons, sized<FlgOffsetPolygons>(), "polygons");
         out.point_count = out.ring_count = 0;
         write_struct(polygons, out, "polygons");
         Context& self = get_context(context);
         const HeldStraightSkeleton& held = *self.straight_skeletons.get(skeleton.id, "skeleton");
-        const FlgResult result = held.visible_result();
-        if (result != FLG_OK) return result < 0 ? set_last_error(result, held.error()) : result;
+        const FlgResult result = visible_result_now(held);
+        if (result != FLG_OK) return result;
         check_range(distance >= 0 && std::isfinite(distance), "distance", distance, "finite and at least 0");
         OffsetRings rings(&self.memory);
         offset_polygons(held.skeleton, distance, rings, &self.memory);
@@ -118,10 +94,7 @@ FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skel
 }
 
 FlgResult flgStraightSkeletonRelease(FlgContext context, FlgStraightSkeleton skeleton) {
-    return guarded([&] {
-        get_context(context).straight_skeletons.remove(skeleton.id, "skeleton");
-        return FLG_OK;
-    });
+    return release(context, &Context::straight_skeletons, skeleton, "skeleton");
 }
 
 }  // extern "C"

@@ -2,11 +2,8 @@
 // Bodies of parts, and skins: made, shown, released.
 #include <cmath>
 
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
-#include "api/products.h"
 #include "bones/part_body.h"
 #include "bones/skin.h"
 
@@ -17,17 +14,13 @@ namespace {
 constexpr uint32_t fewest_vertices = 100, largest_limit = 1u << 22;
 
 FlgPartMeshDesc default_part_mesh_desc() {
-    FlgPartMeshDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+    auto desc = sized<FlgPartMeshDesc>();
     desc.thickness = 1;
     return desc;
 }
 
 FlgSkinDesc default_skin_desc() {
-    FlgSkinDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+    auto desc = sized<FlgSkinDesc>();
     desc.vertex_count = 10000;
     desc.most_vertices = 200000;
     desc.blend = -1;
@@ -43,17 +36,12 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgPartMeshDescInit(FlgPartMeshDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_part_mesh_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_part_mesh_desc());
 }
 
 FlgResult flgPartMeshCreate(FlgContext context, const FlgPartMeshDesc* desc, FlgPartMesh* out_mesh, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_mesh, "out_mesh") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_mesh, "out_mesh", out_job);
         const FlgPartMeshDesc read = read_struct(desc, default_part_mesh_desc(), "desc");
         check_range(read.thickness >= 0.01f && read.thickness <= 100, "desc.thickness", read.thickness, "0.01 to 100");
         check_range(read.spacing >= 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
@@ -65,7 +53,6 @@ FlgResult flgPartMeshCreate(FlgContext context, const FlgPartMeshDesc* desc, Flg
         submission.read(*out->part, "desc.part");
         submission.job().strand.start(make_part_mesh(submission.pace(), out));
         *out_mesh = {submission.commit(self.part_meshes, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -78,24 +65,16 @@ FlgResult flgPartMeshGetView(FlgContext context, FlgPartMesh mesh, FlgPartMeshVi
 }
 
 FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh) {
-    return guarded([&] {
-        get_context(context).part_meshes.remove(mesh.id, "mesh");
-        return FLG_OK;
-    });
+    return release(context, &Context::part_meshes, mesh, "mesh");
 }
 
 FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_skin_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_skin_desc());
 }
 
 FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_skin, "out_skin") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
         const FlgSkinDesc read = read_struct(desc, default_skin_desc(), "desc");
         check_range(read.most_vertices >= fewest_vertices && read.most_vertices <= largest_limit, "desc.most_vertices",
                     read.most_vertices, "100 to 4194304");
@@ -111,7 +90,6 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
         submission.read(*out->model, "desc.model");
         submission.job().strand.start(make_skin(submission.pace(), out));
         *out_skin = {submission.commit(self.skins, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -120,10 +98,7 @@ FlgResult flgSkinGetView(FlgContext context, FlgSkin skin, FlgSkinView* out_view
 }
 
 FlgResult flgSkinRelease(FlgContext context, FlgSkin skin) {
-    return guarded([&] {
-        get_context(context).skins.remove(skin.id, "skin");
-        return FLG_OK;
-    });
+    return release(context, &Context::skins, skin, "skin");
 }
 
 }  // extern "C"

@@ -4,11 +4,8 @@
 
 #include <cmath>
 
-#include "api/context.h"
 #include "api/descriptors.h"
-#include "api/error.h"
 #include "api/inputs.h"
-#include "api/products.h"
 #include "api/surface_inputs.h"
 
 namespace flg {
@@ -19,20 +16,11 @@ constexpr uint32_t most_points = 65536;
 constexpr uint32_t most_subdivisions = 8;
 
 FlgSplineDesc default_spline_desc() {
-    FlgSplineDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+    auto desc = sized<FlgSplineDesc>();
     desc.tension = 1;
     desc.max_rounds = 200;
     desc.tolerance = 1e-6;
     desc.obstacle_radius = 1e-3;
-    return desc;
-}
-
-FlgSplineCurvesDesc default_spline_curves_desc() {
-    FlgSplineCurvesDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
     return desc;
 }
 
@@ -50,20 +38,26 @@ Buffer<double> read_numbers(const double* from, size_t count, const char* argume
     return out;
 }
 
+// Points of R^3; of other spaces by nothing.
+void move_points(Buffer<double>& points, const Vec3& shift) {
+    if (shift.isZero(0)) return;
+    for (size_t i = 0; i < points.size(); ++i) points[i] += shift[static_cast<Eigen::Index>(i % 3)];
+}
+
 void read_energy(const FlgSplineDesc& desc, SplineProblem& problem) {
-    check_enum(desc.energy, FLG_SPLINE_E2, FLG_SPLINE_ET, "desc.energy", "FLG_SPLINE_E");
-    problem.bending = desc.energy == FLG_SPLINE_E1 ? 0 : 1;
-    if (desc.energy == FLG_SPLINE_ET) {
+    check_enum(desc.energy, FLG_SPLINE_ENERGY_E2, FLG_SPLINE_ENERGY_ET, "desc.energy", "FLG_SPLINE_E");
+    problem.bending = desc.energy == FLG_SPLINE_ENERGY_E1 ? 0 : 1;
+    if (desc.energy == FLG_SPLINE_ENERGY_ET) {
         check_range(desc.tension > 0 && desc.tension <= 1e12, "desc.tension", desc.tension, "above 0, at most 1e12");
         problem.tension = desc.tension;
     } else {
-        problem.tension = desc.energy == FLG_SPLINE_E1 ? 1 : 0;
+        problem.tension = desc.energy == FLG_SPLINE_ENERGY_E1 ? 1 : 0;
     }
     check_range(desc.smoothing >= 0 && desc.smoothing <= 1e30, "desc.smoothing", desc.smoothing, "0 to 1e30");
     problem.smoothing = desc.smoothing;
     check_range(desc.first_tension >= 0 && desc.first_tension <= 1e12, "desc.first_tension", desc.first_tension,
                 "0 to 1e12");
-    problem.first_tension = desc.energy == FLG_SPLINE_E1 ? 0 : desc.first_tension;
+    problem.first_tension = desc.energy == FLG_SPLINE_ENERGY_E1 ? 0 : desc.first_tension;
     check_range(desc.max_rounds >= 1 && desc.max_rounds <= 10000, "desc.max_rounds", desc.max_rounds, "1 to 10000");
     check_range(desc.tolerance >= 1e-12 && desc.tolerance <= 1, "desc.tolerance", desc.tolerance, "1e-12 to 1");
     problem.max_rounds = desc.max_rounds;
@@ -130,10 +124,11 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldP
                           ? manifold.given_ambient == dimension
                           : manifold.kind == ManifoldKind::hypersurface && dimension == 3;
     if (!fits) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "desc.obstacles are of %u dimensions: desc.manifold must be a FLG_SHAPE_SPACE of as many, or "
-                      "with 3 a surface in R^3",
-                      dimension);
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT,
+            "desc.obstacles are of %u dimensions: desc.manifold must be a FLG_MANIFOLD_SHAPE_SPACE of as many, or "
+            "with 3 a surface in R^3",
+            dimension);
     }
     if (desc.curve) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.curve can't be given together with desc.obstacles");
     check_range(desc.obstacle_radius >= 1e-5 && desc.obstacle_radius <= 0.1, "desc.obstacle_radius",
@@ -169,17 +164,12 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_spline_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_spline_desc());
 }
 
 FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_spline, "out_spline") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_spline, "out_spline", out_job);
         const FlgSplineDesc read = read_struct(desc, default_spline_desc(), "desc");
         Submission submission(self, read.job);
         const auto manifold = self.manifolds.get(read.manifold.id, "desc.manifold");
@@ -194,6 +184,10 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         read_parameters(read, request.problem, &self.memory);
         read_obstacles(self, read, *manifold, request, submission);
         request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", &self.memory);
+        const Origin given = read_origin_in(ambient, read.origin, "desc.origin");
+        const Origin origin = manifold->kind == ManifoldKind::space ? given : manifold->origin;
+        move_points(request.points, origin_shift(given, origin));
+        move_points(request.curve, origin_shift(given, origin));
         if (read.begin_slope)
             request.slopes[0] = read_numbers(read.begin_slope, ambient, "desc.begin_slope", &self.memory);
         if (read.end_slope) request.slopes[1] = read_numbers(read.end_slope, ambient, "desc.end_slope", &self.memory);
@@ -208,10 +202,10 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
             submission.read_surface(manifold->surface, "the surface of desc.manifold");
         }
         const auto out = make_object<Spline>(self, manifold);
+        out->origin = origin;
         request.out = out;
         submission.job().strand.start(make_spline(submission.pace(), std::move(request)));
         *out_spline = {submission.commit(self.splines, out, out_job)};
-        return FLG_OK;
     });
 }
 
@@ -223,19 +217,14 @@ FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* 
     return get_view(out_view, [&] { return get_context(context).splines.get(spline.id, "spline"); });
 }
 
-FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_spline_curves_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSplineSampleDesc>());
 }
 
-FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
+FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_set, "out_set") = {};
-        Context& self = get_context(context);
-        const FlgSplineCurvesDesc read = read_struct(desc, default_spline_curves_desc(), "desc");
+        Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        const FlgSplineSampleDesc read = read_struct(desc, sized<FlgSplineSampleDesc>(), "desc");
         check_range(is_coordinate(read.height), "desc.height", read.height, "finite and at most 1e30 in size");
         Submission submission(self, read.job);
         const auto spline = self.splines.get(read.spline.id, "desc.spline");
@@ -243,17 +232,14 @@ FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, F
         check_range(spline->manifold->given_ambient == 3, "the number of coordinates of desc.spline",
                     spline->manifold->given_ambient, "3");
         const auto out = make_object<CurveSet>(self, &self.memory);
+        out->origin = spline->origin;
         submission.job().strand.start(spline_curves(submission.pace(), spline, read.height, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
-        return FLG_OK;
     });
 }
 
 FlgResult flgSplineRelease(FlgContext context, FlgSpline spline) {
-    return guarded([&] {
-        get_context(context).splines.remove(spline.id, "spline");
-        return FLG_OK;
-    });
+    return release(context, &Context::splines, spline, "spline");
 }
 
 }  // extern "C"

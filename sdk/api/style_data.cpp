@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prepared styles as bytes.
 #include "api/descriptors.h"
-#include "api/styles.h"
 #include "stylization/style_file.h"
 
 using namespace flg;
@@ -14,8 +13,8 @@ FlgResult flgStyleGetData(FlgContext context, FlgStyle style, void* out_data, si
         if (!out_data && capacity > 0) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "out_data is null, but capacity is %zu", capacity);
         }
-        std::shared_ptr<Style> self;
-        const FlgResult result = find_style(get_context(context), style, self);
+        const std::shared_ptr<Style> self = get_context(context).styles.get(style.id, "style");
+        const FlgResult result = visible_result_now(*self);
         if (result != FLG_OK) return result;
         const size_t size = style_file_size(self->prepared);
         *out_size = size;
@@ -35,7 +34,6 @@ FlgResult flgStyleCreateFromData(FlgContext context, const void* data, size_t si
         read_style_file({static_cast<const std::byte*>(data), size}, style->prepared, &self.memory);
         style->publish_complete();
         *out_style = {self.styles.add(std::move(style))};
-        return FLG_OK;
     });
 }
 

@@ -4,7 +4,6 @@
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
-#include "api/styles.h"
 #include "stylization/prepare_style.h"
 
 namespace flg {
@@ -15,15 +14,11 @@ constexpr uint32_t min_points = 16;
 constexpr uint32_t max_patch = 1024;
 
 FlgStyleDesc default_style_desc() {
-    const StyleRequest defaults;
-    FlgStyleDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.point_count = defaults.point_count;
-    desc.job = default_job_options();
-    desc.alpha = static_cast<float>(defaults.alpha);
-    desc.smoothing = static_cast<float>(defaults.smoothing);
-    desc.beta = static_cast<float>(defaults.beta);
-    desc.patch = defaults.patch;
+    auto desc = sized<FlgStyleDesc>();
+    desc.alpha = 0.5f;
+    desc.smoothing = 1;
+    desc.beta = 0.2f;
+    desc.patch = 10;
     return desc;
 }
 
@@ -78,7 +73,6 @@ void read_arrays(const FlgStyleDesc& desc, StyleRequest& request) {
         check_patch_size(desc.patch_sizes[k], k);
         request.patch_sizes[k] = desc.patch_sizes[k];
     }
-    request.patch_size_count = desc.patch_size_count;
     check_range(desc.attribute_count <= style_attributes_max, "desc.attribute_count", desc.attribute_count,
                 "at most 8");
     if (desc.attribute_count > 0) require(desc.attributes, "desc.attributes");
@@ -91,7 +85,6 @@ void read_arrays(const FlgStyleDesc& desc, StyleRequest& request) {
                           number_of(desc.attributes[k].attribute), before);
         }
     }
-    request.attribute_count = desc.attribute_count;
     check_range(desc.point_count == 0 || 2 * request.largest_patch() + 1 < desc.point_count,
                 desc.patch_size_count > 0 ? "the largest patch in desc.patch_sizes" : "desc.patch",
                 request.largest_patch(), "so small that its 2p + 1 points are fewer than point_count");
@@ -106,32 +99,23 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_style_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_style_desc());
 }
 
 FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_style, "out_style") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_style, "out_style", out_job);
         const FlgStyleDesc read = read_struct(desc, default_style_desc(), "desc");
         check(read);
-        StyleRequest request;
-        request.point_count = read.point_count;
-        request.alpha = read.alpha;
-        request.smoothing = read.smoothing;
-        request.beta = read.beta;
-        request.patch = read.patch;
+        StyleRequest request{};
+        request.desc = read;
         read_arrays(read, request);
         Submission submission(self, read.job);
         request.example = self.curve_sets.get(read.style.id, "desc.style");
         submission.read(*request.example, "desc.style");
         // If the curves are there already: else the job finds out.
         if (request.example->visible_result() == FLG_OK) {
-            for (uint32_t k = 0; k < request.attribute_count; ++k) {
+            for (uint32_t k = 0; k < read.attribute_count; ++k) {
                 check_attribute_column(*request.example, request.attributes[k], k);
             }
         }
@@ -143,38 +127,32 @@ FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle*
         const std::shared_ptr<Style> style = request.style;
         submission.job().strand.start(prepare_style(submission.pace(), std::move(request)));
         *out_style = {submission.commit(self.styles, style, out_job)};
-        return FLG_OK;
     });
 }
 
+FlgResult flgStyleInfoInit(FlgStyleInfo* info, uint32_t struct_size) {
+    return init(info, struct_size, sized<FlgStyleInfo>(), "info");
+}
+
 FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info) {
-    return guarded([&] {
-        FlgStyleInfo empty{};
-        empty.struct_size = sizeof empty;
-        write_struct(out_info, empty, "out_info");
-        std::shared_ptr<Style> self;
-        const FlgResult result = find_style(get_context(context), style, self);
-        if (result == FLG_OK) write_struct(out_info, self->info(), "out_info");
-        return result;
-    });
+    return show(
+        out_info, "out_info", sized<FlgStyleInfo>(), [&] { return get_context(context).styles.get(style.id, "style"); },
+        [](const Style& self) { return self.info(); });
 }
 
 FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide) {
     return guarded([&] {
         require(out_guide, "out_guide") = {};
         Context& self = get_context(context);
-        std::shared_ptr<Style> found;
-        const FlgResult result = find_style(self, style, found);
+        const std::shared_ptr<Style> found = self.styles.get(style.id, "style");
+        const FlgResult result = visible_result_now(*found);
         if (result == FLG_OK) *out_guide = {self.curve_sets.add(found->prepared.guide)};
         return result;
     });
 }
 
 FlgResult flgStyleRelease(FlgContext context, FlgStyle style) {
-    return guarded([&] {
-        get_context(context).styles.remove(style.id, "style");
-        return FLG_OK;
-    });
+    return release(context, &Context::styles, style, "style");
 }
 
 }  // extern "C"

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "api/context.h"
+#include "api/descriptors.h"
+#include "api/error.h"
 #include "api/inputs.h"
 #include "surfaces/surface.h"
 
 namespace flg {
 
+namespace {
+
 FlgJobOptions default_job_options() {
-    FlgJobOptions options{};
+    auto options = sized<FlgJobOptions>();
     options.priority = FLG_PRIORITY_NORMAL;
     return options;
 }
 
-Submission::Submission(Context& context, const FlgJobOptions& options)
+}  // namespace
+
+Submission::Submission(Context& context, const FlgJobOptions* job)
     : context_(context), dependencies_(&context.memory), turns_(&context.memory) {
     refuse_after_destroy(context);
+    const FlgJobOptions options = job ? read_struct(job, default_job_options(), "job") : default_job_options();
     check_enum(options.priority, FLG_PRIORITY_LOW, FLG_PRIORITY_HIGH, "job.priority", "FLG_PRIORITY_");
     if (options.dependency_count > 0 && !options.dependencies) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "job.dependencies is null, but dependency_count is %u",
@@ -48,3 +55,9 @@ void Submission::queue(FlgJob* out_job) {
 }
 
 }  // namespace flg
+
+using namespace flg;
+
+FlgResult flgJobOptionsInit(FlgJobOptions* options, uint32_t struct_size) {
+    return init(options, struct_size, default_job_options(), "options");
+}

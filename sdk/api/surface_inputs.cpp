@@ -31,7 +31,7 @@ std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surfac
     if (last && last->visible_result() == FLG_OK && solvers.has_blocks) return nullptr;
     if (last && last->visible_result() == FLG_NOT_READY) return last->producer.lock();
     auto build = make_object<SolverBuild>(context);
-    Submission submission(context, default_job_options());
+    Submission submission(context, nullptr);
     submission.read_surface(surface, "desc.surface");
     submission.job().priority = FLG_PRIORITY_HIGH;
     submission.job().strand.start(build_blocks(submission.pace(), surface));
@@ -41,7 +41,7 @@ std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surfac
     return build->producer.lock();
 }
 
-Buffer<uint32_t> read_border_regions(const FlgGeodesicDesc& desc, Memory* memory) {
+Buffer<uint32_t> read_border_regions(const FlgFieldGeodesicDesc& desc, Memory* memory) {
     Buffer<uint32_t> regions =
         read_indices(desc.border_regions, desc.border_region_count, "desc.border_regions", memory);
     check_labels(regions.data(), desc.border_region_count, "desc.border_regions");
@@ -55,7 +55,7 @@ Buffer<uint32_t> read_indices(const uint32_t* indices, uint32_t count, const cha
     return copy;
 }
 
-Buffer<uint32_t> read_path_offsets(const FlgPathsDesc& desc, Memory* memory) {
+Buffer<uint32_t> read_path_offsets(const FlgFieldTracePathsDesc& desc, Memory* memory) {
     check_range(desc.path_count > 0, "desc.path_count", desc.path_count, "at least 1");
     const uint32_t* offsets = &require(desc.path_offsets, "desc.path_offsets");
     Buffer<uint32_t> copy(size_t{desc.path_count} + 1, memory);
@@ -72,29 +72,28 @@ Buffer<uint32_t> read_path_offsets(const FlgPathsDesc& desc, Memory* memory) {
     return copy;
 }
 
-LevelRequest read_levels(const FlgLevels& levels, Memory* memory) {
-    constexpr uint32_t most = 65534;
-    check_range(levels.count <= most, "desc.levels.count", levels.count, "at most 65534");
+LevelRequest read_levels(const float* levels, uint32_t count, float first, float every, Memory* memory) {
+    constexpr uint32_t max_count = 65534;
+    check_range(count <= max_count, "desc.level_count", count, "at most 65534");
     LevelRequest request;
-    request.count = levels.count;
-    if (levels.values) {
-        check_range(levels.count >= 1, "desc.levels.count", levels.count, "at least 1 with values");
-        request.values = Buffer<float>(levels.count, memory);
-        for (uint32_t k = 0; k < levels.count; ++k) {
-            const bool rises = k == 0 || levels.values[k] > levels.values[k - 1];
-            if (!std::isfinite(levels.values[k]) || !rises) {
-                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.levels.values[%u] is %g, must be finite and rise", k,
-                              static_cast<double>(levels.values[k]));
+    request.count = count;
+    if (levels) {
+        check_range(count >= 1, "desc.level_count", count, "at least 1 with levels");
+        request.values = Buffer<float>(count, memory);
+        for (uint32_t k = 0; k < count; ++k) {
+            const bool rises = k == 0 || levels[k] > levels[k - 1];
+            if (!std::isfinite(levels[k]) || !rises) {
+                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.levels[%u] is %g, must be finite and rise", k,
+                              static_cast<double>(levels[k]));
             }
-            request.values[k] = levels.values[k];
+            request.values[k] = levels[k];
         }
         return request;
     }
-    check_range(std::isfinite(levels.first), "desc.levels.first", levels.first, "finite");
-    check_range(levels.every > 0 && std::isfinite(levels.every), "desc.levels.every", levels.every,
-                "finite and above 0");
-    request.first = levels.first;
-    request.every = levels.every;
+    check_range(std::isfinite(first), "desc.level_first", first, "finite");
+    check_range(every > 0 && std::isfinite(every), "desc.level_every", every, "finite and above 0");
+    request.first = first;
+    request.every = every;
     return request;
 }
 

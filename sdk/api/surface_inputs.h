@@ -27,6 +27,16 @@ void check_revision(const T& product, const char* argument) {
     }
 }
 
+// A field or curves for a job that starts now.
+template <class T>
+std::shared_ptr<T> read_current(const HandleTable<T>& table, uint64_t id, const char* argument,
+                                Submission& submission) {
+    const std::shared_ptr<T> product = table.get(id, argument);
+    check_revision(*product, argument);
+    submission.read(*product, argument);
+    return product;
+}
+
 // Two products for one job: of one surface and revision.
 template <class T, class U>
 void check_same_surface(const T& product, const U& other, const char* argument) {
@@ -45,12 +55,12 @@ std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surfac
 
 Buffer<uint32_t> read_indices(const uint32_t* indices, uint32_t count, const char* argument, Memory* memory);
 
-Buffer<uint32_t> read_border_regions(const FlgGeodesicDesc& desc, Memory* memory);
+Buffer<uint32_t> read_border_regions(const FlgFieldGeodesicDesc& desc, Memory* memory);
 
 // The offsets of desc.path_count paths of two points at least.
-Buffer<uint32_t> read_path_offsets(const FlgPathsDesc& desc, Memory* memory);
+Buffer<uint32_t> read_path_offsets(const FlgFieldTracePathsDesc& desc, Memory* memory);
 
-LevelRequest read_levels(const FlgLevels& levels, Memory* memory);
+LevelRequest read_levels(const float* levels, uint32_t count, float first, float every, Memory* memory);
 
 // A host's list of labels; null: all regions.
 RegionSet read_regions(const uint32_t* regions, uint32_t count, Memory* memory);

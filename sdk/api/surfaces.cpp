@@ -14,38 +14,17 @@ namespace flg {
 namespace {
 
 constexpr uint32_t max_levels = 8;
+constexpr FlgMeshView no_mesh = sized<FlgMeshView>();
 
-FlgMeshView default_mesh_view() {
-    FlgMeshView view{};
-    view.struct_size = sizeof view;
+// Shown until there is a surface: hosts may read the counts without a look at the result.
+FlgSurfaceView no_surface_view() {
+    auto view = sized<FlgSurfaceView>();
+    view.mesh = &no_mesh;
     return view;
 }
 
-FlgSurfaceDesc default_surface_desc() {
-    FlgSurfaceDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    desc.mesh = default_mesh_view();
-    return desc;
-}
-
-FlgSurfaceReport default_report() {
-    FlgSurfaceReport report{};
-    report.struct_size = sizeof report;
-    return report;
-}
-
-FlgSurfaceView default_surface_view() {
-    FlgSurfaceView view{};
-    view.struct_size = sizeof view;
-    view.mesh = default_mesh_view();
-    return view;
-}
-
-FlgRefineDesc default_refine_desc() {
-    FlgRefineDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgSurfaceRefineDesc default_refine_desc() {
+    auto desc = sized<FlgSurfaceRefineDesc>();
     desc.levels = 1;
     return desc;
 }
@@ -98,109 +77,94 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgMeshViewInit(FlgMeshView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_mesh_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_surface_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, sized<FlgSurfaceDesc>());
 }
 
 FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_surface_view(), "view");
-        return FLG_OK;
-    });
+    return init(view, struct_size, no_surface_view(), "view");
 }
 
-FlgResult flgRefineDescInit(FlgRefineDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_refine_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSurfaceRefineDescInit(FlgSurfaceRefineDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_refine_desc());
 }
 
 FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_surface, "out_surface") = {};
-        Context& self = get_context(context);
-        const FlgSurfaceDesc read = read_struct(desc, default_surface_desc(), "desc");
+        Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
+        const FlgSurfaceDesc read = read_struct(desc, sized<FlgSurfaceDesc>(), "desc");
         check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
         Submission submission(self, read.job);
         auto input = copy_mesh(
-            self, read_struct(&read.mesh, default_mesh_view(), "desc.mesh"), [](uint32_t column, const BadValue& bad) {
+            self, read_struct(read.mesh, sized<FlgMeshView>(), "desc.mesh"), [](uint32_t column, const BadValue& bad) {
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.columns[%u] holds %g at vertex %u, %s", column,
                               static_cast<double>(bad.value), bad.row, bad.rule);
             });
         const auto surface = make_object<Surface>(self, &self.memory);
+        surface->origin = read_origin(input->view.origin, "desc.mesh.origin");
         submission.job().strand.start(make_surface(submission.pace(), surface, std::move(input), read.weld_distance));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
-        return FLG_OK;
     });
 }
 
 FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positions, uint32_t vertex_count,
-                                        const uint32_t* triangles, uint32_t triangle_count, FlgSurface* out_surface,
-                                        FlgJob* out_job) {
+                                        const uint32_t* triangles, uint32_t triangle_count, const FlgJobOptions* job,
+                                        FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_surface, "out_surface") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
         require(positions, "positions");
         require(triangles, "triangles");
         const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, positions, 0, 0};
-        FlgMeshView mesh = default_mesh_view();
+        FlgMeshView mesh = sized<FlgMeshView>();
         mesh.vertex_count = vertex_count;
         mesh.triangle_count = triangle_count;
         mesh.columns = &column;
         mesh.column_count = 1;
         mesh.triangles = triangles;
-        const FlgSurfaceDesc defaults = default_surface_desc();
-        Submission submission(self, defaults.job);
+        Submission submission(self, job);
         auto input = copy_mesh(self, mesh, [](uint32_t, const BadValue& bad) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "positions holds %g at vertex %u, %s",
                           static_cast<double>(bad.value), bad.row, bad.rule);
         });
         const auto surface = make_object<Surface>(self, &self.memory);
         submission.job().strand.start(
-            make_surface(submission.pace(), surface, std::move(input), defaults.weld_distance));
+            make_surface(submission.pace(), surface, std::move(input), sized<FlgSurfaceDesc>().weld_distance));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
-        return FLG_OK;
     });
 }
 
-const FlgColumn* flgMeshViewColumn(const FlgMeshView* view, FlgAttribute attribute) {
+const FlgColumn* flgMeshViewGetColumn(const FlgMeshView* view, FlgAttribute attribute) {
     return view ? find_column(view->columns, view->column_count, attribute) : nullptr;
 }
 
-FlgResult flgSurfaceRefine(FlgContext context, const FlgRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
+FlgResult flgSurfaceRefine(FlgContext context, const FlgSurfaceRefineDesc* desc, FlgSurface* out_surface,
+                           FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_surface, "out_surface") = {};
-        Context& self = get_context(context);
-        const FlgRefineDesc read = read_struct(desc, default_refine_desc(), "desc");
+        Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
+        const FlgSurfaceRefineDesc read = read_struct(desc, default_refine_desc(), "desc");
         check_enum(read.scheme, FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP, "desc.scheme", "FLG_SUBDIVISION_");
         check_range(read.levels >= 1 && read.levels <= max_levels, "desc.levels", read.levels, "1 to 8");
         Submission submission(self, read.job);
         const auto coarse = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(coarse, "desc.surface");
         const auto fine = make_object<Surface>(self, &self.memory);
+        fine->origin = coarse->origin;
         const RefineRule rule = read.scheme == FLG_SUBDIVISION_LOOP ? RefineRule::loop : RefineRule::midpoint;
         submission.job().strand.start(refine_surface(submission.pace(), coarse, fine, rule, read.levels));
         *out_surface = {submission.commit(self.surfaces, fine, out_job)};
-        return FLG_OK;
     });
+}
+
+FlgResult flgSurfaceReportInit(FlgSurfaceReport* report, uint32_t struct_size) {
+    return init(report, struct_size, sized<FlgSurfaceReport>(), "report");
 }
 
 FlgResult flgSurfaceGetReport(FlgContext context, FlgSurface surface, FlgSurfaceReport* out_report) {
     return guarded([&] {
-        write_struct(out_report, default_report(), "out_report");
+        write_struct(out_report, sized<FlgSurfaceReport>(), "out_report");
         const Surface& self = *get_context(context).surfaces.get(surface.id, "surface");
         const FlgResult result = self.visible_result();
         if (result == FLG_OK) write_struct(out_report, self.report(), "out_report");
@@ -209,13 +173,10 @@ FlgResult flgSurfaceGetReport(FlgContext context, FlgSurface surface, FlgSurface
 }
 
 FlgResult flgSurfaceGetView(FlgContext context, FlgSurface surface, FlgSurfaceView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, default_surface_view(), "out_view");
-        const Surface& self = *get_context(context).surfaces.get(surface.id, "surface");
-        const FlgResult result = visible_result_now(self);
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result;
-    });
+    return show(
+        out_view, "out_view", no_surface_view(),
+        [&] { return get_context(context).surfaces.get(surface.id, "surface"); },
+        [](const Surface& self) { return self.view(); });
 }
 
 FlgResult flgSurfaceGetChanges(FlgContext context, FlgSurface surface, uint32_t since_revision, uint32_t* out_triangles,
@@ -240,10 +201,7 @@ FlgResult flgSurfaceGetChanges(FlgContext context, FlgSurface surface, uint32_t 
 }
 
 FlgResult flgSurfaceRelease(FlgContext context, FlgSurface surface) {
-    return guarded([&] {
-        get_context(context).surfaces.remove(surface.id, "surface");
-        return FLG_OK;
-    });
+    return release(context, &Context::surfaces, surface, "surface");
 }
 
 }  // extern "C"

@@ -24,8 +24,8 @@ inline void refuse_changed_surface(const Tangle& tangle, const char* argument) {
 // A job that changes a tangle.
 class TangleChange {
 public:
-    TangleChange(Context& context, const FlgJobOptions& options, FlgTangle handle, const char* argument)
-        : tangle(context.tangles.get(handle.id, argument)), submission(context, options), context_(context) {
+    TangleChange(Context& context, const FlgJobOptions* job, FlgTangle handle, const char* argument)
+        : tangle(context.tangles.get(handle.id, argument)), submission(context, job), context_(context) {
         submission.read(*tangle, argument);
         refuse_changed_surface(*tangle, argument);
     }

@@ -18,61 +18,65 @@ public:
     ShownHistory(const Tangle& tangle, Memory* memory)
         : records_(memory),
           steps_(memory),
+          shown_steps_(memory),
           divides_(memory),
           macros_(memory),
           displaces_(memory),
+          seeds_(memory),
+          curves_(memory),
           stretches_(memory),
           points_(memory),
           places_(memory),
+          shown_places_(memory),
           made_(memory) {
         for (size_t i = 0; i < tangle.steps.size(); ++i) {
             if (!tangle.steps[i]->goes_on) begin_step(*tangle.steps[i]->record);
             add_record(tangle.steps[i]->record);
         }
         for (size_t i = 0; i < steps_.size(); ++i) {
-            steps_[i].places = places_[i].data();
-            steps_[i].place_count = static_cast<uint32_t>(places_[i].size());
+            steps_[i].places = shown_places_[i].data();
+            steps_[i].place_count = static_cast<uint32_t>(shown_places_[i].size());
             steps_[i].made = made_[i].empty() ? nullptr : made_[i][0].data();
             steps_[i].made_count = static_cast<uint32_t>(made_[i].size());
+            shown_steps_.push_back(&steps_[i]);
         }
     }
 
-    std::span<const FlgTangleStep> steps() const { return steps_; }
+    std::span<const FlgTangleStep* const> steps() const { return shown_steps_; }
 
 private:
     void begin_step(const StepRecord& record) {
-        FlgTangleStep step{};
-        step.struct_size = sizeof step;
+        auto step = sized<FlgTangleStep>();
         step.first_region = record.first_region;
         if (record.macro) {
-            step.kind = FLG_TANGLE_STEP_MACRO;
+            step.kind = FLG_TANGLE_STEP_KIND_MACRO;
             step.macro = &macros_.emplace_back(describe(*record.macro));
         } else if (const auto* const divide = std::get_if<DivideRequest>(&record.request)) {
-            step.kind = FLG_TANGLE_STEP_DIVIDE;
+            step.kind = FLG_TANGLE_STEP_KIND_DIVIDE;
             step.divide = &divides_.emplace_back(describe(*divide));
         } else if (const auto* const displace = std::get_if<DisplaceRequest>(&record.request)) {
-            step.kind = FLG_TANGLE_STEP_DISPLACE;
+            step.kind = FLG_TANGLE_STEP_KIND_DISPLACE;
             step.displace = &displaces_.emplace_back(describe(*displace));
         } else if (const auto* const group = std::get_if<GroupRequest>(&record.request)) {
-            step.kind = FLG_TANGLE_STEP_GROUP;
+            step.kind = FLG_TANGLE_STEP_KIND_GROUP;
             show(group->regions, step.regions, step.region_count);
         } else if (const auto* const ungroup = std::get_if<UngroupRequest>(&record.request)) {
-            step.kind = FLG_TANGLE_STEP_UNGROUP;
+            step.kind = FLG_TANGLE_STEP_KIND_UNGROUP;
             step.group = ungroup->group;
         } else {
-            step.kind = FLG_TANGLE_STEP_JOIN;
+            step.kind = FLG_TANGLE_STEP_KIND_JOIN;
             show(std::get<JoinRequest>(record.request).regions, step.regions, step.region_count);
         }
         steps_.push_back(step);
-        places_.emplace_back();
+        shown_places_.emplace_back();
         made_.emplace_back();
     }
 
     void add_record(const std::shared_ptr<const StepRecord>& record) {
         records_.push_back(record);
         if (const auto* const divide = std::get_if<DivideRequest>(&record->request)) {
-            places_.back().push_back(describe(divide->a, record->a));
-            places_.back().push_back(describe(divide->b, record->b));
+            shown_places_.back().push_back(&places_.emplace_back(describe(divide->a, record->a)));
+            shown_places_.back().push_back(&places_.emplace_back(describe(divide->b, record->b)));
         }
         if (record->a.given || record->b.given) steps_.back().placed = 1;
         made_.back().insert(made_.back().end(), record->places.begin(), record->places.end());
@@ -87,7 +91,7 @@ private:
     }
 
     FlgTangleSeedPlaces describe(const TangleSeeds& seeds, const SeedAnchors& anchors) {
-        FlgTangleSeedPlaces places{};
+        auto places = sized<FlgTangleSeedPlaces>();
         places.points = first_of(anchors.points);
         places.point_count = static_cast<uint32_t>(anchors.points.size());
         places.loops = first_of(anchors.loops);
@@ -97,18 +101,19 @@ private:
         if (!seeds.curves) return places;
         const TracedCurves& curves = anchors.given ? *anchors.given_curves : *seeds.curves;
         const TracedCurves::Flat& flat = curves.flat;
-        places.curves.struct_size = sizeof places.curves;
-        places.curves.curve_count = curves.curves.curve_count();
-        places.curves.curve_offsets = flat.offsets.data();
-        places.curves.curve_flags = flat.flags.data();
-        places.curves.curve_values = flat.values.data();
-        places.curves.points = flat.points.data();
+        FlgSurfaceCurvesView& view = curves_.emplace_back(sized<FlgSurfaceCurvesView>());
+        view.curve_count = curves.curves.curve_count();
+        view.curve_offsets = flat.offsets.data();
+        view.curve_flags = flat.flags.data();
+        view.curve_values = flat.values.data();
+        view.points = flat.points.data();
+        places.curves = &view;
         places.curve_points = first_of(anchors.curve_points);
         return places;
     }
 
-    FlgTangleSeeds describe(const TangleSeeds& seeds) {
-        FlgTangleSeeds shown{};
+    const FlgTangleSeeds* describe(const TangleSeeds& seeds) {
+        FlgTangleSeeds& shown = seeds_.emplace_back(sized<FlgTangleSeeds>());
         shown.borders = seeds.borders;
         std::pmr::vector<FlgBorderStretch>& stretches = stretches_.emplace_back();
         for (const BorderStretch& stretch : seeds.stretches) {
@@ -124,7 +129,7 @@ private:
         shown.sample_radius = seeds.sample_radius;
         shown.border_spacing = seeds.border_spacing;
         show(seeds.regions, shown.regions, shown.region_count);
-        return shown;
+        return &shown;
     }
 
     FlgTangleDivideDesc describe(const DivideRequest& request) {
@@ -145,8 +150,8 @@ private:
         return desc;
     }
 
-    static FlgTangleMacroDesc describe(const MacroRequest& request) {
-        FlgTangleMacroDesc desc = default_macro_desc();
+    static FlgTangleApplyMacroDesc describe(const MacroRequest& request) {
+        FlgTangleApplyMacroDesc desc = default_macro_desc();
         desc.kind = request.kind;
         show(request.regions, desc.regions, desc.region_count);
         desc.count = request.count;
@@ -167,19 +172,22 @@ private:
     }
 
     std::pmr::vector<std::shared_ptr<const StepRecord>> records_;
-    std::pmr::vector<FlgTangleStep> steps_;
+    std::pmr::deque<FlgTangleStep> steps_;
+    std::pmr::vector<const FlgTangleStep*> shown_steps_;
     std::pmr::deque<FlgTangleDivideDesc> divides_;
-    std::pmr::deque<FlgTangleMacroDesc> macros_;
+    std::pmr::deque<FlgTangleApplyMacroDesc> macros_;
     std::pmr::deque<FlgTangleDisplaceDesc> displaces_;
+    std::pmr::deque<FlgTangleSeeds> seeds_;
+    std::pmr::deque<FlgSurfaceCurvesView> curves_;
     std::pmr::deque<std::pmr::vector<FlgBorderStretch>> stretches_;
     std::pmr::deque<std::pmr::vector<FlgSurfacePoint>> points_;
-    std::pmr::deque<std::pmr::vector<FlgTangleSeedPlaces>> places_;  // by step
-    std::pmr::deque<std::pmr::vector<Position>> made_;               // likewise
+    std::pmr::deque<FlgTangleSeedPlaces> places_;
+    std::pmr::deque<std::pmr::vector<const FlgTangleSeedPlaces*>> shown_places_;  // by step
+    std::pmr::deque<std::pmr::vector<Position>> made_;                            // likewise
 };
 
 FlgTangleHistory describe(const Tangle& tangle, const ShownHistory& shown) {
-    FlgTangleHistory history{};
-    history.struct_size = sizeof history;
+    auto history = sized<FlgTangleHistory>();
     history.steps = shown.steps().data();
     history.step_count = static_cast<uint32_t>(shown.steps().size());
     for (size_t i = 0; i < tangle.made; ++i) history.made_count += tangle.steps[i]->goes_on ? 0 : 1;
@@ -197,20 +205,28 @@ using namespace flg;
 
 extern "C" {
 
+FlgResult flgTangleHistoryInit(FlgTangleHistory* history, uint32_t struct_size) {
+    return init(history, struct_size, sized<FlgTangleHistory>(), "history");
+}
+
+FlgResult flgTangleSeedPlacesInit(FlgTangleSeedPlaces* places, uint32_t struct_size) {
+    return init(places, struct_size, sized<FlgTangleSeedPlaces>(), "places");
+}
+
+FlgResult flgTangleStepInit(FlgTangleStep* step, uint32_t struct_size) {
+    return init(step, struct_size, sized<FlgTangleStep>(), "step");
+}
+
 FlgResult flgTangleGetHistory(FlgContext context, FlgTangle tangle, FlgTangleHistory* out_history) {
-    return guarded([&] {
-        FlgTangleHistory none{};
-        none.struct_size = sizeof none;
-        write_struct(out_history, none, "out_history");
-        Context& self = get_context(context);
-        Tangle& of = *self.tangles.get(tangle.id, "tangle");
-        const FlgResult result = visible_result_now(of);
-        if (result != FLG_OK) return result;
-        const auto shown = make_object<ShownHistory>(self, of, &self.memory);
-        of.shown_history = shown;
-        write_struct(out_history, describe(of, *shown), "out_history");
-        return FLG_OK;
-    });
+    return show(
+        out_history, "out_history", sized<FlgTangleHistory>(),
+        [&] { return get_context(context).tangles.get(tangle.id, "tangle"); },
+        [&](Tangle& self) {
+            Context& owner = get_context(context);
+            const auto shown = make_object<ShownHistory>(owner, self, &owner.memory);
+            self.shown_history = shown;
+            return describe(self, *shown);
+        });
 }
 
 }  // extern "C"

@@ -46,9 +46,10 @@ std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurve
     return lines;
 }
 
-void read_places(Context& context, const FlgTangleSeedPlaces& places, bool placed,
+void read_places(Context& context, const FlgTangleSeedPlaces* given, bool placed,
                  const std::shared_ptr<Surface>& surface, TangleSeeds& seeds, SeedAnchors& anchors) {
     Memory* const memory = &context.memory;
+    const FlgTangleSeedPlaces places = read_struct(given, sized<FlgTangleSeedPlaces>(), "places");
     if (places.point_count != 0 && places.point_count != seeds.points.size()) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "places.point_count is %u, but the seeds have %zu points",
                       places.point_count, seeds.points.size());
@@ -56,7 +57,10 @@ void read_places(Context& context, const FlgTangleSeedPlaces& places, bool place
     anchors.points = read_positions(places.points, places.point_count, "places.points", memory);
     anchors.loops = read_positions(places.loops, places.loop_count, "places.loops", memory);
     anchors.samples = read_positions(places.samples, places.sample_count, "places.samples", memory);
-    anchors.given_curves = read_lines(context, places.curves, surface);
+    if (places.curves) {
+        const FlgSurfaceCurvesView lines = read_struct(places.curves, sized<FlgSurfaceCurvesView>(), "places.curves");
+        anchors.given_curves = read_lines(context, lines, surface);
+    }
     if (anchors.given_curves) {
         anchors.located_curves = make_object<TracedCurves>(context, surface, memory);
         const auto count = static_cast<uint32_t>(anchors.given_curves->curves.points.size());
@@ -69,24 +73,24 @@ void read_places(Context& context, const FlgTangleSeedPlaces& places, bool place
 
 StepRecords read_request(const FlgTangleStep& step, Memory* memory) {
     switch (step.kind) {
-        case FLG_TANGLE_STEP_DIVIDE:
+        case FLG_TANGLE_STEP_KIND_DIVIDE:
             return record_step(read_divide(read_struct(step.divide, default_divide_desc(), "divide"), memory), memory);
-        case FLG_TANGLE_STEP_MACRO:
+        case FLG_TANGLE_STEP_KIND_MACRO:
             return record_macro(read_macro(read_struct(step.macro, default_macro_desc(), "macro"), memory), memory);
-        case FLG_TANGLE_STEP_DISPLACE:
+        case FLG_TANGLE_STEP_KIND_DISPLACE:
             return record_step(read_displace(read_struct(step.displace, default_displace_desc(), "displace"), memory),
                                memory);
-        case FLG_TANGLE_STEP_UNGROUP: return record_step(UngroupRequest{step.group}, memory);
+        case FLG_TANGLE_STEP_KIND_UNGROUP: return record_step(UngroupRequest{step.group}, memory);
         default: break;
     }
     check_range(step.region_count >= 1, "region_count", step.region_count, "at least 1");
     std::pmr::vector<RegionId> regions = read_region_ids(step.regions, step.region_count, "regions", memory);
-    if (step.kind == FLG_TANGLE_STEP_GROUP) return record_step(GroupRequest{std::move(regions)}, memory);
+    if (step.kind == FLG_TANGLE_STEP_KIND_GROUP) return record_step(GroupRequest{std::move(regions)}, memory);
     return record_step(JoinRequest{std::move(regions)}, memory);
 }
 
 StepRecords read_step(Context& context, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface) {
-    check_enum(step.kind, FLG_TANGLE_STEP_DIVIDE, FLG_TANGLE_STEP_JOIN, "kind", "FLG_TANGLE_STEP_");
+    check_enum(step.kind, FLG_TANGLE_STEP_KIND_DIVIDE, FLG_TANGLE_STEP_KIND_JOIN, "kind", "FLG_TANGLE_STEP_");
     StepRecords records = read_request(step, &context.memory);
     if (step.placed != 0 && step.place_count == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "place_count is 0, but the step is placed");
@@ -105,7 +109,7 @@ StepRecords read_step(Context& context, const FlgTangleStep& step, const std::sh
             read_places(context, step.places[2 * i + 1], placed, surface, divide.b, records[i]->b);
         }
     }
-    if (step.kind == FLG_TANGLE_STEP_DIVIDE) check_seeds_of(std::get<DivideRequest>(records[0]->request));
+    if (step.kind == FLG_TANGLE_STEP_KIND_DIVIDE) check_seeds_of(std::get<DivideRequest>(records[0]->request));
     // A macro's regions come one operator after the other; together they are followed as well.
     records.back()->first_region = step.first_region;
     records.back()->places = read_positions(step.made, step.made_count, "made", &context.memory);
@@ -126,8 +130,8 @@ ReplayRequest read_history(Context& context, const FlgTangleHistory& history, co
     }
     for (uint32_t i = 0; i < history.step_count; ++i) {
         try {
-            check_struct_size<FlgTangleStep>(history.steps[i].struct_size, "step");
-            request.steps.push_back(read_step(context, history.steps[i], surface));
+            const FlgTangleStep step = read_struct(history.steps[i], sized<FlgTangleStep>(), "step");
+            request.steps.push_back(read_step(context, step, surface));
         } catch (const Failure& failure) {
             throw Failure(failure.result(), "history.steps[%u]: %.200s", i, failure.what());
         }
@@ -143,18 +147,15 @@ ReplayRequest read_history(Context& context, const FlgTangleHistory& history, co
 using namespace flg;
 
 extern "C" FlgResult flgTangleReplay(FlgContext context, FlgTangle tangle, const FlgTangleHistory* history,
-                                     FlgJob* out_job) {
+                                     const FlgJobOptions* job, FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
-        FlgTangleHistory none{};
-        none.struct_size = sizeof none;
-        const FlgTangleHistory read = read_struct(history, none, "history");
-        TangleChange change(self, default_job_options(), tangle, "tangle");
+        const FlgTangleHistory read = read_struct(history, sized<FlgTangleHistory>(), "history");
+        TangleChange change(self, job, tangle, "tangle");
         ReplayRequest request = read_history(self, read, change.tangle->surface);
         change.needs_blocks();
         change.commit(replay_tangle(change.submission.pace(), change.tangle, std::move(request), change.revision()),
                       out_job);
-        return FLG_OK;
     });
 }

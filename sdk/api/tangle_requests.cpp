@@ -17,7 +17,9 @@ bool is_positive(float value) {
     return value > 0 && std::isfinite(value);
 }
 
-TangleSeeds read_seeds(const FlgTangleSeeds& from, uint64_t seed, const char* name, Memory* memory) {
+TangleSeeds read_seeds(const FlgTangleSeeds* given, uint64_t seed, const char* name, Memory* memory) {
+    if (!given) return TangleSeeds(memory);
+    const FlgTangleSeeds from = read_struct(given, sized<FlgTangleSeeds>(), name);
     char argument[32];
     const auto member = [&](const char* member_name) {
         std::snprintf(argument, sizeof argument, "%s.%s", name, member_name);
@@ -53,8 +55,8 @@ TangleSeeds read_seeds(const FlgTangleSeeds& from, uint64_t seed, const char* na
 }
 
 void check_divide(const FlgTangleDivideDesc& desc) {
-    check_enum(desc.kind, FLG_TANGLE_CONTOUR, FLG_TANGLE_POLYLINE, "desc.kind", "FLG_TANGLE_");
-    check_enum(desc.grouping, FLG_TANGLE_GROUP_TWO, FLG_TANGLE_GROUP_CYCLE, "desc.grouping", "FLG_TANGLE_GROUP_");
+    check_enum(desc.kind, FLG_TANGLE_OPERATOR_CONTOUR, FLG_TANGLE_OPERATOR_POLYLINE, "desc.kind", "FLG_TANGLE_");
+    check_enum(desc.grouping, FLG_TANGLE_GROUPING_TWO, FLG_TANGLE_GROUPING_CYCLE, "desc.grouping", "FLG_TANGLE_GROUP_");
     check_range(desc.region_count >= 1, "desc.region_count", desc.region_count, "at least 1");
     check_range(desc.count <= 256, "desc.count", desc.count, "at most 256");
     check_range(is_positive(desc.delta), "desc.delta", desc.delta, "finite and above 0");
@@ -67,9 +69,7 @@ void check_divide(const FlgTangleDivideDesc& desc) {
 }  // namespace
 
 FlgTangleDivideDesc default_divide_desc() {
-    FlgTangleDivideDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+    auto desc = sized<FlgTangleDivideDesc>();
     desc.count = 1;
     desc.delta = 0.1f;
     desc.cycle = 3;
@@ -79,18 +79,14 @@ FlgTangleDivideDesc default_divide_desc() {
 }
 
 FlgTangleDisplaceDesc default_displace_desc() {
-    FlgTangleDisplaceDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+    auto desc = sized<FlgTangleDisplaceDesc>();
     desc.amount = 0.1f;
     desc.bias = desc.gain = 0.5f;
     return desc;
 }
 
-FlgTangleMacroDesc default_macro_desc() {
-    FlgTangleMacroDesc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
+FlgTangleApplyMacroDesc default_macro_desc() {
+    auto desc = sized<FlgTangleApplyMacroDesc>();
     desc.count = 4;
     desc.size = 0.1f;
     desc.spacing = 0.3f;
@@ -125,23 +121,23 @@ DivideRequest read_divide(const FlgTangleDivideDesc& desc, Memory* memory) {
 void check_seeds_of(const DivideRequest& request) {
     const TangleSeeds& a = request.a;
     if (a.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.a is empty, the operator has nothing to begin at");
-    if (request.kind == FLG_TANGLE_POLYLINE && (a.points.size() == 1 || (a.points.empty() && !a.curves))) {
+    if (request.kind == FLG_TANGLE_OPERATOR_POLYLINE && (a.points.size() == 1 || (a.points.empty() && !a.curves))) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.a.point_count is %zu, a polyline needs 2 points at least, or curves and none",
                       a.points.size());
     }
     const bool has_cells = !a.points.empty() || a.sample_radius > 0 || a.border_spacing > 0;
-    if (request.kind == FLG_TANGLE_VORONOI && !has_cells) {
+    if (request.kind == FLG_TANGLE_OPERATOR_VORONOI && !has_cells) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.a has neither points nor samples for cells to form around");
     }
-    if (request.kind == FLG_TANGLE_CONTOUR && !request.b.empty() && !(request.delta < 1)) {
+    if (request.kind == FLG_TANGLE_OPERATOR_CONTOUR && !request.b.empty() && !(request.delta < 1)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.delta is %g, of a blended field it must be below 1",
                       double{request.delta});
     }
 }
 
-MacroRequest read_macro(const FlgTangleMacroDesc& desc, Memory* memory) {
-    check_enum(desc.kind, FLG_TANGLE_SUNBURST, FLG_TANGLE_CELLS, "desc.kind", "FLG_TANGLE_");
+MacroRequest read_macro(const FlgTangleApplyMacroDesc& desc, Memory* memory) {
+    check_enum(desc.kind, FLG_TANGLE_MACRO_SUNBURST, FLG_TANGLE_MACRO_CELLS, "desc.kind", "FLG_TANGLE_");
     check_range(desc.region_count >= 1, "desc.region_count", desc.region_count, "at least 1");
     check_range(desc.count >= 1 && desc.count <= 256, "desc.count", desc.count, "1 to 256");
     check_range(is_positive(desc.size), "desc.size", desc.size, "finite and above 0");

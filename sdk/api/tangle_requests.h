@@ -8,7 +8,7 @@
 namespace flg {
 
 FlgTangleDivideDesc default_divide_desc();
-FlgTangleMacroDesc default_macro_desc();
+FlgTangleApplyMacroDesc default_macro_desc();
 FlgTangleDisplaceDesc default_displace_desc();
 
 std::pmr::vector<RegionId> read_region_ids(const uint32_t* regions, uint32_t count, const char* argument,
@@ -18,7 +18,7 @@ std::pmr::vector<RegionId> read_region_ids(const uint32_t* regions, uint32_t cou
 DivideRequest read_divide(const FlgTangleDivideDesc& desc, Memory* memory);
 // Refuses what an operator can't do without, or has no use for.
 void check_seeds_of(const DivideRequest& request);
-MacroRequest read_macro(const FlgTangleMacroDesc& desc, Memory* memory);
+MacroRequest read_macro(const FlgTangleApplyMacroDesc& desc, Memory* memory);
 DisplaceRequest read_displace(const FlgTangleDisplaceDesc& desc, Memory* memory);
 
 }  // namespace flg

@@ -12,8 +12,7 @@ namespace flg {
 namespace {
 
 FlgTangleInfo describe(const Tangle& tangle) {
-    FlgTangleInfo info{};
-    info.struct_size = sizeof info;
+    auto info = sized<FlgTangleInfo>();
     info.region_count = tangle.tree.size();
     info.group_count = tangle.tree.group_count();
     for (RegionId r = 0; r < tangle.tree.size(); ++r) {
@@ -60,26 +59,28 @@ std::shared_ptr<const TracedCurves> read_curves(Context& context, FlgSurfaceCurv
 
 template <class Request>
 FlgResult change_by_list(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
-                         FlgJob* out_job) {
+                         const FlgJobOptions* job, FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
         check_range(region_count >= 1, "region_count", region_count, "at least 1");
-        TangleChange change(self, default_job_options(), tangle, "tangle");
+        TangleChange change(self, job, tangle, "tangle");
         Request request{read_region_ids(regions, region_count, "regions", &self.memory)};
         change.make_step(record_step(std::move(request), &self.memory), out_job);
-        return FLG_OK;
     });
 }
 
 template <class Start>
-FlgResult change_tangle(FlgContext context, FlgTangle tangle, FlgJob* out_job, Start start) {
+FlgResult change_tangle(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job, Start start) {
     return guarded([&] {
         if (out_job) *out_job = {};
-        TangleChange change(get_context(context), default_job_options(), tangle, "tangle");
+        TangleChange change(get_context(context), job, tangle, "tangle");
         change.commit(start(change), out_job);
-        return FLG_OK;
     });
+}
+
+FlgSurfaceCurves curves_of(const FlgTangleSeeds* seeds) {
+    return seeds ? read_struct(seeds, sized<FlgTangleSeeds>(), "seeds").curves : FlgSurfaceCurves{};
 }
 
 }  // namespace
@@ -90,33 +91,27 @@ using namespace flg;
 
 extern "C" {
 
-FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_divide_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgTangleSeedsInit(FlgTangleSeeds* seeds, uint32_t struct_size) {
+    return init(seeds, struct_size, sized<FlgTangleSeeds>(), "seeds");
 }
 
-FlgResult flgTangleMacroDescInit(FlgTangleMacroDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_macro_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_divide_desc());
+}
+
+FlgResult flgTangleApplyMacroDescInit(FlgTangleApplyMacroDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_macro_desc());
 }
 
 FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_displace_desc(), "desc");
-        return FLG_OK;
-    });
+    return init(desc, struct_size, default_displace_desc());
 }
 
-FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, FlgTangle* out_tangle, FlgJob* out_job) {
+FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, const FlgJobOptions* job, FlgTangle* out_tangle,
+                          FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_tangle, "out_tangle") = {};
-        Context& self = get_context(context);
-        Submission submission(self, default_job_options());
+        Context& self = clear_outputs(context, out_tangle, "out_tangle", out_job);
+        Submission submission(self, job);
         const auto on = self.surfaces.get(surface.id, "surface");
         submission.change_surface(on, "surface");
         const auto tangle = make_object<Tangle>(self, on, &self.memory);
@@ -124,15 +119,11 @@ FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, FlgTangle* out
         submission.job().strand.start(begin_tangle(submission.pace(), tangle));
         *out_tangle = {submission.commit(self.tangles, tangle, change, out_job)};
         tangle->revision = on->order.revision();
-        return FLG_OK;
     });
 }
 
 FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle) {
-    return guarded([&] {
-        get_context(context).tangles.remove(tangle.id, "tangle");
-        return FLG_OK;
-    });
+    return release(context, &Context::tangles, tangle, "tangle");
 }
 
 FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job) {
@@ -142,25 +133,23 @@ FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, F
         const FlgTangleDivideDesc read = read_struct(desc, default_divide_desc(), "desc");
         DivideRequest request = read_divide(read, &self.memory);
         TangleChange change(self, read.job, read.tangle, "desc.tangle");
-        request.a.curves = read_curves(self, read.a.curves, "desc.a.curves", change);
-        request.b.curves = read_curves(self, read.b.curves, "desc.b.curves", change);
+        request.a.curves = read_curves(self, curves_of(read.a), "desc.a.curves", change);
+        request.b.curves = read_curves(self, curves_of(read.b), "desc.b.curves", change);
         check_seeds_of(request);
         change.needs_blocks();
         change.make_step(record_step(std::move(request), &self.memory), out_job);
-        return FLG_OK;
     });
 }
 
-FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleMacroDesc* desc, FlgJob* out_job) {
+FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleApplyMacroDesc* desc, FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
-        const FlgTangleMacroDesc read = read_struct(desc, default_macro_desc(), "desc");
+        const FlgTangleApplyMacroDesc read = read_struct(desc, default_macro_desc(), "desc");
         MacroRequest request = read_macro(read, &self.memory);
         TangleChange change(self, read.job, read.tangle, "desc.tangle");
         change.needs_blocks();
         change.make_step(record_macro(std::move(request), &self.memory), out_job);
-        return FLG_OK;
     });
 }
 
@@ -173,83 +162,79 @@ FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceDesc* des
         TangleChange change(self, read.job, read.tangle, "desc.tangle");
         change.needs_blocks();
         change.make_step(record_step(std::move(request), &self.memory), out_job);
-        return FLG_OK;
     });
 }
 
 FlgResult flgTangleGroup(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
-                         FlgJob* out_job) {
-    return change_by_list<GroupRequest>(context, tangle, regions, region_count, out_job);
+                         const FlgJobOptions* job, FlgJob* out_job) {
+    return change_by_list<GroupRequest>(context, tangle, regions, region_count, job, out_job);
 }
 
-FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group, FlgJob* out_job) {
+FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group, const FlgJobOptions* job,
+                           FlgJob* out_job) {
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
-        TangleChange change(self, default_job_options(), tangle, "tangle");
+        TangleChange change(self, job, tangle, "tangle");
         change.make_step(record_step(UngroupRequest{group}, &self.memory), out_job);
-        return FLG_OK;
     });
 }
 
 FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
-                        FlgJob* out_job) {
-    return change_by_list<JoinRequest>(context, tangle, regions, region_count, out_job);
+                        const FlgJobOptions* job, FlgJob* out_job) {
+    return change_by_list<JoinRequest>(context, tangle, regions, region_count, job, out_job);
 }
 
-FlgResult flgTangleBorders(FlgContext context, FlgTangle tangle, FlgSurfaceCurves* out_curves, FlgJob* out_job) {
+FlgResult flgTangleTraceBorders(FlgContext context, FlgTangle tangle, const FlgJobOptions* job,
+                                FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_curves, "out_curves") = {};
-        Context& self = get_context(context);
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
         const auto of = self.tangles.get(tangle.id, "tangle");
-        Submission submission(self, default_job_options());
+        Submission submission(self, job);
         submission.read(*of, "tangle");
         refuse_changed_surface(*of, "tangle");
         submission.read_surface(of->surface, "the surface of the tangle");
         const auto out = make_object<TracedCurves>(self, of->surface, &self.memory);
         submission.job().strand.start(trace_borders(submission.pace(), of, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job) {
-    return change_tangle(context, tangle, out_job, [](TangleChange& change) {
+FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job) {
+    return change_tangle(context, tangle, job, out_job, [](TangleChange& change) {
         return undo_step(change.submission.pace(), change.tangle, change.revision());
     });
 }
 
-FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, FlgJob* out_job) {
-    return change_tangle(context, tangle, out_job, [](TangleChange& change) {
+FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job) {
+    return change_tangle(context, tangle, job, out_job, [](TangleChange& change) {
         return redo_step(change.submission.pace(), change.tangle, change.revision());
     });
 }
 
+FlgResult flgTangleInfoInit(FlgTangleInfo* info, uint32_t struct_size) {
+    return init(info, struct_size, sized<FlgTangleInfo>(), "info");
+}
+
 FlgResult flgTangleGetInfo(FlgContext context, FlgTangle tangle, FlgTangleInfo* out_info) {
-    return guarded([&] {
-        FlgTangleInfo none{};
-        none.struct_size = sizeof none;
-        write_struct(out_info, none, "out_info");
-        const Tangle& self = *get_context(context).tangles.get(tangle.id, "tangle");
-        const FlgResult result = visible_result_now(self);
-        if (result == FLG_OK) write_struct(out_info, describe(self), "out_info");
-        return result;
-    });
+    return show(
+        out_info, "out_info", sized<FlgTangleInfo>(),
+        [&] { return get_context(context).tangles.get(tangle.id, "tangle"); },
+        [](const Tangle& self) { return describe(self); });
+}
+
+FlgResult flgTangleRegionInit(FlgTangleRegion* region, uint32_t struct_size) {
+    return init(region, struct_size, sized<FlgTangleRegion>(), "region");
 }
 
 FlgResult flgTangleGetRegion(FlgContext context, FlgTangle tangle, uint32_t region, FlgTangleRegion* out_region) {
-    return guarded([&] {
-        FlgTangleRegion none{};
-        none.struct_size = sizeof none;
-        write_struct(out_region, none, "out_region");
-        const Tangle& self = *get_context(context).tangles.get(tangle.id, "tangle");
-        const FlgResult result = visible_result_now(self);
-        if (result != FLG_OK) return result;
-        check_range(region < self.tree.size(), "region", region, "below the tangle's region_count");
-        write_struct(out_region, describe(self.tree, region), "out_region");
-        return FLG_OK;
-    });
+    return show(
+        out_region, "out_region", sized<FlgTangleRegion>(),
+        [&] { return get_context(context).tangles.get(tangle.id, "tangle"); },
+        [&](const Tangle& self) {
+            check_range(region < self.tree.size(), "region", region, "below the tangle's region_count");
+            return describe(self.tree, region);
+        });
 }
 
 }  // extern "C"

@@ -16,22 +16,8 @@ namespace flg {
 
 namespace {
 
-FlgSurfaceCurvesView default_curves_view() {
-    FlgSurfaceCurvesView view{};
-    view.struct_size = sizeof view;
-    return view;
-}
-
-template <class Desc>
-Desc default_desc() {
-    Desc desc{};
-    desc.struct_size = sizeof desc;
-    desc.job = default_job_options();
-    return desc;
-}
-
-FlgStreamsDesc default_streams_desc() {
-    auto desc = default_desc<FlgStreamsDesc>();
+FlgFieldTraceStreamsDesc default_streams_desc() {
+    auto desc = sized<FlgFieldTraceStreamsDesc>();
     desc.end_value = HUGE_VALF;
     return desc;
 }
@@ -45,103 +31,71 @@ using namespace flg;
 extern "C" {
 
 FlgResult flgSurfaceCurvesViewInit(FlgSurfaceCurvesView* view, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(view, struct_size, default_curves_view(), "view");
-        return FLG_OK;
-    });
+    return init_view(view, struct_size);
 }
 
 FlgResult flgSurfaceCurvesGetView(FlgContext context, FlgSurfaceCurves curves, FlgSurfaceCurvesView* out_view) {
-    return guarded([&] {
-        write_struct(out_view, default_curves_view(), "out_view");
-        const TracedCurves& self = *get_context(context).surface_curves.get(curves.id, "curves");
-        const FlgResult result = self.visible_result();
-        if (result == FLG_OK) write_struct(out_view, self.view(), "out_view");
-        return result < 0 ? set_last_error(result, self.error()) : result;
-    });
+    return get_view(out_view, [&] { return get_context(context).surface_curves.get(curves.id, "curves"); });
 }
 
 FlgResult flgSurfaceCurvesRelease(FlgContext context, FlgSurfaceCurves curves) {
-    return guarded([&] {
-        get_context(context).surface_curves.remove(curves.id, "curves");
-        return FLG_OK;
-    });
+    return release(context, &Context::surface_curves, curves, "curves");
 }
 
-FlgResult flgLiftDescInit(FlgLiftDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_desc<FlgLiftDesc>(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgSurfaceCurvesLiftDescInit(FlgSurfaceCurvesLiftDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgSurfaceCurvesLiftDesc>());
 }
 
-FlgResult flgLiftCurves(FlgContext context, const FlgLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
+FlgResult flgSurfaceCurvesLift(FlgContext context, const FlgSurfaceCurvesLiftDesc* desc, FlgCurveSet* out_set,
+                               FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_set, "out_set") = {};
-        Context& self = get_context(context);
-        const FlgLiftDesc read = read_struct(desc, default_desc<FlgLiftDesc>(), "desc");
+        Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        const FlgSurfaceCurvesLiftDesc read = read_struct(desc, sized<FlgSurfaceCurvesLiftDesc>(), "desc");
         check_range(std::isfinite(read.height), "desc.height", read.height, "finite");
         Submission submission(self, read.job);
-        const auto curves = self.surface_curves.get(read.curves.id, "desc.curves");
-        check_revision(*curves, "desc.curves");
-        submission.read(*curves, "desc.curves");
+        const auto curves = read_current(self.surface_curves, read.curves.id, "desc.curves", submission);
         submission.read_surface(curves->surface, "the surface of desc.curves");
         const auto out = make_object<CurveSet>(self, &self.memory);
+        out->origin = curves->surface->origin;
         submission.job().strand.start(lift_curves(submission.pace(), curves, read.height, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgIsolinesDescInit(FlgIsolinesDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_desc<FlgIsolinesDesc>(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgFieldTraceIsolinesDescInit(FlgFieldTraceIsolinesDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgFieldTraceIsolinesDesc>());
 }
 
-FlgResult flgTraceIsolines(FlgContext context, const FlgIsolinesDesc* desc, FlgSurfaceCurves* out_curves,
-                           FlgJob* out_job) {
+FlgResult flgFieldTraceIsolines(FlgContext context, const FlgFieldTraceIsolinesDesc* desc, FlgSurfaceCurves* out_curves,
+                                FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_curves, "out_curves") = {};
-        Context& self = get_context(context);
-        const FlgIsolinesDesc read = read_struct(desc, default_desc<FlgIsolinesDesc>(), "desc");
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        const FlgFieldTraceIsolinesDesc read = read_struct(desc, sized<FlgFieldTraceIsolinesDesc>(), "desc");
         Submission submission(self, read.job);
-        const auto field = self.fields.get(read.field.id, "desc.field");
-        check_revision(*field, "desc.field");
-        submission.read(*field, "desc.field");
+        const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         submission.read_surface(field->surface, "the surface of desc.field");
         const auto out = make_object<TracedCurves>(self, field->surface, &self.memory);
         RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
-        LevelRequest levels = read_levels(read.levels, &self.memory);
+        LevelRequest levels =
+            read_levels(read.levels, read.level_count, read.level_first, read.level_every, &self.memory);
         IsolinesRequest request{field, std::move(regions), std::move(levels), out};
         submission.job().strand.start(trace_isolines(submission.pace(), std::move(request)));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgStreamsDescInit(FlgStreamsDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_streams_desc(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgFieldTraceStreamsDescInit(FlgFieldTraceStreamsDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_streams_desc());
 }
 
-FlgResult flgTraceStreams(FlgContext context, const FlgStreamsDesc* desc, FlgSurfaceCurves* out_curves,
-                          FlgJob* out_job) {
+FlgResult flgFieldTraceStreams(FlgContext context, const FlgFieldTraceStreamsDesc* desc, FlgSurfaceCurves* out_curves,
+                               FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_curves, "out_curves") = {};
-        Context& self = get_context(context);
-        const FlgStreamsDesc read = read_struct(desc, default_streams_desc(), "desc");
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        const FlgFieldTraceStreamsDesc read = read_struct(desc, default_streams_desc(), "desc");
         check_range(!std::isnan(read.end_value), "desc.end_value", read.end_value, "a number");
         Submission submission(self, read.job);
-        const auto field = self.fields.get(read.field.id, "desc.field");
-        check_revision(*field, "desc.field");
-        submission.read(*field, "desc.field");
+        const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         submission.read_surface(field->surface, "the surface of desc.field");
         const auto out = make_object<TracedCurves>(self, field->surface, &self.memory);
         RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
@@ -160,23 +114,18 @@ FlgResult flgTraceStreams(FlgContext context, const FlgStreamsDesc* desc, FlgSur
         }
         submission.job().strand.start(trace_streams(submission.pace(), std::move(request)));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgPathsDescInit(FlgPathsDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_desc<FlgPathsDesc>(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgFieldTracePathsDescInit(FlgFieldTracePathsDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgFieldTracePathsDesc>());
 }
 
-FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job) {
+FlgResult flgFieldTracePaths(FlgContext context, const FlgFieldTracePathsDesc* desc, FlgSurfaceCurves* out_curves,
+                             FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_curves, "out_curves") = {};
-        Context& self = get_context(context);
-        const FlgPathsDesc read = read_struct(desc, default_desc<FlgPathsDesc>(), "desc");
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        const FlgFieldTracePathsDesc read = read_struct(desc, sized<FlgFieldTracePathsDesc>(), "desc");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         Buffer<uint32_t> offsets = read_path_offsets(read, &self.memory);
@@ -192,24 +141,18 @@ FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurface
         submission.read_surface(surface, "desc.surface");
         submission.job().strand.start(trace_paths(submission.pace(), std::move(request)));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
-        return FLG_OK;
     });
 }
 
-FlgResult flgProjectDescInit(FlgProjectDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        init_struct(desc, struct_size, default_desc<FlgProjectDesc>(), "desc");
-        return FLG_OK;
-    });
+FlgResult flgCurveSetProjectDescInit(FlgCurveSetProjectDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, sized<FlgCurveSetProjectDesc>());
 }
 
-FlgResult flgProjectCurves(FlgContext context, const FlgProjectDesc* desc, FlgSurfaceCurves* out_curves,
-                           FlgJob* out_job) {
+FlgResult flgCurveSetProject(FlgContext context, const FlgCurveSetProjectDesc* desc, FlgSurfaceCurves* out_curves,
+                             FlgJob* out_job) {
     return guarded([&] {
-        if (out_job) *out_job = {};
-        require(out_curves, "out_curves") = {};
-        Context& self = get_context(context);
-        const FlgProjectDesc read = read_struct(desc, default_desc<FlgProjectDesc>(), "desc");
+        Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        const FlgCurveSetProjectDesc read = read_struct(desc, sized<FlgCurveSetProjectDesc>(), "desc");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         const auto curves = self.curve_sets.get(read.curves.id, "desc.curves");
@@ -219,7 +162,6 @@ FlgResult flgProjectCurves(FlgContext context, const FlgProjectDesc* desc, FlgSu
         submission.read_surface(surface, "desc.surface");
         submission.job().strand.start(project_curves(submission.pace(), curves, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
-        return FLG_OK;
     });
 }
 

@@ -135,7 +135,9 @@ void HeldModel::show() noexcept {
              .joint_names = columns_.name_pointers.data(),
              .parts = columns_.part_info.data(),
              .part_count = static_cast<uint32_t>(parts.size()),
-             .size = static_cast<float>(size)};
+             .size = static_cast<float>(size),
+             .origin = {}};
+    write_origin(origin, view_.origin);
 }
 
 Task<void> make_model(Pace& pace, std::shared_ptr<HeldModel> model) {

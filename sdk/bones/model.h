@@ -7,6 +7,7 @@
 
 #include "bones/connection.h"
 #include "bones/part.h"
+#include "core/origin.h"
 #include "skeletons/bone_tree.h"
 
 namespace flg {
@@ -34,6 +35,7 @@ public:
     explicit HeldModel(Memory* memory)
         : parts(memory), tree(memory), links(memory), part_joints(memory), columns_(memory) {}
 
+    Origin origin{};  // of the placements
     std::pmr::vector<ModelPart> parts;
     FlgBoneThresholds thresholds{};  // shares of the size
     double shape_weight = 1;

@@ -160,14 +160,16 @@ Task<Contour> trace_borders(Pace& pace, const HeldOutline& outline) {
 }  // namespace
 
 void HeldOutline::show() noexcept {
-    view_ = {};
-    view_.struct_size = sizeof view_;
-    view_.contour = {.struct_size = sizeof view_.contour,
+    view_contour_ = {.struct_size = sizeof view_contour_,
                      .point_count = contour.size(),
                      .points = &contour.points.data()->x,
                      .ring_offsets = contour.offsets.data(),
                      .ring_count = contour.ring_count(),
                      .reserved = 0};
+    view_ = {};
+    view_.struct_size = sizeof view_;
+    write_origin(surface->origin, view_.origin);
+    view_.contour = &view_contour_;
     for (int row = 0; row < 3; ++row) {
         view_.placement[4 * row] = plane.right[row];
         view_.placement[4 * row + 1] = plane.up[row];

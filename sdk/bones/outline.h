@@ -36,6 +36,7 @@ public:
 private:
     void show() noexcept override;
 
+    FlgContourView view_contour_{};
     FlgOutlineView view_{};
 };
 

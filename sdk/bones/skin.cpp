@@ -85,7 +85,9 @@ void HeldSkin::show() noexcept {
              .vertex_parts = mesh.parts.data(),
              .joint_positions = bones.joint_positions,
              .joint_parents = bones.joint_parents,
-             .joint_names = bones.joint_names};
+             .joint_names = bones.joint_names,
+             .origin = {}};
+    write_origin(model->origin, view_.origin);
 }
 
 Task<void> make_skin(Pace& pace, std::shared_ptr<HeldSkin> skin) {

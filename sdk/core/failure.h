@@ -25,7 +25,7 @@ public:
 
 private:
     FlgResult result_;
-    char message_[256];
+    char message_[512];
 };
 
 }  // namespace flg

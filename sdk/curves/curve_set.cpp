@@ -37,7 +37,9 @@ void CurveSet::show_curves(uint32_t curves) noexcept {
              .curve_flags = flags_.data(),
              .columns = view_columns_.data(),
              .column_count = static_cast<uint32_t>(view_columns_.size()),
-             .reserved = 0};
+             .reserved = 0,
+             .origin = {}};
+    write_origin(origin, view_.origin);
 }
 
 void CurveSet::publish_partial() noexcept {

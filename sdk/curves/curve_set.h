@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/memory.h"
+#include "core/origin.h"
 #include "filigree/filigree.h"
 #include "runtime/product.h"
 
@@ -24,6 +25,8 @@ struct Column {
 class CurveSet final : public Product {
 public:
     explicit CurveSet(Memory* memory) : memory_(memory), columns_(memory), view_columns_(memory) {}
+
+    Origin origin{};  // of the positions; set before anything else sees the set
 
     // ---- making one ----
 

@@ -9,7 +9,7 @@ FramedSampler::FramedSampler(const SamplingPlan& plan)
     : plan_(plan),
       sampler_(plan.curve, plan.measure.length, plan.steps),
       left_(plan.sample_count()),
-      special_(plan.steps > 0 && (plan.frame != FLG_FRAME_ROTATION_MINIMIZING || plan.curve.closed)) {
+      special_(plan.steps > 0 && (plan.frame != FLG_FRAME_METHOD_ROTATION_MINIMIZING || plan.curve.closed)) {
     constexpr double least_turn_rad = 1e-6;
     const double step = plan.steps > 0 ? plan.measure.length / plan.steps : 1.0;
     straight_ = std::max(least_turn_rad, plan.measure.resolution() / step);
@@ -52,8 +52,8 @@ bool FramedSampler::next_special(FramedSample& out, uint32_t& units) {
 }
 
 bool FramedSampler::next_by_method(FramedSample& out, uint32_t& units) {
-    if (plan_.frame == FLG_FRAME_FRENET) return next_frenet(out, units);
-    if (plan_.frame == FLG_FRAME_SUPPLIED) return next_supplied(out, units);
+    if (plan_.frame == FLG_FRAME_METHOD_FRENET) return next_frenet(out, units);
+    if (plan_.frame == FLG_FRAME_METHOD_SUPPLIED) return next_supplied(out, units);
     return next_twisted(out, units);
 }
 
@@ -66,7 +66,7 @@ bool FramedSampler::go_around(uint32_t& units) {
     }
     frame_.step(first_.position, first_.tangent);
     if (!has_normal_) {
-        plan_.frame = FLG_FRAME_ROTATION_MINIMIZING;
+        plan_.frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
         twist_per_step_ = angle_about(first_.tangent, frame_.normal(), first_.normal) / plan_.steps;
     }
     sampler_ = EvenSampler(plan_.curve, plan_.measure.length, plan_.steps);

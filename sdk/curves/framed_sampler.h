@@ -10,9 +10,9 @@
 // normal is turned back by its share. So it is where no sample has a normal of its own.
 #pragma once
 
+#include "core/moving_frame.h"
 #include "curves/arc_length.h"
 #include "curves/even_sampler.h"
-#include "curves/moving_frame.h"
 #include "filigree/filigree.h"
 
 namespace flg {
@@ -29,8 +29,8 @@ struct SamplingPlan {
     CurveView curve;
     CurveMeasure measure;
     uint32_t steps = 0;  // 0 exactly if the curve has no length
-    FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;
-    const float* normals = nullptr;  // FLG_FRAME_SUPPLIED: three floats a point of the curve, of any length
+    FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
+    const float* normals = nullptr;  // FLG_FRAME_METHOD_SUPPLIED: three floats a point of the curve, of any length
 
     uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed ? steps : steps + 1); }
 };

@@ -29,7 +29,7 @@ struct PointLimit {
 
 // A curve's, or null if frames are not to be supplied.
 const float* supplied_normals(const Sampling& sampling, uint32_t curve) {
-    if (sampling.frame != FLG_FRAME_SUPPLIED) return nullptr;
+    if (sampling.frame != FLG_FRAME_METHOD_SUPPLIED) return nullptr;
     return sampling.in.find(FLG_ATTRIBUTE_NORMAL)->values.data() + size_t{3} * sampling.in.offsets()[curve];
 }
 
@@ -125,9 +125,10 @@ CurveView curve_view(const CurveSet& set, uint32_t curve) {
 Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveSet::ColumnLayout> added) {
     pace.stage("measure");
     const CurveSet& in = sampling.in;
-    if (sampling.frame == FLG_FRAME_SUPPLIED && !in.find(FLG_ATTRIBUTE_NORMAL)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                      "the curves have no FLG_ATTRIBUTE_NORMAL column, from which FLG_FRAME_SUPPLIED takes its frames");
+    if (sampling.frame == FLG_FRAME_METHOD_SUPPLIED && !in.find(FLG_ATTRIBUTE_NORMAL)) {
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT,
+            "the curves have no FLG_ATTRIBUTE_NORMAL column, from which FLG_FRAME_METHOD_SUPPLIED takes its frames");
     }
     sampling.plans = Buffer<SamplingPlan>(in.curve_count(), pace.memory());
     co_await fork(pace, batch_count(in), &measure_batch, sampling);

@@ -60,7 +60,7 @@ struct ResampleRequest {
     FlgFrameMethod frame;
 };
 
-// The whole of flgResample.
+// The whole of flgCurveSetResample.
 Task<void> resample_curves(Pace& pace, ResampleRequest request);
 
 }  // namespace flg

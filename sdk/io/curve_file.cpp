@@ -7,6 +7,7 @@
 #include <string>
 
 #include "filigree/filigree_io.h"
+#include "io/base/box.h"
 #include "io/base/curve_data.h"
 #include "io/base/entry_point.h"
 #include "io/base/files.h"
@@ -21,8 +22,7 @@ namespace flg::io {
 
 // What all formats' curves are asked: extent, length, and repeated points.
 struct CurveMeasures {
-    float box_min[3] = {0, 0, 0};
-    float box_max[3] = {0, 0, 0};
+    Box box;
     float total_length = 0;
 };
 
@@ -43,14 +43,8 @@ namespace {
 CurveMeasures measure(CurveData& data) {
     CurveMeasures result;
     if (data.point_count() == 0) return result;
+    result.box = box_of(data.positions);
     const float* points = data.positions.data();
-    std::copy_n(points, 3, result.box_min);
-    std::copy_n(points, 3, result.box_max);
-    for (size_t i = 0; i < data.positions.size(); ++i) {
-        result.box_min[i % 3] = std::min(result.box_min[i % 3], points[i]);
-        result.box_max[i % 3] = std::max(result.box_max[i % 3], points[i]);
-    }
-
     const auto distance = [&](size_t a, size_t b) {
         const double x = double{points[3 * a]} - points[3 * b];
         const double y = double{points[3 * a + 1]} - points[3 * b + 1];
@@ -91,18 +85,31 @@ constexpr uint32_t default_sides = 8;
 constexpr uint32_t least_sides = 3;
 constexpr uint32_t most_sides = 64;
 
-CurveData read_curves(const std::filesystem::path& path) {
+CurveData read_from(const std::filesystem::path& path, const Origin& origin) {
     const std::string extension = extension_of(path);
-    if (extension == ".tilt") return read_tilt(path);
-    if (extension == ".gltf" || extension == ".glb") return read_gltf(path);
+    const auto in_floats = [](CurveData data) {
+        data.placing.stored = Origin{};
+        return data;
+    };
+    if (extension == ".tilt") return in_floats(read_tilt(path));
+    if (extension == ".gltf" || extension == ".glb") return read_gltf(path, origin);
     const bool obj = extension == ".obj", svg = extension == ".svg";
     if (!obj && !svg && extension != ".xyz" && extension != ".txt") {
         fail(FLG_ERROR_FORMAT, "", "is of no known format: %s is none of .xyz .txt .obj .svg .gltf .glb .tilt",
              cited(extension).c_str());
     }
     const ByteBlock file = read_file(path, "");
-    if (svg) return read_svg(as_text(file.bytes()));
-    return obj ? read_obj(as_text(file.bytes())) : read_xyz(as_text(file.bytes()));
+    if (svg) return in_floats(read_svg(as_text(file.bytes())));
+    return obj ? read_obj(as_text(file.bytes()), origin) : read_xyz(as_text(file.bytes()), origin);
+}
+
+CurveData read_curves(const std::filesystem::path& path) {
+    const auto visit_edges = [](const CurveData& data, const auto& visit) {
+        for (size_t c = 0; c < data.curve_count(); ++c) {
+            for (size_t i = data.offsets[c] + size_t{1}; i < data.offsets[c + 1]; ++i) visit(i - 1, i);
+        }
+    };
+    return read_placed([&](const Origin& origin) { return read_from(path, origin); }, visit_edges);
 }
 
 void add_column(FlgCurveFileT& file, FlgAttribute attribute, uint32_t components, const std::vector<float>& values) {
@@ -110,30 +117,18 @@ void add_column(FlgCurveFileT& file, FlgAttribute attribute, uint32_t components
     file.columns.push_back({attribute, components, values.data(), 0, 0});
 }
 
-FlgCurveWriteDesc write_defaults() {
-    FlgCurveWriteDesc desc = {};
-    desc.struct_size = sizeof desc;
-    desc.geometry = FLG_GEOMETRY_LINES;
+FlgCurveFileWriteDesc write_defaults() {
+    auto desc = sized<FlgCurveFileWriteDesc>();
+    desc.geometry = FLG_CURVE_GEOMETRY_LINES;
     desc.default_radius = default_radius;
     desc.tube_sides = default_sides;
     return desc;
 }
 
-// What hosts knew before there was more.
-constexpr uint32_t first_version_size = offsetof(FlgCurveWriteDesc, tolerance);
-
-void check_desc_size(uint32_t struct_size) {
-    if (struct_size >= first_version_size) return;
-    fail(FLG_ERROR_INVALID_ARGUMENT, "desc", "has the struct_size %u, must be at least %u", struct_size,
-         first_version_size);
-}
-
-FlgCurveWriteDesc checked_desc(const FlgCurveWriteDesc* given, const CheckedView& curves) {
+FlgCurveFileWriteDesc checked_desc(const FlgCurveFileWriteDesc* given, const CheckedView& curves) {
     if (!given) return write_defaults();
-    check_desc_size(given->struct_size);
-    FlgCurveWriteDesc desc = write_defaults();
-    std::memcpy(&desc, given, std::min<size_t>(given->struct_size, sizeof desc));
-    if (desc.geometry < FLG_GEOMETRY_LINES || desc.geometry > FLG_GEOMETRY_TUBE) {
+    const FlgCurveFileWriteDesc desc = read_struct<Longer::cut>(given, write_defaults(), "desc");
+    if (desc.geometry < FLG_CURVE_GEOMETRY_LINES || desc.geometry > FLG_CURVE_GEOMETRY_TUBE) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.geometry", "is %d, must be 0 to 2", desc.geometry);
     }
     if (!(desc.default_radius > 0) || !(desc.default_radius <= max_coordinate)) {
@@ -149,9 +144,9 @@ FlgCurveWriteDesc checked_desc(const FlgCurveWriteDesc* given, const CheckedView
     }
     for (uint32_t c = 0; desc.geometries && c < curves.curve_count(); ++c) {
         const uint8_t geometry = desc.geometries[c];
-        if (geometry == FLG_GEOMETRY_RIBBON || geometry == FLG_GEOMETRY_TUBE) continue;
+        if (geometry == FLG_CURVE_GEOMETRY_RIBBON || geometry == FLG_CURVE_GEOMETRY_TUBE) continue;
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.geometries[" + std::to_string(c) + "]",
-             "is %u, must be FLG_GEOMETRY_RIBBON or FLG_GEOMETRY_TUBE", unsigned{geometry});
+             "is %u, must be FLG_CURVE_GEOMETRY_RIBBON or FLG_CURVE_GEOMETRY_TUBE", unsigned{geometry});
     }
     return desc;
 }
@@ -161,16 +156,15 @@ FlgCurveWriteDesc checked_desc(const FlgCurveWriteDesc* given, const CheckedView
 }  // namespace flg::io
 
 using namespace flg::io;
+using flg::sized;
+using flg::write_origin;
 
 extern "C" {
 
 FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
-    if (out_file) *out_file = nullptr;
-    return guarded(path ? path : "flgCurveFileRead", [&] {
-        check_argument(path, "path");
-        check_argument(out_file, "out_file");
+    return read_into(out_file, "flgCurveFileRead", path, [](const std::filesystem::path& source) {
         auto file = std::make_unique<FlgCurveFileT>();
-        file->data = read_curves(to_path(path));
+        file->data = read_curves(source);
         CurveData& data = file->data;
         file->measures = measure(data);
         add_column(*file, FLG_ATTRIBUTE_POSITION, 3, data.positions);
@@ -183,76 +177,62 @@ FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
             add_column(*file, column.attribute, column.components, column.values);
         }
         for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
-        *out_file = file.release();
+        return file;
     });
 }
 
 FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view) {
-    return guarded("flgCurveFileGetView", [&] {
-        const uint32_t struct_size = open_out(out_view, "out_view");
-        check_argument(file, "file");
-        FlgCurveSetView view = {};
-        view.curve_count = static_cast<uint32_t>(file->data.curve_count());
-        view.curve_offsets = file->data.offsets.data();
-        view.curve_flags = file->data.flags.data();
-        view.columns = file->columns.data();
-        view.column_count = static_cast<uint32_t>(file->columns.size());
-        hand_out(view, out_view, struct_size);
+    return show("flgCurveFileGetView", file, out_view, "out_view", [](const FlgCurveFileT& shown) {
+        auto view = sized<FlgCurveSetView>();
+        view.curve_count = static_cast<uint32_t>(shown.data.curve_count());
+        view.curve_offsets = shown.data.offsets.data();
+        view.curve_flags = shown.data.flags.data();
+        view.columns = shown.columns.data();
+        view.column_count = static_cast<uint32_t>(shown.columns.size());
+        write_origin(shown.data.placing.origin, view.origin);
+        return view;
     });
 }
 
 FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info) {
-    return guarded("flgCurveFileGetInfo", [&] {
-        const uint32_t struct_size = open_out(out_info, "out_info");
-        check_argument(file, "file");
-        const CurveData& data = file->data;
-        FlgCurveFileInfo info = {};
+    return show("flgCurveFileGetInfo", file, out_info, "out_info", [](const FlgCurveFileT& shown) {
+        const CurveData& data = shown.data;
+        auto info = sized<FlgCurveFileInfo>();
         info.curve_count = static_cast<uint32_t>(data.curve_count());
         info.point_count = data.point_count();
         info.format = data.format;
         info.units = data.units;
-        std::copy_n(file->measures.box_min, 3, info.box_min);
-        std::copy_n(file->measures.box_max, 3, info.box_max);
-        info.total_length = file->measures.total_length;
-        info.warning_count = static_cast<uint32_t>(file->warnings.size());
-        info.warnings = file->warnings.data();
-        hand_out(info, out_info, struct_size);
+        shown.measures.box.show(info);
+        info.total_length = shown.measures.total_length;
+        info.warning_count = static_cast<uint32_t>(shown.warnings.size());
+        info.warnings = shown.warnings.data();
+        return info;
     });
 }
 
 FlgResult flgCurveFileGetStrokes(FlgCurveFile file, const FlgStroke** out_strokes, uint32_t* out_count) {
-    if (out_strokes) *out_strokes = nullptr;
-    if (out_count) *out_count = 0;
-    return guarded("flgCurveFileGetStrokes", [&] {
-        check_argument(file, "file");
-        check_argument(out_strokes, "out_strokes");
-        check_argument(out_count, "out_count");
-        if (file->data.strokes.empty()) return;
-        *out_strokes = file->data.strokes.data();
-        *out_count = static_cast<uint32_t>(file->data.strokes.size());
-    });
+    return show_list(
+        "flgCurveFileGetStrokes", file, [](const FlgCurveFileT& f) -> auto& { return f.data.strokes; }, out_strokes,
+        "out_strokes", out_count);
 }
 
 void flgCurveFileRelease(FlgCurveFile file) {
     delete file;
 }
 
-FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct_size) {
-    return guarded("flgCurveWriteDescInit", [&] {
-        check_argument(desc, "desc");
-        check_desc_size(struct_size);
-        std::memset(desc, 0, struct_size);
-        hand_out(write_defaults(), desc, struct_size);
-    });
+FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint32_t struct_size) {
+    return init("flgCurveFileWriteDescInit", desc, struct_size, write_defaults());
 }
 
-FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveWriteDesc* desc) {
-    return guarded(path ? path : "flgCurveFileWrite", [&] {
-        check_argument(path, "path");
-        const std::filesystem::path target = to_path(path);
+FlgResult flgCurveFileInfoInit(FlgCurveFileInfo* info, uint32_t struct_size) {
+    return init("flgCurveFileInfoInit", info, struct_size, sized<FlgCurveFileInfo>(), "info");
+}
+
+FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc) {
+    return guarded_path("flgCurveFileWrite", path, [&](const std::filesystem::path& target) {
         const std::string extension = extension_of(target);
         const CheckedView curves(view);
-        const FlgCurveWriteDesc checked = checked_desc(desc, curves);
+        const FlgCurveFileWriteDesc checked = checked_desc(desc, curves);
         std::string content;
         if (extension == ".xyz" || extension == ".txt") {
             content = write_xyz(curves, checked);

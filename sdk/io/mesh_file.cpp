@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "filigree/filigree_io.h"
+#include "io/base/box.h"
 #include "io/base/checked_views.h"
 #include "io/base/entry_point.h"
 #include "io/base/files.h"
@@ -18,8 +19,7 @@ namespace flg::io {
 
 // What all formats' meshes are asked: extent, number of regions, and oddities.
 struct MeshMeasures {
-    float box_min[3] = {0, 0, 0};
-    float box_max[3] = {0, 0, 0};
+    Box box;
     uint32_t region_count = 1;
 };
 
@@ -51,14 +51,7 @@ uint32_t count_different(const std::vector<uint32_t>& labels) {
 // Adds warnings to `data` for what it finds odd.
 MeshMeasures measure(MeshData& data) {
     MeshMeasures result;
-    std::copy_n(data.positions.data(), 3, result.box_min);
-    std::copy_n(data.positions.data(), 3, result.box_max);
-    for (size_t i = 0; i < data.positions.size(); i += 3) {
-        for (size_t k = 0; k < 3; ++k) {
-            result.box_min[k] = std::min(result.box_min[k], data.positions[i + k]);
-            result.box_max[k] = std::max(result.box_max[k], data.positions[i + k]);
-        }
-    }
+    result.box = box_of(data.positions);
     if (!data.regions.empty()) result.region_count = count_different(data.regions);
 
     std::vector<uint8_t> used(data.vertex_count());
@@ -76,16 +69,25 @@ MeshMeasures measure(MeshData& data) {
     return result;
 }
 
-MeshData read_mesh(const std::filesystem::path& path) {
+MeshData read_from(const std::filesystem::path& path, const Origin& origin) {
     const std::string extension = extension_of(path);
-    if (extension == ".gltf" || extension == ".glb") return read_gltf_mesh(path);
+    if (extension == ".gltf" || extension == ".glb") return read_gltf_mesh(path, origin);
     if (extension != ".ply" && extension != ".obj" && extension != ".off") {
         fail(FLG_ERROR_FORMAT, "", "is of no known format: %s is none of .ply .obj .off .gltf .glb",
              cited(extension).c_str());
     }
     const ByteBlock file = read_file(path, "");
-    if (extension == ".ply") return read_ply(file.bytes());
-    return extension == ".obj" ? read_obj_mesh(as_text(file.bytes())) : read_off(as_text(file.bytes()));
+    if (extension == ".ply") return read_ply(file.bytes(), origin);
+    return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), origin) : read_off(as_text(file.bytes()), origin);
+}
+
+MeshData read_mesh(const std::filesystem::path& path) {
+    const auto visit_edges = [](const MeshData& data, const auto& visit) {
+        for (size_t i = 0; i < data.triangles.size(); i += 3) {
+            for (size_t k = 0; k < 3; ++k) visit(data.triangles[i + k], data.triangles[i + (k + 1) % 3]);
+        }
+    };
+    return read_placed([&](const Origin& origin) { return read_from(path, origin); }, visit_edges);
 }
 
 std::string write_mesh(const std::string& extension, const CheckedMesh& mesh) {
@@ -101,16 +103,15 @@ std::string write_mesh(const std::string& extension, const CheckedMesh& mesh) {
 }  // namespace flg::io
 
 using namespace flg::io;
+using flg::sized;
+using flg::write_origin;
 
 extern "C" {
 
 FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file) {
-    if (out_file) *out_file = nullptr;
-    return guarded(path ? path : "flgMeshFileRead", [&] {
-        check_argument(path, "path");
-        check_argument(out_file, "out_file");
+    return read_into(out_file, "flgMeshFileRead", path, [](const std::filesystem::path& source) {
         auto file = std::make_unique<FlgMeshFileT>();
-        file->data = read_mesh(to_path(path));
+        file->data = read_mesh(source);
         MeshData& data = file->data;
         split_concave_polygons(data);
         file->measures = measure(data);
@@ -123,68 +124,48 @@ FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file) {
         }
         for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
         for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
-        *out_file = file.release();
+        return file;
     });
 }
 
 FlgResult flgMeshFileGetView(FlgMeshFile file, FlgMeshView* out_view) {
-    return guarded("flgMeshFileGetView", [&] {
-        const uint32_t struct_size = open_out(out_view, "out_view");
-        check_argument(file, "file");
-        const MeshData& data = file->data;
-        FlgMeshView view = {};
+    return show("flgMeshFileGetView", file, out_view, "out_view", [](const FlgMeshFileT& shown) {
+        const MeshData& data = shown.data;
+        auto view = sized<FlgMeshView>();
         view.vertex_count = static_cast<uint32_t>(data.vertex_count());
         view.triangle_count = static_cast<uint32_t>(data.triangle_count());
-        view.columns = file->columns.data();
-        view.column_count = static_cast<uint32_t>(file->columns.size());
+        view.columns = shown.columns.data();
+        view.column_count = static_cast<uint32_t>(shown.columns.size());
         view.triangles = data.triangles.data();
         view.regions = data.regions.empty() ? nullptr : data.regions.data();
-        hand_out(view, out_view, struct_size);
+        write_origin(data.placing.origin, view.origin);
+        return view;
     });
 }
 
 FlgResult flgMeshFileGetFaceColumns(FlgMeshFile file, const FlgMeshFaceColumn** out_columns, uint32_t* out_count) {
-    if (out_columns) *out_columns = nullptr;
-    if (out_count) *out_count = 0;
-    return guarded("flgMeshFileGetFaceColumns", [&] {
-        check_argument(file, "file");
-        check_argument(out_columns, "out_columns");
-        check_argument(out_count, "out_count");
-        if (file->face_columns.empty()) return;
-        *out_columns = file->face_columns.data();
-        *out_count = static_cast<uint32_t>(file->face_columns.size());
-    });
+    return show_list("flgMeshFileGetFaceColumns", file, &FlgMeshFileT::face_columns, out_columns, "out_columns",
+                     out_count);
 }
 
 FlgResult flgMeshFileGetMaterials(FlgMeshFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count) {
-    if (out_materials) *out_materials = nullptr;
-    if (out_count) *out_count = 0;
-    return guarded("flgMeshFileGetMaterials", [&] {
-        check_argument(file, "file");
-        check_argument(out_materials, "out_materials");
-        check_argument(out_count, "out_count");
-        if (file->materials.empty()) return;
-        *out_materials = file->materials.data();
-        *out_count = static_cast<uint32_t>(file->materials.size());
-    });
+    return show_list("flgMeshFileGetMaterials", file, &FlgMeshFileT::materials, out_materials, "out_materials",
+                     out_count);
 }
 
 FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info) {
-    return guarded("flgMeshFileGetInfo", [&] {
-        const uint32_t struct_size = open_out(out_info, "out_info");
-        check_argument(file, "file");
-        const MeshData& data = file->data;
-        FlgMeshFileInfo info = {};
+    return show("flgMeshFileGetInfo", file, out_info, "out_info", [](const FlgMeshFileT& shown) {
+        const MeshData& data = shown.data;
+        auto info = sized<FlgMeshFileInfo>();
         info.vertex_count = static_cast<uint32_t>(data.vertex_count());
         info.triangle_count = static_cast<uint32_t>(data.triangle_count());
-        info.region_count = file->measures.region_count;
+        info.region_count = shown.measures.region_count;
         info.polygon_count = data.polygon_count;
         info.format = data.format;
-        std::copy_n(file->measures.box_min, 3, info.box_min);
-        std::copy_n(file->measures.box_max, 3, info.box_max);
-        info.warning_count = static_cast<uint32_t>(file->warnings.size());
-        info.warnings = file->warnings.data();
-        hand_out(info, out_info, struct_size);
+        shown.measures.box.show(info);
+        info.warning_count = static_cast<uint32_t>(shown.warnings.size());
+        info.warnings = shown.warnings.data();
+        return info;
     });
 }
 
@@ -192,20 +173,17 @@ void flgMeshFileRelease(FlgMeshFile file) {
     delete file;
 }
 
-FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint32_t struct_size) {
-    return guarded("flgMeshWriteDescInit", [&] {
-        check_argument(desc, "desc");
-        check_size<FlgMeshWriteDesc>(struct_size, "desc");
-        std::memset(desc, 0, struct_size);
-        hand_out(mesh_write_defaults(), desc, struct_size);
-    });
+FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint32_t struct_size) {
+    return init("flgMeshFileInfoInit", info, struct_size, sized<FlgMeshFileInfo>(), "info");
 }
 
-FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshWriteDesc* desc) {
-    return guarded(path ? path : "flgMeshFileWrite", [&] {
-        check_argument(path, "path");
+FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_size) {
+    return init("flgMeshFileWriteDescInit", desc, struct_size, sized<FlgMeshFileWriteDesc>());
+}
+
+FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc) {
+    return guarded_path("flgMeshFileWrite", path, [&](const std::filesystem::path& target) {
         const CheckedMesh mesh(view, desc);
-        const std::filesystem::path target = to_path(path);
         write_file(target, write_mesh(extension_of(target), mesh));
     });
 }

@@ -6,26 +6,18 @@
 #include "io/gltf/gltf_motion_writer.h"
 
 using namespace flg::io;
+using flg::sized;
 
 extern "C" {
 
-FlgResult flgMotionFileDescInit(FlgMotionFileDesc* desc, uint32_t struct_size) {
-    return guarded("flgMotionFileDescInit", [&] {
-        check_argument(desc, "desc");
-        check_size<FlgMotionFileDesc>(struct_size, "desc");
-        std::memset(desc, 0, struct_size);
-        hand_out(motion_file_defaults(), desc, struct_size);
-    });
+FlgResult flgMotionFileWriteDescInit(FlgMotionFileWriteDesc* desc, uint32_t struct_size) {
+    return init("flgMotionFileWriteDescInit", desc, struct_size, sized<FlgMotionFileWriteDesc>());
 }
 
-FlgResult flgMotionFileWrite(const char* path, const FlgMotionFileDesc* desc) {
-    return guarded(path ? path : "flgMotionFileWrite", [&] {
-        check_argument(path, "path");
+FlgResult flgMotionFileWrite(const char* path, const FlgMotionFileWriteDesc* desc) {
+    return guarded_path("flgMotionFileWrite", path, [&](const std::filesystem::path& target) {
         const CheckedMotion motion(desc);
-        const std::filesystem::path target = to_path(path);
-        const std::string extension = extension_of(target);
-        if (extension != ".glb")
-            fail(FLG_ERROR_FORMAT, "", "can't be written: %s is not .glb", cited(extension).c_str());
+        check_is_glb(target);
         write_file(target, write_glb_motion(motion));
     });
 }

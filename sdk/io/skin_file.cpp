@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "filigree/filigree_io.h"
+#include "io/base/box.h"
 #include "io/base/checked_views.h"
 #include "io/base/entry_point.h"
 #include "io/base/files.h"
@@ -12,10 +13,9 @@
 
 struct FlgSkinFileT {
     flg::io::SkinData data;
-    float box_min[3], box_max[3];
+    flg::io::Box box;
     uint32_t part_count = 1;
     std::vector<const char*> joint_names, warnings;
-    std::vector<FlgSkinAnimation> animations;
     std::vector<FlgMeshMaterial> materials;
 };
 
@@ -24,8 +24,7 @@ namespace flg::io {
 namespace {
 
 FlgSkinAnimation view_of(const AnimationData& data) {
-    FlgSkinAnimation view = {};
-    view.struct_size = sizeof view;
+    auto view = sized<FlgSkinAnimation>();
     view.key_count = static_cast<uint32_t>(data.times.size());
     view.name = data.name.c_str();
     view.times = data.times.data();
@@ -38,15 +37,10 @@ std::unique_ptr<FlgSkinFileT> make_file(SkinData&& read) {
     auto file = std::make_unique<FlgSkinFileT>();
     file->data = std::move(read);
     const SkinData& data = file->data;
-    for (size_t k = 0; k < 3; ++k) file->box_min[k] = file->box_max[k] = data.positions[k];
-    for (size_t i = 0; i < data.positions.size(); ++i) {
-        file->box_min[i % 3] = std::min(file->box_min[i % 3], data.positions[i]);
-        file->box_max[i % 3] = std::max(file->box_max[i % 3], data.positions[i]);
-    }
+    file->box = box_of(data.positions);
     file->part_count = 1 + *std::max_element(data.parts.begin(), data.parts.end());
     for (const std::string& name : data.joint_names) file->joint_names.push_back(name.c_str());
     for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
-    for (const AnimationData& animation : data.animations) file->animations.push_back(view_of(animation));
     for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
     return file;
 }
@@ -56,30 +50,25 @@ std::unique_ptr<FlgSkinFileT> make_file(SkinData&& read) {
 }  // namespace flg::io
 
 using namespace flg::io;
+using flg::sized;
 
 extern "C" {
 
 FlgResult flgSkinFileRead(const char* path, FlgSkinFile* out_file) {
-    if (out_file) *out_file = nullptr;
-    return guarded(path ? path : "flgSkinFileRead", [&] {
-        check_argument(path, "path");
-        check_argument(out_file, "out_file");
-        const std::filesystem::path source = to_path(path);
+    return read_into(out_file, "flgSkinFileRead", path, [](const std::filesystem::path& source) {
         const std::string extension = extension_of(source);
         if (extension != ".gltf" && extension != ".glb") {
             fail(FLG_ERROR_FORMAT, "", "holds no skin: %s is none of .gltf .glb", cited(extension).c_str());
         }
         std::optional<SkinData> data = read_gltf_skin(source);
-        if (data) *out_file = make_file(std::move(*data)).release();
+        return data ? make_file(std::move(*data)) : nullptr;
     });
 }
 
 FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view) {
-    return guarded("flgSkinFileGetView", [&] {
-        const uint32_t struct_size = open_out(out_view, "out_view");
-        check_argument(file, "file");
-        const SkinData& data = file->data;
-        FlgSkinView view = {};
+    return show("flgSkinFileGetView", file, out_view, "out_view", [](const FlgSkinFileT& shown) {
+        const SkinData& data = shown.data;
+        auto view = sized<FlgSkinView>();
         view.vertex_count = static_cast<uint32_t>(data.vertex_count());
         view.triangle_count = static_cast<uint32_t>(data.triangle_count());
         view.joint_count = static_cast<uint32_t>(data.joint_parents.size());
@@ -91,48 +80,35 @@ FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view) {
         view.vertex_parts = data.parts.data();
         view.joint_positions = data.joint_positions.data();
         view.joint_parents = data.joint_parents.data();
-        view.joint_names = file->joint_names.data();
-        hand_out(view, out_view, struct_size);
+        view.joint_names = shown.joint_names.data();
+        return view;
     });
 }
 
-FlgResult flgSkinFileGetAnimations(FlgSkinFile file, const FlgSkinAnimation** out_animations, uint32_t* out_count) {
-    if (out_animations) *out_animations = nullptr;
-    if (out_count) *out_count = 0;
-    return guarded("flgSkinFileGetAnimations", [&] {
-        check_argument(file, "file");
-        check_argument(out_animations, "out_animations");
-        check_argument(out_count, "out_count");
-        if (file->animations.empty()) return;
-        *out_animations = file->animations.data();
-        *out_count = static_cast<uint32_t>(file->animations.size());
+FlgResult flgSkinFileGetAnimation(FlgSkinFile file, uint32_t animation, FlgSkinAnimation* out_animation) {
+    return show("flgSkinFileGetAnimation", file, out_animation, "out_animation", [&](const FlgSkinFileT& shown) {
+        const std::vector<AnimationData>& animations = shown.data.animations;
+        if (animation >= animations.size()) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, "animation", "is %u, but there are %zu", animation, animations.size());
+        }
+        return view_of(animations[animation]);
     });
 }
 
 FlgResult flgSkinFileGetMaterials(FlgSkinFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count) {
-    if (out_materials) *out_materials = nullptr;
-    if (out_count) *out_count = 0;
-    return guarded("flgSkinFileGetMaterials", [&] {
-        check_argument(file, "file");
-        check_argument(out_materials, "out_materials");
-        check_argument(out_count, "out_count");
-        if (file->materials.empty()) return;
-        *out_materials = file->materials.data();
-        *out_count = static_cast<uint32_t>(file->materials.size());
-    });
+    return show_list("flgSkinFileGetMaterials", file, &FlgSkinFileT::materials, out_materials, "out_materials",
+                     out_count);
 }
 
 FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info) {
-    return guarded("flgSkinFileGetInfo", [&] {
-        const uint32_t struct_size = open_out(out_info, "out_info");
-        check_argument(file, "file");
-        FlgSkinFileInfo info = {};
-        info.part_count = file->part_count;
-        std::copy_n(file->box_min, 3, info.box_min);
-        std::copy_n(file->box_max, 3, info.box_max);
-        info.warning_count = static_cast<uint32_t>(file->warnings.size());
-        info.warnings = file->warnings.data();
-        hand_out(info, out_info, struct_size);
+    return show("flgSkinFileGetInfo", file, out_info, "out_info", [](const FlgSkinFileT& shown) {
+        auto info = sized<FlgSkinFileInfo>();
+        info.part_count = shown.part_count;
+        shown.box.show(info);
+        info.animation_count = static_cast<uint32_t>(shown.data.animations.size());
+        info.warning_count = static_cast<uint32_t>(shown.warnings.size());
+        info.warnings = shown.warnings.data();
+        return info;
     });
 }
 
@@ -140,23 +116,18 @@ void flgSkinFileRelease(FlgSkinFile file) {
     delete file;
 }
 
-FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint32_t struct_size) {
-    return guarded("flgSkinFileDescInit", [&] {
-        check_argument(desc, "desc");
-        check_size<FlgSkinFileDesc>(struct_size, "desc");
-        std::memset(desc, 0, struct_size);
-        hand_out(skin_file_defaults(), desc, struct_size);
-    });
+FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint32_t struct_size) {
+    return init("flgSkinFileInfoInit", info, struct_size, sized<FlgSkinFileInfo>(), "info");
 }
 
-FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileDesc* desc) {
-    return guarded(path ? path : "flgSkinFileWrite", [&] {
-        check_argument(path, "path");
+FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size) {
+    return init("flgSkinFileWriteDescInit", desc, struct_size, sized<FlgSkinFileWriteDesc>());
+}
+
+FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileWriteDesc* desc) {
+    return guarded_path("flgSkinFileWrite", path, [&](const std::filesystem::path& target) {
         const CheckedSkin skin(desc);
-        const std::filesystem::path target = to_path(path);
-        const std::string extension = extension_of(target);
-        if (extension != ".glb")
-            fail(FLG_ERROR_FORMAT, "", "can't be written: %s is not .glb", cited(extension).c_str());
+        check_is_glb(target);
         write_file(target, write_glb_skin(skin));
     });
 }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The C ABI of picking: checks, and failures as results.
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <exception>
-#include <new>
 
+#include "core/guard.h"
+#include "core/sized_struct.h"
 #include "pick/pick_scene.h"
 
 using flg::Failure;
+using flg::Longer;
+using flg::require;
+using flg::sized;
 using flg::pick::PickScene;
 
 struct FlgPickSceneT {
-    explicit FlgPickSceneT(uint32_t threads) : scene(threads) {}
+    FlgPickSceneT(uint32_t threads, const flg::Origin& origin) : scene(threads, origin) {}
     PickScene scene;
 };
 
@@ -20,39 +21,26 @@ namespace {
 
 thread_local char last_error[512] = "no error";
 
-FlgResult take_error(FlgResult result, const char* sentence) noexcept {
-    std::snprintf(last_error, sizeof last_error, "%s", sentence);
-    return result;
+FlgPickSceneDesc default_desc() {
+    auto desc = sized<FlgPickSceneDesc>();
+    desc.threads = 1;
+    return desc;
 }
 
 template <class Body>
 FlgResult guarded(Body&& body) noexcept {
-    try {
-        body();
-        return FLG_OK;
-    } catch (const Failure& failure) {
-        return take_error(failure.result(), failure.what());
-    } catch (const std::bad_alloc&) {
-        return take_error(FLG_ERROR_OUT_OF_MEMORY, "no memory is left");
-    } catch (const std::exception& error) {
-        return take_error(FLG_ERROR_INTERNAL, error.what());
-    } catch (...) {
-        return take_error(FLG_ERROR_INTERNAL, "unknown exception");
-    }
+    return flg::guarded(std::forward<Body>(body),
+                        [] { return flg::translate_exception(last_error, sizeof last_error, "no memory is left"); });
 }
 
-template <class T>
-T& require(T* pointer, const char* name) {
-    if (!pointer) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", name);
-    return *pointer;
-}
-
-template <class Struct>
-void check_size(uint32_t struct_size, const char* name) {
-    if (struct_size < sizeof(Struct)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s: struct_size is %u, must be at least %zu", name, struct_size,
-                      sizeof(Struct));
+flg::Origin read_origin(const double (&origin)[3], const char* argument) {
+    for (const double value : origin) {
+        if (!(std::abs(value) <= 1e30)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s holds %g, must be finite and at most 1e30 in size", argument,
+                          value);
+        }
     }
+    return {origin[0], origin[1], origin[2]};
 }
 
 // Of places: Embree takes coordinates up to 2^60.
@@ -84,13 +72,12 @@ bool has_positions(const FlgColumn* columns, uint32_t count) {
     return false;
 }
 
-void check_surface(const FlgSurfaceView* surface, const uint32_t* changed, uint32_t changed_count) {
-    check_size<FlgSurfaceView>(require(surface, "surface").struct_size, "surface");
-    const FlgMeshView& mesh = surface->mesh;
+void check_mesh(const FlgMeshView& mesh, const uint32_t* changed, uint32_t changed_count) {
     if (!has_positions(mesh.columns, mesh.column_count)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.columns has no FLG_ATTRIBUTE_POSITION");
     }
     require(mesh.triangles, "surface.mesh.triangles");
+    read_origin(mesh.origin, "surface.mesh.origin");
     for (uint32_t i = 0; changed && i < changed_count; ++i) {
         if (changed[i] >= mesh.triangle_count) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "changed[%u] is %u, but there are %u triangles", i, changed[i],
@@ -99,12 +86,12 @@ void check_surface(const FlgSurfaceView* surface, const uint32_t* changed, uint3
     }
 }
 
-void check_curves(const FlgCurveSetView* curves, float least_radius) {
-    check_size<FlgCurveSetView>(require(curves, "curves").struct_size, "curves");
-    if (!has_positions(curves->columns, curves->column_count)) {
+void check_curves(const FlgCurveSetView& curves, float least_radius) {
+    if (!has_positions(curves.columns, curves.column_count)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curves.columns has no FLG_ATTRIBUTE_POSITION");
     }
-    require(curves->curve_offsets, "curves.curve_offsets");
+    require(curves.curve_offsets, "curves.curve_offsets");
+    read_origin(curves.origin, "curves.origin");
     if (!(least_radius > 0 && std::isfinite(least_radius))) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "least_radius is %g, must be finite and above 0",
                       static_cast<double>(least_radius));
@@ -126,24 +113,20 @@ void check_rays(const FlgRay* rays, uint32_t count) {
 
 extern "C" {
 
-const char* flgPickLastError(void) {
+const char* flgPickErrorGetMessage(void) {
     return last_error;
 }
 
 FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint32_t struct_size) {
-    return guarded([&] {
-        require(desc, "desc");
-        check_size<FlgPickSceneDesc>(struct_size, "desc");
-        std::memset(static_cast<void*>(desc), 0, struct_size);
-        *desc = {.struct_size = struct_size, .threads = 1};
-    });
+    return guarded([&] { flg::init_struct(desc, struct_size, default_desc(), "desc"); });
 }
 
 FlgResult flgPickSceneCreate(const FlgPickSceneDesc* desc, FlgPickScene* out_scene) {
     return guarded([&] {
         require(out_scene, "out_scene") = nullptr;
-        if (desc) check_size<FlgPickSceneDesc>(desc->struct_size, "desc");
-        *out_scene = new FlgPickSceneT(desc ? desc->threads : 1);
+        const FlgPickSceneDesc read =
+            desc ? flg::read_struct<Longer::cut>(desc, default_desc(), "desc") : default_desc();
+        *out_scene = new FlgPickSceneT(read.threads, read_origin(read.origin, "desc.origin"));
     });
 }
 
@@ -154,16 +137,20 @@ void flgPickSceneDestroy(FlgPickScene scene) {
 FlgResult flgPickSceneSetSurface(FlgPickScene scene, uint32_t object, const FlgSurfaceView* surface,
                                  const uint32_t* changed, uint32_t changed_count) {
     return guarded([&] {
-        check_surface(surface, changed, changed_count);
-        require(scene, "scene").scene.set_surface(object, *surface, changed, changed_count);
+        FlgSurfaceView read = flg::read_struct<Longer::cut>(surface, flg::sized<FlgSurfaceView>(), "surface");
+        const FlgMeshView mesh = flg::read_struct<Longer::cut>(read.mesh, flg::sized<FlgMeshView>(), "surface.mesh");
+        check_mesh(mesh, changed, changed_count);
+        read.mesh = &mesh;
+        require(scene, "scene").scene.set_surface(object, read, changed, changed_count);
     });
 }
 
 FlgResult flgPickSceneSetCurves(FlgPickScene scene, uint32_t object, const FlgCurveSetView* curves,
                                 float least_radius) {
     return guarded([&] {
-        check_curves(curves, least_radius);
-        require(scene, "scene").scene.set_curves(object, *curves, least_radius);
+        const FlgCurveSetView read = flg::read_struct<Longer::cut>(curves, flg::sized<FlgCurveSetView>(), "curves");
+        check_curves(read, least_radius);
+        require(scene, "scene").scene.set_curves(object, read, least_radius);
     });
 }
 
@@ -175,7 +162,7 @@ FlgResult flgPickSceneCommit(FlgPickScene scene) {
     return guarded([&] { require(scene, "scene").scene.commit(); });
 }
 
-FlgResult flgPickRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits) {
+FlgResult flgPickSceneCastRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits) {
     return guarded([&] {
         require(scene, "scene");
         if (ray_count == 0) return;
@@ -186,7 +173,7 @@ FlgResult flgPickRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count
     });
 }
 
-FlgResult flgPickNearest(FlgPickScene scene, const float point[3], float max_distance, FlgHit* out_hit) {
+FlgResult flgPickSceneFindNearest(FlgPickScene scene, const float point[3], float max_distance, FlgHit* out_hit) {
     return guarded([&] {
         require(scene, "scene");
         require(point, "point");

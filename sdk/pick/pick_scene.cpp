@@ -119,8 +119,11 @@ float scaled(float value, int exponent) {
 
 }  // namespace
 
-PickScene::PickScene(uint32_t threads)
-    : device_(make_device(threads)), scene_(rtcNewScene(device_.get())), boxes_(rtcNewScene(device_.get())) {
+PickScene::PickScene(uint32_t threads, const Origin& origin)
+    : origin_(origin),
+      device_(make_device(threads)),
+      scene_(rtcNewScene(device_.get())),
+      boxes_(rtcNewScene(device_.get())) {
     // Low quality is Embree's name for scenes of two levels; each object's own structure is of the usual quality.
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
@@ -136,14 +139,14 @@ void PickScene::set_surface(uint32_t object, const FlgSurfaceView& surface, cons
         there->second.surface->update(surface, changed, changed_count)) {
         return;
     }
-    auto made = std::make_unique<SurfaceTarget>(device_.get(), scene_.get(), surface);
+    auto made = std::make_unique<SurfaceTarget>(device_.get(), scene_.get(), origin_, surface);
     SurfaceTarget* const target = made.get();
     objects_[object] = {std::move(made), target};
 }
 
 void PickScene::set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius) {
-    objects_[object] = {std::make_unique<CurveTarget>(device_.get(), scene_.get(), boxes_.get(), curves, least_radius),
-                        nullptr};
+    auto made = std::make_unique<CurveTarget>(device_.get(), scene_.get(), boxes_.get(), origin_, curves, least_radius);
+    objects_[object] = {std::move(made), nullptr};
 }
 
 void PickScene::remove(uint32_t object) {

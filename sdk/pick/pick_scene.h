@@ -16,7 +16,7 @@ namespace flg::pick {
 
 class PickScene {
 public:
-    explicit PickScene(uint32_t threads);
+    PickScene(uint32_t threads, const Origin& origin);
 
     void set_surface(uint32_t object, const FlgSurfaceView& surface, const uint32_t* changed, uint32_t changed_count);
     void set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius);
@@ -43,6 +43,7 @@ private:
     static bool visit_nearest(RTCPointQueryFunctionArguments* arguments);
     void pick_eight(const FlgRay* rays, const uint32_t* which, uint32_t count, FlgHit* hits) const;
 
+    const Origin origin_;
     Device device_;
     Scene scene_;
     Scene boxes_;  // see Target::box_id

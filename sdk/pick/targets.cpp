@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/float_precision.h"
+
 namespace flg::pick {
 
 namespace {
@@ -51,34 +53,6 @@ constexpr uint32_t delta_share = 4;
 constexpr uint32_t no_level = UINT32_MAX;  // of the base
 constexpr uint8_t no_part = UINT8_MAX;
 
-// The host's positions.
-class Positions {
-public:
-    explicit Positions(const FlgMeshView& mesh) {
-        const FlgColumn* column = mesh.columns;
-        while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
-        data_ = column->data;
-        stride_ = column->stride ? column->stride / sizeof(float) : 3;
-    }
-    // Refuses what Embree would leave out.
-    void check(size_t vertex) const {
-        for (size_t k = 0; k < 3; ++k) {
-            const float value = data_[vertex * stride_ + k];
-            if (std::abs(value) <= largest_coordinate) continue;
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "the position of vertex %zu holds %g, must be finite and at most 1e18 in size", vertex,
-                          static_cast<double>(value));
-        }
-    }
-    void copy(size_t vertex, std::vector<float>& to) const {
-        std::memcpy(&to[3 * vertex], data_ + vertex * stride_, 3 * sizeof(float));
-    }
-
-private:
-    const float* data_;
-    size_t stride_;
-};
-
 // Room for what cuts add.
 template <class T>
 std::vector<T> with_slack(size_t size) {
@@ -88,7 +62,7 @@ std::vector<T> with_slack(size_t size) {
     return made;
 }
 
-void check_triangle(const FlgMeshView& mesh, const Positions& positions, uint32_t triangle) {
+void check_triangle(const FlgMeshView& mesh, const ScenePositions& positions, uint32_t triangle) {
     for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
         if (mesh.triangles[i] >= mesh.vertex_count) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "surface.mesh.triangles[%zu] is %u, but there are %u vertices", i,
@@ -98,20 +72,67 @@ void check_triangle(const FlgMeshView& mesh, const Positions& positions, uint32_
     }
 }
 
+const FlgColumn& position_column(const FlgMeshView& mesh) {
+    const FlgColumn* column = mesh.columns;
+    while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
+    return *column;
+}
+
+void check_precision(const FlgMeshView& mesh, const std::vector<float>& positions) {
+    EdgePrecision precision;
+    for (size_t t = 0; t < mesh.triangle_count; ++t) {
+        const uint32_t* const corners = mesh.triangles + 3 * t;
+        for (uint32_t k = 0; k < 3; ++k)
+            precision.add(&positions[size_t{3} * corners[k]], &positions[size_t{3} * corners[(k + 1) % 3]]);
+    }
+    precision.check("surface, seen from the scene's origin,",
+                    "pick it in a scene with an origin near it (FlgPickSceneDesc::origin)");
+}
+
 }  // namespace
 
-SurfaceTarget::SurfaceTarget(RTCDevice device, RTCScene scene, const FlgSurfaceView& surface)
+ScenePositions::ScenePositions(const FlgColumn& column, const double (&origin)[3], const Origin& scene)
+    : data_(column.data),
+      stride_(column.stride ? column.stride / sizeof(float) : 3),
+      shift_(origin_shift({origin[0], origin[1], origin[2]}, scene)),
+      is_moved_(!shift_.isZero(0)) {}
+
+void ScenePositions::check(size_t vertex) const {
+    float position[3];
+    copy(vertex, position);
+    for (const float value : position) {
+        if (std::abs(value) <= largest_coordinate) continue;
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "the position of vertex %zu holds %g, must be finite and at most 1e18 in size", vertex,
+                      static_cast<double>(value));
+    }
+}
+
+void ScenePositions::copy(size_t vertex, float* to) const {
+    const float* const from = data_ + vertex * stride_;
+    if (is_moved_) {
+        store_vec3(load_vec3(from) + shift_, to);
+    } else {
+        std::memcpy(to, from, 3 * sizeof(float));
+    }
+}
+
+SurfaceTarget::SurfaceTarget(RTCDevice device, RTCScene scene, const Origin& scene_origin,
+                             const FlgSurfaceView& surface)
     : device_(device),
       scene_(scene),
-      positions_(with_slack<float>(size_t{3} * surface.mesh.vertex_count)),
-      triangles_(with_slack<uint32_t>(size_t{3} * surface.mesh.triangle_count)),
-      regions_(with_slack<uint32_t>(surface.mesh.triangle_count)),
-      part_of_(with_slack<uint8_t>(surface.mesh.triangle_count)),
-      base_count_(surface.mesh.triangle_count) {
-    const FlgMeshView& mesh = surface.mesh;
-    const Positions positions(mesh);
+      scene_origin_(scene_origin),
+      origin_{surface.mesh->origin[0], surface.mesh->origin[1], surface.mesh->origin[2]},
+      positions_(with_slack<float>(size_t{3} * surface.mesh->vertex_count)),
+      triangles_(with_slack<uint32_t>(size_t{3} * surface.mesh->triangle_count)),
+      regions_(with_slack<uint32_t>(surface.mesh->triangle_count)),
+      part_of_(with_slack<uint8_t>(surface.mesh->triangle_count)),
+      base_count_(surface.mesh->triangle_count) {
+    const FlgMeshView& mesh = *surface.mesh;
+    const ScenePositions positions(position_column(mesh), mesh.origin, scene_origin);
     for (uint32_t t = 0; t < mesh.triangle_count; ++t) check_triangle(mesh, positions, t);
-    for (size_t v = 0; v < mesh.vertex_count; ++v) positions.copy(v, positions_);
+    for (size_t v = 0; v < mesh.vertex_count; ++v) positions.copy(v, &positions_[3 * v]);
+    if (positions.are_moved()) check_precision(mesh, positions_);
     std::copy_n(mesh.triangles, triangles_.size(), triangles_.begin());
     if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
     parts_.push_back(std::make_unique<Part>(Part{.target = this, .number = 0, .level = no_level, .triangles = {}}));
@@ -190,9 +211,10 @@ std::unique_ptr<SurfaceTarget::Part> SurfaceTarget::join_last_parts() {
 }
 
 bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* changed, uint32_t changed_count) {
-    const FlgMeshView& mesh = surface.mesh;
+    const FlgMeshView& mesh = *surface.mesh;
     const auto known = static_cast<uint32_t>(triangles_.size() / 3);
     if (is_incomplete_ || mesh.triangle_count < known || mesh.vertex_count < positions_.size() / 3) return false;
+    if (!std::equal(origin_.begin(), origin_.end(), mesh.origin)) return false;
     size_t beside = changed_count + (mesh.triangle_count - known);
     if (beside == 0) {
         if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
@@ -201,7 +223,7 @@ bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* change
     for (const auto& part : parts_) beside += part->triangles.size();
     if (beside > base_count_ / delta_share) return false;
 
-    const Positions positions(mesh);
+    const ScenePositions positions(position_column(mesh), mesh.origin, scene_origin_);
     for (uint32_t i = 0; i < changed_count; ++i) check_triangle(mesh, positions, changed[i]);
     for (uint32_t t = known; t < mesh.triangle_count; ++t) check_triangle(mesh, positions, t);
     is_incomplete_ = true;
@@ -215,7 +237,7 @@ bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* change
     const auto take = [&](uint32_t triangle) {
         for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
             triangles_[i] = mesh.triangles[i];
-            positions.copy(triangles_[i], positions_);
+            positions.copy(triangles_[i], &positions_[size_t{3} * triangles_[i]]);
         }
         if (part_of_[triangle] == part->number) return;
         part_of_[triangle] = part->number;
@@ -268,6 +290,24 @@ struct Reader {
     const float* at(size_t point) const { return data + point * stride; }
 };
 
+const FlgColumn& position_column(const FlgCurveSetView& curves) {
+    const FlgColumn* column = curves.columns;
+    while (column->attribute != FLG_ATTRIBUTE_POSITION) ++column;
+    return *column;
+}
+
+// Refuses a point of curves with another origin where floats are farther apart than tubes are thick.
+void check_place(const float* place, float least_radius) {
+    for (int k = 0; k < 3; ++k) {
+        if (float_step(std::abs(place[k])) <= least_radius) continue;
+        throw Failure(
+            FLG_ERROR_INVALID_ARGUMENT,
+            "curves, seen from the scene's origin, has a coordinate of %g m, where floats are %g m apart, more "
+            "than least_radius; pick them in a scene with an origin near them (FlgPickSceneDesc::origin)",
+            double{place[k]}, double{float_step(std::abs(place[k]))});
+    }
+}
+
 Reader reader_of(const FlgCurveSetView& curves, FlgAttribute attribute, float factor = 1) {
     for (uint32_t i = 0; i < curves.column_count; ++i) {
         const FlgColumn& column = curves.columns[i];
@@ -279,14 +319,16 @@ Reader reader_of(const FlgCurveSetView& curves, FlgAttribute attribute, float fa
 
 }  // namespace
 
-CurveTarget::CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const FlgCurveSetView& curves,
-                         float least_radius)
+CurveTarget::CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const Origin& scene_origin,
+                         const FlgCurveSetView& curves, float least_radius)
     : scene_(scene), boxes_(boxes) {
-    const Reader positions = reader_of(curves, FLG_ATTRIBUTE_POSITION);
+    const ScenePositions positions(position_column(curves), curves.origin, scene_origin);
     Reader radii = reader_of(curves, FLG_ATTRIBUTE_RADIUS);
     if (!radii.data) radii = reader_of(curves, FLG_ATTRIBUTE_WIDTH, 0.5f);
     const auto add = [&](uint32_t point) {
-        const float* p = positions.at(point);
+        float p[3];
+        positions.copy(point, p);
+        if (positions.are_moved()) check_place(p, least_radius);
         const float radius = radii.data ? std::max(least_radius, *radii.at(point) * radii.factor) : least_radius;
         vertices_.push_back({p[0], p[1], p[2], radius});
     };

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/failure.h"
-#include "core/vec.h"
+#include "core/origin.h"
 #include "filigree/filigree_pick.h"
 
 namespace flg::pick {
@@ -96,9 +96,27 @@ public:
     virtual Nearest nearest(uint32_t part, uint32_t primitive, const Vec3f& point) const = 0;
 };
 
+// Positions of the host as the scene has them, relative to its origin: with another of their own they are moved in
+// doubles, and rounded to floats again.
+class ScenePositions {
+public:
+    ScenePositions(const FlgColumn& column, const double (&origin)[3], const Origin& scene);
+
+    // Throws for what Embree would leave out.
+    void check(size_t vertex) const;
+    void copy(size_t vertex, float* to) const;
+    bool are_moved() const { return is_moved_; }
+
+private:
+    const float* data_;
+    size_t stride_;
+    Vec3 shift_;
+    bool is_moved_;
+};
+
 class SurfaceTarget final : public Target {
 public:
-    SurfaceTarget(RTCDevice device, RTCScene scene, const FlgSurfaceView& surface);
+    SurfaceTarget(RTCDevice device, RTCScene scene, const Origin& scene_origin, const FlgSurfaceView& surface);
     ~SurfaceTarget() override;
 
     // Takes in what changed; triangles beyond those known count as changed. False if so much has that the whole is
@@ -136,10 +154,11 @@ private:
 
     RTCDevice device_;
     RTCScene scene_;
-    std::vector<float> positions_;     // 3 a vertex
-    std::vector<uint32_t> triangles_;  // 3 a triangle
-    std::vector<uint32_t> regions_;    // one a triangle
-    std::vector<uint8_t> part_of_;     // one a triangle: the part that it counts in
+    const Origin scene_origin_, origin_;  // of the scene; of the surface
+    std::vector<float> positions_;        // 3 a vertex
+    std::vector<uint32_t> triangles_;     // 3 a triangle
+    std::vector<uint32_t> regions_;       // one a triangle
+    std::vector<uint8_t> part_of_;        // one a triangle: the part that it counts in
     std::vector<std::unique_ptr<Part>> parts_;
     uint32_t base_count_;         // triangles of the base
     bool is_incomplete_ = false;  // an update threw
@@ -147,7 +166,8 @@ private:
 
 class CurveTarget final : public Target {
 public:
-    CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const FlgCurveSetView& curves, float least_radius);
+    CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const Origin& scene_origin,
+                const FlgCurveSetView& curves, float least_radius);
     ~CurveTarget() override;
 
     uint32_t part_count() const override { return 1; }

@@ -4,7 +4,7 @@
 // Three kinds of members, by who may touch them:
 // - set at submission, read by all;
 // - live: atomics, or guarded by the scheduler's mutex;
-// - published: what the host sees, written only inside flgTick on the host's thread.
+// - published: what the host sees, written only inside flgContextTick on the host's thread.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class Job;
 class Output {
 public:
     virtual ~Output() = default;
-    virtual void publish_partial() noexcept = 0;  // for jobs with partial_results, each flgTick while they run
+    virtual void publish_partial() noexcept = 0;  // for jobs with partial_results, each flgContextTick while they run
     virtual void publish(const Job& job) noexcept = 0;
 };
 
@@ -98,7 +98,7 @@ public:
 
     // Published.
     FlgJobStatus status{.struct_size = sizeof(FlgJobStatus),
-                        .state = FLG_JOB_WAITING,
+                        .state = FLG_JOB_STATE_WAITING,
                         .result = FLG_NOT_READY,
                         .progress = 0,
                         .stage = "",

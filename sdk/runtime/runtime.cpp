@@ -6,23 +6,28 @@ namespace flg {
 namespace {
 
 Threading threading_of(const FlgContextDesc& desc) {
-    if (desc.job_system.submit) return Threading::host;
+    if (desc.job_system && desc.job_system->submit) return Threading::host;
     return desc.worker_count > 0 ? Threading::workers : Threading::none;
 }
 
+template <class Hook>
+Hook hook_or_none(const Hook* hook) {
+    return hook ? *hook : Hook{};
+}
+
 uint32_t thread_count_of(const FlgContextDesc& desc) {
-    return desc.job_system.submit ? desc.job_system.concurrency : desc.worker_count;
+    return threading_of(desc) == Threading::host ? desc.job_system->concurrency : desc.worker_count;
 }
 
 }  // namespace
 
 Runtime::Runtime(const FlgContextDesc& desc, Memory* memory)
     : memory_(memory),
-      host_(desc.clock, desc.log, desc.profiler),
+      host_(hook_or_none(desc.clock), hook_or_none(desc.log), hook_or_none(desc.profiler)),
       threading_(threading_of(desc)),
       scheduler_(host_, memory, thread_count_of(desc), desc.worker_budget_us) {
     if (threading_ == Threading::workers) crew_ = &workers_.emplace(scheduler_, desc.worker_count, memory);
-    if (threading_ == Threading::host) crew_ = &host_tasks_.emplace(scheduler_, desc.job_system);
+    if (threading_ == Threading::host) crew_ = &host_tasks_.emplace(scheduler_, *desc.job_system);
 }
 
 Runtime::~Runtime() {

@@ -16,6 +16,7 @@ namespace flg {
 
 class Runtime {
 public:
+    // Hooks may be null; they are copied.
     Runtime(const FlgContextDesc& desc, Memory* memory);
     ~Runtime();
 

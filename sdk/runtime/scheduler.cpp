@@ -40,7 +40,7 @@ Scheduler::~Scheduler() {
 // ---- queues (mutex held) ---------------------------------------------------------------------------------------
 
 void Scheduler::push_back(Strand& strand) {
-    Queue& queue = ready_[strand.job.priority];
+    Queue& queue = queue_of(strand.job);
     ++ready_count_;
     strand.next = nullptr;
     (queue.last ? queue.last->next : queue.first) = &strand;
@@ -48,7 +48,7 @@ void Scheduler::push_back(Strand& strand) {
 }
 
 void Scheduler::push_front(Strand& strand) {
-    Queue& queue = ready_[strand.job.priority];
+    Queue& queue = queue_of(strand.job);
     ++ready_count_;
     strand.next = queue.first;
     queue.first = &strand;
@@ -57,7 +57,7 @@ void Scheduler::push_front(Strand& strand) {
 
 // Strands of a cancelled job go first, whatever its priority: they only have to be taken down.
 void Scheduler::hurry(Job& job) {
-    Queue& queue = ready_[job.priority];
+    Queue& queue = queue_of(job);
     Queue& urgent = ready_[priority_count - 1];
     Strand* before = nullptr;
     for (Strand* strand = queue.first; strand;) {
@@ -317,12 +317,12 @@ void Scheduler::publish_progress() {
     }
     while (started) {
         // Within its capacity, see submit. A job that was published meanwhile is not running any more.
-        if (started->status.state != FLG_JOB_FINISHED) running_.push_back(started.get());
+        if (started->status.state != FLG_JOB_STATE_FINISHED) running_.push_back(started.get());
         started = std::move(started->next_started);
     }
     for (Job* job : running_) {
         FlgJobStatus& status = job->status;
-        status.state = FLG_JOB_RUNNING;
+        status.state = FLG_JOB_STATE_RUNNING;
         status.stage = job->stage.load(std::memory_order_relaxed);
         const auto expected = static_cast<double>(job->expected_units.load(std::memory_order_relaxed));
         const auto done = static_cast<double>(job->done_units.load(std::memory_order_relaxed));
@@ -364,7 +364,7 @@ uint32_t Scheduler::publish(uint64_t deadline_ns, float* callback_us) {
 
 void Scheduler::publish_job(Job& job) {
     FlgJobStatus& status = job.status;
-    status.state = FLG_JOB_FINISHED;
+    status.state = FLG_JOB_STATE_FINISHED;
     status.result = job.result;
     if (job.result == FLG_OK) status.progress = 1;
     status.error = job.error;
@@ -377,7 +377,7 @@ void Scheduler::publish_job(Job& job) {
     std::erase(running_, &job);
     remove_pending(job);
     if (job.result != FLG_OK && job.result != FLG_ERROR_CANCELLED) {
-        host_.log(FLG_LOG_ERROR, "job %llu failed: %s", static_cast<unsigned long long>(job.serial), job.error);
+        host_.log(FLG_LOG_LEVEL_ERROR, "job %llu failed: %s", static_cast<unsigned long long>(job.serial), job.error);
     }
 }
 

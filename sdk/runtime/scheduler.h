@@ -83,6 +83,7 @@ private:
     };
     static constexpr int priority_count = 3;
 
+    Queue& queue_of(const Job& job) { return ready_[static_cast<size_t>(job.priority - FLG_PRIORITY_LOW)]; }
     void push_back(Strand& strand);
     void push_front(Strand& strand);
     void hurry(Job& job);

@@ -92,7 +92,7 @@ Task<void> find_beginning(Pace& pace, const SplineRequest& request, GivenPoints 
         co_return;
     }
     const std::span<const ObstacleSide> sides(request.sides.data(), request.sides.size());
-    ObstaclePath path = co_await obstacle_path(pace, *request.obstacles->set, given.values, given.closed, sides);
+    ObstaclePath path = co_await obstacle_path(pace, request.placed->set(), given.values, given.closed, sides);
     first.points = std::move(path.points);
     for (size_t i = 1; i < path.given.size(); ++i) first.ends.push_back(path.given[i] + 1);
 }
@@ -127,7 +127,7 @@ Task<bool> any_straddles(Pace& pace, const ObstacleSet& set, const Buffer<double
 Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProblem& problem, Buffer<double>& flat) {
     Spline& out = *request.out;
     const ManifoldProduct& held = *out.manifold;
-    const ObstacleSet& set = *request.obstacles->set;
+    const ObstacleSet& set = request.placed->set();
     const uint32_t d = set.dimension();
     const Buffer<double> points = std::move(problem.given);
     const double size = scene_size(set, request.points), last = request.obstacle_radius * size,
@@ -158,7 +158,7 @@ Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProble
 Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     Spline& out = *request.out;
     SplineProblem& problem = request.problem;
-    const ObstacleSet& set = *request.obstacles->set;
+    const ObstacleSet& set = request.placed.emplace(request.obstacles, out.origin, pace.memory()).set();
     const uint32_t d = set.dimension();
     pace.stage("begin");
     const ManifoldProduct& held = *out.manifold;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "core/float_precision.h"
 #include "splines/manifolds/coordinates.h"
 
 namespace flg {
@@ -18,11 +19,11 @@ constexpr double coarse_tolerance = 1e-3;  // of chains that are refined
 
 FlgSplineEnding ending_of(SplineEnding ending) {
     switch (ending) {
-        case SplineEnding::converged: return FLG_SPLINE_CONVERGED;
-        case SplineEnding::rounding: return FLG_SPLINE_ROUNDING;
-        case SplineEnding::rounds: return FLG_SPLINE_ROUNDS;
-        case SplineEnding::stalled: return FLG_SPLINE_STALLED;
-        default: return FLG_SPLINE_RUNNING;
+        case SplineEnding::converged: return FLG_SPLINE_ENDING_CONVERGED;
+        case SplineEnding::rounding: return FLG_SPLINE_ENDING_ROUNDING;
+        case SplineEnding::rounds: return FLG_SPLINE_ENDING_ROUNDS;
+        case SplineEnding::stalled: return FLG_SPLINE_ENDING_STALLED;
+        default: return FLG_SPLINE_ENDING_RUNNING;
     }
 }
 
@@ -327,9 +328,10 @@ void Spline::show_chain(const Chain& shown) noexcept {
     view_ = {};
     view_.struct_size = sizeof view_;
     view_.ambient = manifold->given_ambient;
+    write_origin(origin, view_.origin);
     view_.node_count = static_cast<uint32_t>(shown.nodes.size() / view_.ambient);
     view_.closed = closed;
-    view_.ending = FLG_SPLINE_RUNNING;
+    view_.ending = FLG_SPLINE_ENDING_RUNNING;
     view_.nodes = shown.nodes.data();
     view_.parameters = shown.parameters.data();
     view_.rounds = report.rounds;
@@ -341,11 +343,38 @@ void Spline::show_chain(const Chain& shown) noexcept {
     view_.residual = report.residual;
 }
 
+namespace {
+
+// A curve set's floats must hold the curve: a chain that spans few of their steps would come out as stairs.
+Task<void> check_precision(Pace& pace, const Buffer<double>& nodes) {
+    constexpr double least_steps = 256;
+    std::array<double, 3> low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    co_await each(pace, nodes.size(), Cost::some_ns, [&](uint32_t i) {
+        low[i % 3] = std::min(low[i % 3], nodes[i]);
+        high[i % 3] = std::max(high[i % 3], nodes[i]);
+    });
+    double size = 0, farthest = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        size = std::max(size, high[c] - low[c]);
+        farthest = std::max({farthest, std::abs(low[c]), std::abs(high[c])});
+    }
+    const double step = double{float_step(static_cast<float>(farthest))};
+    if (size >= least_steps * step) co_return;
+    throw Failure(
+        FLG_ERROR_INVALID_ARGUMENT,
+        "desc.spline is %g m wide and has coordinates up to %g m, where floats are %g m apart; give its points "
+        "relative to an origin near them (FlgSplineDesc::origin)",
+        size, farthest, step);
+}
+
+}  // namespace
+
 Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height,
                          std::shared_ptr<CurveSet> out) {
     pace.stage("copy");
     const Spline::Chain& chain = spline->chain;
     const uint32_t nodes = static_cast<uint32_t>(chain.nodes.size() / 3);
+    co_await check_precision(pace, chain.nodes);
     out->allocate_curves(1);
     out->offsets()[0] = 0;
     out->offsets()[1] = nodes;

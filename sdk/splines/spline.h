@@ -3,7 +3,7 @@
 #pragma once
 
 #include "curves/curve_set.h"
-#include "splines/obstacles/obstacles.h"
+#include "splines/obstacles/placed_obstacles.h"
 #include "splines/optimizer/first_curve.h"
 #include "splines/optimizer/triple_buffer.h"
 
@@ -14,6 +14,7 @@ public:
     explicit Spline(std::shared_ptr<const ManifoldProduct> on) : manifold(std::move(on)) {}
 
     const std::shared_ptr<const ManifoldProduct> manifold;
+    Origin origin{};  // of its coordinates: the manifold's or, in free space, its points'
 
     // A chain as the host sees it.
     struct Chain {
@@ -54,6 +55,7 @@ struct SplineRequest {
     uint32_t node_count = 0;
     uint32_t subdivisions = 0;
     std::shared_ptr<const Obstacles> obstacles;  // or null
+    std::optional<PlacedObstacles> placed;       // these from the spline's origin; by the job
     Buffer<ObstacleSide> sides;
     double obstacle_radius = 1e-3;  // of the scene's size
 };
@@ -76,7 +78,7 @@ Task<void> run_optimizer(Pace& pace, SplineOptimizer& optimizer, Spline& spline)
 // What stays of an optimizer that is done.
 Task<void> keep_spline(Pace& pace, SplineOptimizer& optimizer, Spline& out);
 
-// The whole of flgSplineCurves.
+// The whole of flgSplineSample.
 Task<void> spline_curves(Pace& pace, std::shared_ptr<const Spline> spline, float height, std::shared_ptr<CurveSet> out);
 
 }  // namespace flg

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stylization/apply_style.h"
 
+#include <algorithm>
+#include <array>
+
 #include "curves/sampling_job.h"
 #include "stylization/synthesis.h"
 
@@ -15,10 +18,10 @@ struct Application {
     Application(const StylizeRequest& request, Memory* memory)
         : sampling{.in = *request.target,
                    .out = *request.out,
-                   .spacing = request.style->prepared.spacing() * request.scale,
-                   .frame = request.frame,
-                   .copies = request.strokes,
-                   .max_points = request.max_points,
+                   .spacing = request.style->prepared.spacing() * double{request.desc.scale},
+                   .frame = request.desc.frame,
+                   .copies = request.desc.strokes,
+                   .max_points = request.desc.max_points,
                    .plans = {},
                    .carried = std::pmr::vector<Sampling::Carried>(memory)},
           attributes(memory) {}
@@ -36,7 +39,7 @@ struct Application {
 // The columns that the result gets from the style.
 std::pmr::vector<CurveSet::ColumnLayout> style_columns(const StylizeRequest& request, Memory* memory) {
     std::pmr::vector<CurveSet::ColumnLayout> columns({{FLG_ATTRIBUTE_STYLE_INDEX, 1}}, memory);
-    if (request.keep_displacement) columns.push_back({FLG_ATTRIBUTE_DISPLACEMENT, 3});
+    if (request.desc.keep_displacement != 0) columns.push_back({FLG_ATTRIBUTE_DISPLACEMENT, 3});
     for (const StyleAttribute& attribute : request.style->prepared.attributes) {
         columns.push_back({attribute.attribute, attribute.components});
         if (attribute.attribute == FLG_ATTRIBUTE_SPEED) columns.push_back({FLG_ATTRIBUTE_TIME, 1});
@@ -47,7 +50,7 @@ std::pmr::vector<CurveSet::ColumnLayout> style_columns(const StylizeRequest& req
 void find_columns(const StylizeRequest& request, Application& application) {
     CurveSet& out = *request.out;
     application.style_index = out.find(FLG_ATTRIBUTE_STYLE_INDEX);
-    if (request.keep_displacement) application.displacement = out.find(FLG_ATTRIBUTE_DISPLACEMENT);
+    if (request.desc.keep_displacement != 0) application.displacement = out.find(FLG_ATTRIBUTE_DISPLACEMENT);
     for (const StyleAttribute& attribute : application.style.attributes) {
         application.attributes.push_back(out.find(attribute.attribute));
         if (attribute.attribute == FLG_ATTRIBUTE_SPEED) application.time = out.find(FLG_ATTRIBUTE_TIME);
@@ -108,22 +111,25 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
 
 Task<void> apply_style(Pace& pace, StylizeRequest request) {
     const PreparedStyle& prepared = request.style->prepared;
+    const FlgCurveSetStylizeDesc& desc = request.desc;
     Application application(request, pace.memory());
     co_await plan_sampling(pace, application.sampling, style_columns(request, pace.memory()));
 
     pace.stage("synthesis");
-    application.style = co_await fit_style(pace, prepared, request.scale, request.basis);
+    std::array<double, 9> basis;
+    std::copy_n(desc.basis, basis.size(), basis.begin());
+    application.style = co_await fit_style(pace, prepared, desc.scale, basis);
     find_columns(request, application);
-    const auto temperature = static_cast<float>(request.temperature * prepared.graph.temperature_unit);
+    const auto temperature = static_cast<float>(double{desc.temperature} * prepared.graph.temperature_unit);
     const std::shared_ptr<PathTrees> trees = request.style->trees(temperature);
     const bool lone = request.target->curve_count() == 1;
-    application.from_start = request.start == FLG_START_STYLE || (request.start == FLG_START_AUTO && lone);
+    application.from_start = desc.start == FLG_STYLE_START_STYLE || (desc.start == FLG_STYLE_START_AUTO && lone);
     application.input = {.style = &application.style,
                          .trees = trees.get(),
-                         .magnitude = request.magnitude,
-                         .pin_ends = request.pin_ends,
-                         .seed = request.seed};
-    co_await fork(pace, batch_count(*request.target) * request.strokes, &stylize_batch, application);
+                         .magnitude = desc.magnitude,
+                         .pin_ends = desc.pin_ends != 0,
+                         .seed = desc.seed};
+    co_await fork(pace, batch_count(*request.target) * desc.strokes, &stylize_batch, application);
 }
 
 }  // namespace flg

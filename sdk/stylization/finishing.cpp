@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
-#include "curves/moving_frame.h"
+#include "core/moving_frame.h"
 
 namespace flg {
 

@@ -293,7 +293,7 @@ void LiveKernel::make_point(const LivePlace& place) {
         advance_walk();
     }
     const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, place.t);
-    if (settings_.frame == FLG_FRAME_SUPPLIED) take_supplied_normal(hand.up);
+    if (settings_.frame == FLG_FRAME_METHOD_SUPPLIED) take_supplied_normal(hand.up);
     write(position, tangent, state_.frame.normal(), hand, settings_.magnitude * settings_.scale);
 }
 
@@ -317,7 +317,7 @@ void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& fr
     Vec3 normal = frame_normal;
     double radius = settings_.radius_min + (settings_.radius_max - settings_.radius_min) * hand.pressure;
     write_attributes(tangent, normal, radius);
-    const size_t at = state_.points;
+    const size_t at = row();
     store_vec3(displaced, out_.data[0] + 3 * at);
     store_vec3(tangent, out_.data[1] + 3 * at);
     store_vec3(normal, out_.data[2] + 3 * at);
@@ -330,16 +330,16 @@ void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& fr
 // Of the point whose position and speed have been written.
 double LiveKernel::motion_time() {
     if (state_.points == 0) return 0;
-    const size_t at = state_.points;
+    const size_t at = row();
     const float* position = out_.data[0] + 3 * at;
     const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
     state_.motion_s += distance / (0.5 * (double{speeds_[at - 1]} + double{speeds_[at]}));
     return state_.motion_s;
 }
 
-// As flgStylize gives them: sizes times scale, and an angle turns the normal. The style's radius makes the hand's.
+// As flgCurveSetStylize gives them: sizes times scale, an angle turns the normal. The style's radius makes the hand's.
 void LiveKernel::write_attributes(const Vec3& tangent, Vec3& normal, double& radius) {
-    const size_t at = state_.points;
+    const size_t at = row();
     const uint32_t node = state_.walk.node();
     uint32_t column = live_own_columns;
     for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {

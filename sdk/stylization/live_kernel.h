@@ -21,7 +21,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "curves/moving_frame.h"
+#include "core/moving_frame.h"
 #include "curves/segment_block.h"
 #include "stylization/style.h"
 #include "stylization/synthesis.h"
@@ -102,10 +102,10 @@ struct LiveSettings {
     PathTrees* trees = nullptr;  // all there
     double magnitude = 1;
     double scale = 1;
-    double radius_min = 0, radius_max = 0;                   // metres
-    double smoothing = 0;                                    // seconds
-    FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING;    // or FLG_FRAME_SUPPLIED
-    std::array<double, 9> basis{1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major
+    double radius_min = 0, radius_max = 0;                        // metres
+    double smoothing = 0;                                         // seconds
+    FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;  // or FLG_FRAME_METHOD_SUPPLIED
+    std::array<double, 9> basis{1, 0, 0, 0, 1, 0, 0, 0, 1};       // row-major
     bool from_start = true;
     uint64_t seed = 1;
     uint32_t max_points = 0;
@@ -123,6 +123,7 @@ struct LiveColumns {
     uint32_t count = 0;
     std::array<CurveSet::ColumnLayout, live_columns_max> layout;
     std::array<float*, live_columns_max> data{};
+    uint32_t first = 0;  // the stroke's point that data begins with
 };
 LiveColumns live_columns(const PreparedStyle& style);
 
@@ -163,9 +164,13 @@ public:
 
     const LiveState& state() const { return state_; }
     void restore(const LiveState& state);
+    // From now on data begins with this point.
+    void write_from(uint32_t point) { out_.first = point; }
 
 private:
     bool only_counts() const { return out_.data[0] == nullptr; }
+    // Where the next point goes.
+    size_t row() const { return state_.points - out_.first; }
     bool follow_segment(uint32_t& units);
     void take_segment();
     void make_point(const LivePlace& place);

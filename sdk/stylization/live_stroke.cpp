@@ -11,6 +11,8 @@ namespace flg {
 namespace {
 
 constexpr float max_coordinate = 1e30f;  // as curve sets have it
+// A tip's: a unit makes a point at most, and the last final point is in front of them.
+constexpr uint32_t tip_rows = LiveStroke::tip_units + 1;
 
 }  // namespace
 
@@ -50,8 +52,27 @@ void check_next_sample(const float* position_before, double time_before, const F
     }
 }
 
+const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t first, uint32_t count) {
+    for (uint32_t k = 0; k < from.count; ++k) {
+        const CurveSet::ColumnLayout& layout = from.layout[k];
+        columns[k] = {layout.attribute, layout.components, from.data[k] + size_t{first} * layout.components, 0, 0};
+    }
+    offsets = {0, count};
+    view = {.struct_size = sizeof view,
+            .curve_count = count > 0 ? 1u : 0u,
+            .curve_offsets = offsets.data(),
+            .curve_flags = &flags,
+            .columns = columns.data(),
+            .column_count = from.count,
+            .reserved = 0,
+            .origin = {}};
+    write_origin(origin, view.origin);
+    return view;
+}
+
 LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
-    : style_(request.style),
+    : origin(request.origin),
+      style_(request.style),
       trees_(request.trees),
       settings_(request.settings),
       max_jump_(request.max_jump),
@@ -66,25 +87,29 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       columns_(live_columns(request.style->prepared)) {
     settings_.style = &style_->prepared;
     settings_.trees = trees_.get();
+    size_t components = 0;
     for (uint32_t k = 0; k < columns_.count; ++k) {
         const CurveSet::ColumnLayout& layout = columns_.layout[k];
         values_[k] = Buffer<float>(size_t{settings_.max_points} * layout.components, memory);
         columns_.data[k] = values_[k].data();
-        view_columns_[k] = {layout.attribute, layout.components, nullptr, 0, 0};
+        components += layout.components;
     }
     kernel_ = LiveKernel(settings_, samples_, columns_);
     std::construct_at(&checkpoints_[0], kernel_.state());
-    view_ = {.struct_size = sizeof view_,
-             .curve_count = 0,
-             .curve_offsets = view_offsets_.data(),
-             .curve_flags = &view_flags_,
-             .columns = view_columns_.data(),
-             .column_count = columns_.count,
-             .reserved = 0};
+
+    tip_values_ = Buffer<float>(size_t{tip_rows} * components, memory);
+    tip_columns_ = columns_;
+    float* place = tip_values_.data();
+    for (uint32_t k = 0; k < columns_.count; ++k) {
+        tip_columns_.data[k] = place;
+        place += size_t{tip_rows} * columns_.layout[k].components;
+    }
+    tip_kernel_ = LiveKernel(settings_, samples_, tip_columns_);
+    view_.origin = tip_view_.origin = origin;
 }
 
 void LiveStroke::check_all(const FlgLiveSample* samples, uint32_t count) const {
-    if (phase_ != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
+    if (phase() != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
     if (count > max_samples_ - sample_count_) {
         throw Failure(FLG_ERROR_LIMIT, "stroke holds %u samples, %u more would pass max_samples, %u", sample_count_,
                       count, max_samples_);
@@ -121,23 +146,16 @@ void LiveStroke::draw_to(uint32_t sample_count) {
     }
 }
 
-void LiveStroke::show() {
-    visible_points_ = kernel_.state().points;
-    visible_samples_ = kernel_.state().samples;
-    visible_cut_ = kernel_.state().cut;
-}
-
 void LiveStroke::push(const FlgLiveSample* samples, uint32_t count) {
     check_all(samples, count);
     for (uint32_t i = 0; i < count; ++i) {
         store(samples[i]);
         draw_to(sample_count_ + 1);
     }
-    show();
 }
 
 void LiveStroke::undo(uint32_t count) {
-    if (phase_ != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
+    if (phase() != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
     if (count > sample_count_) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "count is %u, stroke has %u samples", count, sample_count_);
     }
@@ -146,41 +164,44 @@ void LiveStroke::undo(uint32_t count) {
     kernel_.restore(checkpoints_[checkpoint]);
     sample_count_ = checkpoint * checkpoint_interval;
     while (sample_count_ < left) draw_to(sample_count_ + 1);
-    show();
 }
 
 const FlgCurveSetView& LiveStroke::view_from(uint32_t first) {
-    const uint32_t count = visible_points_ - first;
-    for (uint32_t k = 0; k < columns_.count; ++k) {
-        view_columns_[k].data = columns_.data[k] + size_t{first} * columns_.layout[k].components;
+    return view_.show(columns_, first, seen().points - first);
+}
+
+const FlgCurveSetView& LiveStroke::tip() {
+    const LiveState& from = seen();
+    const uint32_t first = from.points > 0 ? from.points - 1 : 0;
+    for (uint32_t k = 0; from.points > 0 && k < columns_.count; ++k) {
+        const size_t components = columns_.layout[k].components;
+        std::copy_n(columns_.data[k] + first * components, components, tip_columns_.data[k]);
     }
-    view_offsets_ = {0, count};
-    view_.curve_count = count > 0 ? 1 : 0;
-    return view_;
+    tip_kernel_.restore(from);
+    tip_kernel_.write_from(first);
+    tip_kernel_.close();
+    uint32_t units = tip_units;
+    tip_kernel_.run(sample_count_, units);
+    const uint32_t points = tip_kernel_.state().points;
+    return tip_view_.show(tip_columns_, 0, points > from.points ? points - first : 0);
 }
 
 void LiveStroke::begin_end() {
     before_end_ = kernel_.state();
     kernel_.close();
-    phase_ = Phase::ending;
+    phase_.store(Phase::ending, std::memory_order_release);
     ++readers;
 }
 
 void LiveStroke::settle(bool succeeded) {
     --readers;
-    if (succeeded) {
-        phase_ = Phase::ended;
-        show();
-    } else {
-        kernel_.restore(before_end_);
-        phase_ = Phase::drawing;
-    }
+    if (!succeeded) kernel_.restore(before_end_);
+    phase_.store(succeeded ? Phase::ended : Phase::drawing, std::memory_order_release);
 }
 
 void LiveStroke::resume() {
     kernel_.restore(before_end_);
-    phase_ = Phase::drawing;
-    show();
+    phase_.store(Phase::drawing, std::memory_order_release);
 }
 
 }  // namespace flg

@@ -3,12 +3,23 @@
 //
 // All memory is taken when it is made. Every checkpoint_interval samples the state is kept; undo goes back to the last
 // one before and draws the samples behind it again, which gives the same bits. So that it does, each sample brings the
-// same number of units of work to spend, and none are carried over. Host's thread only, but for what the jobs in
-// live_jobs do while it is ended.
+// same number of units of work to spend, and none are carried over.
+//
+// Threads. push(), undo(), view(), tip() and what they read belong to whoever draws, on any thread but one at a time,
+// and wait for nobody. Meanwhile, elsewhere:
+// - A job that ends the stroke owns kernel_ from begin_end() to settle(), which runs inside the host's tick. phase_ is
+//   all that settle() and who draws share: settle() stores it with release behind all the job and itself wrote, and who
+//   draws loads it with acquire first. Either it still reads `ending`, and then touches only before_end_, samples and
+//   the tip, which nobody writes meanwhile; or it finds the kernel as it was left.
+// - Jobs that split it only read, and the phase stays `ended` while there are any (readers is the host's thread's).
+// - What is shared with other strokes and jobs doesn't change: the style is published, and all path trees are made.
+// begin_end(), resume() and the release are calls for the stroke like those of who draws: they don't overlap with them.
 #pragma once
 
+#include <atomic>
 #include <memory>
 
+#include "core/origin.h"
 #include "filigree/filigree_live.h"
 #include "stylization/live_kernel.h"
 
@@ -20,6 +31,7 @@ struct LiveStrokeRequest {
     LiveSettings settings;  // without style and trees
     double max_jump = 1;    // metres
     uint32_t max_samples = 16'384;
+    Origin origin{};
 };
 
 // Throws what the host is told of values that can't be taken: numbers first, then the sample's place after the one
@@ -28,14 +40,28 @@ void check_sample(const FlgLiveSample& sample, uint32_t index);
 void check_next_sample(const float* position_before, double time_before, const FlgLiveSample& sample, double max_jump,
                        uint32_t index);
 
+// Rows of columns, as a set of at most one curve.
+struct OneCurveView {
+    const FlgCurveSetView& show(const LiveColumns& columns, uint32_t first, uint32_t count);
+
+    Origin origin{};
+    std::array<FlgColumn, live_columns_max> columns{};
+    std::array<uint32_t, 2> offsets{};
+    uint8_t flags = 0;
+    FlgCurveSetView view{};
+};
+
 class LiveStroke {
 public:
     static constexpr uint32_t checkpoint_interval = 6;
     // What keeps a push, and undoing with its checkpoint_interval - 1 samples, below what a frame can spare: a point is
     // about 0.1 us.
     static constexpr uint32_t units_per_sample = 64;
+    // The same for a tip: further than this it doesn't look ahead. More than two samples make.
+    static constexpr uint32_t tip_units = 256;
 
     LiveStroke(const LiveStrokeRequest& request, Memory* memory);
+    const Origin origin;
     LiveStroke(const LiveStroke&) = delete;
     LiveStroke& operator=(const LiveStroke&) = delete;
 
@@ -45,12 +71,15 @@ public:
 
     // Points from `first` on; valid until the next call.
     const FlgCurveSetView& view_from(uint32_t first);
+    // The last point, if there is one, and those behind it if the stroke ended now; no curve if there are none. Changes
+    // nothing else; valid until the next call of push(), undo() or this.
+    const FlgCurveSetView& tip();
 
     uint32_t sample_count() const { return sample_count_; }
-    uint32_t waiting_samples() const { return sample_count_ - visible_samples_; }
-    uint32_t point_count() const { return visible_points_; }
+    uint32_t waiting_samples() const { return sample_count_ - seen().samples; }
+    uint32_t point_count() const { return seen().points; }
     // The next point has found no room.
-    bool cut() const { return visible_cut_; }
+    bool cut() const { return seen().cut; }
     double spacing() const { return settings_.spacing(); }
     const LiveColumns& columns() const { return columns_; }
     const LiveSamples& samples() const { return samples_; }
@@ -58,7 +87,7 @@ public:
     // ---- ending: between begin_end() and settle(), the kernel belongs to a job ----
 
     enum class Phase : uint8_t { drawing, ending, ended };
-    Phase phase() const { return phase_; }
+    Phase phase() const { return phase_.load(std::memory_order_acquire); }
     void begin_end();
     LiveKernel& kernel() { return kernel_; }
     // After the job: the whole stroke, or as before begin_end().
@@ -70,7 +99,8 @@ private:
     void check_all(const FlgLiveSample* samples, uint32_t count) const;
     void store(const FlgLiveSample& sample);
     void draw_to(uint32_t sample_count);
-    void show();
+    // What the host sees: while a job ends the stroke, as before.
+    const LiveState& seen() const { return phase() == Phase::ending ? before_end_ : kernel_.state(); }
 
     std::shared_ptr<Style> style_;
     std::shared_ptr<PathTrees> trees_;
@@ -87,15 +117,14 @@ private:
     LiveKernel kernel_;
 
     uint32_t sample_count_ = 0;
-    Phase phase_ = Phase::drawing;
+    std::atomic<Phase> phase_{Phase::drawing};
     LiveState before_end_;
-    // What the host sees.
-    uint32_t visible_points_ = 0, visible_samples_ = 0;
-    bool visible_cut_ = false;
-    std::array<FlgColumn, live_columns_max> view_columns_{};
-    std::array<uint32_t, 2> view_offsets_{};
-    uint8_t view_flags_ = 0;
-    FlgCurveSetView view_{};
+
+    Buffer<float> tip_values_;
+    LiveColumns tip_columns_;
+    LiveKernel tip_kernel_;
+
+    OneCurveView view_, tip_view_;
 };
 
 }  // namespace flg

@@ -36,7 +36,7 @@ Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurv
         co_await each(pace, count, Cost::some_ns, load);
         const std::pmr::vector<Vec3>& points = curves[c].points;
         const SmoothStyleCurve style(points.data(), static_cast<uint32_t>(points.size()), curves[c].measure.length);
-        const GuideMatch match = co_await match_guide(pace, style, guide, request.beta);
+        const GuideMatch match = co_await match_guide(pace, style, guide, request.desc.beta);
         energy += match.energy;
         co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
             const double place = match.places[i];
@@ -51,8 +51,8 @@ Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurv
 Task<void> take_attributes(Pace& pace, const StyleRequest& request, const Matched& matched) {
     PreparedStyle& prepared = request.style->prepared;
     const CurveSet& guides = *prepared.guide;
-    prepared.attributes.reserve(request.attribute_count);
-    for (uint32_t a = 0; a < request.attribute_count; ++a) {
+    prepared.attributes.reserve(request.desc.attribute_count);
+    for (uint32_t a = 0; a < request.desc.attribute_count; ++a) {
         prepared.attributes.push_back(
             make_attribute(*request.example, request.attributes[a], guides.point_count(), pace.memory()));
     }
@@ -74,7 +74,7 @@ Task<void> make_graph(Pace& pace, const StyleRequest& request) {
     const StyleScene scene{.displacement = &prepared.displacement,
                            .boundaries = {boundaries.data(), boundaries.size()},
                            .patch = request.largest_patch(),
-                           .sizes = {request.patch_sizes.data(), request.patch_size_count},
+                           .sizes = {request.patch_sizes.data(), request.desc.patch_size_count},
                            .channels = channels};
     prepared.graph = co_await patch_graph(pace, scene);
 }
@@ -82,8 +82,8 @@ Task<void> make_graph(Pace& pace, const StyleRequest& request) {
 }  // namespace
 
 uint32_t StyleRequest::largest_patch() const {
-    uint32_t largest = patch_size_count == 0 ? patch : 0;
-    for (uint32_t k = 0; k < patch_size_count; ++k) largest = std::max(largest, patch_sizes[k].patch);
+    uint32_t largest = desc.patch_size_count == 0 ? desc.patch : 0;
+    for (uint32_t k = 0; k < desc.patch_size_count; ++k) largest = std::max(largest, patch_sizes[k].patch);
     return largest;
 }
 
@@ -91,12 +91,12 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
     PreparedStyle& prepared = request.style->prepared;
 
     pace.stage("resample");
-    for (uint32_t a = 0; a < request.attribute_count; ++a) {
+    for (uint32_t a = 0; a < request.desc.attribute_count; ++a) {
         check_attribute_column(*request.example, request.attributes[a], a);
     }
     StyleCurves curves(pace.memory());
     co_await measure_curves(pace, request, curves);
-    uint32_t count = request.point_count;
+    uint32_t count = request.desc.point_count;
     if (count == 0) count = co_await choose_point_count(pace, curves);
     co_await sample_curves(pace, curves, count);
 
@@ -107,6 +107,7 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
     share_points(curves, count, request.largest_patch(), pace.memory());
     prepared.guide =
         std::allocate_shared<CurveSet>(std::pmr::polymorphic_allocator<CurveSet>(pace.memory()), pace.memory());
+    prepared.guide->origin = request.example->origin;
     co_await frame_guides(pace, curves, *prepared.guide);
     for (const StyleCurve& curve : curves) {
         prepared.style_length += curve.measure.length;

@@ -19,15 +19,9 @@ struct StyleRequest {
     std::shared_ptr<const CurveSet> example;
     std::shared_ptr<const CurveSet> guide;  // null: made by the guide flow
     std::shared_ptr<Style> style;           // to be filled in
-    uint32_t point_count = 0;               // 0: chosen from the example
-    double alpha = 0.5;
-    double smoothing = 1;
-    double beta = 0.2;
-    uint32_t patch = 10;
-    std::array<FlgPatchSize, patch_sizes_max> patch_sizes{};  // instead of patch
-    uint32_t patch_size_count = 0;
+    FlgStyleDesc desc;                      // checked; its handles are resolved above, its arrays copied below
+    std::array<FlgPatchSize, patch_sizes_max> patch_sizes{};
     std::array<FlgStyleAttribute, style_attributes_max> attributes{};
-    uint32_t attribute_count = 0;
 
     uint32_t largest_patch() const;
 };

@@ -62,19 +62,29 @@ Task<void> sample_points(Pace& pace, StyleCurve& curve, uint32_t count) {
     }
 }
 
+// A guide that was given, relative to the example's origin.
+Task<void> move_guide(Pace& pace, const StyleRequest& request, StyleCurve& curve) {
+    const Vec3 shift = origin_shift(request.guide->origin, request.example->origin);
+    Buffer<float> moved(size_t{curve.guide.count} * 3, pace.memory());
+    co_await each(pace, curve.guide.count, Cost::some_ns,
+                  [&](uint32_t i) { store_vec3(curve.guide.point(i) + shift, moved.data() + size_t{i} * 3); });
+    curve.placed = std::move(moved);
+    curve.guide.positions = curve.placed.data();
+}
+
 // The guide flow's result, in the floats that a curve set holds.
 Task<uint32_t> flow_guide(Pace& pace, const StyleRequest& request, StyleCurve& curve) {
     const auto count = static_cast<uint32_t>(curve.points.size());
     GuideFlowParams params;
-    params.alpha = request.alpha;
-    params.smoothing = request.smoothing;
+    params.alpha = request.desc.alpha;
+    params.smoothing = request.desc.smoothing;
     const FlowedGuide guide = co_await guide_flow(pace, curve.points, params);
-    curve.flowed = Buffer<float>(size_t{count} * 3, pace.memory());
-    const auto store = [from = guide.points.data(), to = curve.flowed.data()](uint32_t i) {
+    curve.placed = Buffer<float>(size_t{count} * 3, pace.memory());
+    const auto store = [from = guide.points.data(), to = curve.placed.data()](uint32_t i) {
         store_vec3(from[i], to + size_t{i} * 3);
     };
     co_await each(pace, count, Cost::some_ns, store);
-    curve.guide = {curve.flowed.data(), count, false};
+    curve.guide = {curve.placed.data(), count, false};
     co_return guide.steps;
 }
 
@@ -104,6 +114,7 @@ Task<void> measure_curves(Pace& pace, const StyleRequest& request, StyleCurves& 
         co_await pace;
         if (!request.guide) continue;
         curve.guide = curve_view(*request.guide, c);
+        if (request.guide->origin != example.origin) co_await move_guide(pace, request, curve);
         curve.guide_measure = co_await measure_open_curve(pace, *request.guide, c, "guide");
         co_await pace;
     }

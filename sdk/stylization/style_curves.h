@@ -19,7 +19,7 @@ struct StyleCurve {
     std::pmr::vector<Vec3> points;  // even ones of the example, close enough for a smooth curve through them
     CurveView guide;
     CurveMeasure guide_measure;
-    Buffer<float> flowed;  // the guide's points, if the flow made it
+    Buffer<float> placed;  // the guide's points, if the flow made it or it came with another origin
     uint32_t steps = 0;    // between the guide's nodes: one fewer than these
 };
 

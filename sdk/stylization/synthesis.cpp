@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "core/moving_frame.h"
 #include "core/random.h"
-#include "curves/moving_frame.h"
 
 namespace flg {
 

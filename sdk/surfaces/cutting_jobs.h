@@ -19,7 +19,7 @@ struct CutIsolinesRequest {
     std::shared_ptr<Field> out;  // the field on the cut surface, or null
 };
 
-// The whole of flgCutIsolines.
+// The whole of flgSurfaceCutIsolines.
 Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request);
 
 struct CutCurvesRequest {
@@ -29,7 +29,7 @@ struct CutCurvesRequest {
     uint32_t first_label;  // no_index: labels stay
 };
 
-// The whole of flgCutCurves.
+// The whole of flgSurfaceCutCurves.
 Task<void> cut_curves(Pace& pace, CutCurvesRequest request);
 
 }  // namespace flg

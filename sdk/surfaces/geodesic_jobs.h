@@ -37,7 +37,7 @@ struct GeodesicRequest {
     std::shared_ptr<Field> out;
 };
 
-// The whole of flgGeodesic. Fails if a source or a target names what does not exist.
+// The whole of flgFieldCreateGeodesic. Fails if a source or a target names what does not exist.
 Task<void> solve_geodesic(Pace& pace, GeodesicRequest request);
 
 // Its field, wherever that is kept; what the request says of `out` does not matter.

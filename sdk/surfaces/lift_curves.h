@@ -10,8 +10,8 @@
 
 namespace flg {
 
-// The whole of flgLiftCurves. `height`: metres along the normal. Fails with FLG_ERROR_INVALID_ARGUMENT if there are no
-// curves, as no curve set is empty.
+// The whole of flgSurfaceCurvesLift. `height`: metres along the normal. Fails with FLG_ERROR_INVALID_ARGUMENT if there
+// are no curves, as no curve set is empty.
 Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, float height,
                        std::shared_ptr<CurveSet> out);
 

@@ -21,8 +21,10 @@ struct Scene {
 };
 
 Task<SurfacePoint> find_nearest(Pace& pace, const Scene& scene, uint32_t point) {
-    const float* const place = scene.curves.positions + size_t{3} * point;
-    scene.nearest.begin({place[0], place[1], place[2]});
+    const Vec3 place = load_vec3(scene.curves.positions + size_t{3} * point) + scene.curves.shift;
+    Position rounded;
+    store_vec3(place, rounded.data());
+    scene.nearest.begin(rounded);
     while (!scene.nearest.find(find_chunk)) co_await pace;
     co_return scene.nearest.found();
 }
@@ -83,7 +85,8 @@ Task<void> project_curves(Pace& pace, std::shared_ptr<const CurveSet> set, std::
     pace.expect(set->point_count());
     const CurvesInSpace curves{.offsets = {set->offsets().data(), size_t{set->curve_count()} + 1},
                                .flags = {set->flags().data(), set->curve_count()},
-                               .positions = set->positions()};
+                               .positions = set->positions(),
+                               .shift = origin_shift(set->origin, surface.origin)};
     co_await lay_curves(pace, surface, nearest, curves, "desc.curves", out->curves);
     co_await flatten_curves(pace, *out);
 }

@@ -18,6 +18,7 @@ struct CurvesInSpace {
     std::span<const uint32_t> offsets;  // one more than there are curves
     std::span<const uint8_t> flags;     // FLG_CURVE_CLOSED
     const float* positions;             // x, y, z a point, metres; finite
+    Vec3 shift = Vec3::Zero();          // that makes positions relative to the surface's origin
 };
 
 // Appends to `out`, values being lengths. Curves that come to a single point are left out. `nearest` is built, of the
@@ -26,7 +27,7 @@ struct CurvesInSpace {
 Task<void> lay_curves(Pace& pace, Surface& surface, NearestPoints& nearest, CurvesInSpace curves, const char* argument,
                       SurfaceCurves& out);
 
-// The whole of flgProjectCurves.
+// The whole of flgCurveSetProject.
 Task<void> project_curves(Pace& pace, std::shared_ptr<const CurveSet> set, std::shared_ptr<TracedCurves> out);
 
 }  // namespace flg

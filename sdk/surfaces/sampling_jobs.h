@@ -20,7 +20,7 @@ struct SamplingRequest {
 // The whole of flgSurfaceSample.
 Task<void> sample_surface(Pace& pace, SamplingRequest request);
 
-// The whole of flgBorderSample.
+// The whole of flgSurfaceSampleBorders.
 Task<void> sample_border(Pace& pace, uint32_t region, float spacing, std::shared_ptr<TracedCurves> out);
 
 }  // namespace flg

@@ -10,7 +10,7 @@ namespace flg {
 void SurfaceOrder::forget_published(Jobs& jobs) {
     std::erase_if(jobs, [](const auto& listed) {
         const auto job = listed.lock();
-        return !job || job->status.state == FLG_JOB_FINISHED;
+        return !job || job->status.state == FLG_JOB_STATE_FINISHED;
     });
 }
 
@@ -60,7 +60,9 @@ void Surface::write_report() {
                .input_vertex_count = repaired.vertices.is_identity()
                                          ? mesh().vertex_count()
                                          : static_cast<uint32_t>(repaired.vertices.of_input.size()),
-               .reserved = 0};
+               .reserved = 0,
+               .origin = {}};
+    write_origin(origin, report_.origin);
     store_vec3(extent.lower, report_.box_min);
     store_vec3(extent.upper, report_.box_max);
 }
@@ -74,15 +76,18 @@ void Surface::show_if_at_rest() noexcept {
         const MeshColumn& column = columns[c - 1];
         view_columns_[c] = {attributes[c - 1], column.components, column.values.data(), 0, 0};
     }
+    view_mesh_ = {.struct_size = sizeof view_mesh_,
+                  .vertex_count = shown.vertex_count(),
+                  .triangle_count = shown.triangle_count(),
+                  .column_count = column_count,
+                  .columns = view_columns_,
+                  .triangles = shown.triangles.data()->data(),
+                  .regions = shown.regions.data(),
+                  .origin = {}};
+    write_origin(origin, view_mesh_.origin);
     view_ = {.struct_size = sizeof view_,
              .revision = order.revision(),
-             .mesh = {.struct_size = sizeof view_.mesh,
-                      .vertex_count = shown.vertex_count(),
-                      .triangle_count = shown.triangle_count(),
-                      .column_count = column_count,
-                      .columns = view_columns_,
-                      .triangles = shown.triangles.data()->data(),
-                      .regions = shown.regions.data()},
+             .mesh = &view_mesh_,
              .neighbours = shown.neighbours.data()->data()};
 }
 

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <vector>
 
+#include "core/origin.h"
 #include "filigree/filigree_surface.h"
 #include "runtime/product.h"
 #include "surfaces/geodesics/geodesic_solvers.h"
@@ -54,6 +55,8 @@ public:
     // Host's thread.
     SurfaceOrder order;
 
+    Origin origin{};  // of the positions; set before anything else sees the surface
+
     // Jobs, as the order lets them.
     RepairedMesh repaired;
     MeshExtent extent;
@@ -82,6 +85,7 @@ private:
     void show() noexcept override { show_if_at_rest(); }
 
     FlgColumn view_columns_[17];  // the position and 16 others
+    FlgMeshView view_mesh_{};
     FlgSurfaceView view_{};
     FlgSurfaceReport report_{};
 };

@@ -15,7 +15,7 @@ struct IsolinesRequest {
     std::shared_ptr<TracedCurves> out;
 };
 
-// The whole of flgTraceIsolines.
+// The whole of flgFieldTraceIsolines.
 Task<void> trace_isolines(Pace& pace, IsolinesRequest request);
 
 struct StreamsRequest {
@@ -28,7 +28,7 @@ struct StreamsRequest {
     std::shared_ptr<TracedCurves> out;
 };
 
-// The whole of flgTraceStreams. Fails if a start names a triangle that does not exist.
+// The whole of flgFieldTraceStreams. Fails if a start names a triangle that does not exist.
 Task<void> trace_streams(Pace& pace, StreamsRequest request);
 
 struct Paths {
@@ -43,8 +43,8 @@ struct PathsRequest {
     std::shared_ptr<TracedCurves> out;
 };
 
-// The whole of flgTracePaths. Fails if a point does not exist or can't be reached from the one before it. Paths without
-// length are left out.
+// The whole of flgFieldTracePaths. Fails if a point does not exist or can't be reached from the one before it. Paths
+// without length are left out.
 Task<void> trace_paths(Pace& pace, PathsRequest request);
 
 // Its curves, wherever they are kept. `argument`: what errors call the points.

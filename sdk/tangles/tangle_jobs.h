@@ -16,7 +16,7 @@ Task<void> begin_tangle(Pace& pace, std::shared_ptr<Tangle> tangle);
 // flgTangleJoin: one step, whatever it consists of. `revision`: of the surface, after the job; so for all.
 Task<void> make_step(Pace& pace, std::shared_ptr<Tangle> tangle, StepRecords records, uint32_t revision);
 
-// The whole of flgTangleBorders.
+// The whole of flgTangleTraceBorders.
 Task<void> trace_borders(Pace& pace, std::shared_ptr<Tangle> tangle, std::shared_ptr<TracedCurves> out);
 
 // The whole of flgTangleUndo and flgTangleRedo.

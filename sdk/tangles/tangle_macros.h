@@ -9,7 +9,7 @@ namespace flg {
 struct MacroRequest {
     explicit MacroRequest(Memory* memory) : regions(memory) {}
 
-    FlgTangleMacro kind = FLG_TANGLE_SUNBURST;
+    FlgTangleMacro kind = FLG_TANGLE_MACRO_SUNBURST;
     std::pmr::vector<RegionId> regions;
     uint32_t count = 0;
     float size = 0, spacing = 0;  // metres

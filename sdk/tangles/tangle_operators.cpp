@@ -58,8 +58,8 @@ private:
 
 uint32_t group_of_part(LeafRules rules, uint32_t part) {
     switch (rules.grouping) {
-        case FLG_TANGLE_GROUP_TWO: return part % 2;
-        case FLG_TANGLE_GROUP_CYCLE: return part % rules.cycle;
+        case FLG_TANGLE_GROUPING_TWO: return part % 2;
+        case FLG_TANGLE_GROUPING_CYCLE: return part % rules.cycle;
         default: return 0;
     }
 }
@@ -87,7 +87,7 @@ Task<Buffer<RegionId>> add_leaves(Pace& pace, RegionTree& tree, TreeEdit& edit, 
         node.scaffold = rules.scaffold;
         const uint32_t look = tree[leaf.parent].look;
         node.look = rules.scaffold ? look : looks.number(look, leaf.part, [&] { return tree.add_look(); });
-        if (rules.grouping == FLG_TANGLE_GROUP_EACH) {
+        if (rules.grouping == FLG_TANGLE_GROUPING_EACH) {
             node.group = tree.add_group();
         } else {
             node.group = groups.number(tree.visible_group(leaf.parent), group_of_part(rules, leaf.part),
@@ -240,11 +240,11 @@ Task<void> number_sides(Pace& pace, const SurfaceCurves& curves, const EmbeddedC
 // One number a part: of strips, of sides, or by their order.
 Task<Buffer<uint32_t>> number_parts(Pace& pace, const Scene& scene, const SurfaceCurves& curves,
                                     const EmbeddedCurves& embedded, const RegionPartition& partition) {
-    const bool strips = scene.request.kind == FLG_TANGLE_STREAM;
+    const bool strips = scene.request.kind == FLG_TANGLE_OPERATOR_STREAM;
     Buffer<uint32_t> numbers(partition.part_count, pace.memory());
     co_await each(pace, numbers.size(), Cost::some_ns, [&](uint32_t p) { numbers[p] = strips ? 0 : p; });
     if (strips) co_await number_strips(pace, curves, embedded, partition, numbers);
-    if (scene.request.kind == FLG_TANGLE_POLYLINE && scene.request.a.curves) {
+    if (scene.request.kind == FLG_TANGLE_OPERATOR_POLYLINE && scene.request.a.curves) {
         co_await number_sides(pace, curves, embedded, partition, numbers);
     }
     co_return numbers;
@@ -385,16 +385,16 @@ Task<void> divide_regions(Pace& pace, Tangle& tangle, const DivideRequest& reque
                           TangleStep& step) {
     const LeafSet leaves = co_await list_leaves(pace, tangle.tree, request.regions, "desc.regions");
     const Scene scene{*tangle.surface, leaves, request, revision};
-    if (request.kind == FLG_TANGLE_CONTOUR) {
+    if (request.kind == FLG_TANGLE_OPERATOR_CONTOUR) {
         DistanceField field;
         co_await solve_or_blend(pace, tangle, scene, field);
         co_await cut_contours(pace, tangle, scene, field, step);
         co_return;
     }
     SurfaceCurves curves(pace.memory());
-    if (request.kind == FLG_TANGLE_STREAM) co_await trace_streams(pace, tangle, scene, curves);
-    if (request.kind == FLG_TANGLE_VORONOI) co_await trace_cells(pace, tangle, scene, curves);
-    if (request.kind == FLG_TANGLE_POLYLINE) co_await trace_polyline(pace, scene, curves);
+    if (request.kind == FLG_TANGLE_OPERATOR_STREAM) co_await trace_streams(pace, tangle, scene, curves);
+    if (request.kind == FLG_TANGLE_OPERATOR_VORONOI) co_await trace_cells(pace, tangle, scene, curves);
+    if (request.kind == FLG_TANGLE_OPERATOR_POLYLINE) co_await trace_polyline(pace, scene, curves);
     co_await cut_along(pace, tangle, scene, curves, step);
 }
 

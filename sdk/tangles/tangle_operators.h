@@ -11,12 +11,12 @@ namespace flg {
 struct DivideRequest {
     explicit DivideRequest(Memory* memory) : regions(memory), a(memory), b(memory) {}
 
-    FlgTangleOperator kind = FLG_TANGLE_CONTOUR;
+    FlgTangleOperator kind = FLG_TANGLE_OPERATOR_CONTOUR;
     std::pmr::vector<RegionId> regions;
     TangleSeeds a, b;
     float delta = 0;
     uint32_t count = 0;
-    FlgTangleGrouping grouping = FLG_TANGLE_GROUP_TWO;
+    FlgTangleGrouping grouping = FLG_TANGLE_GROUPING_TWO;
     uint32_t cycle = 0;
     bool scaffold = false;
     bool closed = false;

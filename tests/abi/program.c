@@ -11,7 +11,7 @@ enum { EXAMPLE_POINTS = 300, TARGET_POINTS = 2 };
 
 static int failed(const char* call, FlgResult result) {
     if (result == FLG_OK) return 0;
-    fprintf(stderr, "%s: %s: %s\n", call, flgResultName(result), flgLastError());
+    fprintf(stderr, "%s: %s: %s\n", call, flgResultGetName(result), flgErrorGetMessage());
     return 1;
 }
 
@@ -32,20 +32,22 @@ static float measure_square(FlgContext context) {
     const uint32_t triangles[6] = {0, 1, 2, 0, 2, 3}, source = 1;
     const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, corners, 0, 0};
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    FlgGeodesicDesc geodesic = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc geodesic = flgFieldGeodesicDefaults();
     FlgFieldView view = flgFieldViewDefaults();
     FlgField field;
-    desc.mesh.vertex_count = 4;
-    desc.mesh.triangle_count = 2;
-    desc.mesh.columns = &column;
-    desc.mesh.column_count = 1;
-    desc.mesh.triangles = triangles;
+    FlgMeshView input = flgMeshViewDefaults();
+    input.vertex_count = 4;
+    input.triangle_count = 2;
+    input.columns = &column;
+    input.column_count = 1;
+    input.triangles = triangles;
+    desc.mesh = &input;
     if (failed("flgSurfaceCreate", flgSurfaceCreate(context, &desc, &geodesic.surface, NULL))) return -1;
     geodesic.vertices = &source;
     geodesic.vertex_count = 1;
-    if (failed("flgGeodesic", flgGeodesic(context, &geodesic, &field, NULL))) return -1;
+    if (failed("flgFieldCreateGeodesic", flgFieldCreateGeodesic(context, &geodesic, &field, NULL))) return -1;
     while (flgFieldGetView(context, field, &view) == FLG_NOT_READY) {
-        if (failed("flgTick", flgTick(context, 2000, NULL))) return -1;
+        if (failed("flgContextTick", flgContextTick(context, 2000, NULL))) return -1;
         flgContextWait(context, 1000);
     }
     if (failed("flgFieldGetView", flgFieldGetView(context, field, &view))) return -1;
@@ -60,22 +62,22 @@ int main(void) {
         example[3 * i + 1] = 0.2f * cosf(0.2f * (float)i);
         example[3 * i + 2] = 0.2f * sinf(0.2f * (float)i);
     }
-    FlgContext context = NULL;
+    FlgContext context = {0};
     if (failed("flgContextCreate", flgContextCreate(NULL, &context))) return 1;
 
     FlgStyleDesc style = flgStyleDefaults();
-    FlgStylizeDesc stylize = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
     FlgCurveSet result;
     if (failed("flgCurveSetCreate", create(context, example, EXAMPLE_POINTS, &style.style))) return 1;
     if (failed("flgCurveSetCreate", create(context, target, TARGET_POINTS, &stylize.target))) return 1;
     if (failed("flgStyleCreate", flgStyleCreate(context, &style, &stylize.style, NULL))) return 1;
-    if (failed("flgStylize", flgStylize(context, &stylize, &result, NULL))) return 1;
+    if (failed("flgCurveSetStylize", flgCurveSetStylize(context, &stylize, &result, NULL))) return 1;
 
     FlgCurveSetView view = flgCurveSetViewDefaults();
     FlgFrameReport report = {0};
     report.struct_size = sizeof report;
     do {
-        if (failed("flgTick", flgTick(context, 2000, &report))) return 1;
+        if (failed("flgContextTick", flgContextTick(context, 2000, &report))) return 1;
         flgContextWait(context, 1000);
     } while (report.jobs_pending > 0);
     if (failed("flgCurveSetGetView", flgCurveSetGetView(context, result, &view))) return 1;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// filigree.hpp in C++17, against the shared library.
+// filigree.hpp in C++17, against the shared library, with exceptions.
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "filigree/filigree.hpp"
@@ -11,129 +12,123 @@ namespace {
 // A square of two triangles, measured from a corner and cut in the middle.
 bool surfaces_work(filigree::Context& context) {
     const float corners[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-    const uint32_t triangles[] = {0, 1, 2, 0, 2, 3}, source = 0;
-    const FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, corners, 0, 0};
-    FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh.vertex_count = 4;
-    desc.mesh.columns = &column;
-    desc.mesh.column_count = 1;
-    desc.mesh.triangles = triangles;
-    desc.mesh.triangle_count = 2;
-    const filigree::Surface surface = context.surface(desc);
-    FlgGeodesicDesc geodesic = flgGeodesicDefaults();
-    geodesic.surface = surface.get();
-    geodesic.vertices = &source;
-    geodesic.vertex_count = 1;
-    const filigree::Field field = context.geodesic(geodesic);
-    FlgIsolinesDesc isolines = flgIsolinesDefaults();
-    isolines.field = field.get();
-    isolines.levels = {nullptr, 1, 0.5f, 1};
-    const filigree::SurfaceCurves lines = context.isolines(isolines);
-    FlgLiftDesc lift = flgLiftDefaults();
-    lift.curves = lines.get();
-    const filigree::CurveSet lifted = context.lift(lift);
-    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
-    cut.field = field.get();
-    cut.levels = isolines.levels;
-    const filigree::Field after = context.cut(cut);
-    if (surface.ready() || field.ready()) return false;
-    context.finish();
-    return surface.view().revision == 1 && !surface.changes(0).empty() && surface.report().border_count == 1 &&
-           field.view().values[1] == 1 && lines.view().curve_count == 1 && lifted.ready() &&
-           after.view().vertex_count > 4;
+    const uint32_t source = 0;
+    const filigree::Surface surface = context.surface_from_triangles(corners, {0, 1, 2, 0, 2, 3});
+    filigree::FieldGeodesicDesc geodesic(surface);
+    geodesic.set_vertices({&source, 1});
+    const filigree::Field field = context.field_geodesic(geodesic);
+    const std::vector<filigree::SurfacePoint> ends = {{0, 0.25f, 0.25f}, {1, 0.25f, 0.5f}};
+    const uint32_t offsets[] = {0, 2};
+    filigree::FieldTracePathsDesc across(surface);
+    across.points = ends.data();
+    across.set_path_offsets(offsets);
+    const filigree::SurfaceCurves lines = context.trace_paths(across);
+    const filigree::CurveSet lifted = lines.lift();
+    const filigree::Job cut = context.cut_curves({lines});
+    if (surface.ready() || field.ready() || !field.view().values.empty()) return false;
+    context.run();
+    const filigree::SurfaceView view = surface.view();
+    return view.revision == 1 && !surface.changes(0).empty() && surface.report().border_count == 1 &&
+           field.view().values.size() == 4 && field.view().values[1] == 1 && lines.view().points.size() >= 2 &&
+           lifted.ready() && cut.finished() && view.neighbours.size() == 3 * view.mesh.triangle_count &&
+           view.mesh.column(FLG_ATTRIBUTE_POSITION)->components == 3;
 }
 
 bool straight_skeletons_work(filigree::Context& context) {
     const double corners[] = {0, 0, 5, 0, 5, 2, 0, 2};
-    FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-    desc.contour.points = corners;
-    desc.contour.point_count = 4;
+    filigree::StraightSkeletonDesc desc;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = corners;
+    drawn.point_count = 4;
+    desc.contour = &drawn;
     filigree::Job job;
     const filigree::StraightSkeleton skeleton = context.straight_skeleton(desc, &job);
     if (skeleton.ready() || !skeleton.offset(0.5).offsets.empty()) return false;
-    context.finish();
+    context.run({job});
     const filigree::StraightSkeleton::Rings rings = skeleton.offset(0.5);
-    return job.finished() && skeleton.view().node_count == 6 && rings.points.size() == 8 && rings.edges.size() == 4 &&
-           rings.offsets.size() == 2 && rings.offsets[1] == 4 && skeleton.offset(2).points.empty();
+    const filigree::StraightSkeletonView view = skeleton.view();
+    return job.finished() && view.node_count == 6 && view.nodes.size() == 18 && view.face_nodes.size() == 14 &&
+           rings.points.size() == 8 && rings.edges.size() == 4 && rings.offsets.size() == 2 && rings.offsets[1] == 4 &&
+           skeleton.offset(2).points.empty();
 }
 
-// A bar, as a part, its body, its bones and its skin.
+// A bar, as a part, its body, its bones and its skin, which bends.
 bool models_work(filigree::Context& context) {
     const double corners[] = {0, 0, 5, 0, 5, 1, 0, 1};
-    FlgPartDesc part_desc = flgPartDefaults();
-    part_desc.contour.points = corners;
-    part_desc.contour.point_count = 4;
+    filigree::PartDesc part_desc;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = corners;
+    drawn.point_count = 4;
+    part_desc.contour = &drawn;
     const filigree::Part part = context.part(part_desc);
-    FlgPartMeshDesc body_desc = flgPartMeshDefaults();
-    body_desc.part = part.get();
-    const filigree::PartMesh body = context.part_mesh(body_desc);
-    FlgModelPart model_part = flgModelPartDefaults();
-    model_part.part = part.get();
-    FlgModelDesc model_desc = flgModelDefaults();
-    model_desc.parts = &model_part;
-    model_desc.part_count = 1;
+    const filigree::PartMesh body = context.part_mesh({part});
+    const std::vector<FlgModelPart> parts = {filigree::ModelPart(part)};
+    filigree::ModelDesc model_desc;
+    model_desc.set_parts(parts);
     const filigree::Model model = context.model(model_desc);
-    FlgSkinDesc skin_desc = flgSkinDefaults();
-    skin_desc.model = model.get();
+    filigree::SkinDesc skin_desc(model);
     skin_desc.vertex_count = 500;
     const filigree::Skin skin = context.skin(skin_desc);
-    if (part.ready() || skin.ready() || skin.view().vertex_count != 0) return false;
-    context.finish();
-    const FlgSkinView view = skin.view();
-    return body.ready() && part.view().node_count >= 2 && view.joint_count == model.view().joint_count &&
-           view.joint_count >= 2 && view.vertex_count > 300;
+    if (part.ready() || skin.ready() || !skin.view().positions.empty()) return false;
+    context.run();
+    const filigree::SkinView view = skin.view();
+    std::vector<float> rotations(4 * std::size_t{view.joint_count}), matrices(12 * std::size_t{view.joint_count});
+    for (uint32_t joint = 0; joint < view.joint_count; ++joint) rotations[4 * joint + 3] = 1;
+    if (!view.pose(rotations.data(), nullptr, matrices.data(), nullptr) || matrices[0] != 1) return false;
+    return body.ready() && part.view().nodes.size() >= 6 && view.joint_count == model.view().joint_names.size() &&
+           view.joint_count >= 2 && view.vertex_weights.size() == 4 * view.vertex_count && view.vertex_count > 300;
+}
+
+bool live_strokes_work(filigree::Context& context, const filigree::Style& style) {
+    filigree::LiveStrokeDesc live(style);
+    if (context.begin(live)) return false;  // not warm
+    const filigree::Job warming = style.warm();
+    context.run();
+    filigree::LiveStroke stroke = context.begin(live);
+    std::vector<filigree::LiveSample> samples;
+    for (int i = 0; i < 100; ++i)
+        samples.push_back({{0.01f * static_cast<float>(i), 0, 0}, {0, 0, 0, 1}, 0.5f, i / 90.0});
+    if (stroke.push(samples).curve_count != 1 || stroke.undo(50) == 0) return false;
+    const filigree::LiveStroke::EndResults ended = stroke.end();
+    context.run();
+    return warming.finished() && ended.stylized.ready() && ended.samples.view().curve_offsets[1] == 50 &&
+           stroke.resume();
 }
 
 }  // namespace
 
 int main() {
     try {
-        filigree::Context context;
-        std::vector<float> positions;
+        filigree::Context context = filigree::Context::create();
+        std::vector<float> wave;
         for (int i = 0; i < 300; ++i) {
             const float u = 0.01f * static_cast<float>(i);
-            for (float v : {u, 0.2f * std::cos(20 * u), 0.2f * std::sin(20 * u)}) positions.push_back(v);
+            wave.insert(wave.end(), {u, 0.2f * std::cos(20 * u), 0.2f * std::sin(20 * u)});
         }
-        const uint32_t offsets[] = {0, 300};
-        const FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0};
-        FlgCurveSetView view = flgCurveSetViewDefaults();
-        view.curve_count = 1;
-        view.curve_offsets = offsets;
-        view.columns = &column;
-        view.column_count = 1;
-        const filigree::CurveSet example = context.curves(view);
-        const filigree::Style style = context.style(example);
-        FlgStylizeDesc desc = flgStylizeDefaults();
-        desc.style = style.get();
-        desc.target = example.get();
+        const filigree::CurveSet example = context.curve_set_from_points(wave);
+        const filigree::Style style = context.style({example});
+        filigree::CurveSetStylizeDesc desc(style, example);
         filigree::Job job;
         const filigree::CurveSet result = context.stylize(desc, &job);
-        if (result.ready() || style.ready()) return 1;
-        context.finish();
+        if (result.ready() || style.ready() || !style.data().empty()) return 1;
+        context.run();
         if (!job.finished() || job.stages().size() != 2 || !style.guide().ready()) return 1;
-        std::printf("%u points\n", result.view().curve_offsets[1]);
+        const filigree::CurveSetView view = result.view();
+        std::printf("%u points\n", view.curve_offsets[1]);
+        if (view.curve_offsets.size() != 2 || view.columns.size() != view.column_count) return 1;
+        if (context.curve_set(view).view().column(FLG_ATTRIBUTE_POSITION)->components != 3) return 1;
+        const filigree::Style copy = context.style_from_data(style.data());
+        if (copy.info().matching.size() != style.info().point_count || copy.data() != style.data()) return 1;
         if (!surfaces_work(context) || !straight_skeletons_work(context) || !models_work(context)) return 1;
-        FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
-        live.style = style.get();
-        if (context.begin(live)) return 1;  // not warm
-        const filigree::Job warming = context.warm(style);
-        context.finish();
-        filigree::LiveStroke stroke = context.begin(live);
-        std::vector<FlgLiveSample> samples;
-        for (int i = 0; i < 100; ++i)
-            samples.push_back({{0.01f * static_cast<float>(i), 0, 0}, {0, 0, 0, 1}, 0.5f, i / 90.0});
-        if (stroke.push(samples.data(), 100).curve_count != 1 || stroke.undo(50) == 0) return 1;
-        const filigree::LiveStroke::Ended ended = stroke.end();
-        context.finish();
-        if (!ended.stylized.ready() || ended.samples.view().curve_offsets[1] != 50 || !stroke.resume()) return 1;
+        if (!live_strokes_work(context, style)) return 1;
         desc.scale = -1;
         try {
-            context.stylize(desc);
+            const filigree::CurveSet refused = context.stylize(desc);
             return 1;
         } catch (const filigree::Error& error) {
-            std::printf("%s: %s\n", flgResultName(error.result()), error.what());
+            std::printf("%s: %s\n", filigree::result_name(error.result()), error.what());
+            return std::strstr(error.what(), "scale") ? 0 : 1;
         }
-        return 0;
     } catch (const filigree::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -34,7 +34,7 @@ TEST(CurveSetApi, ReadsStridedInputInAnyOrder) {
     view.column_count = 2;
     Host host;
     FlgCurveSet set{};
-    ASSERT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgErrorGetMessage();
     const FlgCurveSetView out = host.view_of(set);
     EXPECT_EQ(out.columns[0].attribute, FLG_ATTRIBUTE_POSITION);
     EXPECT_EQ(std::vector<float>(out.columns[0].data, out.columns[0].data + 6), (std::vector<float>{1, 2, 3, 4, 5, 6}));
@@ -116,12 +116,12 @@ TEST(CurveSetApi, StaleHandlesAreErrors) {
 
 TEST(ResampleApi, EvenPointsWithFramesAndCarriedColumns) {
     Host host(1);
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = host.create(arcs(4));
     desc.spacing = 0.1f;
     FlgCurveSet out{};
     FlgJob job{};
-    ASSERT_EQ(flgResample(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_OK);
     const FlgCurveSetView view = host.view_of(out);
@@ -150,13 +150,13 @@ TEST(ResampleApi, RefusesEachBadArgument) {
     Host host;
     const FlgCurveSet curves = host.create(arcs(1));
     const auto refused = [&](auto change, FlgResult expected, const char* words) {
-        FlgResampleDesc desc = flgResampleDefaults();
+        FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
         desc.curves = curves;
         desc.spacing = 1;
         change(desc);
         FlgCurveSet out{5};
         FlgJob job{5};
-        expect_failure(flgResample(host.context, &desc, &out, &job), expected, words);
+        expect_failure(flgCurveSetResample(host.context, &desc, &out, &job), expected, words);
         EXPECT_EQ(out.id, 0u);
         EXPECT_EQ(job.id, 0u);
     };
@@ -164,16 +164,21 @@ TEST(ResampleApi, RefusesEachBadArgument) {
     refused([](auto& d) { d.spacing = NAN; }, FLG_ERROR_INVALID_ARGUMENT, "desc.spacing is nan");
     refused([](auto& d) { d.frame = static_cast<FlgFrameMethod>(7); }, FLG_ERROR_INVALID_ARGUMENT, "desc.frame is 7");
     refused([](auto& d) { d.curves = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.curves is null");
-    refused([](auto& d) { d.job.priority = static_cast<FlgPriority>(9); }, FLG_ERROR_INVALID_ARGUMENT,
-            "job.priority is 9");
-    refused([](auto& d) { d.job.dependency_count = 1; }, FLG_ERROR_INVALID_ARGUMENT, "job.dependencies is null");
+    FlgJobOptions options = flgJobOptionsDefaults();
+    const auto use = [&](auto& d) { d.job = &options; };
+    for (const int priority : {-2, 2, 9}) {
+        options.priority = static_cast<FlgPriority>(priority);
+        refused(use, FLG_ERROR_INVALID_ARGUMENT, ("job.priority is " + std::to_string(priority)).c_str());
+    }
+    options = flgJobOptionsDefaults();
+    options.struct_size = 0;
+    refused(use, FLG_ERROR_INVALID_ARGUMENT, "job: struct_size is 0");
+    options = flgJobOptionsDefaults();
+    options.dependency_count = 1;
+    refused(use, FLG_ERROR_INVALID_ARGUMENT, "job.dependencies is null");
     const FlgJob stale{123};
-    refused(
-        [&](auto& d) {
-            d.job.dependency_count = 1;
-            d.job.dependencies = &stale;
-        },
-        FLG_ERROR_INVALID_HANDLE, "job.dependencies");
+    options.dependencies = &stale;
+    refused(use, FLG_ERROR_INVALID_HANDLE, "job.dependencies");
 }
 
 TEST(ResampleApi, TooManyPointsAreALimitNotACrash) {
@@ -182,12 +187,12 @@ TEST(ResampleApi, TooManyPointsAreALimitNotACrash) {
     curves.add_point(0, 0, 0);
     curves.add_point(1e12, 0, 0);
     curves.end_curve();
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = host.create(curves);
     desc.spacing = 1e-3f;
     FlgCurveSet out{};
     FlgJob job{};
-    ASSERT_EQ(flgResample(host.context, &desc, &out, &job), FLG_OK);
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &out, &job), FLG_OK);
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_ERROR_LIMIT);
     FlgCurveSetView view = flgCurveSetViewDefaults();
@@ -195,20 +200,23 @@ TEST(ResampleApi, TooManyPointsAreALimitNotACrash) {
     // What depends on it is refused with its reason.
     desc.curves = out;
     FlgCurveSet second{};
-    expect_failure(flgResample(host.context, &desc, &second, nullptr), FLG_ERROR_DEPENDENCY, "the limit is 2^31");
+    expect_failure(flgCurveSetResample(host.context, &desc, &second, nullptr), FLG_ERROR_DEPENDENCY,
+                   "the limit is 2^31");
 }
 
 TEST(ResampleApi, JobsTakeOutputsOfUnfinishedJobs) {
     Host host;
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = host.create(arcs(2));
     desc.spacing = 0.1f;
     FlgCurveSet first{}, second{};
-    ASSERT_EQ(flgResample(host.context, &desc, &first, nullptr), FLG_OK);
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &first, nullptr), FLG_OK);
     desc.curves = first;
     desc.spacing = 0.5f;
-    desc.job.priority = FLG_PRIORITY_HIGH;
-    ASSERT_EQ(flgResample(host.context, &desc, &second, nullptr), FLG_OK);
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.priority = FLG_PRIORITY_HIGH;
+    desc.job = &options;
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &second, nullptr), FLG_OK);
     ASSERT_EQ(flgCurveSetRelease(host.context, first), FLG_OK);  // its job and its reader keep it
     FlgCurveSetView view = flgCurveSetViewDefaults();
     EXPECT_EQ(flgCurveSetGetView(host.context, second, &view), FLG_NOT_READY);
@@ -218,18 +226,20 @@ TEST(ResampleApi, JobsTakeOutputsOfUnfinishedJobs) {
 
 TEST(ResampleApi, PartialResultsGrowFromTheFront) {
     Host host;
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = host.create(arcs(300));
     desc.spacing = 0.01f;
-    desc.job.partial_results = 1;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    desc.job = &options;
     FlgCurveSet out{};
     FlgJob job{};
-    ASSERT_EQ(flgResample(host.context, &desc, &out, &job), FLG_OK);
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &out, &job), FLG_OK);
     std::string first_curve;
     uint32_t last = 0;
     bool partial = false;
-    while (host.status_of(job).state != FLG_JOB_FINISHED) {
-        ASSERT_EQ(flgTick(host.context, 500, nullptr), FLG_OK);
+    while (host.status_of(job).state != FLG_JOB_STATE_FINISHED) {
+        ASSERT_EQ(flgContextTick(host.context, 500, nullptr), FLG_OK);
         FlgCurveSetView view = flgCurveSetViewDefaults();
         if (flgCurveSetGetView(host.context, out, &view) != FLG_OK) continue;
         EXPECT_GE(view.curve_count, last);

@@ -9,18 +9,19 @@ double along_x(const Point& p) {
     return p[0];
 }
 
-FlgResult cut(const SurfaceHost& host, const FlgCutIsolinesDesc& desc, FlgField* out_field = nullptr) {
+FlgResult cut(const SurfaceHost& host, const FlgSurfaceCutIsolinesDesc& desc, FlgField* out_field = nullptr) {
     FlgJob job{};
-    EXPECT_EQ(flgCutIsolines(host.context, &desc, out_field, &job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceCutIsolines(host.context, &desc, out_field, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return host.result_of(job);
 }
 
-FlgCutIsolinesDesc at_levels(FlgField field, const std::vector<float>& levels, uint32_t first_label = FLG_NO_INDEX) {
-    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+FlgSurfaceCutIsolinesDesc at_levels(FlgField field, const std::vector<float>& levels,
+                                    uint32_t first_label = FLG_NO_INDEX) {
+    FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
     desc.field = field;
-    desc.levels.values = levels.data();
-    desc.levels.count = static_cast<uint32_t>(levels.size());
+    desc.levels = levels.data();
+    desc.level_count = static_cast<uint32_t>(levels.size());
     desc.first_label = first_label;
     return desc;
 }
@@ -31,24 +32,24 @@ FlgSurfaceCurves path(const SurfaceHost& host, FlgSurface surface, const std::ve
     std::vector<FlgSurfacePoint> points;
     for (const Point& p : stops) points.push_back(point_above(view, p[0], p[1]));
     const uint32_t offsets[] = {0, static_cast<uint32_t>(points.size())};
-    FlgPathsDesc desc = flgPathsDefaults();
+    FlgFieldTracePathsDesc desc = flgFieldTracePathsDefaults();
     desc.surface = surface;
     desc.points = points.data();
     desc.path_offsets = offsets;
     desc.path_count = 1;
     desc.closed = closed ? 1 : 0;
     FlgSurfaceCurves curves{};
-    EXPECT_EQ(flgTracePaths(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgFieldTracePaths(host.context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return curves;
 }
 
 FlgResult cut(const SurfaceHost& host, FlgSurfaceCurves curves, uint32_t first_label = FLG_NO_INDEX) {
-    FlgCutCurvesDesc desc = flgCutCurvesDefaults();
+    FlgSurfaceCutCurvesDesc desc = flgSurfaceCutCurvesDefaults();
     desc.curves = curves;
     desc.first_label = first_label;
     FlgJob job{};
-    EXPECT_EQ(flgCutCurves(host.context, &desc, &job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceCutCurves(host.context, &desc, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return host.result_of(job);
 }
@@ -63,7 +64,7 @@ TEST(CuttingApi, IsolinesBecomeEdgesAndTheirBandsLabels) {
     input.further_columns = {{FLG_ATTRIBUTE_COLOR, 4, colors.data(), 0, 0}};
     const FlgSurface surface = host.surface(input);
     const FlgSurfaceView before = host.view(surface);
-    const uint32_t vertices = before.mesh.vertex_count;
+    const uint32_t vertices = before.mesh->vertex_count;
     const std::vector<float> levels = {0.3f, 0.65f};
     FlgField after_cut{};
     ASSERT_EQ(cut(host, at_levels(host.field(surface, along_x), levels, 10), &after_cut), FLG_OK);
@@ -71,28 +72,28 @@ TEST(CuttingApi, IsolinesBecomeEdgesAndTheirBandsLabels) {
     const FlgSurfaceView view = host.view(surface);
     expect_valid(view);
     EXPECT_EQ(view.revision, 1u);
-    EXPECT_GT(view.mesh.vertex_count, vertices);
+    EXPECT_GT(view.mesh->vertex_count, vertices);
     for (uint32_t v = 0; v < vertices; ++v) EXPECT_EQ(vertex_at(view, v), input.vertex(v)) << "nothing moves";
     const std::map<uint32_t, double> parts = areas(view);
     ASSERT_EQ(parts.size(), 3u);
     EXPECT_NEAR(parts.at(10), 0.3, 1e-6);
     EXPECT_NEAR(parts.at(11), 0.35, 1e-6);
     EXPECT_NEAR(parts.at(12), 0.35, 1e-6);
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
         for (uint32_t k = 0; k < 3; ++k) {
-            const double x = vertex_at(view, view.mesh.triangles[3 * t + k])[0];
-            const uint32_t label = view.mesh.regions[t];
+            const double x = vertex_at(view, view.mesh->triangles[3 * t + k])[0];
+            const uint32_t label = view.mesh->regions[t];
             EXPECT_GE(x, label == 10 ? 0 : levels[label - 11] - 1e-6);
             EXPECT_LE(x, label == 12 ? 1 : levels[label - 10] + 1e-6);
         }
     }
     const FlgFieldView field = host.view(after_cut);
     EXPECT_EQ(field.revision, 1u);
-    ASSERT_EQ(field.vertex_count, view.mesh.vertex_count);
+    ASSERT_EQ(field.vertex_count, view.mesh->vertex_count);
     for (uint32_t v = 0; v < field.vertex_count; ++v) {
         const Point p = vertex_at(view, v);
         EXPECT_NEAR(field.values[v], p[0], 1e-6);
-        const float* color = view.mesh.columns[1].data + 4 * size_t{v};
+        const float* color = view.mesh->columns[1].data + 4 * size_t{v};
         EXPECT_NEAR(color[0], p[0], 1e-6);
         EXPECT_NEAR(color[1], p[1], 1e-6);
         EXPECT_EQ(color[2], 0.25f);
@@ -111,7 +112,7 @@ TEST(CuttingApi, EachListedRegionHasItsOwnLabels) {
     {
         const FlgSurface surface = host.surface(input);
         const std::vector<float> levels = {0.3f, 0.65f};
-        FlgCutIsolinesDesc desc = at_levels(host.field(surface, along_x), levels, 100);
+        FlgSurfaceCutIsolinesDesc desc = at_levels(host.field(surface, along_x), levels, 100);
         desc.regions = regions;
         desc.region_count = 2;
         ASSERT_EQ(cut(host, desc), FLG_OK);
@@ -125,10 +126,10 @@ TEST(CuttingApi, EachListedRegionHasItsOwnLabels) {
     }
     // Of evenly spaced levels as many labels are taken as levels were asked for, whether the field reaches them or not.
     const FlgSurface surface = host.surface(input);
-    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
     desc.field = host.field(surface, along_x);
-    desc.levels.first = desc.levels.every = 0.4f;
-    desc.levels.count = 9;
+    desc.level_first = desc.level_every = 0.4f;
+    desc.level_count = 9;
     desc.first_label = 20;
     desc.regions = regions;
     desc.region_count = 2;
@@ -162,7 +163,7 @@ TEST(CuttingApi, ACutThatFindsNothingChangesNothing) {
     EXPECT_TRUE(host.changes(surface, 0).empty());
     const uint32_t absent = 8;
     const std::vector<float> level = {0.3f};
-    FlgCutIsolinesDesc desc = at_levels(host.field(surface, along_x), level, 9);
+    FlgSurfaceCutIsolinesDesc desc = at_levels(host.field(surface, along_x), level, 9);
     desc.regions = &absent;
     desc.region_count = 1;
     ASSERT_EQ(cut(host, desc), FLG_OK);
@@ -175,7 +176,7 @@ TEST(CuttingApi, ChangesAreTheTrianglesThatDiffer) {
     std::vector<std::vector<uint32_t>> revisions;
     const auto remember = [&] {
         const FlgSurfaceView view = host.view(surface);
-        revisions.emplace_back(view.mesh.triangles, view.mesh.triangles + 3 * size_t{view.mesh.triangle_count});
+        revisions.emplace_back(view.mesh->triangles, view.mesh->triangles + 3 * size_t{view.mesh->triangle_count});
     };
     remember();
     ASSERT_EQ(cut(host, at_levels(host.field(surface, along_x), {0.3f})), FLG_OK);
@@ -248,7 +249,7 @@ TEST(CuttingApi, LabelsRunOutBeforeAnythingIsCut) {
 TEST(CuttingApi, DistancesAfterCutsAreThoseOfASurfaceMadeAnew) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(sphere(6));
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     const uint32_t vertex = 3;
     desc.surface = surface;
     desc.vertices = &vertex;
@@ -258,8 +259,8 @@ TEST(CuttingApi, DistancesAfterCutsAreThoseOfASurfaceMadeAnew) {
     const FlgSurfaceView view = host.view(surface);
     expect_valid(view);
     MeshArrays copy;
-    copy.positions.assign(view.mesh.columns[0].data, view.mesh.columns[0].data + 3 * size_t{view.mesh.vertex_count});
-    copy.triangles.assign(view.mesh.triangles, view.mesh.triangles + 3 * size_t{view.mesh.triangle_count});
+    copy.positions.assign(view.mesh->columns[0].data, view.mesh->columns[0].data + 3 * size_t{view.mesh->vertex_count});
+    copy.triangles.assign(view.mesh->triangles, view.mesh->triangles + 3 * size_t{view.mesh->triangle_count});
     const FlgFieldView cut_field = host.view(host.solve(desc));
     desc.surface = host.surface(copy, -1);
     const FlgFieldView fresh = host.view(host.solve(desc));
@@ -280,18 +281,18 @@ TEST(CuttingApi, ACutAlongCurvesCanBeCancelledUntilTheSurfaceChanges) {
         const double t = 0.05 + 0.9 * (i * 7 % 80) / 80.0;
         stops.push_back(i % 2 == 0 ? Point{t, 0.05, 0} : Point{1 - t, 0.95, 0});
     }
-    FlgCutCurvesDesc desc = flgCutCurvesDefaults();
+    FlgSurfaceCutCurvesDesc desc = flgSurfaceCutCurvesDefaults();
     desc.curves = path(host, surface, stops);
     FlgJob job{};
-    ASSERT_EQ(flgCutCurves(host.context, &desc, &job), FLG_OK) << flgLastError();
-    for (int tick = 0; tick < 3; ++tick) flgTick(host.context, 10, nullptr);
+    ASSERT_EQ(flgSurfaceCutCurves(host.context, &desc, &job), FLG_OK) << flgErrorGetMessage();
+    for (int tick = 0; tick < 3; ++tick) flgContextTick(host.context, 10, nullptr);
     EXPECT_STREQ(host.status_of(job).stage, "cut");
     ASSERT_EQ(flgJobCancel(host.context, job), FLG_OK);
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_ERROR_CANCELLED);
     EXPECT_EQ(bits(host.view(surface)), before);
     desc.curves = path(host, surface, stops);
-    ASSERT_EQ(flgCutCurves(host.context, &desc, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceCutCurves(host.context, &desc, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_OK);
     expect_valid(host.view(surface));
@@ -301,18 +302,18 @@ TEST(CuttingApi, ATriangleAndLoosePiecesCanBeCut) {
     const SurfaceHost host;
     const FlgSurface one = host.surface(loose_triangles(1));
     ASSERT_EQ(cut(host, at_levels(host.field(one, along_x), {0.5f}, 1)), FLG_OK);
-    EXPECT_EQ(host.view(one).mesh.triangle_count, 3u);
+    EXPECT_EQ(host.view(one).mesh->triangle_count, 3u);
     EXPECT_NEAR(areas(host.view(one))[2], 0.125, 1e-6);
     const FlgSurface pieces = host.surface(loose_triangles(100));
-    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
     desc.field = host.field(pieces, along_x);
-    desc.levels.first = 0.5f;
-    desc.levels.every = 2;
+    desc.level_first = 0.5f;
+    desc.level_every = 2;
     ASSERT_EQ(cut(host, desc), FLG_OK);
-    EXPECT_EQ(host.view(pieces).mesh.triangle_count, 300u);
+    EXPECT_EQ(host.view(pieces).mesh->triangle_count, 300u);
     expect_valid(host.view(pieces));
     desc.field = host.field(pieces, along_x);
-    desc.levels.every = 0.1f;
+    desc.level_every = 0.1f;
     EXPECT_EQ(cut(host, desc), FLG_ERROR_LIMIT) << "more than 256 levels";
 }
 

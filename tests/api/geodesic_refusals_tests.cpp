@@ -7,11 +7,11 @@ namespace {
 
 TEST(SurfaceRefusals, Blends) {
     const Things things;
-    FlgBlendDesc good = flgBlendDefaults();
+    FlgFieldBlendDesc good = flgFieldBlendDefaults();
     good.from = good.to = things.field;
     const Refusal refused{things.host, &flgFieldBlend, good};
     refused.common();
-    using D = FlgBlendDesc;
+    using D = FlgFieldBlendDesc;
     refused([](D& d) { d.from = {}; }, "desc.from is null", FLG_ERROR_INVALID_HANDLE);
     refused([&](D& d) { d.to = things.stale_field; }, "desc.to", FLG_ERROR_INVALID_HANDLE);
     refused([&](D& d) { d.to = things.of_other; }, "desc.to belongs to another surface");
@@ -23,14 +23,14 @@ TEST(SurfaceRefusals, Blends) {
 TEST(SurfaceRefusals, Distances) {
     const Things things;
     const uint32_t vertex = 0, label = FLG_REGION_MAX + 1;
-    FlgGeodesicDesc good = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc good = flgFieldGeodesicDefaults();
     good.surface = things.surface;
     good.vertices = &vertex;
     good.vertex_count = 1;
-    const Refusal refused{things.host, &flgGeodesic, good};
+    const Refusal refused{things.host, &flgFieldCreateGeodesic, good};
     refused.common();
-    using D = FlgGeodesicDesc;
-    expect_failure(flgGeodesic(things.host.context, &good, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT,
+    using D = FlgFieldGeodesicDesc;
+    expect_failure(flgFieldCreateGeodesic(things.host.context, &good, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "out_field is null");
     refused([](D& d) { d.surface = {}; }, "desc.surface is null", FLG_ERROR_INVALID_HANDLE);
     refused([](D& d) { d.vertex_count = 0; }, "desc has no sources");
@@ -58,18 +58,18 @@ TEST(SurfaceRefusals, IndicesThatOnlyTheJobCanCheck) {
     const Things things;
     const uint32_t vertex = 0, beyond = 9;
     const FlgSurfacePoint outside = {8, 0, 0};
-    FlgGeodesicDesc good = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc good = flgFieldGeodesicDefaults();
     good.surface = things.surface;
     good.vertices = &vertex;
     good.vertex_count = 1;
-    const auto fails = [&](const FlgGeodesicDesc& desc, const char* words) {
+    const auto fails = [&](const FlgFieldGeodesicDesc& desc, const char* words) {
         FlgJob job{};
         things.host.start(desc, &job);
         things.host.finish();
         EXPECT_EQ(things.host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_STREQ(things.host.status_of(job).error, words);
     };
-    FlgGeodesicDesc desc = good;
+    FlgFieldGeodesicDesc desc = good;
     desc.vertices = &beyond;
     fails(desc, "desc.vertices[0] is vertex 9, but there are 9 vertices");
     desc = good;
@@ -81,13 +81,13 @@ TEST(SurfaceRefusals, IndicesThatOnlyTheJobCanCheck) {
     desc.point_count = 1;
     fails(desc, "desc.points[0] is in triangle 8, but there are 8 triangles");
 
-    FlgStreamsDesc streams = flgStreamsDefaults();
+    FlgFieldTraceStreamsDesc streams = flgFieldTraceStreamsDefaults();
     streams.field = things.field;
     streams.starts = &outside;
     streams.start_count = 1;
     FlgSurfaceCurves curves{};
     FlgJob job{};
-    ASSERT_EQ(flgTraceStreams(things.host.context, &streams, &curves, &job), FLG_OK);
+    ASSERT_EQ(flgFieldTraceStreams(things.host.context, &streams, &curves, &job), FLG_OK);
     things.host.finish();
     EXPECT_STREQ(things.host.status_of(job).error, "desc.starts[0] is in triangle 8, but there are 8 triangles");
 }
@@ -95,30 +95,30 @@ TEST(SurfaceRefusals, IndicesThatOnlyTheJobCanCheck) {
 TEST(SurfaceRefusals, Samplings) {
     const Things things;
     const uint32_t label = FLG_REGION_MAX + 1;
-    FlgSamplingDesc good = flgSamplingDefaults();
+    FlgSurfaceSampleDesc good = flgSurfaceSampleDefaults();
     good.surface = things.surface;
     good.radius = 1;
     const Refusal refused{things.host, &flgSurfaceSample, good};
     refused.common();
-    using D = FlgSamplingDesc;
+    using D = FlgSurfaceSampleDesc;
     refused([](D& d) { d.surface = {}; }, "desc.surface", FLG_ERROR_INVALID_HANDLE);
     for (float bad : {0.0f, -1.0f, inf, nan}) refused([&](D& d) { d.radius = bad; }, "desc.radius is");
     refused([](D& d) { d.region_count = 1; }, "desc.regions is null, but region_count is 1");
     refused([&](D& d) { d.regions = &label, d.region_count = 1; }, "desc.regions[0] is 16777216");
 
-    FlgBorderSamplingDesc border = flgBorderSamplingDefaults();
+    FlgSurfaceSampleBordersDesc border = flgSurfaceSampleBordersDefaults();
     border.surface = things.surface;
     border.spacing = 1;
-    const Refusal no_border{things.host, &flgBorderSample, border};
+    const Refusal no_border{things.host, &flgSurfaceSampleBorders, border};
     no_border.common();
-    using B = FlgBorderSamplingDesc;
+    using B = FlgSurfaceSampleBordersDesc;
     no_border([](B& d) { d.surface = {}; }, "desc.surface", FLG_ERROR_INVALID_HANDLE);
     for (float bad : {0.0f, -1.0f, inf, nan}) no_border([&](B& d) { d.spacing = bad; }, "desc.spacing is");
     no_border([](B& d) { d.region = FLG_NO_INDEX; }, "desc.region is 4294967295");
     border.spacing = 1e-9f;
     FlgSurfaceCurves curves{};
     FlgJob job{};
-    ASSERT_EQ(flgBorderSample(things.host.context, &border, &curves, &job), FLG_OK);
+    ASSERT_EQ(flgSurfaceSampleBorders(things.host.context, &border, &curves, &job), FLG_OK);
     things.host.finish();
     EXPECT_EQ(things.host.result_of(job), FLG_ERROR_LIMIT);
 }

@@ -5,8 +5,8 @@
 namespace flg::test {
 namespace {
 
-FlgGeodesicDesc from_vertex(FlgSurface surface, const uint32_t* vertex) {
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+FlgFieldGeodesicDesc from_vertex(FlgSurface surface, const uint32_t* vertex) {
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     desc.surface = surface;
     desc.vertices = vertex;
     desc.vertex_count = 1;
@@ -54,7 +54,7 @@ TEST(GeodesicApi, SourcesOfAllKindsAreNumberedInOrder) {
     const uint32_t vertices[] = {0, 0};
     const FlgSurfacePoint point = point_above(view, 0.91, 0.07);
     const uint32_t border = 9;
-    FlgGeodesicDesc desc = from_vertex(surface, vertices);
+    FlgFieldGeodesicDesc desc = from_vertex(surface, vertices);
     desc.vertex_count = 2;
     desc.points = &point;
     desc.point_count = 1;
@@ -91,7 +91,7 @@ TEST(GeodesicApi, DistancesKeepToTheRegions) {
     const FlgSurface surface = host.surface(input);
     const FlgSurfaceView view = host.view(surface);
     const uint32_t vertex = 10, region = 1;  // (0.5, 0)
-    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    FlgFieldGeodesicDesc desc = from_vertex(surface, &vertex);
     desc.regions = &region;
     desc.region_count = 1;
     desc.labels = 1;
@@ -119,7 +119,7 @@ TEST(GeodesicApi, LimitsStopTheSearch) {
     const FlgSurface surface = host.surface(plane(20));
     const uint32_t vertex = 0, target = 5 * 21 + 5;
     const FlgFieldView whole = host.view(host.solve(from_vertex(surface, &vertex)));
-    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    FlgFieldGeodesicDesc desc = from_vertex(surface, &vertex);
     const FlgFieldView full = host.view(host.solve(desc));
     desc.max_distance = 0.5f;
     const FlgFieldView near = host.view(host.solve(desc));
@@ -133,7 +133,7 @@ TEST(GeodesicApi, LimitsStopTheSearch) {
         infinite += std::isinf(near.values[v]) ? 1 : 0;
     }
     EXPECT_GT(infinite, near.vertex_count / 2);
-    desc.max_distance = flgGeodesicDefaults().max_distance;
+    desc.max_distance = flgFieldGeodesicDefaults().max_distance;
     desc.targets = &target;
     desc.target_count = 1;
     const FlgFieldView early = host.view(host.solve(desc));
@@ -146,7 +146,7 @@ TEST(GeodesicApi, APerturbedMetricIsRougherAndTheSeedsOwn) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(20));
     const uint32_t vertex = 0;
-    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    FlgFieldGeodesicDesc desc = from_vertex(surface, &vertex);
     const std::string flat = bits(host.view(host.solve(desc)));
     desc.perturbation = 0.05f;
     desc.frequency = 4;
@@ -168,7 +168,7 @@ TEST(GeodesicApi, PiecesThatHangTogetherByNothingAreInfinitelyFar) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(loose_triangles(100));
     const uint32_t vertex = 31 * 3;
-    FlgGeodesicDesc desc = from_vertex(surface, &vertex);
+    FlgFieldGeodesicDesc desc = from_vertex(surface, &vertex);
     const FlgFieldView field = host.view(host.solve(desc));
     for (uint32_t v = 0; v < 300; ++v) {
         if (v / 3 != 31) {
@@ -187,7 +187,7 @@ TEST(GeodesicApi, PiecesThatHangTogetherByNothingAreInfinitelyFar) {
 TEST(GeodesicApi, CurvesWithoutACurveAreNowhere) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(3));
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     desc.surface = surface;
     desc.curves = host.start_isolines(host.field(surface, [](const Point& p) { return p[0]; }), {5});
     const FlgFieldView field = host.view(host.solve(desc));
@@ -199,7 +199,7 @@ TEST(GeodesicApi, AFieldOfTheHostsOwn) {
     const FlgSurface surface = host.surface(plane(1));
     const float values[] = {1, -2, HUGE_VALF, 3};
     FlgField field{};
-    ASSERT_EQ(flgFieldCreate(host.context, surface, values, 4, &field), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgFieldCreate(host.context, surface, values, 4, &field), FLG_OK) << flgErrorGetMessage();
     const FlgFieldView view = host.view(field);
     EXPECT_EQ(std::vector(view.values, view.values + view.vertex_count), std::vector(values, values + 4));
     EXPECT_EQ(view.labels, nullptr);
@@ -213,11 +213,11 @@ TEST(GeodesicApi, ABlendGoesFromOneFieldToTheOther) {
     const float from[] = {0, 0, 1, 2, inf, inf, 3, 5, 1e-30f};
     const float to[] = {0, 1, 0, 6, inf, 4, inf, 5, 3e-30f};
     const float expected[] = {0.5f, 0, 1, 0.25f, inf, 1, 0, 0.5f, 0.25f};
-    FlgBlendDesc desc = flgBlendDefaults();
+    FlgFieldBlendDesc desc = flgFieldBlendDefaults();
     ASSERT_EQ(flgFieldCreate(host.context, surface, from, 9, &desc.from), FLG_OK);
     ASSERT_EQ(flgFieldCreate(host.context, surface, to, 9, &desc.to), FLG_OK);
     FlgField blend{};
-    ASSERT_EQ(flgFieldBlend(host.context, &desc, &blend, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgFieldBlend(host.context, &desc, &blend, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgFieldView view = host.view(blend);
     for (uint32_t v = 0; v < 9; ++v) EXPECT_FLOAT_EQ(view.values[v], expected[v]) << v;
@@ -227,12 +227,12 @@ TEST(GeodesicApi, ABlendGoesFromOneFieldToTheOther) {
 TEST(GeodesicApi, JobsWaitForWhatTheyRead) {
     const SurfaceHost host;
     const FlgSurface surface = host.start_surface(plane(8));
-    FlgBlendDesc blend = flgBlendDefaults();
+    FlgFieldBlendDesc blend = flgFieldBlendDefaults();
     blend.from = host.start_distances(surface, 0);
     blend.to = host.start_distances(surface, 80);
     FlgField middle{};
-    ASSERT_EQ(flgFieldBlend(host.context, &blend, &middle, nullptr), FLG_OK) << flgLastError();
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    ASSERT_EQ(flgFieldBlend(host.context, &blend, &middle, nullptr), FLG_OK) << flgErrorGetMessage();
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     desc.surface = surface;
     desc.curves = host.start_isolines(middle, {0.5f});
     const FlgField field = host.start(desc);

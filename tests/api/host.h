@@ -38,19 +38,19 @@ struct HostAllocator {
     std::atomic<int64_t> calls{0};
     std::atomic<int64_t> fail_at{-1};
 
-    FlgAllocator hook() {
-        return {this,
-                [](void* self, size_t size, size_t alignment) -> void* {
-                    auto& a = *static_cast<HostAllocator*>(self);
-                    if (a.calls.fetch_add(1) == a.fail_at.load()) return nullptr;
-                    a.live_bytes += static_cast<int64_t>(size);
-                    return allocate_aligned(size, alignment);
-                },
-                [](void* self, void* memory, size_t size, size_t) {
-                    static_cast<HostAllocator*>(self)->live_bytes -= static_cast<int64_t>(size);
-                    free_aligned(memory);
-                }};
-    }
+    const FlgAllocator* hook() const { return &hook_; }
+
+    const FlgAllocator hook_{sizeof(FlgAllocator), this,
+                             [](void* self, size_t size, size_t alignment) -> void* {
+                                 auto& a = *static_cast<HostAllocator*>(self);
+                                 if (a.calls.fetch_add(1) == a.fail_at.load()) return nullptr;
+                                 a.live_bytes += static_cast<int64_t>(size);
+                                 return allocate_aligned(size, alignment);
+                             },
+                             [](void* self, void* memory, size_t size, size_t) {
+                                 static_cast<HostAllocator*>(self)->live_bytes -= static_cast<int64_t>(size);
+                                 free_aligned(memory);
+                             }};
 };
 
 // Points and radii of some curves, and the view of them.
@@ -119,7 +119,7 @@ public:
           }()) {}
     explicit Host(FlgContextDesc desc) {
         desc.allocator = allocator.hook();
-        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     }
     ~Host() {
         while (flgContextDestroy(context) == FLG_NOT_READY) {}
@@ -128,14 +128,14 @@ public:
     FlgCurveSet create(Curves curves) const {
         const FlgCurveSetView view = curves.view();
         FlgCurveSet set{};
-        EXPECT_EQ(flgCurveSetCreate(context, &view, &set), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetCreate(context, &view, &set), FLG_OK) << flgErrorGetMessage();
         return set;
     }
     void finish(uint32_t budget_us = 0) const {
         FlgFrameReport report{};
         report.struct_size = sizeof report;
         do {
-            ASSERT_EQ(flgTick(context, budget_us, &report), FLG_OK) << flgLastError();
+            ASSERT_EQ(flgContextTick(context, budget_us, &report), FLG_OK) << flgErrorGetMessage();
             flgContextWait(context, 1000);
         } while (report.jobs_pending > 0);
     }
@@ -143,17 +143,17 @@ public:
     FlgJobStatus status_of(FlgJob job) const {
         FlgJobStatus status{};
         status.struct_size = sizeof status;
-        EXPECT_EQ(flgJobGetStatus(context, job, &status), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgJobGetStatus(context, job, &status), FLG_OK) << flgErrorGetMessage();
         return status;
     }
     FlgCurveSetView view_of(FlgCurveSet set) const {
         FlgCurveSetView view = flgCurveSetViewDefaults();
-        EXPECT_EQ(flgCurveSetGetView(context, set, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetGetView(context, set, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
 
     HostAllocator allocator;
-    FlgContext context = nullptr;
+    FlgContext context{};
 };
 
 inline const FlgColumn* find_column(const FlgCurveSetView& view, FlgAttribute attribute) {
@@ -175,8 +175,8 @@ inline std::string bits(const FlgCurveSetView& view) {
 
 // Expects a failure whose sentence contains `words`.
 inline void expect_failure(FlgResult result, FlgResult expected, const char* words) {
-    EXPECT_EQ(result, expected) << flgResultName(result);
-    EXPECT_NE(std::strstr(flgLastError(), words), nullptr) << "the sentence is: " << flgLastError();
+    EXPECT_EQ(result, expected) << flgResultGetName(result);
+    EXPECT_NE(std::strstr(flgErrorGetMessage(), words), nullptr) << "the sentence is: " << flgErrorGetMessage();
 }
 
 }  // namespace flg::test

@@ -21,13 +21,13 @@ TEST(StylizeApi, AnyTemperatureGivesAWalkOnTheStyle) {
                 FlgStyleDesc style = flgStyleDefaults();
                 style.style = host.create(example);
                 style.patch = patch;
-                FlgStylizeDesc desc = flgStylizeDefaults();
+                FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
                 ASSERT_EQ(flgStyleCreate(host.context, &style, &desc.style, nullptr), FLG_OK);
                 desc.target = host.create(target);
                 desc.temperature = temperature;
                 FlgCurveSet out{};
                 FlgJob job{};
-                ASSERT_EQ(flgStylize(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+                ASSERT_EQ(flgCurveSetStylize(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
                 host.finish();
                 ASSERT_EQ(host.result_of(job), FLG_OK) << host.status_of(job).error;
                 FlgStyleInfo info{};
@@ -46,7 +46,7 @@ TEST(StylizeApi, AnyTemperatureGivesAWalkOnTheStyle) {
 
 struct Ready {
     Host host;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
 
     explicit Ready(float size = 1, FlgAttribute attribute = FLG_ATTRIBUTE_WIDTH, float value = 1) {
         Curves example = coil(), target = arcs(1);
@@ -60,14 +60,14 @@ struct Ready {
         FlgStyleDesc style = flgStyleDefaults();
         style.attributes = &transferred;
         style.attribute_count = 1;
-        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &style.style), FLG_OK) << flgLastError();
-        EXPECT_EQ(flgStyleCreate(host.context, &style, &desc.style, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &style.style), FLG_OK) << flgErrorGetMessage();
+        EXPECT_EQ(flgStyleCreate(host.context, &style, &desc.style, nullptr), FLG_OK) << flgErrorGetMessage();
         desc.target = host.create(target);
     }
     void expect_failing(FlgResult result, const char* words) {
         FlgCurveSet out{};
         FlgJob job{};
-        ASSERT_EQ(flgStylize(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgCurveSetStylize(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
         host.finish();
         EXPECT_EQ(host.result_of(job), result);
         EXPECT_NE(std::string(host.status_of(job).error).find(words), std::string::npos) << host.status_of(job).error;
@@ -75,7 +75,7 @@ struct Ready {
     FlgCurveSetView done() {
         FlgCurveSet out{};
         FlgJob job{};
-        EXPECT_EQ(flgStylize(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetStylize(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
         host.finish();
         EXPECT_EQ(host.result_of(job), FLG_OK) << host.status_of(job).error;
         return host.view_of(out);
@@ -85,11 +85,11 @@ struct Ready {
 TEST(StylizeLimits, FactorsBeyondCoordinatesAreRefused) {
     Ready ready;
     const auto refused = [&](auto change, const char* words) {
-        FlgStylizeDesc desc = ready.desc;
+        FlgCurveSetStylizeDesc desc = ready.desc;
         change(desc);
         FlgCurveSet out{};
-        EXPECT_EQ(flgStylize(ready.host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(flgLastError()).find(words), std::string::npos) << flgLastError();
+        EXPECT_EQ(flgCurveSetStylize(ready.host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(flgErrorGetMessage()).find(words), std::string::npos) << flgErrorGetMessage();
     };
     refused([](auto& d) { d.magnitude = -2e30f; }, "desc.magnitude is -2e+30, must be finite and at most 1e30 in size");
     refused([](auto& d) { d.scale = FLT_MAX; }, "desc.scale is 3.4");
@@ -138,10 +138,11 @@ TEST(StylizeLimits, ColumnsBeyondCoordinatesAreRefused) {
         view.columns = columns;
         view.column_count = 2;
         FlgCurveSet set{};
-        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgErrorGetMessage();
         values[1] = 1.1e30f;
         EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(flgLastError()).find("at most 1e30 in size"), std::string::npos) << flgLastError();
+        EXPECT_NE(std::string(flgErrorGetMessage()).find("at most 1e30 in size"), std::string::npos)
+            << flgErrorGetMessage();
     }
 }
 

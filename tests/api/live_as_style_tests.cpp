@@ -21,9 +21,10 @@ Samples curly() {
 struct ChunkClock {
     std::atomic<uint64_t> looks{0};
 
-    FlgClock hook() {
-        return {this, [](void* self) { return 10'000 * static_cast<ChunkClock*>(self)->looks.fetch_add(1); }};
-    }
+    const FlgClock* hook() const { return &hook_; }
+
+    const FlgClock hook_{sizeof(FlgClock), this,
+                         [](void* self) { return 10'000 * static_cast<ChunkClock*>(self)->looks.fetch_add(1); }};
 };
 
 TEST(LiveStrokeAsStyle, EndAndStyleFitIntoOneFrameOfChunks) {
@@ -37,13 +38,13 @@ TEST(LiveStrokeAsStyle, EndAndStyleFitIntoOneFrameOfChunks) {
     FlgStyleDesc style_desc = flgStyleDefaults();
     style_desc.style = ended.samples;
     FlgStyle style{};
-    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
     FlgStyleInfo info{};
     info.struct_size = sizeof info;
     EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_NOT_READY);
     // ... and in the next it is there. The style needs more than a tenth of the frame: the clock does count its work.
     const uint64_t before = clock.looks;
-    ASSERT_EQ(flgTick(host.context, frame_us, nullptr), FLG_OK);
+    ASSERT_EQ(flgContextTick(host.context, frame_us, nullptr), FLG_OK);
     EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_OK) << "after " << clock.looks - before << " chunks";
     EXPECT_EQ(info.point_count, 600u);
     EXPECT_GT(clock.looks - before, 110u);
@@ -59,12 +60,12 @@ TEST(LiveStrokeAsStyle, AWorkersStyleIsThereAtTheNextTick) {
     FlgStyleDesc style_desc = flgStyleDefaults();
     style_desc.style = ended.samples;
     FlgStyle style{};
-    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
     while (flgContextWait(host.context, 100'000) == FLG_NOT_READY) {}  // for the worker, however slow the machine
     FlgStyleInfo info{};
     info.struct_size = sizeof info;
     EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_NOT_READY);
-    ASSERT_EQ(flgTick(host.context, frame_us, nullptr), FLG_OK);
+    ASSERT_EQ(flgContextTick(host.context, frame_us, nullptr), FLG_OK);
     EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_OK);
 }
 

@@ -34,7 +34,7 @@ struct Example {
         view.columns = columns.data();
         view.column_count = static_cast<uint32_t>(columns.size());
         FlgCurveSet set{};
-        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgErrorGetMessage();
         return set;
     }
 };
@@ -46,7 +46,7 @@ TEST(LiveStrokeAttributes, ComeFromTheStyle) {
     desc.style = example.create(host);
     desc.attributes = example.attributes.data();
     desc.attribute_count = static_cast<uint32_t>(example.attributes.size());
-    ASSERT_EQ(flgStyleCreate(host.context, &desc, &host.style, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStyleCreate(host.context, &desc, &host.style, nullptr), FLG_OK) << flgErrorGetMessage();
     host.warm(1);
     FlgLiveStrokeDesc live = host.live;
     live.temperature = 1;

@@ -35,7 +35,7 @@ Samples rolling(uint32_t count) {
 
 TEST(LiveStrokeFrames, SuppliedNormalsAreTheControllers) {
     LiveHost host;
-    host.live.frame = FLG_FRAME_SUPPLIED;
+    host.live.frame = FLG_FRAME_METHOD_SUPPLIED;
     const FlgLiveStroke stroke = host.begin();
     const double spacing = host.info(stroke).spacing;
     const Heard heard = host.push_in_bursts(stroke, rolling(150), {1});
@@ -53,7 +53,7 @@ TEST(LiveStrokeFrames, SuppliedNormalsAreTheControllers) {
 TEST(LiveStrokeFrames, SuppliedNormalsAreThoseOfFlgResample) {
     LiveHost host;
     host.live.magnitude = 0;
-    host.live.frame = FLG_FRAME_SUPPLIED;
+    host.live.frame = FLG_FRAME_METHOD_SUPPLIED;
     const Samples samples = drawn(100);
     const FlgLiveStroke stroke = host.begin();
     host.push(stroke, samples.data(), samples.size());
@@ -72,13 +72,13 @@ TEST(LiveStrokeFrames, SuppliedNormalsAreThoseOfFlgResample) {
                                  {FLG_ATTRIBUTE_NORMAL, 3, normals.data(), 0, 0}};
     view.columns = columns;
     view.column_count = 2;
-    FlgResampleDesc desc = flgResampleDefaults();
-    ASSERT_EQ(flgCurveSetCreate(host.context, &view, &desc.curves), FLG_OK) << flgLastError();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
+    ASSERT_EQ(flgCurveSetCreate(host.context, &view, &desc.curves), FLG_OK) << flgErrorGetMessage();
     const double step = host.info(stroke).spacing;
     desc.spacing = static_cast<float>(step / 64);
-    desc.frame = FLG_FRAME_SUPPLIED;
+    desc.frame = FLG_FRAME_METHOD_SUPPLIED;
     FlgCurveSet fine{};
-    ASSERT_EQ(flgResample(host.context, &desc, &fine, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &fine, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgCurveSetView resampled = host.view_of(fine);
     const float* p = resampled.columns[0].data;
@@ -99,7 +99,7 @@ TEST(LiveStrokeFrames, SuppliedNormalsAreThoseOfFlgResample) {
 // Where the controller says nothing of it, the frame goes on without turning.
 TEST(LiveStrokeFrames, WithoutADirectionTheFrameIsCarriedOn) {
     LiveHost host;
-    host.live.frame = FLG_FRAME_SUPPLIED;
+    host.live.frame = FLG_FRAME_METHOD_SUPPLIED;
     Samples samples = rolling(120);
     for (size_t i = 40; i < 80; ++i) std::fill_n(samples[i].orientation, 4, 0.0f);
     const float half = std::sqrt(0.5f);
@@ -120,14 +120,14 @@ TEST(LiveStrokeFrames, WithoutADirectionTheFrameIsCarriedOn) {
     // Never a direction: as the rotation-minimizing frame.
     for (FlgLiveSample& sample : samples) std::fill_n(sample.orientation, 4, 0.0f);
     const Heard supplied = host.push_in_bursts(host.begin(), samples, {1});
-    host.live.frame = FLG_FRAME_ROTATION_MINIMIZING;
+    host.live.frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
     EXPECT_TRUE(host.push_in_bursts(host.begin(), samples, {1}) == supplied);
 }
 
 // With smoothing the axis is filtered along with the position that it belongs to.
 TEST(LiveStrokeFrames, SmoothingFiltersTheAxisWithThePosition) {
     LiveHost host;
-    host.live.frame = FLG_FRAME_SUPPLIED;
+    host.live.frame = FLG_FRAME_METHOD_SUPPLIED;
     host.live.magnitude = 0;
     host.live.smoothing = 0.05f;
     const Heard heard = host.push_in_bursts(host.begin(), rolling(180), {1});
@@ -182,7 +182,7 @@ FlgCurveSet coil_with_speed(const Host& host, std::vector<float>& speeds) {
     view.columns = columns;
     view.column_count = 2;
     FlgCurveSet set{};
-    EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgErrorGetMessage();
     return set;
 }
 
@@ -196,7 +196,7 @@ struct MovingHost : LiveHost {
         const FlgStyleAttribute speed{FLG_ATTRIBUTE_SPEED, FLG_METRIC_AUTO, 0, 0};
         desc.attributes = &speed;
         desc.attribute_count = 1;
-        EXPECT_EQ(flgStyleCreate(context, &desc, &style, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgStyleCreate(context, &desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
         warm(0);
         live.style = style;
     }
@@ -238,7 +238,7 @@ TEST(LiveStrokeFrames, LiveEqualsBatchWithAllOptions) {
     MovingHost host;
     const float basis[] = {0, 1, 0, -1, 0, 0.5f, 0, 0, 1};
     std::copy(std::begin(basis), std::end(basis), host.live.basis);
-    for (FlgFrameMethod frame : {FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_SUPPLIED}) {
+    for (FlgFrameMethod frame : {FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_SUPPLIED}) {
         for (float smoothing : {0.0f, 0.02f}) {
             host.live.frame = frame;
             host.live.smoothing = smoothing;
@@ -267,7 +267,7 @@ TEST(LiveStrokeFrames, RefusesWhatCannotBeFinal) {
         expect_failure(flgLiveStrokeReplay(host.context, &desc, host.create(arcs(1)), nullptr, &out, nullptr),
                        FLG_ERROR_INVALID_ARGUMENT, words);
     };
-    refused([](auto& d) { d.frame = FLG_FRAME_FRENET; }, "desc.frame is FLG_FRAME_FRENET");
+    refused([](auto& d) { d.frame = FLG_FRAME_METHOD_FRENET; }, "desc.frame is FLG_FRAME_METHOD_FRENET");
     refused([](auto& d) { d.frame = static_cast<FlgFrameMethod>(3); }, "desc.frame is 3");
     refused([](auto& d) { d.basis[4] = NAN; }, "desc.basis[4] is nan");
 }

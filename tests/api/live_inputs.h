@@ -70,17 +70,18 @@ inline Heard heard_of(const FlgCurveSetView& view) {
 // A host with a style that is ready and warm.
 class LiveHost : public Host {
 public:
-    explicit LiveHost(uint32_t workers = 0, const FlgClock& clock = {})
+    explicit LiveHost(uint32_t workers = 0, const FlgClock* clock = nullptr, const FlgProfiler* profiler = nullptr)
         : Host([&] {
               FlgContextDesc desc = flgContextDefaults();
               desc.worker_count = workers;
               desc.clock = clock;
+              desc.profiler = profiler;
               return desc;
           }()) {
         FlgStyleDesc desc = flgStyleDefaults();
         desc.point_count = 256;
         desc.style = create(coil());
-        EXPECT_EQ(flgStyleCreate(context, &desc, &style, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgStyleCreate(context, &desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
         warm(0);
         live.style = style;
         live.scale = 0.3f;
@@ -90,20 +91,20 @@ public:
 
     void warm(float temperature) {
         FlgJob job{};
-        EXPECT_EQ(flgStyleWarm(context, style, temperature, nullptr, &job), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgStyleWarm(context, style, temperature, nullptr, &job), FLG_OK) << flgErrorGetMessage();
         finish();
         EXPECT_EQ(result_of(job), FLG_OK) << status_of(job).error;
     }
     FlgLiveStroke begin() { return begin(live); }
     FlgLiveStroke begin(const FlgLiveStrokeDesc& desc) {
         FlgLiveStroke stroke{};
-        EXPECT_EQ(flgLiveStrokeBegin(context, &desc, &stroke), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgLiveStrokeBegin(context, &desc, &stroke), FLG_OK) << flgErrorGetMessage();
         return stroke;
     }
     FlgCurveSetView push(FlgLiveStroke stroke, const FlgLiveSample* samples, size_t count) {
         FlgCurveSetView view = flgCurveSetViewDefaults();
         EXPECT_EQ(flgLiveStrokePush(context, stroke, samples, static_cast<uint32_t>(count), &view), FLG_OK)
-            << flgLastError();
+            << flgErrorGetMessage();
         return view;
     }
     // In bursts of these sizes, again and again.
@@ -119,13 +120,18 @@ public:
     }
     FlgCurveSetView points(FlgLiveStroke stroke) {
         FlgCurveSetView view = flgCurveSetViewDefaults();
-        EXPECT_EQ(flgLiveStrokeGetPoints(context, stroke, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgLiveStrokeGetPoints(context, stroke, &view), FLG_OK) << flgErrorGetMessage();
+        return view;
+    }
+    FlgCurveSetView tip(FlgLiveStroke stroke) {
+        FlgCurveSetView view = flgCurveSetViewDefaults();
+        EXPECT_EQ(flgLiveStrokeGetTip(context, stroke, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
     FlgLiveStrokeInfo info(FlgLiveStroke stroke) {
         FlgLiveStrokeInfo info{};
         info.struct_size = sizeof info;
-        EXPECT_EQ(flgLiveStrokeGetInfo(context, stroke, &info), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgLiveStrokeGetInfo(context, stroke, &info), FLG_OK) << flgErrorGetMessage();
         return info;
     }
     struct Ended {
@@ -135,13 +141,13 @@ public:
     Ended end(FlgLiveStroke stroke) {
         Ended ended;
         EXPECT_EQ(flgLiveStrokeEnd(context, stroke, nullptr, &ended.stylized, &ended.samples, &ended.job), FLG_OK)
-            << flgLastError();
+            << flgErrorGetMessage();
         return ended;
     }
     Heard replay(const FlgLiveStrokeDesc& desc, FlgCurveSet samples) {
         FlgCurveSet out{};
         FlgJob job{};
-        EXPECT_EQ(flgLiveStrokeReplay(context, &desc, samples, nullptr, &out, &job), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgLiveStrokeReplay(context, &desc, samples, nullptr, &out, &job), FLG_OK) << flgErrorGetMessage();
         finish(200);
         EXPECT_EQ(result_of(job), FLG_OK) << status_of(job).error;
         return heard_of(view_of(out));

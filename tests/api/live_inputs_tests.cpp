@@ -185,7 +185,7 @@ TEST(LiveStrokeInput, NothingIsBegunBeforeItsTime) {
     FlgLiveStroke stroke{5};
     const auto not_ready = [&](const char* words) {
         EXPECT_EQ(flgLiveStrokeBegin(host.context, &live, &stroke), FLG_NOT_READY);
-        EXPECT_NE(std::strstr(flgLastError(), words), nullptr) << flgLastError();
+        EXPECT_NE(std::strstr(flgErrorGetMessage(), words), nullptr) << flgErrorGetMessage();
         EXPECT_EQ(stroke.id, 0u);
     };
     not_ready("desc.style is not prepared yet");
@@ -287,7 +287,7 @@ TEST(LiveStrokeInput, AnEndThatIsCutSaysSo) {
         const FlgLiveStroke stroke = host.begin();
         host.push_in_bursts(stroke, Samples(samples.begin(), samples.end() - 1), {1});
         EXPECT_EQ(host.info(stroke).cut, 0u);
-        EXPECT_EQ(flgLiveStrokePush(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgLiveStrokePush(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgErrorGetMessage();
         const LiveHost::Ended ended = host.end(stroke);
         host.finish();
         EXPECT_EQ(host.result_of(ended.job), FLG_OK);
@@ -320,7 +320,7 @@ TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
         EXPECT_EQ(stroke.id, 0u);
     };
     refused([](auto& d) { d.struct_size = 4; }, invalid, "struct_size is 4");
-    refused([](auto& d) { d.start = static_cast<FlgStart>(9); }, invalid, "desc.start is 9");
+    refused([](auto& d) { d.start = static_cast<FlgStyleStart>(9); }, invalid, "desc.start is 9");
     refused([](auto& d) { d.style = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.style is null");
     refused([](auto& d) { d.magnitude = NAN; }, invalid, "desc.magnitude is nan");
     refused([](auto& d) { d.temperature = -1; }, invalid, "desc.temperature is -1");
@@ -362,7 +362,7 @@ TEST(LiveStrokeInput, ReplayRefusesWhatALiveStrokeDoes) {
 // Curve c of a replay is a live stroke of seed + c, under any number of workers.
 TEST(LiveStrokeInput, ReplaysManyCurves) {
     LiveHost host;
-    host.live.start = FLG_START_RANDOM;
+    host.live.start = FLG_STYLE_START_RANDOM;
     Curves curves;
     std::vector<Samples> hands;
     for (int c = 0; c < 5; ++c) {
@@ -421,7 +421,7 @@ TEST(LiveStrokeInput, MemoryThatRunsOutAnywhereLeavesTheStrokeUsable) {
         host.allocator.fail_at = -1;
         if (result == FLG_OK) break;
         ++failures;
-        ASSERT_EQ(result, FLG_ERROR_OUT_OF_MEMORY) << flgResultName(result);
+        ASSERT_EQ(result, FLG_ERROR_OUT_OF_MEMORY) << flgResultGetName(result);
     }
     EXPECT_GT(failures, 15);
 }

@@ -65,7 +65,7 @@ TEST(LiveStroke, LiveEqualsBatch) {
     LiveHost host;
     for (float smoothing : {0.0f, 0.02f}) {
         host.live.smoothing = smoothing;
-        host.live.start = smoothing > 0 ? FLG_START_RANDOM : FLG_START_AUTO;
+        host.live.start = smoothing > 0 ? FLG_STYLE_START_RANDOM : FLG_STYLE_START_AUTO;
         const FlgLiveStroke stroke = host.begin();
         host.push_in_bursts(stroke, drawn(250), {3});
         const LiveHost::Ended ended = host.end(stroke);
@@ -132,11 +132,11 @@ TEST(LiveStroke, PointsLieEvenlyOnTheCurveOfFlgResample) {
     const FlgLiveStroke stroke = host.begin();
     host.push(stroke, samples.data(), samples.size());
     const LiveHost::Ended ended = host.end(stroke);
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = ended.samples;
     desc.spacing = host.info(stroke).spacing / 64;
     FlgCurveSet fine{};
-    ASSERT_EQ(flgResample(host.context, &desc, &fine, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &fine, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgCurveSetView curve = host.view_of(fine), live = host.view_of(ended.stylized);
     const float* c = curve.columns[0].data;
@@ -167,7 +167,7 @@ TEST(LiveStroke, UndoAndRedoGiveTheSameBits) {
     uint32_t drawn_samples = 200;
     for (uint32_t count : {1u, 3u, 8u, 13u, 64u, 0u, 111u}) {
         uint32_t points = 99;
-        ASSERT_EQ(flgLiveStrokeUndo(host.context, stroke, count, &points), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgLiveStrokeUndo(host.context, stroke, count, &points), FLG_OK) << flgErrorGetMessage();
         drawn_samples -= count;
         EXPECT_EQ(points, points_at[drawn_samples]);
         EXPECT_EQ(host.info(stroke).sample_count, drawn_samples);
@@ -208,7 +208,7 @@ TEST(LiveStroke, ResumingIsAsIfTheStrokeHadNeverEnded) {
     EXPECT_EQ(flgLiveStrokeResume(host.context, stroke), FLG_NOT_READY);
     host.finish();
     const std::string first = bits(host.view_of(ended.stylized));
-    ASSERT_EQ(flgLiveStrokeResume(host.context, stroke), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgLiveStrokeResume(host.context, stroke), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(host.info(stroke).ended, 0u);
     host.push(stroke, samples.data() + 70, 80);
     EXPECT_TRUE(heard_of(host.points(stroke)) == unbroken);
@@ -228,7 +228,7 @@ TEST(LiveStroke, SplitsAtAPoint) {
     EXPECT_EQ(flgLiveStrokeSplit(host.context, stroke, 50, nullptr, &first, &second, nullptr), FLG_NOT_READY);
     host.finish();
     ASSERT_EQ(flgLiveStrokeSplit(host.context, stroke, 50, nullptr, &first, &second, nullptr), FLG_OK)
-        << flgLastError();
+        << flgErrorGetMessage();
     EXPECT_EQ(flgLiveStrokeResume(host.context, stroke), FLG_NOT_READY);  // it is being read
     host.finish();
     const Heard whole = heard_of(host.view_of(ended.stylized));
@@ -276,8 +276,8 @@ TEST(LiveStroke, AStrokeBecomesAStyle) {
     FlgStyleDesc desc = flgStyleDefaults();
     desc.style = ended.samples;
     FlgStyle style{};
-    ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, nullptr), FLG_OK) << flgLastError();
-    ASSERT_EQ(flgStyleWarm(host.context, style, 0, nullptr, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(flgStyleWarm(host.context, style, 0, nullptr, nullptr), FLG_OK) << flgErrorGetMessage();
     FlgLiveStrokeDesc next = flgLiveStrokeDefaults();
     next.style = style;
     FlgLiveStroke restyled{};
@@ -303,11 +303,11 @@ TEST(LiveStroke, SamplesCanBeStylizedAgain) {
     const Samples samples = drawn(100);
     host.push(stroke, samples.data(), 100);
     const LiveHost::Ended ended = host.end(stroke);
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = host.style;
     desc.target = ended.samples;
     FlgCurveSet out{};
-    ASSERT_EQ(flgStylize(host.context, &desc, &out, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_NE(find_column(host.view_of(out), FLG_ATTRIBUTE_PRESSURE), nullptr);
     const FlgCurveSetView raw = host.view_of(ended.samples);

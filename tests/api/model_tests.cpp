@@ -33,10 +33,10 @@ struct ModelHost : PartHost {
         desc.part_count = static_cast<uint32_t>(parts.size());
         change(desc);
         FlgModel model{};
-        EXPECT_EQ(flgModelCreate(context, &desc, &model, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgModelCreate(context, &desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
         finish();
         FlgModelView view = flgModelViewDefaults();
-        EXPECT_EQ(flgModelGetView(context, model, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgModelGetView(context, model, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
 };
@@ -69,10 +69,10 @@ TEST(Model, PartsBecomeOneTreeWithNames) {
     const ModelHost host;
     const FlgModelView view = host.model(animal(host), mirror_z);
     ASSERT_EQ(view.part_count, 4u);
-    EXPECT_EQ(view.parts[0].event, FLG_PART_ROOT);
+    EXPECT_EQ(view.parts[0].event, FLG_PART_EVENT_ROOT);
     EXPECT_EQ(view.parts[0].parent, FLG_NO_INDEX);
     for (uint32_t p = 1; p < 4; ++p) {
-        EXPECT_NE(view.parts[p].event, FLG_PART_ROOT) << p;
+        EXPECT_NE(view.parts[p].event, FLG_PART_EVENT_ROOT) << p;
         EXPECT_EQ(view.parts[p].parent, 0u) << p;
     }
     EXPECT_EQ(view.parts[2].twin, 3u);
@@ -150,7 +150,7 @@ TEST(Model, MovingAPartMovesItsBonesAndWhereItHangs) {
     EXPECT_EQ(after.parts[2].parent, 0u);
     parts[2].placement[3] = 50;
     const FlgModelView away = host.model(parts);
-    EXPECT_EQ(away.parts[2].event, FLG_PART_ROOT);
+    EXPECT_EQ(away.parts[2].event, FLG_PART_EVENT_ROOT);
     EXPECT_EQ(std::count(away.joint_parents, away.joint_parents + away.joint_count, FLG_NO_INDEX), 2);
     // Views of models that were made before are as they were.
     EXPECT_EQ(before.parts[2].parent, 0u);
@@ -166,7 +166,7 @@ TEST(Model, ANewContourShowsItsBonesInTheSameFrame) {
     ASSERT_EQ(flgModelCreate(host.context, &desc, &model, nullptr), FLG_OK);
     FlgModelView view = flgModelViewDefaults();
     EXPECT_EQ(flgModelGetView(host.context, model, &view), FLG_NOT_READY);
-    ASSERT_EQ(flgTick(host.context, 0, nullptr), FLG_OK);
+    ASSERT_EQ(flgContextTick(host.context, 0, nullptr), FLG_OK);
     EXPECT_EQ(flgModelGetView(host.context, model, &view), FLG_OK);
 }
 
@@ -181,13 +181,23 @@ TEST(Model, IsTheSameUnderWorkers) {
     }
 }
 
+FlgBoneThresholds thresholds(float simplify, float merge, float prune, float collapse) {
+    return {.struct_size = sizeof(FlgBoneThresholds),
+            .simplify = simplify,
+            .merge = merge,
+            .prune = prune,
+            .collapse = collapse};
+}
+
 TEST(Model, ThresholdsMakeItCoarser) {
     const ModelHost host;
     const std::vector<FlgModelPart> parts = animal(host);
     uint32_t before = 0xffffffffu;
     for (const float scale : {0.0f, 1.0f, 4.0f, 20.0f}) {
+        FlgBoneThresholds scaled;
         const FlgModelView view = host.model(parts, [&](FlgModelDesc& desc) {
-            desc.thresholds = {0.0025f * scale, 0.015f * scale, 0.015f * scale, 0.005f * scale};
+            scaled = thresholds(0.0025f * scale, 0.015f * scale, 0.015f * scale, 0.005f * scale);
+            desc.thresholds = &scaled;
         });
         EXPECT_LE(view.joint_count, before);
         before = view.joint_count;
@@ -195,9 +205,10 @@ TEST(Model, ThresholdsMakeItCoarser) {
     EXPECT_LE(before, 8u);
     // A part's own thresholds, and a branch's, are its alone.
     std::vector<FlgModelPart> fine = parts;
-    const FlgBoneThresholds none = {0, 0, 0, 0};
+    const FlgBoneThresholds none = thresholds(0, 0, 0, 0), coarse = thresholds(1, 0.5f, 0.5f, 0.5f),
+                            simple = thresholds(1, 0, 0, 0);
     fine[0].thresholds = &none;
-    const FlgModelView body = host.model(fine, [](FlgModelDesc& desc) { desc.thresholds = {1, 0.5f, 0.5f, 0.5f}; });
+    const FlgModelView body = host.model(fine, [&](FlgModelDesc& desc) { desc.thresholds = &coarse; });
     const auto joints_of = [](const FlgModelView& view, uint32_t part) {
         return std::count(view.joint_parts, view.joint_parts + view.joint_count, part);
     };
@@ -210,7 +221,7 @@ TEST(Model, ThresholdsMakeItCoarser) {
     fine = parts;
     fine[1].branch_simplify = &branch;
     fine[1].branch_count = 1;
-    const FlgModelView head = host.model(fine, [](FlgModelDesc& desc) { desc.thresholds = {1, 0, 0, 0}; });
+    const FlgModelView head = host.model(fine, [&](FlgModelDesc& desc) { desc.thresholds = &simple; });
     EXPECT_GT(joints_of(head, 1), 10);
 }
 
@@ -227,7 +238,7 @@ TEST(Part, ShowsOutlineAxisAndSlices) {
     const FlgPart part = host.part(capsule(0, 0, 10, 0, 1));
     host.finish();
     FlgPartView view = flgPartViewDefaults();
-    ASSERT_EQ(flgPartGetView(host.context, part, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgPartGetView(host.context, part, &view), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(view.ring_count, 1u);
     EXPECT_EQ(view.outline_rings[1], view.outline_count);
     EXPECT_GT(view.outline_count, 8u);
@@ -250,18 +261,20 @@ TEST(Part, RefusesWhatIsNoContour) {
     const ModelHost host;
     const auto refused = [&](const std::vector<double>& points, const std::string& words) {
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = points.data();
-        desc.contour.point_count = static_cast<uint32_t>(points.size() / 2);
+        FlgContourView drawn = flgContourViewDefaults();
+        drawn.points = points.data();
+        drawn.point_count = static_cast<uint32_t>(points.size() / 2);
+        desc.contour = &drawn;
         FlgPart part{};
         FlgJob job{};
         std::string error;
         if (flgPartCreate(host.context, &desc, &part, &job) != FLG_OK) {
-            error = flgLastError();
+            error = flgErrorGetMessage();
         } else {
             host.finish();
             FlgPartView view = flgPartViewDefaults();
             EXPECT_EQ(flgPartGetView(host.context, part, &view), FLG_ERROR_INVALID_ARGUMENT);
-            error = flgLastError();
+            error = flgErrorGetMessage();
         }
         EXPECT_NE(error.find(words), std::string::npos) << error;
     };
@@ -277,12 +290,14 @@ TEST(Part, RepairsWhatCrossesItselfOnRequest) {
     // Two triangles that touch at a crossing; the larger one is kept.
     const std::vector<double> points = {0, 0, 6, 6, 6, 0, 0, 6, -2, 3};
     FlgPartDesc desc = flgPartDefaults();
-    desc.contour.points = points.data();
-    desc.contour.point_count = 5;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = points.data();
+    drawn.point_count = 5;
+    desc.contour = &drawn;
     FlgPart part{};
     for (const uint32_t repair : {0u, 1u}) {
         desc.repair = repair;
-        ASSERT_EQ(flgPartCreate(host.context, &desc, &part, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgPartCreate(host.context, &desc, &part, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         FlgPartView view = flgPartViewDefaults();
         ASSERT_EQ(flgPartGetView(host.context, part, &view), repair ? FLG_OK : FLG_ERROR_INVALID_ARGUMENT);
@@ -297,18 +312,26 @@ TEST(Part, RefusesNumbersOutOfTheirRange) {
     const std::vector<double> points = capsule(0, 0, 4, 0, 1);
     const auto refused = [&](const std::function<void(FlgPartDesc&)>& change, const std::string& words) {
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = points.data();
-        desc.contour.point_count = static_cast<uint32_t>(points.size() / 2);
+        FlgContourView drawn = flgContourViewDefaults();
+        drawn.points = points.data();
+        drawn.point_count = static_cast<uint32_t>(points.size() / 2);
+        desc.contour = &drawn;
         change(desc);
         FlgPart part{77};
         EXPECT_EQ(flgPartCreate(host.context, &desc, &part, nullptr), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_EQ(part.id, 0u);
-        EXPECT_NE(std::string(flgLastError()).find(words), std::string::npos) << flgLastError();
+        EXPECT_NE(std::string(flgErrorGetMessage()).find(words), std::string::npos) << flgErrorGetMessage();
     };
     refused([](FlgPartDesc& d) { d.spacing = 1e-9; }, "desc.spacing is 1e-09");
     refused([](FlgPartDesc& d) { d.tolerance = -1; }, "desc.tolerance is -1");
     refused([](FlgPartDesc& d) { d.collapse = NAN; }, "desc.collapse is nan");
-    refused([](FlgPartDesc& d) { d.contour.struct_size = 4; }, "desc.contour");
+    refused(
+        [](FlgPartDesc& d) {
+            static FlgContourView wrong = flgContourViewDefaults();
+            wrong.struct_size = 4;
+            d.contour = &wrong;
+        },
+        "desc.contour");
 }
 
 TEST(Model, RefusesWhatItCantUse) {
@@ -324,7 +347,7 @@ TEST(Model, RefusesWhatItCantUse) {
         FlgModel model{};
         EXPECT_LT(flgModelCreate(host.context, &desc, &model, nullptr), 0);
         EXPECT_EQ(model.id, 0u);
-        EXPECT_NE(std::string(flgLastError()).find(words), std::string::npos) << flgLastError();
+        EXPECT_NE(std::string(flgErrorGetMessage()).find(words), std::string::npos) << flgErrorGetMessage();
     };
     refused([](FlgModelDesc& d, FlgModelPart&) { d.part_count = 0; }, "desc.part_count is 0");
     refused([](FlgModelDesc& d, FlgModelPart&) { d.parts = nullptr; }, "desc.parts is null");
@@ -333,7 +356,8 @@ TEST(Model, RefusesWhatItCantUse) {
     refused([](FlgModelDesc&, FlgModelPart& p) { p.placement[3] = NAN; }, "desc.parts[0].placement[3] is nan");
     refused([](FlgModelDesc&, FlgModelPart& p) { p.thickness = 0; }, "desc.parts[0].thickness is 0");
     refused([](FlgModelDesc&, FlgModelPart& p) { p.name = ""; }, "desc.parts[0].name has 0 bytes");
-    refused([](FlgModelDesc& d, FlgModelPart&) { d.thresholds.prune = -1; }, "desc.thresholds.prune is -1");
+    const FlgBoneThresholds negative = thresholds(0, 0, -1, 0);
+    refused([&](FlgModelDesc& d, FlgModelPart&) { d.thresholds = &negative; }, "desc.thresholds.prune is -1");
     refused([](FlgModelDesc& d, FlgModelPart&) { d.shape_weight = 1e9f; }, "desc.shape_weight");
     refused([](FlgModelDesc& d, FlgModelPart&) { d.mirror[0] = 0; }, "desc.mirror has a normal of no length");
     FlgModelPart twice[2] = {placed(part, "leg"), placed(part, "leg")};
@@ -354,7 +378,8 @@ TEST(Model, RefusesWhatItCantUse) {
     host.finish();
     FlgModelView view = flgModelViewDefaults();
     EXPECT_EQ(flgModelGetView(host.context, model, &view), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgLastError()).find("desc.parts[0].branch_count is 5"), std::string::npos) << flgLastError();
+    EXPECT_NE(std::string(flgErrorGetMessage()).find("desc.parts[0].branch_count is 5"), std::string::npos)
+        << flgErrorGetMessage();
 }
 
 TEST(Model, AFailedPartFailsItsModel) {
@@ -379,14 +404,16 @@ TEST(Model, OutOfMemoryNothingIsLost) {
             FlgContextDesc context_desc = flgContextDefaults();
             context_desc.worker_count = 0;
             context_desc.allocator = allocator.hook();
-            FlgContext context = nullptr;
+            FlgContext context{};
             ASSERT_EQ(flgContextCreate(&context_desc, &context), FLG_OK);
             const int64_t before = allocator.calls;
             allocator.fail_at = fail_at < 0 ? -1 : before + fail_at;
             const std::vector<double> points = capsule(0, 0, 4, 0, 1);
             FlgPartDesc part_desc = flgPartDefaults();
-            part_desc.contour.points = points.data();
-            part_desc.contour.point_count = static_cast<uint32_t>(points.size() / 2);
+            FlgContourView drawn = flgContourViewDefaults();
+            drawn.points = points.data();
+            drawn.point_count = static_cast<uint32_t>(points.size() / 2);
+            part_desc.contour = &drawn;
             FlgPart part{};
             FlgModel model{};
             bool failed = flgPartCreate(context, &part_desc, &part, nullptr) != FLG_OK;
@@ -397,7 +424,7 @@ TEST(Model, OutOfMemoryNothingIsLost) {
                 desc.parts = &one;
                 desc.part_count = 1;
                 failed = flgModelCreate(context, &desc, &model, nullptr) != FLG_OK;
-                EXPECT_EQ(flgTick(context, 0, nullptr), FLG_OK);
+                EXPECT_EQ(flgContextTick(context, 0, nullptr), FLG_OK);
                 FlgModelView view = flgModelViewDefaults();
                 failed = failed || flgModelGetView(context, model, &view) != FLG_OK;
             }

@@ -30,10 +30,10 @@ struct Keys {
 
 FlgMotionView made(const Host& host, const FlgMotionDesc& desc) {
     FlgMotion motion{};
-    EXPECT_EQ(flgMotionCreate(host.context, &desc, &motion, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgMotionCreate(host.context, &desc, &motion, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     FlgMotionView view = flgMotionViewDefaults();
-    EXPECT_EQ(flgMotionGetView(host.context, motion, &view), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgMotionGetView(host.context, motion, &view), FLG_OK) << flgErrorGetMessage();
     return view;
 }
 
@@ -48,16 +48,16 @@ TEST(MotionApi, KeysBecomeAMotion) {
     const Keys keys;
     FlgMotion motion{};
     FlgJob job{};
-    ASSERT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, &job), FLG_OK) << flgErrorGetMessage();
     FlgMotionView view = flgMotionViewDefaults();
     EXPECT_EQ(flgMotionGetView(host.context, motion, &view), FLG_NOT_READY);
     EXPECT_EQ(view.poses, nullptr);
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_OK);
-    ASSERT_EQ(flgMotionGetView(host.context, motion, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgMotionGetView(host.context, motion, &view), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(view.position_count, 97u);
     EXPECT_EQ(view.key_count, 4u);
-    EXPECT_EQ(view.ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(view.ending, FLG_SPLINE_ENDING_CONVERGED);
     EXPECT_LE(view.residual, 1e-6);
     EXPECT_EQ(view.mass, 6);
     EXPECT_EQ(view.inertia[0], 1);
@@ -89,7 +89,7 @@ TEST(MotionApi, ClosedMotionsEndAsLongAfterTheLastKeyAsKeysAreApart) {
     keys.desc.end_time = 0;
     const FlgMotionView two = made(host, keys.desc);
     EXPECT_EQ(two.times[two.position_count], 2);
-    EXPECT_EQ(two.ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(two.ending, FLG_SPLINE_ENDING_CONVERGED);
 }
 
 TEST(MotionApi, TheBodyCounts) {
@@ -132,16 +132,19 @@ TEST(MotionApi, SameBitsWithWorkersAndBudgets) {
 TEST(MotionApi, RoundsCanBeSeen) {
     const Host host;
     Keys keys;
-    keys.desc.job.partial_results = 1;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    keys.desc.job = &options;
     keys.desc.position_count = 5000;
     FlgMotion motion{};
     FlgJob job{};
-    ASSERT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, &job), FLG_OK) << flgErrorGetMessage();
     FlgMotionView view = flgMotionViewDefaults();
     bool seen = false;
-    while (host.status_of(job).state != FLG_JOB_FINISHED) {
-        ASSERT_EQ(flgTick(host.context, 2000, nullptr), FLG_OK);
-        if (flgMotionGetView(host.context, motion, &view) != FLG_OK || view.ending != FLG_SPLINE_RUNNING) continue;
+    while (host.status_of(job).state != FLG_JOB_STATE_FINISHED) {
+        ASSERT_EQ(flgContextTick(host.context, 2000, nullptr), FLG_OK);
+        if (flgMotionGetView(host.context, motion, &view) != FLG_OK || view.ending != FLG_SPLINE_ENDING_RUNNING)
+            continue;
         seen = true;
         EXPECT_GE(view.rounds, 1u);
         EXPECT_EQ(view.times[view.key_positions[2]], keys.times[2]);
@@ -159,7 +162,7 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
         FlgMotion motion{7};
         EXPECT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, nullptr), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_EQ(motion.id, 0u);
-        return std::string(flgLastError());
+        return std::string(flgErrorGetMessage());
     };
     using Desc = FlgMotionDesc;
     static constexpr double spot[] = {1, 2, HUGE_VAL}, masses[] = {0}, negative[] = {-1};
@@ -169,7 +172,7 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
     EXPECT_EQ(refusal([](Desc& d) { d.energy = static_cast<FlgSplineEnergy>(3); }),
               "desc.energy is 3, must be one of FLG_SPLINE_...");
     EXPECT_EQ(refusal([](Desc& d) {
-                  d.energy = FLG_SPLINE_ET;
+                  d.energy = FLG_SPLINE_ENERGY_ET;
                   d.tension = 0;
               }),
               "desc.tension is 0, must be above 0, to 1e12");
@@ -202,8 +205,7 @@ TEST(MotionApi, BadDescriptorsAreRefused) {
 TEST(MotionApi, ObstaclesAreThoseOfSplines) {
     const Host host;
     Keys keys;
-    FlgObstacle ball{};
-    flgObstacleInit(&ball);
+    FlgObstacle ball = flgObstacleDefaults();
     ball.centre[0] = 0.6;
     ball.centre[1] = 0.1;
     ball.radius = 0.2;
@@ -211,7 +213,7 @@ TEST(MotionApi, ObstaclesAreThoseOfSplines) {
     ASSERT_EQ(flgObstaclesDescInit(&desc, sizeof desc), FLG_OK);
     desc.obstacles = &ball;
     desc.obstacle_count = 1;
-    ASSERT_EQ(flgObstaclesCreate(host.context, &desc, &keys.desc.obstacles, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgObstaclesCreate(host.context, &desc, &keys.desc.obstacles, nullptr), FLG_OK) << flgErrorGetMessage();
     const FlgMotionView view = made(host, keys.desc);
     double least = 1e9;
     for (uint32_t i = 0; i < view.position_count; ++i) {
@@ -223,7 +225,7 @@ TEST(MotionApi, ObstaclesAreThoseOfSplines) {
     const auto refusal = [&](const char* words) {
         FlgMotion motion{};
         EXPECT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_EQ(std::string(flgLastError()), words);
+        EXPECT_EQ(std::string(flgErrorGetMessage()), words);
     };
     keys.desc.obstacle_radius = 1;
     refusal("desc.obstacle_radius is 1, must be 1e-5 to 0.1");
@@ -243,12 +245,12 @@ TEST(MotionApi, BadKeysFailTheJob) {
         Keys keys;
         change(keys);
         FlgMotion motion{};
-        EXPECT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgMotionCreate(host.context, &keys.desc, &motion, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         FlgMotionView view = flgMotionViewDefaults();
         EXPECT_EQ(flgMotionGetView(host.context, motion, &view), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_EQ(view.poses, nullptr);
-        return std::string(flgLastError());
+        return std::string(flgErrorGetMessage());
     };
     EXPECT_EQ(failure([](Keys& k) { k.times[2] = 0.5; }), "keys[2] has the time 0.5 after 1; times must rise");
     EXPECT_EQ(failure([](Keys& k) { k.poses[12] = -1; }),

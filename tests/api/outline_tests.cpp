@@ -65,14 +65,16 @@ struct OutlineHost : Host {
     FlgSurface surface(const Triangles& mesh) const {
         FlgSurfaceDesc desc = flgSurfaceDefaults();
         FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, mesh.positions.data(), 0, 0};
-        desc.mesh.vertex_count = static_cast<uint32_t>(mesh.positions.size() / 3);
-        desc.mesh.triangle_count = static_cast<uint32_t>(mesh.triangles.size() / 3);
-        desc.mesh.triangles = mesh.triangles.data();
-        desc.mesh.regions = mesh.regions.data();
-        desc.mesh.columns = &column;
-        desc.mesh.column_count = 1;
+        FlgMeshView input = flgMeshViewDefaults();
+        input.vertex_count = static_cast<uint32_t>(mesh.positions.size() / 3);
+        input.triangle_count = static_cast<uint32_t>(mesh.triangles.size() / 3);
+        input.triangles = mesh.triangles.data();
+        input.regions = mesh.regions.data();
+        input.columns = &column;
+        input.column_count = 1;
+        desc.mesh = &input;
         FlgSurface out{};
-        EXPECT_EQ(flgSurfaceCreate(context, &desc, &out, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceCreate(context, &desc, &out, nullptr), FLG_OK) << flgErrorGetMessage();
         return out;
     }
     FlgResult outline(const FlgOutlineDesc& desc, FlgOutlineView& view) const {
@@ -80,7 +82,7 @@ struct OutlineHost : Host {
         const FlgResult made = flgOutlineCreate(context, &desc, &out, nullptr);
         if (made != FLG_OK) return made;
         EXPECT_EQ(flgOutlineGetView(context, out, &view), FLG_NOT_READY);
-        EXPECT_EQ(flgTick(context, 0, nullptr), FLG_OK);
+        EXPECT_EQ(flgContextTick(context, 0, nullptr), FLG_OK);
         return flgOutlineGetView(context, out, &view);
     }
 };
@@ -91,17 +93,17 @@ TEST(Outline, OfATorusIsARing) {
     desc.surface = host.surface(torus(2, 0.5));
     desc.direction[2] = 3;
     FlgOutlineView view = flgOutlineViewDefaults();
-    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgLastError();
-    ASSERT_EQ(view.contour.ring_count, 2u);
+    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(view.contour->ring_count, 2u);
     // Of 96 corners: their chords are 0.03 % of the area inside.
-    EXPECT_NEAR(area(view.contour, 0), M_PI * 2.5 * 2.5, 0.02);
-    EXPECT_NEAR(area(view.contour, 1), -M_PI * 1.5 * 1.5, 0.01);
+    EXPECT_NEAR(area(*view.contour, 0), M_PI * 2.5 * 2.5, 0.02);
+    EXPECT_NEAR(area(*view.contour, 1), -M_PI * 1.5 * 1.5, 0.01);
     // Edge-on it is a strip with round ends.
     desc.direction[2] = 0;
     desc.direction[0] = 1;
-    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgLastError();
-    ASSERT_EQ(view.contour.ring_count, 1u);
-    EXPECT_NEAR(area(view.contour, 0), 4 * 1 + M_PI * 0.25, 0.03);
+    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(view.contour->ring_count, 1u);
+    EXPECT_NEAR(area(*view.contour, 0), 4 * 1 + M_PI * 0.25, 0.03);
 }
 
 TEST(Outline, OfAFlatRegionIsItsBorderInItsPlane) {
@@ -112,12 +114,12 @@ TEST(Outline, OfAFlatRegionIsItsBorderInItsPlane) {
     desc.regions = &region;
     desc.region_count = 1;
     FlgOutlineView view = flgOutlineViewDefaults();
-    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgLastError();
-    ASSERT_EQ(view.contour.ring_count, 1u);
-    EXPECT_NEAR(area(view.contour, 0), 6, 1e-5);
+    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(view.contour->ring_count, 1u);
+    EXPECT_NEAR(area(*view.contour, 0), 6, 1e-5);
     // Back in its place each point is on the region's border.
-    for (uint32_t i = 0; i < view.contour.point_count; ++i) {
-        const double *p = view.contour.points + 2 * i, *m = view.placement;
+    for (uint32_t i = 0; i < view.contour->point_count; ++i) {
+        const double *p = view.contour->points + 2 * i, *m = view.placement;
         const double x = m[0] * p[0] + m[1] * p[1] + m[3], y = m[4] * p[0] + m[5] * p[1] + m[7];
         const double z = m[8] * p[0] + m[9] * p[1] + m[11];
         EXPECT_NEAR(z, 0.75 * y, 1e-5);
@@ -141,8 +143,8 @@ TEST(Outline, OfSeveralPiecesIsTheLargest) {
     desc.surface = host.surface(both);
     desc.direction[2] = 1;
     FlgOutlineView view = flgOutlineViewDefaults();
-    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgLastError();
-    EXPECT_NEAR(area(view.contour, 0), M_PI * 2.5 * 2.5, 0.02);
+    ASSERT_EQ(host.outline(desc, view), FLG_OK) << flgErrorGetMessage();
+    EXPECT_NEAR(area(*view.contour, 0), M_PI * 2.5 * 2.5, 0.02);
 }
 
 TEST(Outline, BecomesAPartWithBonesInsideOfTheMesh) {
@@ -151,20 +153,20 @@ TEST(Outline, BecomesAPartWithBonesInsideOfTheMesh) {
     desc.surface = host.surface(torus(2, 0.5));
     desc.direction[2] = 1;
     FlgOutlineView outline = flgOutlineViewDefaults();
-    ASSERT_EQ(host.outline(desc, outline), FLG_OK) << flgLastError();
+    ASSERT_EQ(host.outline(desc, outline), FLG_OK) << flgErrorGetMessage();
     FlgPartDesc part_desc = flgPartDefaults();
     part_desc.contour = outline.contour;
     FlgModelPart part = flgModelPartDefaults();
-    ASSERT_EQ(flgPartCreate(host.context, &part_desc, &part.part, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgPartCreate(host.context, &part_desc, &part.part, nullptr), FLG_OK) << flgErrorGetMessage();
     std::copy(outline.placement, outline.placement + 12, part.placement);
     FlgModelDesc model_desc = flgModelDefaults();
     model_desc.parts = &part;
     model_desc.part_count = 1;
     FlgModel model{};
-    ASSERT_EQ(flgModelCreate(host.context, &model_desc, &model, nullptr), FLG_OK) << flgLastError();
-    ASSERT_EQ(flgTick(host.context, 0, nullptr), FLG_OK);
+    ASSERT_EQ(flgModelCreate(host.context, &model_desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(flgContextTick(host.context, 0, nullptr), FLG_OK);
     FlgModelView view = flgModelViewDefaults();
-    ASSERT_EQ(flgModelGetView(host.context, model, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgModelGetView(host.context, model, &view), FLG_OK) << flgErrorGetMessage();
     ASSERT_GT(view.joint_count, 5u);
     for (uint32_t j = 0; j < view.joint_count; ++j) {
         const float* p = view.joint_positions + 3 * j;
@@ -180,7 +182,7 @@ TEST(Outline, RefusesWhatHasNone) {
     FlgOutlineView view = flgOutlineViewDefaults();
     const auto refused = [&](const FlgOutlineDesc& bad, const std::string& words) {
         EXPECT_EQ(host.outline(bad, view), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(flgLastError()).find(words), std::string::npos) << flgLastError();
+        EXPECT_NE(std::string(flgErrorGetMessage()).find(words), std::string::npos) << flgErrorGetMessage();
     };
     FlgOutlineDesc bad = desc;
     bad.direction[1] = NAN;

@@ -13,10 +13,12 @@ public:
 
     FlgPart part(const std::vector<double>& contour) const {
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = contour.data();
-        desc.contour.point_count = static_cast<uint32_t>(contour.size() / 2);
+        FlgContourView drawn = flgContourViewDefaults();
+        drawn.points = contour.data();
+        drawn.point_count = static_cast<uint32_t>(contour.size() / 2);
+        desc.contour = &drawn;
         FlgPart part{};
-        EXPECT_EQ(flgPartCreate(context, &desc, &part, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgPartCreate(context, &desc, &part, nullptr), FLG_OK) << flgErrorGetMessage();
         return part;
     }
 };

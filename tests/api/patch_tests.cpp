@@ -46,11 +46,11 @@ FlgSplineView spline_on(const Host& host, FlgManifold manifold) {
     desc.node_count = 161;
     desc.tolerance = 1e-9;
     FlgSpline spline{};
-    EXPECT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     FlgSplineView view = {};
     EXPECT_EQ(flgSplineViewInit(&view, sizeof view), FLG_OK);
-    EXPECT_EQ(flgSplineGetView(host.context, spline, &view), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSplineGetView(host.context, spline, &view), FLG_OK) << flgErrorGetMessage();
     return view;
 }
 
@@ -58,15 +58,15 @@ TEST(PatchApi, ParametrizedAndImplicitTorusHaveTheSameSplines) {
     const Host host;
     const FlgPatchFunctions functions = torus_functions();
     FlgManifold patch{}, implicit{};
-    ASSERT_EQ(flgManifoldCreatePatch(host.context, &functions, &patch), FLG_OK) << flgLastError();
-    FlgShapeDesc shape = {};
-    ASSERT_EQ(flgShapeDescInit(&shape, sizeof shape), FLG_OK);
-    shape.shape = FLG_SHAPE_TORUS;
+    ASSERT_EQ(flgManifoldCreatePatch(host.context, &functions, &patch), FLG_OK) << flgErrorGetMessage();
+    FlgManifoldShapeDesc shape = {};
+    ASSERT_EQ(flgManifoldShapeDescInit(&shape, sizeof shape), FLG_OK);
+    shape.shape = FLG_MANIFOLD_SHAPE_TORUS;
     shape.radius = ring;
     shape.tube_radius = tube;
-    ASSERT_EQ(flgManifoldCreateShape(host.context, &shape, &implicit), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgManifoldCreateShape(host.context, &shape, &implicit), FLG_OK) << flgErrorGetMessage();
     const FlgSplineView first = spline_on(host, patch), second = spline_on(host, implicit);
-    EXPECT_EQ(first.ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(first.ending, FLG_SPLINE_ENDING_CONVERGED);
     EXPECT_NEAR(first.energy, second.energy, 1e-8 * first.energy);
     ASSERT_EQ(first.node_count, second.node_count);
     for (uint32_t i = 0; i < 3 * first.node_count; ++i) EXPECT_NEAR(first.nodes[i], second.nodes[i], 1e-6);
@@ -89,7 +89,7 @@ TEST(PatchApi, RefusesWhatIsNoSurface) {
         FlgManifold manifold{7};
         EXPECT_EQ(flgManifoldCreatePatch(host.context, &functions, &manifold), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_EQ(manifold.id, 0u);
-        return std::string(flgLastError());
+        return std::string(flgErrorGetMessage());
     };
     using Functions = FlgPatchFunctions;
     EXPECT_EQ(refusal([](Functions& f) { f.evaluate = nullptr; }), "functions.evaluate is null");

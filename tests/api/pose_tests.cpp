@@ -22,7 +22,7 @@ Pose pose_of(TestSkin& skin, const std::vector<float>& rotations, const float* t
     EXPECT_EQ(flgSkinPose(&view, rotations.empty() ? nullptr : rotations.data(), translation, pose.matrices.data(),
                           pose.duals.data()),
               FLG_OK)
-        << flgLastError();
+        << flgErrorGetMessage();
     return pose;
 }
 
@@ -38,7 +38,7 @@ Deformed deformed(TestSkin& skin, const Pose& pose, FlgSkinning skinning) {
     EXPECT_EQ(flgSkinDeform(&view, skinning, (linear ? pose.matrices : pose.duals).data(), out.positions.data(),
                             out.normals.data()),
               FLG_OK)
-        << flgLastError();
+        << flgErrorGetMessage();
     return out;
 }
 
@@ -312,7 +312,7 @@ protected:
         std::fill_n(matrices, 48, 77.0f);
         EXPECT_EQ(flgSkinPose(&view, rotations, translation, matrices, nullptr), FLG_ERROR_INVALID_ARGUMENT);
         for (const float value : matrices) EXPECT_EQ(value, 77.0f);
-        return flgLastError();
+        return flgErrorGetMessage();
     }
     std::string deform(const std::function<void(FlgSkinView&)>& change) {
         FlgSkinView view = skin_.view();
@@ -322,7 +322,7 @@ protected:
         EXPECT_EQ(flgSkinDeform(&view, FLG_SKINNING_LINEAR, matrices.data(), out.data(), nullptr),
                   FLG_ERROR_INVALID_ARGUMENT);
         for (const float value : out) EXPECT_EQ(value, 77.0f);
-        return flgLastError();
+        return flgErrorGetMessage();
     }
     std::string sample(const std::function<void(FlgSkinAnimation&)>& change, float time = 0.5f,
                        uint32_t joint_count = 4) {
@@ -332,7 +332,7 @@ protected:
         std::fill_n(out, 16, 77.0f);
         EXPECT_EQ(flgSkinAnimationSample(&view, joint_count, time, out, nullptr), FLG_ERROR_INVALID_ARGUMENT);
         for (const float value : out) EXPECT_EQ(value, 77.0f);
-        return flgLastError();
+        return flgErrorGetMessage();
     }
     static void none(FlgSkinView&) {}
     static void no_change(FlgSkinAnimation&) {}
@@ -371,9 +371,9 @@ TEST_F(PoseRefusals, RotationsAndTranslation) {
     EXPECT_EQ(pose(none, nullptr, far), "translation[1] is inf, must be finite and at most 1e30 in size");
     const View view = skin_.view();
     EXPECT_EQ(flgSkinPose(&view, nullptr, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgLastError(), "out_matrices and out_dual_quaternions are both null");
+    EXPECT_STREQ(flgErrorGetMessage(), "out_matrices and out_dual_quaternions are both null");
     EXPECT_EQ(flgSkinPose(nullptr, nullptr, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgLastError(), "skin is null");
+    EXPECT_STREQ(flgErrorGetMessage(), "skin is null");
 }
 
 TEST_F(PoseRefusals, Vertices) {
@@ -406,7 +406,7 @@ TEST_F(PoseRefusals, Transforms) {
     const auto refusal = [&](int32_t skinning, const float* values) {
         EXPECT_EQ(flgSkinDeform(&view, static_cast<FlgSkinning>(skinning), values, out.data(), nullptr),
                   FLG_ERROR_INVALID_ARGUMENT);
-        return std::string(flgLastError());
+        return std::string(flgErrorGetMessage());
     };
     EXPECT_EQ(refusal(2, transforms.data()), "skinning is 2, must be one of FLG_SKINNING_...");
     EXPECT_EQ(refusal(FLG_SKINNING_LINEAR, nullptr), "transforms is null");
@@ -418,14 +418,14 @@ TEST_F(PoseRefusals, Transforms) {
               "transforms[13] is nan, must be finite and at most 1e30 in size");
     EXPECT_EQ(flgSkinDeform(&view, FLG_SKINNING_LINEAR, std::vector<float>(48).data(), nullptr, nullptr),
               FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgLastError(), "out_positions is null");
+    EXPECT_STREQ(flgErrorGetMessage(), "out_positions is null");
     View without = view;
     without.normals = nullptr;
     std::vector<float> normals(out.size());
     const std::vector<float> zeros(48);
     EXPECT_EQ(flgSkinDeform(&without, FLG_SKINNING_LINEAR, zeros.data(), out.data(), normals.data()),
               FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgLastError(), "skin.normals is null");
+    EXPECT_STREQ(flgErrorGetMessage(), "skin.normals is null");
 }
 
 TEST_F(PoseRefusals, Animations) {

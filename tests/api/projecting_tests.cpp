@@ -26,11 +26,11 @@ struct Laid {
 
 Laid lay(const SurfaceHost& host, FlgSurface surface, const std::vector<Line>& lines, bool closed,
          uint32_t budget_us = 0) {
-    FlgProjectDesc desc = flgProjectDefaults();
+    FlgCurveSetProjectDesc desc = flgCurveSetProjectDefaults();
     desc.surface = surface;
     desc.curves = host.create(curves_of(lines, closed));
     Laid laid;
-    EXPECT_EQ(flgProjectCurves(host.context, &desc, &laid.curves, &laid.job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetProject(host.context, &desc, &laid.curves, &laid.job), FLG_OK) << flgErrorGetMessage();
     host.finish(budget_us);
     return laid;
 }
@@ -80,10 +80,10 @@ TEST(Projecting, ClosedCurvesCutOutWhatTheyEnclose) {
     EXPECT_EQ(view.curve_flags[0], FLG_CURVE_CLOSED);
     EXPECT_NEAR(view.curve_values[0], 24 * 0.4 * std::sin(M_PI / 24), 1e-5);
     EXPECT_NEAR(view.curve_values[1], 5 * 0.2 * std::sin(M_PI / 5), 1e-5);
-    FlgCutCurvesDesc cut = flgCutCurvesDefaults();
+    FlgSurfaceCutCurvesDesc cut = flgSurfaceCutCurvesDefaults();
     cut.curves = laid.curves;
     cut.first_label = 1;
-    ASSERT_EQ(flgCutCurves(host.context, &cut, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceCutCurves(host.context, &cut, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     std::vector<double> found;
     for (const auto& [label, area] : areas(host.view(surface))) found.push_back(area);
@@ -154,12 +154,12 @@ TEST(Projecting, FailsWhereNoWayLeads) {
 
 TEST(Projecting, Refusals) {
     const Things things;
-    FlgProjectDesc good = flgProjectDefaults();
+    FlgCurveSetProjectDesc good = flgCurveSetProjectDefaults();
     good.surface = things.surface;
     good.curves = things.host.create(curves_of({{{0, 0, 0}, {1, 1, 0}}}, false));
-    const Refusal refused{things.host, &flgProjectCurves, good};
+    const Refusal refused{things.host, &flgCurveSetProject, good};
     refused.common();
-    using D = FlgProjectDesc;
+    using D = FlgCurveSetProjectDesc;
     refused([](D& d) { d.surface = {}; }, "desc.surface is null", FLG_ERROR_INVALID_HANDLE);
     refused([&](D& d) { d.surface = things.stale; }, "desc.surface", FLG_ERROR_INVALID_HANDLE);
     refused([](D& d) { d.curves = {}; }, "desc.curves is null", FLG_ERROR_INVALID_HANDLE);

@@ -7,20 +7,20 @@
 namespace flg::test {
 namespace {
 
-FlgField sample(const SurfaceHost& host, const FlgSamplingDesc& desc) {
+FlgField sample(const SurfaceHost& host, const FlgSurfaceSampleDesc& desc) {
     FlgField field{};
-    EXPECT_EQ(flgSurfaceSample(host.context, &desc, &field, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceSample(host.context, &desc, &field, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return field;
 }
 
 FlgSurfaceCurves sample_border(const SurfaceHost& host, FlgSurface surface, uint32_t region, float spacing) {
-    FlgBorderSamplingDesc desc = flgBorderSamplingDefaults();
+    FlgSurfaceSampleBordersDesc desc = flgSurfaceSampleBordersDefaults();
     desc.surface = surface;
     desc.region = region;
     desc.spacing = spacing;
     FlgSurfaceCurves curves{};
-    EXPECT_EQ(flgBorderSample(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceSampleBorders(host.context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return curves;
 }
@@ -28,7 +28,7 @@ FlgSurfaceCurves sample_border(const SurfaceHost& host, FlgSurface surface, uint
 // No two are nearer than the radius, none fits any more, and each vertex belongs to its nearest one.
 TEST(SamplingApi, PointsKeepTheirDistanceAndFillTheSurface) {
     const SurfaceHost host;
-    FlgSamplingDesc desc = flgSamplingDefaults();
+    FlgSurfaceSampleDesc desc = flgSurfaceSampleDefaults();
     desc.surface = host.surface(plane(24));
     desc.radius = 0.2f;
     const FlgSurfaceView mesh = host.view(desc.surface);
@@ -57,7 +57,7 @@ TEST(SamplingApi, CountSeedAndRegionsAreAsAskedFor) {
     const SurfaceHost host;
     MeshArrays input = plane(20);
     input.set_regions([](const Point& p) { return p[0] > 0.5 ? 6u : 0u; });
-    FlgSamplingDesc desc = flgSamplingDefaults();
+    FlgSurfaceSampleDesc desc = flgSurfaceSampleDefaults();
     desc.surface = host.surface(input);
     desc.radius = 0.1f;
     const FlgFieldView all = host.view(sample(host, desc));
@@ -84,7 +84,7 @@ TEST(SamplingApi, CountSeedAndRegionsAreAsAskedFor) {
 
 TEST(SamplingApi, EachPieceGetsAPointAndNoRegionNone) {
     const SurfaceHost host;
-    FlgSamplingDesc desc = flgSamplingDefaults();
+    FlgSurfaceSampleDesc desc = flgSurfaceSampleDefaults();
     desc.surface = host.surface(loose_triangles(100));
     desc.radius = 50;
     EXPECT_EQ(host.view(sample(host, desc)).sample_count, 100u);
@@ -127,10 +127,10 @@ TEST(SamplingApi, BorderSamplesCantBeCutIn) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(10));
     const std::string before = bits(host.view(surface));
-    FlgCutCurvesDesc desc = flgCutCurvesDefaults();
+    FlgSurfaceCutCurvesDesc desc = flgSurfaceCutCurvesDefaults();
     desc.curves = sample_border(host, surface, 0, 0.5f);
     FlgJob job{};
-    ASSERT_EQ(flgCutCurves(host.context, &desc, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceCutCurves(host.context, &desc, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.status_of(job).result, FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(bits(host.view(surface)), before);

@@ -13,25 +13,32 @@ namespace {
 constexpr double frame[] = {0, 0, 6, 0, 6, 6, 0, 6, 1, 1, 5, 1, 5, 5, 1, 5};
 constexpr uint32_t frame_rings[] = {0, 4, 8};
 
-FlgStraightSkeletonDesc frame_desc() {
+FlgContourView frame_contour() {
+    FlgContourView contour = flgContourViewDefaults();
+    contour.points = frame;
+    contour.point_count = 8;
+    contour.ring_offsets = frame_rings;
+    contour.ring_count = 2;
+    return contour;
+}
+
+FlgStraightSkeletonDesc desc_of(const FlgContourView& contour) {
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-    desc.contour.points = frame;
-    desc.contour.point_count = 8;
-    desc.contour.ring_offsets = frame_rings;
-    desc.contour.ring_count = 2;
+    desc.contour = &contour;
     return desc;
 }
 
 TEST(SkeletonApi, AFrameHasARidgeAround) {
     const Host host;
-    const FlgStraightSkeletonDesc desc = frame_desc();
+    const FlgContourView drawn = frame_contour();
+    const FlgStraightSkeletonDesc desc = desc_of(drawn);
     FlgStraightSkeleton skeleton{};
     FlgJob job{};
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, &job), FLG_OK) << flgErrorGetMessage();
     FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
     EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_NOT_READY);
     host.finish();
-    ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(view.contour_count, 8u);
     ASSERT_EQ(view.node_count, 12u);
     ASSERT_EQ(view.arc_count, 12u);
@@ -58,33 +65,36 @@ TEST(SkeletonApi, AFrameHasARidgeAround) {
 
 TEST(SkeletonApi, BadDescriptorsAreRefused) {
     const Host host;
-    const auto refusal = [&](const std::function<void(FlgStraightSkeletonDesc&)>& change) {
-        FlgStraightSkeletonDesc desc = frame_desc();
-        change(desc);
+    const auto refusal = [&](const std::function<void(FlgContourView&, FlgStraightSkeletonDesc&)>& change) {
+        FlgContourView contour = frame_contour();
+        FlgStraightSkeletonDesc desc = desc_of(contour);
+        change(contour, desc);
         FlgStraightSkeleton skeleton{7};
         EXPECT_LT(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), 0);
         EXPECT_EQ(skeleton.id, 0u);
-        return std::string(flgLastError());
+        return std::string(flgErrorGetMessage());
     };
+    using Drawn = FlgContourView;
     using Desc = FlgStraightSkeletonDesc;
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.points = nullptr; }), "desc.contour.points is null");
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.point_count = 2; }), "desc.contour.point_count is 2, must be at least 3");
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.point_count = 1u << 25; }),
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.points = nullptr; }), "desc.contour.points is null");
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.point_count = 2; }), "desc.contour.point_count is 2, must be at least 3");
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.point_count = 1u << 25; }),
               "desc.contour.point_count is 33554432, at most 16777216");
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_count = 0; }),
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.ring_count = 0; }),
               "desc.contour.ring_count is 0, must be at least 1, and at most the number of points");
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = nullptr; }),
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.ring_offsets = nullptr; }),
               "desc.contour.ring_count is 2, must be 1 without ring_offsets");
     static constexpr uint32_t falling[] = {0, 9, 8}, late[] = {1, 4, 8}, early[] = {0, 4, 7};
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = falling; }),
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.ring_offsets = falling; }),
               "desc.contour.ring_offsets[1] is 9; offsets rise from 0 to point_count, 8");
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = late; }),
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.ring_offsets = late; }),
               "desc.contour.ring_offsets[0] is 1; offsets rise from 0 to point_count, 8");
-    EXPECT_EQ(refusal([](Desc& d) { d.contour.ring_offsets = early; }),
+    EXPECT_EQ(refusal([](Drawn& c, Desc&) { c.ring_offsets = early; }),
               "desc.contour.ring_offsets[2] is 7; offsets rise from 0 to point_count, 8");
-    EXPECT_NE(refusal([](Desc& d) { d.contour.struct_size = 3; }).find("desc.contour: struct_size is 3"),
+    EXPECT_NE(refusal([](Drawn& c, Desc&) { c.struct_size = 3; }).find("desc.contour: struct_size is 3"),
               std::string::npos);
-    EXPECT_NE(refusal([](Desc& d) { d.struct_size = 3; }).find("desc: struct_size is 3"), std::string::npos);
+    EXPECT_EQ(refusal([](Drawn&, Desc& d) { d.contour = nullptr; }), "desc.contour is null");
+    EXPECT_NE(refusal([](Drawn&, Desc& d) { d.struct_size = 3; }).find("desc: struct_size is 3"), std::string::npos);
     EXPECT_EQ(flgStraightSkeletonCreate(host.context, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
 }
 
@@ -93,26 +103,29 @@ TEST(SkeletonApi, CrossingsFailTheJob) {
     const Host host;
     static constexpr double bow[] = {0, 0, 2, 2, 2, 0, 0, 2};
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-    desc.contour.points = bow;
-    desc.contour.point_count = 4;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = bow;
+    drawn.point_count = 4;
+    desc.contour = &drawn;
     FlgStraightSkeleton skeleton{};
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
     EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgLastError(), "contour: the edges between points 0 and 1 and between 2 and 3 cross at (1, 1)");
+    EXPECT_STREQ(flgErrorGetMessage(), "contour: the edges between points 0 and 1 and between 2 and 3 cross at (1, 1)");
     EXPECT_EQ(view.nodes, nullptr);
 }
 
 TEST(SkeletonApi, OffsetPolygonsAreCountedAndWritten) {
     const Host host;
-    const FlgStraightSkeletonDesc desc = frame_desc();
+    const FlgContourView drawn = frame_contour();
+    const FlgStraightSkeletonDesc desc = desc_of(drawn);
     FlgStraightSkeleton skeleton{};
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgErrorGetMessage();
     FlgOffsetPolygons polygons = flgOffsetPolygonsDefaults();
     EXPECT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_NOT_READY);
     host.finish();
-    ASSERT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0.25, &polygons), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(polygons.point_count, 8u);
     EXPECT_EQ(polygons.ring_count, 2u);
     double points[16] = {};
@@ -137,7 +150,7 @@ TEST(SkeletonApi, OffsetPolygonsAreCountedAndWritten) {
     EXPECT_EQ(polygons.point_count + polygons.ring_count, 0u);
     for (const double bad : {-0.1, HUGE_VAL, std::nan("")}) {
         EXPECT_EQ(flgStraightSkeletonOffset(host.context, skeleton, bad, &polygons), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(flgLastError()).find("distance is"), std::string::npos);
+        EXPECT_NE(std::string(flgErrorGetMessage()).find("distance is"), std::string::npos);
     }
     EXPECT_EQ(flgStraightSkeletonOffset(host.context, skeleton, 0, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(flgStraightSkeletonOffset(host.context, {}, 0, &polygons), FLG_ERROR_INVALID_HANDLE);
@@ -154,20 +167,22 @@ TEST(SkeletonApi, ManyPoints) {
         points.push_back(radius * std::sin(angle));
     }
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-    desc.contour.points = points.data();
-    desc.contour.point_count = n;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = points.data();
+    drawn.point_count = n;
+    desc.contour = &drawn;
     FlgStraightSkeleton good{}, bad{};
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &good, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &good, nullptr), FLG_OK) << flgErrorGetMessage();
     std::swap(points[2 * 70'000], points[2 * 20'000]);
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &bad, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &bad, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
-    ASSERT_EQ(flgStraightSkeletonGetView(host.context, good, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonGetView(host.context, good, &view), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(view.contour_count, n);
     EXPECT_EQ(view.arc_count + 1, view.node_count);
     EXPECT_LT(view.residual, 1e-9);
     EXPECT_EQ(flgStraightSkeletonGetView(host.context, bad, &view), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgLastError()).find(" cross at ("), std::string::npos) << flgLastError();
+    EXPECT_NE(std::string(flgErrorGetMessage()).find(" cross at ("), std::string::npos) << flgErrorGetMessage();
 }
 
 TEST(SkeletonApi, SizesFromTinyToHuge) {
@@ -175,13 +190,14 @@ TEST(SkeletonApi, SizesFromTinyToHuge) {
     for (const double size : {1e-140, 1e-12, 1.0, 1e12, 1e140}) {
         double points[16];
         for (size_t i = 0; i < 16; ++i) points[i] = size * frame[i];
-        FlgStraightSkeletonDesc desc = frame_desc();
-        desc.contour.points = points;
+        FlgContourView drawn = frame_contour();
+        drawn.points = points;
+        const FlgStraightSkeletonDesc desc = desc_of(drawn);
         FlgStraightSkeleton skeleton{};
-        ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
-        ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgErrorGetMessage();
         ASSERT_EQ(view.node_count, 12u);
         for (uint32_t i = 8; i < 12; ++i) EXPECT_NEAR(view.nodes[3 * i + 2] / size, 0.5, 1e-13);
     }
@@ -191,16 +207,19 @@ TEST(SkeletonApi, WhatIsWrongIsSaid) {
     const Host host;
     const auto sentence = [&](std::vector<double> points, std::vector<uint32_t> rings) {
         FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-        desc.contour.points = points.data();
-        desc.contour.point_count = static_cast<uint32_t>(points.size() / 2);
-        desc.contour.ring_offsets = rings.data();
-        desc.contour.ring_count = static_cast<uint32_t>(rings.size()) - 1;
+        FlgContourView drawn = flgContourViewDefaults();
+        drawn.points = points.data();
+        drawn.point_count = static_cast<uint32_t>(points.size() / 2);
+        drawn.ring_offsets = rings.data();
+        drawn.ring_count = static_cast<uint32_t>(rings.size()) - 1;
+        desc.contour = &drawn;
         FlgStraightSkeleton skeleton{};
-        if (flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr) < 0) return std::string(flgLastError());
+        if (flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr) < 0)
+            return std::string(flgErrorGetMessage());
         host.finish();
         FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
         EXPECT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_ERROR_INVALID_ARGUMENT);
-        return std::string(flgLastError());
+        return std::string(flgErrorGetMessage());
     };
     // A spike, holes that touch, a hole outside, a ring without area, a number that is none.
     EXPECT_EQ(sentence({0, 0, 10, 0, 10, 10, 10, 15, 10, 10, 0, 10}, {0, 6}),
@@ -222,16 +241,18 @@ TEST(SkeletonApi, CrossingsAreRepairedIfAskedFor) {
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
     EXPECT_EQ(desc.repair, 0u);
     desc.repair = 1;
-    desc.contour.points = eight;
-    desc.contour.point_count = 4;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = eight;
+    drawn.point_count = 4;
+    desc.contour = &drawn;
     FlgStraightSkeleton skeleton{}, none{};
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgLastError();
-    desc.contour.points = line;
-    desc.contour.point_count = 3;
-    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &none, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &skeleton, nullptr), FLG_OK) << flgErrorGetMessage();
+    drawn.points = line;
+    drawn.point_count = 3;
+    ASSERT_EQ(flgStraightSkeletonCreate(host.context, &desc, &none, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     FlgStraightSkeletonView view = flgStraightSkeletonViewDefaults();
-    ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStraightSkeletonGetView(host.context, skeleton, &view), FLG_OK) << flgErrorGetMessage();
     ASSERT_EQ(view.contour_count, 3u);
     uint32_t new_points = 0;
     for (uint32_t i = 0; i < 3; ++i) {
@@ -242,7 +263,7 @@ TEST(SkeletonApi, CrossingsAreRepairedIfAskedFor) {
     }
     EXPECT_EQ(new_points, 1u);
     EXPECT_EQ(flgStraightSkeletonGetView(host.context, none, &view), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgLastError(), "contour: its rings go around nothing that has an area");
+    EXPECT_STREQ(flgErrorGetMessage(), "contour: its rings go around nothing that has an area");
 }
 
 // Each allocation fails once: nothing is lost, and the next try is good.
@@ -250,7 +271,8 @@ TEST(SkeletonApi, MemoryMayRunOut) {
     for (const uint32_t repair : {0u, 1u}) {
         Host host;
         HostAllocator& allocator = host.allocator;
-        FlgStraightSkeletonDesc desc = frame_desc();
+        const FlgContourView drawn = frame_contour();
+        FlgStraightSkeletonDesc desc = desc_of(drawn);
         desc.repair = repair;
         bool is_done = false;
         int64_t failures = 0;

@@ -34,7 +34,7 @@ struct SkinHost : PartHost {
         desc.parts = parts;
         desc.part_count = 2;
         FlgModel model{};
-        EXPECT_EQ(flgModelCreate(context, &desc, &model, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgModelCreate(context, &desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
         return model;
     }
     FlgSkinView skin(uint32_t vertices) const {
@@ -42,11 +42,11 @@ struct SkinHost : PartHost {
         desc.model = model();
         desc.vertex_count = vertices;
         FlgSkin skin{};
-        EXPECT_EQ(flgSkinCreate(context, &desc, &skin, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSkinCreate(context, &desc, &skin, nullptr), FLG_OK) << flgErrorGetMessage();
         FlgSkinView view = flgSkinViewDefaults();
         EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_NOT_READY);
         finish();
-        EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSkinGetView(context, skin, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
 };
@@ -67,11 +67,11 @@ TEST(PartMesh, OfADiscIsABall) {
     FlgPartMeshDesc desc = flgPartMeshDefaults();
     desc.part = host.part(ellipse(3, 4, 2, 2, 200));
     FlgPartMesh mesh{};
-    ASSERT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_OK) << flgErrorGetMessage();
     FlgPartMeshView view = flgPartMeshViewDefaults();
     EXPECT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_NOT_READY);
     host.finish();
-    ASSERT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_OK) << flgErrorGetMessage();
     ASSERT_GT(view.vertex_count, 100u);
     expect_closed(view.triangles, view.triangle_count);
     for (uint32_t v = 0; v < view.vertex_count; ++v) {
@@ -143,7 +143,7 @@ TEST(Skin, PartsThatMeetNoneStayPieces) {
     ASSERT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
     host.finish();
     FlgSkinView view = flgSkinViewDefaults();
-    ASSERT_EQ(flgSkinGetView(host.context, skin, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSkinGetView(host.context, skin, &view), FLG_OK) << flgErrorGetMessage();
     expect_closed(view.triangles, view.triangle_count);
     // Two balls have Euler number 4.
     EXPECT_EQ(static_cast<int64_t>(view.vertex_count) - view.triangle_count / 2, 4);
@@ -164,7 +164,7 @@ TEST(Skin, RefusesNumbersOutOfTheirRange) {
         FlgSkin skin{77};
         EXPECT_LT(flgSkinCreate(host.context, &desc, &skin, nullptr), 0);
         EXPECT_EQ(skin.id, 0u);
-        EXPECT_NE(std::string(flgLastError()).find(words), std::string::npos) << flgLastError();
+        EXPECT_NE(std::string(flgErrorGetMessage()).find(words), std::string::npos) << flgErrorGetMessage();
     };
     refused([](FlgSkinDesc& d) { d.vertex_count = 10; }, "desc.vertex_count is 10");
     refused([](FlgSkinDesc& d) { d.most_vertices = 5; }, "desc.most_vertices is 5");
@@ -175,19 +175,20 @@ TEST(Skin, RefusesNumbersOutOfTheirRange) {
     FlgPartMesh mesh{};
     desc.thickness = 0;
     EXPECT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgLastError()).find("desc.thickness is 0"), std::string::npos) << flgLastError();
+    EXPECT_NE(std::string(flgErrorGetMessage()).find("desc.thickness is 0"), std::string::npos) << flgErrorGetMessage();
     desc.thickness = 1;
     desc.spacing = -1;
     EXPECT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgLastError()).find("desc.spacing is -1"), std::string::npos) << flgLastError();
+    EXPECT_NE(std::string(flgErrorGetMessage()).find("desc.spacing is -1"), std::string::npos) << flgErrorGetMessage();
     // Only the job knows how long the part is.
     for (const double spacing : {1e-5, 100.0}) {
         desc.spacing = spacing;
-        ASSERT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgPartMeshCreate(host.context, &desc, &mesh, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         FlgPartMeshView view = flgPartMeshViewDefaults();
         EXPECT_EQ(flgPartMeshGetView(host.context, mesh, &view), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(flgLastError()).find("of the part's length"), std::string::npos) << flgLastError();
+        EXPECT_NE(std::string(flgErrorGetMessage()).find("of the part's length"), std::string::npos)
+            << flgErrorGetMessage();
     }
 }
 
@@ -213,7 +214,7 @@ TEST(Skin, AThinPartNeedsMoreVerticesThanAllowed) {
     parts[0].part = host.part(ellipse(0, 0, 5, 5));
     parts[1].part = host.part(ellipse(5, 0, 3, 0.02));
     parts[1].name = "hair";
-    EXPECT_EQ(made_of(host, parts, 2), FLG_ERROR_LIMIT) << flgLastError();
+    EXPECT_EQ(made_of(host, parts, 2), FLG_ERROR_LIMIT) << flgErrorGetMessage();
 }
 
 // Vertices are floats: far enough from the origin all would lie in one place, and the surface would leave its grid.
@@ -224,7 +225,7 @@ TEST(Skin, ItsPartsMayNotBeTooFarFromTheOrigin) {
         FlgModelPart part = flgModelPartDefaults();
         part.part = host.part(ellipse(0, 0, 2, 1));
         part.placement[3] = place;
-        EXPECT_EQ(made_of(host, &part, 1), expected) << place << ": " << flgLastError();
+        EXPECT_EQ(made_of(host, &part, 1), expected) << place << ": " << flgErrorGetMessage();
     }
 }
 

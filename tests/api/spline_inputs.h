@@ -7,31 +7,32 @@
 
 namespace flg::test {
 
-inline FlgManifold shape_manifold(const Host& host, FlgShape kind, double radius = 1, double tube = 0.25,
+inline FlgManifold shape_manifold(const Host& host, FlgManifoldShape kind, double radius = 1, double tube = 0.25,
                                   uint32_t ambient = 3) {
-    FlgShapeDesc desc = flgShapeDefaults();
+    FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
     desc.shape = kind;
     desc.radius = radius;
     desc.tube_radius = tube;
     desc.ambient = ambient;
     FlgManifold manifold{};
-    EXPECT_EQ(flgManifoldCreateShape(host.context, &desc, &manifold), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgManifoldCreateShape(host.context, &desc, &manifold), FLG_OK) << flgErrorGetMessage();
     return manifold;
 }
 
 inline FlgSurface mesh_surface(const Host& host, MeshArrays mesh) {
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh = mesh.view();
+    const FlgMeshView input = mesh.view();
+    desc.mesh = &input;
     FlgSurface surface{};
-    EXPECT_EQ(flgSurfaceCreate(host.context, &desc, &surface, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceCreate(host.context, &desc, &surface, nullptr), FLG_OK) << flgErrorGetMessage();
     return surface;
 }
 
 inline FlgManifold mesh_manifold(const Host& host, FlgSurface surface) {
-    FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+    FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
     desc.surface = surface;
     FlgManifold manifold{};
-    EXPECT_EQ(flgManifoldCreateFromSurface(host.context, &desc, &manifold, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgManifoldCreateFromSurface(host.context, &desc, &manifold, nullptr), FLG_OK) << flgErrorGetMessage();
     return manifold;
 }
 inline FlgManifold mesh_manifold(const Host& host, MeshArrays mesh) {
@@ -46,7 +47,7 @@ inline FlgObstacles make_obstacles(const Host& host, const std::vector<FlgObstac
     desc.obstacle_count = static_cast<uint32_t>(solids.size());
     desc.clearance = clearance;
     FlgObstacles out{};
-    EXPECT_EQ(flgObstaclesCreate(host.context, &desc, &out, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgObstaclesCreate(host.context, &desc, &out, nullptr), FLG_OK) << flgErrorGetMessage();
     return out;
 }
 
@@ -103,10 +104,10 @@ struct MadeSpline {
 
 inline MadeSpline make_spline(const Host& host, const FlgSplineDesc& desc, uint32_t budget_us = 0) {
     MadeSpline made;
-    EXPECT_EQ(flgSplineCreate(host.context, &desc, &made.spline, &made.job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSplineCreate(host.context, &desc, &made.spline, &made.job), FLG_OK) << flgErrorGetMessage();
     host.finish(budget_us);
     made.result = flgSplineGetView(host.context, made.spline, &made.view);
-    if (made.result < 0) made.error = flgLastError();
+    if (made.result < 0) made.error = flgErrorGetMessage();
     return made;
 }
 

@@ -11,7 +11,7 @@ const std::vector<double> three = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 TEST(SplineRefusals, BadDescriptorsAreNamed) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE);
     const auto refuse = [&](const std::function<void(FlgSplineDesc&)>& spoil, const char* words) {
         FlgSplineDesc desc = spline_desc(sphere, three);
         spoil(desc);
@@ -28,7 +28,7 @@ TEST(SplineRefusals, BadDescriptorsAreNamed) {
     refuse([&](FlgSplineDesc& d) { d.points = nan; }, "desc.points[4] is nan");
     refuse([&](FlgSplineDesc& d) { d.parameters = falling; }, "desc.parameters[2] is 1");
     refuse([](FlgSplineDesc& d) { d.energy = static_cast<FlgSplineEnergy>(7); }, "desc.energy is 7");
-    refuse([](FlgSplineDesc& d) { d.energy = FLG_SPLINE_ET, d.tension = 0; }, "desc.tension is 0");
+    refuse([](FlgSplineDesc& d) { d.energy = FLG_SPLINE_ENERGY_ET, d.tension = 0; }, "desc.tension is 0");
     refuse([](FlgSplineDesc& d) { d.smoothing = -1; }, "desc.smoothing is -1");
     refuse([](FlgSplineDesc& d) { d.first_tension = INFINITY; }, "desc.first_tension is inf");
     refuse([](FlgSplineDesc& d) { d.start = static_cast<FlgSplineStart>(9); }, "desc.start is 9");
@@ -49,7 +49,7 @@ TEST(SplineRefusals, BadDescriptorsAreNamed) {
 
 TEST(SplineRefusals, CoincidentPointsAreNamed) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE);
     // Two that only come to one place when they are projected.
     const std::vector<double> points = {1, 0, 0, 0, 1, 0, 0, 2, 0};
     const MadeSpline made = make_spline(host, spline_desc(sphere, points));
@@ -65,7 +65,7 @@ TEST(SplineRefusals, CoincidentPointsAreNamed) {
 
 TEST(SplineRefusals, APointThatHasNoNearestOneIsNamed) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE);
     const std::vector<double> points = {1, 0, 0, 0, 0, 0};
     const MadeSpline made = make_spline(host, spline_desc(sphere, points));
     EXPECT_EQ(made.result, FLG_ERROR_INVALID_ARGUMENT);
@@ -141,7 +141,7 @@ TEST(SplineRefusals, ByItsBordersOrInALayerCurvesStayOnAMeshWithAHole) {
     }
     const FlgSurface surface = mesh_surface(host, mesh);
     const FlgManifold manifold = mesh_manifold(host, surface);
-    for (const FlgObstacleKind kind : {FLG_OBSTACLE_LAYER, FLG_OBSTACLE_BORDER}) {
+    for (const FlgObstacleKind kind : {FLG_OBSTACLE_KIND_LAYER, FLG_OBSTACLE_KIND_BORDER}) {
         FlgObstacle layer = flgObstacleDefaults();
         layer.kind = kind;
         layer.surface = surface;
@@ -161,7 +161,7 @@ TEST(SplineRefusals, ByItsBordersOrInALayerCurvesStayOnAMeshWithAHole) {
             EXPECT_NEAR(p[2], 0, 1e-6);
         }
         // The layer's thickness; corners that are rounded by an edge.
-        EXPECT_LT(deepest, kind == FLG_OBSTACLE_LAYER ? 0.051 : 0.025);
+        EXPECT_LT(deepest, kind == FLG_OBSTACLE_KIND_LAYER ? 0.051 : 0.025);
     }
 }
 
@@ -169,14 +169,14 @@ TEST(SplineRefusals, BordersThatAreNotThereAreNoObstacle) {
     const Host host;
     const FlgSurface surface = mesh_surface(host, torus_mesh(20, 10, 2, 0.5));
     FlgObstacle border = flgObstacleDefaults();
-    border.kind = FLG_OBSTACLE_BORDER;
+    border.kind = FLG_OBSTACLE_KIND_BORDER;
     border.surface = surface;
     FlgObstaclesDesc desc = flgObstaclesDefaults();
     desc.obstacles = &border;
     desc.obstacle_count = 1;
     FlgObstacles out{};
     FlgJob job{};
-    ASSERT_EQ(flgObstaclesCreate(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgObstaclesCreate(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(std::strstr(host.status_of(job).error, "0 border edges"), nullptr) << host.status_of(job).error;
@@ -195,7 +195,7 @@ FlgObstacles discs(const Host& host, const std::vector<std::array<double, 3>>& a
 
 TEST(SplineObstacles, CurvesClearEveryObstacleAndTouchThem) {
     const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_SPACE, 1, 0.25, 2);
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
     const std::vector<std::array<double, 3>> all = {{1, 0.1, 0.4}, {2.2, -0.2, 0.5}};
     for (const double clearance : {0.0, 0.1}) {
         const std::vector<double> points = {0, 0, 3.2, 0};
@@ -220,9 +220,9 @@ TEST(SplineObstacles, CurvesClearEveryObstacleAndTouchThem) {
 // Much thinner than the nodes are apart: there are more of them until pieces keep out too.
 TEST(SplineObstacles, ThinWallsAreNotJumpedOver) {
     const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_SPACE, 1, 0.25, 2);
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
     FlgObstacle wall = flgObstacleDefaults();
-    wall.kind = FLG_OBSTACLE_BOX;
+    wall.kind = FLG_OBSTACLE_KIND_BOX;
     wall.half[0] = 0.002;
     wall.half[1] = 0.8;
     wall.centre[1] = -0.2;
@@ -244,30 +244,30 @@ TEST(SplineObstacles, ThinWallsAreNotJumpedOver) {
     desc.obstacles = make_obstacles(host, {wall}, 2);
     const MadeSpline coarse = make_spline(host, desc);
     ASSERT_EQ(coarse.result, FLG_OK) << coarse.error;
-    EXPECT_EQ(coarse.view.ending, FLG_SPLINE_STALLED);
+    EXPECT_EQ(coarse.view.ending, FLG_SPLINE_ENDING_STALLED);
 }
 
 // The first curve of two points through the middle of a ball on their sphere.
 TEST(SplineObstacles, AChainThatIsTornByAnObstacleIsNotCalledConverged) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 1);
     FlgObstacle ball = flgObstacleDefaults();
     ball.centre[0] = 1;
     ball.radius = 0.4;
     const FlgObstacles obstacles = make_obstacles(host, {ball});
     const std::vector<double> points = {std::cos(1.0), -std::sin(1.0), 0, std::cos(1.0), std::sin(1.0), 0};
     FlgSplineDesc desc = spline_desc(sphere, points);
-    desc.energy = FLG_SPLINE_E1;
+    desc.energy = FLG_SPLINE_ENERGY_E1;
     desc.node_count = 17;
     desc.obstacles = obstacles;
     const MadeSpline made = make_spline(host, desc);
     ASSERT_EQ(made.result, FLG_OK) << made.error;
-    EXPECT_EQ(made.view.ending, FLG_SPLINE_STALLED);
+    EXPECT_EQ(made.view.ending, FLG_SPLINE_ENDING_STALLED);
 }
 
 TEST(SplineObstacles, TheSideIsTheHosts) {
     const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_SPACE, 1, 0.25, 2);
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
     const std::vector<double> points = {-2, 0, 2, 0.01};
     for (const double side : {1.0, -1.0}) {
         FlgSplineDesc desc = spline_desc(plane, points, 2);
@@ -287,7 +287,7 @@ TEST(SplineObstacles, TheSideIsTheHosts) {
 
 TEST(SplineObstacles, OnASurfaceTheyAreKeptOutOfToo) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 1);
     FlgObstacle ball = flgObstacleDefaults();
     ball.centre[1] = 1;
     ball.radius = 0.4;
@@ -312,7 +312,7 @@ TEST(SplineObstacles, OnASurfaceTheyAreKeptOutOfToo) {
 
 TEST(SplineObstacles, BadOnesAreNamed) {
     const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_SPACE, 1, 0.25, 2);
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE, 1, 0.25, 2);
     const std::vector<double> swallowed = {-2, 0, 0.1, 0, 2, 0};
     FlgSplineDesc desc = spline_desc(plane, swallowed, 2);
     desc.obstacles = discs(host, {{0, 0, 0.5}});
@@ -327,7 +327,7 @@ TEST(SplineObstacles, BadOnesAreNamed) {
     EXPECT_EQ(coincident.result, FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(coincident.error.find("points 1 and 2 come to one place"), std::string::npos) << coincident.error;
 
-    desc.manifold = shape_manifold(host, FLG_SHAPE_SPHERE);
+    desc.manifold = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE);
     FlgSpline spline{};
     expect_failure(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "desc.obstacles are of 2 dimensions");
@@ -341,7 +341,7 @@ TEST(SplineObstacles, BadOnesAreNamed) {
         FlgObstacles out{};
         const FlgResult result = flgObstaclesCreate(host.context, &bad, &out, nullptr);
         EXPECT_LT(result, 0) << words;
-        EXPECT_NE(std::strstr(flgLastError(), words), nullptr) << flgLastError();
+        EXPECT_NE(std::strstr(flgErrorGetMessage(), words), nullptr) << flgErrorGetMessage();
     };
     refuse([](FlgObstacle&, FlgObstaclesDesc& d) { d.dimension = 4; }, "desc.dimension is 4");
     refuse([](FlgObstacle&, FlgObstaclesDesc& d) { d.obstacle_count = 0; }, "desc.obstacle_count is 0");
@@ -350,29 +350,33 @@ TEST(SplineObstacles, BadOnesAreNamed) {
            "desc.obstacles[0]: kind is 42");
     refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.radius = 0; }, "desc.obstacles[0]");
     refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.centre[0] = NAN; }, "desc.obstacles[0]");
-    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_BOX, o.axes[0] = 2; }, "desc.obstacles[0]");
-    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_POLYGON; }, "for the plane");
-    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_FUNCTION; }, "value is null");
-    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_MESH; }, "desc.obstacles[0]: surface");
+    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_BOX, o.axes[0] = 2; },
+           "desc.obstacles[0]");
+    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_POLYGON; }, "for the plane");
+    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_FUNCTION; }, "value is null");
+    refuse([](FlgObstacle& o, FlgObstaclesDesc&) { o.kind = FLG_OBSTACLE_KIND_MESH; }, "desc.obstacles[0]: surface");
 }
 
 TEST(ManifoldRefusals, BadOnesAreNamed) {
     const Host host;
     FlgManifold out{};
-    const auto refuse_shape = [&](const std::function<void(FlgShapeDesc&)>& spoil, const char* words) {
-        FlgShapeDesc desc = flgShapeDefaults();
+    const auto refuse_shape = [&](const std::function<void(FlgManifoldShapeDesc&)>& spoil, const char* words) {
+        FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
         spoil(desc);
         expect_failure(flgManifoldCreateShape(host.context, &desc, &out), FLG_ERROR_INVALID_ARGUMENT, words);
     };
-    refuse_shape([](FlgShapeDesc& d) { d.shape = static_cast<FlgShape>(12); }, "desc.shape is 12");
-    refuse_shape([](FlgShapeDesc& d) { d.ambient = 1; }, "desc.ambient is 1");
-    refuse_shape([](FlgShapeDesc& d) { d.shape = FLG_SHAPE_SPHERE, d.radius = -1; }, "desc.radius is -1");
-    refuse_shape([](FlgShapeDesc& d) { d.shape = FLG_SHAPE_TORUS, d.tube_radius = 2; }, "desc.tube_radius is 2");
-    refuse_shape([](FlgShapeDesc& d) { d.shape = FLG_SHAPE_PLANE, d.size = NAN; }, "desc.size is nan");
-    refuse_shape([](FlgShapeDesc& d) { d.shape = FLG_SHAPE_FORMULA; }, "desc.name is null");
-    refuse_shape([](FlgShapeDesc& d) { d.shape = FLG_SHAPE_FORMULA, d.name = "no such"; }, "\"no such\"");
-    ASSERT_NE(flgFormulaName(0), nullptr);
-    EXPECT_EQ(flgFormulaName(10000), nullptr);
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = static_cast<FlgManifoldShape>(12); }, "desc.shape is 12");
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.ambient = 1; }, "desc.ambient is 1");
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_SPHERE, d.radius = -1; },
+                 "desc.radius is -1");
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_TORUS, d.tube_radius = 2; },
+                 "desc.tube_radius is 2");
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_PLANE, d.size = NAN; }, "desc.size is nan");
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_FORMULA; }, "desc.name is null");
+    refuse_shape([](FlgManifoldShapeDesc& d) { d.shape = FLG_MANIFOLD_SHAPE_FORMULA, d.name = "no such"; },
+                 "\"no such\"");
+    ASSERT_NE(flgFormulaGetName(0), nullptr);
+    EXPECT_EQ(flgFormulaGetName(10000), nullptr);
 
     const double at[3] = {1, 0, 0};
     const auto refuse_functions = [&](const std::function<void(FlgManifoldFunctions&)>& spoil, const char* words) {
@@ -404,7 +408,7 @@ TEST(ManifoldRefusals, BadOnesAreNamed) {
         },
         "inner product");
 
-    FlgCloudManifoldDesc cloud = flgCloudManifoldDefaults();
+    FlgManifoldFromPointsDesc cloud = flgManifoldFromPointsDefaults();
     const float points[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, NAN, 1, 1};
     cloud.points = points;
     cloud.point_count = 3;
@@ -413,12 +417,12 @@ TEST(ManifoldRefusals, BadOnesAreNamed) {
     cloud.point_count = 4;
     expect_failure(flgManifoldCreateFromPoints(host.context, &cloud, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "desc.points[9] is nan");
-    FlgGridManifoldDesc samples = flgGridManifoldDefaults();
+    FlgManifoldFromGridDesc samples = flgManifoldFromGridDefaults();
     const float values[8] = {1, 1, 1, 1, 1, 1, 1, 1};
     samples.counts[0] = samples.counts[1] = samples.counts[2] = 2;
     samples.values = values;
     FlgJob job{};
-    ASSERT_EQ(flgManifoldCreateFromGrid(host.context, &samples, &out, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgManifoldCreateFromGrid(host.context, &samples, &out, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_LT(host.result_of(job), 0);  // no sign changes
     samples.spacing = 0;
@@ -429,15 +433,15 @@ TEST(ManifoldRefusals, BadOnesAreNamed) {
                    "functions.evaluate is null");
     patch.evaluate = [](void*, double, double, double* o) { std::fill_n(o, 18, 1.0); };
     expect_failure(flgManifoldCreatePatch(host.context, &patch, &out), FLG_ERROR_INVALID_ARGUMENT, "parallel");
-    expect_failure(flgManifoldCreateImage(host.context, shape_manifold(host, FLG_SHAPE_SPACE), 1, &out),
+    expect_failure(flgManifoldCreateImage(host.context, shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE), 1, &out),
                    FLG_ERROR_INVALID_ARGUMENT, "base is not");
 }
 
 TEST(ManifoldRefusals, ACursorIsProjected) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 2);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 2);
     double points[6] = {3, 0, 0, 0, 0, 0}, distances[2];
-    ASSERT_EQ(flgManifoldProject(host.context, sphere, points, 2, distances), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgManifoldProject(host.context, sphere, points, 2, distances), FLG_OK) << flgErrorGetMessage();
     EXPECT_NEAR(points[0], 2, 1e-12);
     EXPECT_NEAR(distances[0], 1, 1e-12);
     EXPECT_EQ(distances[1], HUGE_VAL);

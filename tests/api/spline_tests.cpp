@@ -46,14 +46,14 @@ TEST(SplineApi, OneTorusAsFormulaPatchFunctionsAndMesh) {
     patch.size = 5.6;
     patch.evaluate = torus_patch;
     FlgManifold by_patch{}, by_functions{};
-    ASSERT_EQ(flgManifoldCreatePatch(host.context, &patch, &by_patch), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgManifoldCreatePatch(host.context, &patch, &by_patch), FLG_OK) << flgErrorGetMessage();
     FlgManifoldFunctions functions = flgManifoldFunctionsDefaults();
     functions.project = project_torus;
     functions.tangent_basis = torus_basis;
     functions.size = 5.6;
     const double near[3] = {3, 0, 0};
-    ASSERT_EQ(flgManifoldCreateHost(host.context, &functions, near, &by_functions), FLG_OK) << flgLastError();
-    const FlgManifold by_formula = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    ASSERT_EQ(flgManifoldCreateHost(host.context, &functions, near, &by_functions), FLG_OK) << flgErrorGetMessage();
+    const FlgManifold by_formula = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);
     const FlgManifold by_mesh = mesh_manifold(host, torus_mesh(160, 64, 2, 0.8));
 
     const std::vector<double> points = torus_points(8, 2, 0.8);
@@ -64,7 +64,7 @@ TEST(SplineApi, OneTorusAsFormulaPatchFunctionsAndMesh) {
         desc.tolerance = 1e-8;
         made.push_back(make_spline(host, desc));
         ASSERT_EQ(made.back().result, FLG_OK) << made.back().error;
-        EXPECT_EQ(made.back().view.ending, FLG_SPLINE_CONVERGED);
+        EXPECT_EQ(made.back().view.ending, FLG_SPLINE_ENDING_CONVERGED);
         EXPECT_EQ(made.back().view.node_count, 256u);
         EXPECT_LE(made.back().view.residual, 1e-8);
     }
@@ -86,7 +86,7 @@ TEST(SplineApi, OneTorusAsFormulaPatchFunctionsAndMesh) {
 
 TEST(SplineApi, PointsOffTheSurfaceAreProjectedAndToldHowFar) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 2);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 2);
     const std::vector<double> points = {3, 0, 0, 0, 1.5, 0, 0, 0, 2};
     const MadeSpline made = make_spline(host, spline_desc(sphere, points));
     ASSERT_EQ(made.result, FLG_OK) << made.error;
@@ -99,8 +99,8 @@ TEST(SplineApi, PointsOffTheSurfaceAreProjectedAndToldHowFar) {
 
 TEST(SplineApi, TwoPointsGiveAGeodesicAndAntipodesAHalfCircle) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
-    for (const FlgSplineEnergy energy : {FLG_SPLINE_E1, FLG_SPLINE_E2}) {
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 1);
+    for (const FlgSplineEnergy energy : {FLG_SPLINE_ENERGY_E1, FLG_SPLINE_ENERGY_E2}) {
         const std::vector<double> two = {1, 0, 0, 0, 1, 0}, antipodes = {1, 0, 0, -1, 0, 0};
         FlgSplineDesc desc = spline_desc(sphere, two);
         desc.energy = energy;
@@ -134,21 +134,23 @@ TEST(SplineApi, TheSameBitsUnderAnyWorkersAndBudgets) {
 
 TEST(SplineApi, RoundsCanBeWatched) {
     const Host host;
-    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);
     const std::vector<double> points = torus_points(9, 2, 0.8);
     FlgSplineDesc desc = spline_desc(torus, points);
-    desc.job.partial_results = 1;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    desc.job = &options;
     desc.node_count = 2000;
     FlgSpline spline{};
     FlgJob job{};
-    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, &job), FLG_OK) << flgErrorGetMessage();
     uint32_t seen = 0, last_rounds = 0;
     FlgSplineView view = flgSplineViewDefaults();
     for (int tick = 0; tick < 100000; ++tick) {
-        ASSERT_EQ(flgTick(host.context, 20, nullptr), FLG_OK);
+        ASSERT_EQ(flgContextTick(host.context, 20, nullptr), FLG_OK);
         const FlgResult result = flgSplineGetView(host.context, spline, &view);
         if (result != FLG_OK) continue;
-        if (view.ending != FLG_SPLINE_RUNNING) break;
+        if (view.ending != FLG_SPLINE_ENDING_RUNNING) break;
         if (view.rounds != last_rounds) ++seen;
         last_rounds = view.rounds;
         EXPECT_EQ(view.normals, nullptr);
@@ -158,13 +160,13 @@ TEST(SplineApi, RoundsCanBeWatched) {
         }
     }
     EXPECT_GE(seen, 2u);
-    EXPECT_EQ(view.ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(view.ending, FLG_SPLINE_ENDING_CONVERGED);
     EXPECT_EQ(view.node_count, 2000u);
 }
 
 TEST(SplineApi, DraggingAPointGoesOnFromTheLastCurve) {
     const Host host;
-    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);
     std::vector<double> points = torus_points(10, 2, 0.8);
     FlgSplineDesc desc = spline_desc(torus, points);
     const MadeSpline first = make_spline(host, desc);
@@ -191,7 +193,7 @@ TEST(SplineApi, DraggingAPointGoesOnFromTheLastCurve) {
 // Far enough that nodes would bunch: they are placed anew.
 TEST(SplineApi, NodesOfADraggedCurveStayEven) {
     const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_PLANE);
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_PLANE);
     std::vector<double> points = {0, 0, 0, 1, 0.3, 0, 2, 0, 0};
     MadeSpline last = make_spline(host, spline_desc(plane, points));
     for (int step = 0; step < 40; ++step) {
@@ -215,7 +217,7 @@ TEST(SplineApi, NodesOfADraggedCurveStayEven) {
 // Chords between these lead through the tube.
 TEST(SplineApi, WhereChordsLeadAstrayTheFirstCurveWalks) {
     const Host host;
-    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 1, 0.3);
+    const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 1, 0.3);
     const std::vector<double> equator = {1.3, 0, 0, 0, 1.3, 0, -1.3, 0, 0, 0, -1.3, 0};
     for (const FlgSplineStart start : {FLG_SPLINE_START_GEODESIC, FLG_SPLINE_START_PROJECTED}) {
         FlgSplineDesc desc = spline_desc(torus, equator);
@@ -231,7 +233,7 @@ TEST(SplineApi, WhereChordsLeadAstrayTheFirstCurveWalks) {
 
 TEST(SplineApi, RoundsAreNotExceeded) {
     const Host host;
-    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);
     const std::vector<double> points = torus_points(9, 2, 0.8);
     for (const uint32_t rounds : {1u, 2u, 3u}) {
         FlgSplineDesc desc = spline_desc(torus, points);
@@ -241,14 +243,14 @@ TEST(SplineApi, RoundsAreNotExceeded) {
         const MadeSpline made = make_spline(host, desc);
         ASSERT_EQ(made.result, FLG_OK) << made.error;
         EXPECT_EQ(made.view.rounds, rounds);
-        EXPECT_EQ(made.view.ending, FLG_SPLINE_ROUNDS);
+        EXPECT_EQ(made.view.ending, FLG_SPLINE_ENDING_ROUNDS);
         EXPECT_EQ(made.view.node_count, 600u);
     }
 }
 
 TEST(SplineApi, AsManyPointsAsThereMayBe) {
     const Host host;
-    const FlgManifold plane = shape_manifold(host, FLG_SHAPE_PLANE);
+    const FlgManifold plane = shape_manifold(host, FLG_MANIFOLD_SHAPE_PLANE);
     std::vector<double> points;
     for (int i = 0; i < 40000; ++i) points.insert(points.end(), {0.01 * i, std::sin(0.01 * i), 0});
     FlgSplineDesc desc = spline_desc(plane, points);
@@ -260,7 +262,7 @@ TEST(SplineApi, AsManyPointsAsThereMayBe) {
 
 TEST(SplineApi, ACurveIsMadeFairAndSubdivided) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE, 1);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE, 1);
     std::vector<double> curve, held;
     const std::vector<uint32_t> knots = {0, 20, 40};
     for (int i = 0; i <= 40; ++i) {
@@ -276,14 +278,14 @@ TEST(SplineApi, ACurveIsMadeFairAndSubdivided) {
     const MadeSpline fair = make_spline(host, desc);
     ASSERT_EQ(fair.result, FLG_OK) << fair.error;
     EXPECT_EQ(fair.view.node_count, 41u);
-    EXPECT_EQ(fair.view.ending, FLG_SPLINE_ROUNDS);
+    EXPECT_EQ(fair.view.ending, FLG_SPLINE_ENDING_ROUNDS);
     desc.max_rounds = 200;
     desc.subdivisions = 2;
     const MadeSpline fine = make_spline(host, desc);
     ASSERT_EQ(fine.result, FLG_OK) << fine.error;
     EXPECT_EQ(fine.view.node_count, 161u);
     EXPECT_EQ(fine.view.point_nodes[1], 80u);
-    EXPECT_EQ(fine.view.ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(fine.view.ending, FLG_SPLINE_ENDING_CONVERGED);
 }
 
 TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
@@ -292,11 +294,11 @@ TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
     const std::vector<double> points = torus_points(8, 2, 0.8);
     const MadeSpline made = make_spline(host, spline_desc(mesh, points));
     ASSERT_EQ(made.result, FLG_OK) << made.error;
-    FlgSplineCurvesDesc copy = flgSplineCurvesDefaults();
+    FlgSplineSampleDesc copy = flgSplineSampleDefaults();
     copy.spline = made.spline;
     copy.height = 0.01f;
     FlgCurveSet set{};
-    ASSERT_EQ(flgSplineCurves(host.context, &copy, &set, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSplineSample(host.context, &copy, &set, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgCurveSetView view = host.view_of(set);
     const FlgColumn* const normals = find_column(view, FLG_ATTRIBUTE_NORMAL);
@@ -307,15 +309,15 @@ TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
     FlgStyleDesc style_desc = flgStyleDefaults();
     style_desc.style = host.create(coil());
     FlgStyle style{};
-    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgLastError();
-    FlgStylizeDesc stylize = flgStylizeDefaults();
+    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
+    FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
     stylize.style = style;
     stylize.target = set;
-    stylize.frame = FLG_FRAME_SUPPLIED;
+    stylize.frame = FLG_FRAME_METHOD_SUPPLIED;
     stylize.scale = 0.2f;
     FlgCurveSet stylized{};
     FlgJob job{};
-    ASSERT_EQ(flgStylize(host.context, &stylize, &stylized, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetStylize(host.context, &stylize, &stylized, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_OK);
     EXPECT_GT(host.view_of(stylized).curve_offsets[1], 100u);
@@ -325,7 +327,7 @@ TEST(SplineApi, AStrokeOnAMeshIsStylizedInItsFrame) {
 // hill.
 TEST(SplineApi, NormalsAmongObstaclesAreTheSurfaces) {
     const Host host;
-    const FlgManifold sphere = shape_manifold(host, FLG_SHAPE_SPHERE);
+    const FlgManifold sphere = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE);
     FlgObstacle ball = flgObstacleDefaults();
     ball.centre[0] = 1;
     ball.radius = 0.3;
@@ -337,10 +339,10 @@ TEST(SplineApi, NormalsAmongObstaclesAreTheSurfaces) {
     desc.point_count = 3;
     desc.obstacles = obstacles;
     FlgSpline spline{};
-    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     FlgSplineView view = flgSplineViewDefaults();
-    ASSERT_EQ(flgSplineGetView(host.context, spline, &view), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSplineGetView(host.context, spline, &view), FLG_OK) << flgErrorGetMessage();
     for (uint32_t i = 0; i < view.node_count; ++i) {
         for (size_t c = 0; c < 3; ++c)
             ASSERT_NEAR(view.normals[3 * i + c], view.nodes[3 * i + c], 1e-6) << "node " << i << ", coordinate " << c;
@@ -357,10 +359,10 @@ TEST(SplineApi, ShortestCurvesOfTheImageManifoldTurnTheirNormalsLess) {
     host.finish();
     FlgManifold image{};
     constexpr double weight = 1;
-    ASSERT_EQ(flgManifoldCreateImage(host.context, hill, weight, &image), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgManifoldCreateImage(host.context, hill, weight, &image), FLG_OK) << flgErrorGetMessage();
     const std::vector<double> points = {-1, 0, 0, 1, 0, 0};
     FlgSplineDesc plain = spline_desc(hill, points), sensitive = spline_desc(image, points);
-    plain.energy = sensitive.energy = FLG_SPLINE_E1;
+    plain.energy = sensitive.energy = FLG_SPLINE_ENERGY_E1;
     const MadeSpline a = make_spline(host, plain), b = make_spline(host, sensitive);
     ASSERT_EQ(a.result, FLG_OK) << a.error;
     ASSERT_EQ(b.result, FLG_OK) << b.error;
@@ -384,14 +386,14 @@ TEST(SplineApi, ShortestCurvesOfTheImageManifoldTurnTheirNormalsLess) {
 
 TEST(SplineApi, CancelledAndFailedJobsLeaveNothing) {
     const Host host;
-    const FlgManifold torus = shape_manifold(host, FLG_SHAPE_TORUS, 2, 0.8);
+    const FlgManifold torus = shape_manifold(host, FLG_MANIFOLD_SHAPE_TORUS, 2, 0.8);
     const std::vector<double> points = torus_points(9, 2, 0.8);
     FlgSplineDesc desc = spline_desc(torus, points);
     desc.node_count = 100000;
     FlgSpline spline{};
     FlgJob job{};
-    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, &job), FLG_OK) << flgLastError();
-    ASSERT_EQ(flgTick(host.context, 500, nullptr), FLG_OK);
+    ASSERT_EQ(flgSplineCreate(host.context, &desc, &spline, &job), FLG_OK) << flgErrorGetMessage();
+    ASSERT_EQ(flgContextTick(host.context, 500, nullptr), FLG_OK);
     ASSERT_EQ(flgJobCancel(host.context, job), FLG_OK);
     host.finish();
     FlgSplineView view = flgSplineViewDefaults();

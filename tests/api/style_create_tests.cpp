@@ -75,10 +75,10 @@ TEST(StyleCreate, AttributesThatTheStyleLacksAreRefused) {
     attribute.attribute = user;
     expect_refused(desc, "desc.style has no column for desc.attributes[0]: USER + 3");
     // Curves that a job still makes: the job finds out.
-    FlgResampleDesc resample = flgResampleDefaults();
+    FlgCurveSetResampleDesc resample = flgCurveSetResampleDefaults();
     resample.curves = desc.style;
     resample.spacing = 0.1f;
-    ASSERT_EQ(flgResample(host.context, &resample, &desc.style, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgCurveSetResample(host.context, &resample, &desc.style, nullptr), FLG_OK) << flgErrorGetMessage();
     expect_failing_job(host, desc, invalid, "desc.style has no column for desc.attributes[0]: USER + 3");
     desc.style = Columns{coil()}.with(user, 2, [](auto i, auto) { return i; }).create(host);
     attribute.metric = FLG_METRIC_CIRCLE;
@@ -119,7 +119,7 @@ TEST(StyleCreate, AttributesComeBackOnTheStylesOwnGuide) {
     desc.style = columns.create(host);
     desc.attributes = attributes;
     desc.attribute_count = 3;
-    FlgStylizeDesc stylize_desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc stylize_desc = flgCurveSetStylizeDefaults();
     stylize_desc.style = prepare(host, desc);
     ASSERT_EQ(flgStyleGetGuide(host.context, stylize_desc.style, &stylize_desc.target), FLG_OK);
     const FlgCurveSetView view = host.view_of(stylize(host, stylize_desc));
@@ -162,7 +162,7 @@ TEST(StyleCreate, SeveralCurvesShareOneSpacingAndOneGraph) {
         EXPECT_EQ(info.matching[first], 0);
     }
     // Long results come by all three.
-    FlgStylizeDesc stylize_desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc stylize_desc = flgCurveSetStylizeDefaults();
     stylize_desc.style = style;
     stylize_desc.temperature = 1;
     stylize_desc.target = host.create(arcs(20, 60, 60));
@@ -254,11 +254,11 @@ TEST(StyleCreate, StylesWithoutVariationWork) {
         desc.attribute_count = 1;
         desc.patch_sizes = sizes;
         desc.patch_size_count = 2;
-        FlgStylizeDesc stylize_desc = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc stylize_desc = flgCurveSetStylizeDefaults();
         stylize_desc.style = prepare(host, desc);
         EXPECT_NEAR(style_info(host, stylize_desc.style).displacement_rms, 0, 1e-6);
         EXPECT_NEAR(style_info(host, stylize_desc.style).temperature_unit, 0, 1e-6);
-        for (const FlgStart start : {FLG_START_STYLE, FLG_START_RANDOM}) {
+        for (const FlgStyleStart start : {FLG_STYLE_START_STYLE, FLG_STYLE_START_RANDOM}) {
             stylize_desc.start = start;
             stylize_desc.target = host.create(arcs(1));
             const FlgCurveSetView result = host.view_of(stylize(host, stylize_desc));

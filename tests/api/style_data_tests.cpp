@@ -25,9 +25,9 @@ FlgStyle small_style(const Host& host) {
 
 std::string data_of(const Host& host, FlgStyle style) {
     size_t size = 0;
-    EXPECT_EQ(flgStyleGetData(host.context, style, nullptr, 0, &size), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleGetData(host.context, style, nullptr, 0, &size), FLG_OK) << flgErrorGetMessage();
     std::string data(size, 0);
-    EXPECT_EQ(flgStyleGetData(host.context, style, data.data(), size, &size), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleGetData(host.context, style, data.data(), size, &size), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(size, data.size());
     return data;
 }
@@ -46,8 +46,8 @@ void fix_hash(std::string& data) {
     std::memcpy(data.data() + style_file_hash_offset, &hash, sizeof hash);
 }
 
-std::string stylized_bits(const Host& host, FlgStyle style, FlgStart start = FLG_START_RANDOM) {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+std::string stylized_bits(const Host& host, FlgStyle style, FlgStyleStart start = FLG_STYLE_START_RANDOM) {
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = style;
     desc.start = start;
     desc.temperature = 0.5f;
@@ -68,10 +68,11 @@ TEST(StyleData, LoadedStylesGiveTheSameBits) {
         EXPECT_TRUE(data == data_of(host, style));
         Host other;
         FlgStyle loaded{};
-        ASSERT_EQ(load(other, data, loaded), FLG_OK) << flgLastError();
+        ASSERT_EQ(load(other, data, loaded), FLG_OK) << flgErrorGetMessage();
         EXPECT_TRUE(data_of(other, loaded) == data);
         EXPECT_TRUE(stylized_bits(other, loaded) == stylized_bits(host, style));
-        EXPECT_TRUE(stylized_bits(other, loaded, FLG_START_STYLE) == stylized_bits(host, style, FLG_START_STYLE));
+        EXPECT_TRUE(stylized_bits(other, loaded, FLG_STYLE_START_STYLE) ==
+                    stylized_bits(host, style, FLG_STYLE_START_STYLE));
         const FlgStyleInfo a = style_info(host, style), b = style_info(other, loaded);
         EXPECT_EQ(std::memcmp(&a, &b, offsetof(FlgStyleInfo, matching)), 0);
         EXPECT_EQ(std::memcmp(a.matching, b.matching, a.point_count * sizeof(float)), 0);
@@ -134,14 +135,14 @@ TEST(StyleData, FlippedBytesAreRefusedOrHarmless) {
             ++refused;
         } else {
             ++accepted;
-            FlgStylizeDesc desc = flgStylizeDefaults();
+            FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
             desc.style = style;
             desc.temperature = 1;
             desc.target = host.create(arcs(1, 4, 2));
             // A spacing of 1e-300 is past the limit on points; any larger is work.
             if (style_info(host, style).spacing > 1e-3f) {
                 FlgCurveSet out{};
-                ASSERT_EQ(flgStylize(host.context, &desc, &out, nullptr), FLG_OK) << flgLastError();
+                ASSERT_EQ(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_OK) << flgErrorGetMessage();
                 host.finish();
                 flgCurveSetRelease(host.context, out);
             }

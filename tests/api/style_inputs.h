@@ -35,7 +35,7 @@ struct Columns {
         view.columns = columns.data();
         view.column_count = static_cast<uint32_t>(columns.size());
         FlgCurveSet set{};
-        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgErrorGetMessage();
         return set;
     }
 };
@@ -57,7 +57,7 @@ inline Curves coils(const std::vector<double>& lengths) {
 inline FlgStyleInfo style_info(const Host& host, FlgStyle style) {
     FlgStyleInfo info{};
     info.struct_size = sizeof info;
-    EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_OK) << flgErrorGetMessage();
     return info;
 }
 
@@ -65,7 +65,7 @@ inline FlgStyleInfo style_info(const Host& host, FlgStyle style) {
 inline FlgStyle prepare(const Host& host, const FlgStyleDesc& desc) {
     FlgStyle style{};
     FlgJob job{};
-    EXPECT_EQ(flgStyleCreate(host.context, &desc, &style, &job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleCreate(host.context, &desc, &style, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_OK) << host.status_of(job).error;
     return style;
@@ -75,16 +75,16 @@ inline FlgStyle prepare(const Host& host, const FlgStyleDesc& desc) {
 inline void expect_failing_job(const Host& host, const FlgStyleDesc& desc, FlgResult expected, const char* words) {
     FlgStyle style{};
     FlgJob job{};
-    ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), expected);
     EXPECT_NE(std::strstr(host.status_of(job).error, words), nullptr) << host.status_of(job).error;
 }
 
-inline FlgCurveSet stylize(const Host& host, FlgStylizeDesc desc) {
+inline FlgCurveSet stylize(const Host& host, FlgCurveSetStylizeDesc desc) {
     FlgCurveSet out{};
     FlgJob job{};
-    EXPECT_EQ(flgStylize(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetStylize(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.result_of(job), FLG_OK) << host.status_of(job).error;
     return out;

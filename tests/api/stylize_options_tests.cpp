@@ -27,7 +27,7 @@ struct Set {
         view.columns = curves.columns.data();
         view.column_count = static_cast<uint32_t>(curves.columns.size());
         FlgCurveSet set{};
-        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgCurveSetCreate(host.context, &view, &set), FLG_OK) << flgErrorGetMessage();
         return set;
     }
 };
@@ -62,15 +62,15 @@ FlgStyle make_style(const Host& host, Set example, bool with_attributes) {
         desc.attribute_count = static_cast<uint32_t>(attributes.size());
     }
     FlgStyle style{};
-    EXPECT_EQ(flgStyleCreate(host.context, &desc, &style, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleCreate(host.context, &desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
     return style;
 }
 
 // Runs the job to its end.
-FlgCurveSetView stylized(const Host& host, const FlgStylizeDesc& desc) {
+FlgCurveSetView stylized(const Host& host, const FlgCurveSetStylizeDesc& desc) {
     FlgCurveSet out{};
     FlgJob job{};
-    EXPECT_EQ(flgStylize(host.context, &desc, &out, &job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetStylize(host.context, &desc, &out, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.status_of(job).result, FLG_OK) << host.status_of(job).error;
     return host.view_of(out);
@@ -108,12 +108,12 @@ Set targets() {
     return set;
 }
 
-FlgStylizeDesc all_options() {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+FlgCurveSetStylizeDesc all_options() {
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.temperature = 0.5f;
     desc.scale = 0.7f;
     desc.magnitude = 0.8f;
-    desc.frame = FLG_FRAME_SUPPLIED;
+    desc.frame = FLG_FRAME_METHOD_SUPPLIED;
     const float basis[9] = {0, 1, 0, 0, 0, 1, 1, 0, 0};
     std::copy(basis, basis + 9, desc.basis);
     desc.strokes = 3;
@@ -127,12 +127,12 @@ TEST(StylizeOptionsApi, SameBitsUnderAnyWorkersWithAllOptions) {
         for (uint32_t workers : {0u, 1u, 2u, 4u}) {
             for (uint32_t budget_us : {0u, 300u}) {
                 Host host(workers);
-                FlgStylizeDesc desc = all_options();
+                FlgCurveSetStylizeDesc desc = all_options();
                 desc.pin_ends = pin_ends;
                 desc.style = make_style(host, rich_style(), true);
                 desc.target = targets().create(host);
                 FlgCurveSet out{};
-                ASSERT_EQ(flgStylize(host.context, &desc, &out, nullptr), FLG_OK) << flgLastError();
+                ASSERT_EQ(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_OK) << flgErrorGetMessage();
                 host.finish(budget_us);
                 const std::string now = bits(host.view_of(out));
                 if (expected.empty()) expected = now;
@@ -144,7 +144,7 @@ TEST(StylizeOptionsApi, SameBitsUnderAnyWorkersWithAllOptions) {
 
 TEST(StylizeOptionsApi, ResultsHaveTheStylesAttributesAndTheTargetsOthers) {
     Host host;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = make_style(host, rich_style(), true);
     desc.target = targets().create(host);
     desc.scale = 0.5f;
@@ -192,7 +192,7 @@ TEST(StylizeOptionsApi, ResultsHaveTheStylesAttributesAndTheTargetsOthers) {
 
 TEST(StylizeOptionsApi, ClosedTargetsComeOutClosed) {
     Host host;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = make_style(host, {coil(), {}}, false);
     desc.target = targets().create(host);
     desc.keep_displacement = 1;
@@ -239,7 +239,7 @@ TEST(StylizeOptionsApi, NetworksKeepTheirTopology) {
     Host host(1);
     const Network network(46);
     ASSERT_GT(network.edges.size(), 4000u);
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = make_style(host, {coil(400, 12, 6, 0.1), {}}, false);
     desc.target = host.create(network.curves);
     desc.pin_ends = 1;
@@ -273,7 +273,7 @@ TEST(StylizeOptionsApi, EdgesThatDoNotMeetArePinnedToTheirOwnEnds) {
     edges.add_point(2.001, 0, 0);  // nearly
     edges.add_point(4, 1, 0);
     edges.end_curve();
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = make_style(host, {coil(), {}}, false);
     desc.target = host.create(edges);
     desc.pin_ends = 1;
@@ -285,7 +285,7 @@ TEST(StylizeOptionsApi, EdgesThatDoNotMeetArePinnedToTheirOwnEnds) {
 
 TEST(StylizeOptionsApi, StrokesDifferAndTheFirstIsTheOnlyOne) {
     Host host;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = make_style(host, {coil(), {}}, false);
     for (uint32_t curves : {1u, 3u}) {
         desc.target = host.create(arcs(curves));
@@ -324,7 +324,8 @@ TEST(StylizeOptionsApi, RigidMotionOfTheTargetMovesTheResultWithAllOptions) {
     const float shift[3] = {3, -5, 11};
     Host host;
     const FlgStyle style = make_style(host, rich_style(), true);
-    for (FlgFrameMethod frame : {FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_FRENET, FLG_FRAME_SUPPLIED}) {
+    for (FlgFrameMethod frame :
+         {FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_FRENET, FLG_FRAME_METHOD_SUPPLIED}) {
         for (uint32_t pin_ends : {0u, 1u}) {
             Set here = targets(), there = targets();
             for (size_t i = 0; i < there.curves.positions.size(); i += 3) {
@@ -332,7 +333,7 @@ TEST(StylizeOptionsApi, RigidMotionOfTheTargetMovesTheResultWithAllOptions) {
                 turned(&here.extras[0].values[i], &there.extras[0].values[i]);
                 for (int k = 0; k < 3; ++k) there.curves.positions[i + k] += shift[k];
             }
-            FlgStylizeDesc desc = all_options();
+            FlgCurveSetStylizeDesc desc = all_options();
             desc.style = style;
             desc.frame = frame;
             desc.pin_ends = pin_ends;
@@ -362,14 +363,14 @@ TEST(StylizeOptionsApi, RigidMotionOfTheTargetMovesTheResultWithAllOptions) {
 
 TEST(StylizeOptionsApi, RefusesEachBadArgument) {
     Host host;
-    FlgStylizeDesc good = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc good = flgCurveSetStylizeDefaults();
     good.style = make_style(host, {coil(), {}}, false);
     good.target = host.create(arcs(1));
     const auto refused = [&](auto change, const char* words) {
-        FlgStylizeDesc desc = good;
+        FlgCurveSetStylizeDesc desc = good;
         change(desc);
         FlgCurveSet out{5};
-        expect_failure(flgStylize(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT, words);
+        expect_failure(flgCurveSetStylize(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT, words);
         EXPECT_EQ(out.id, 0u);
     };
     refused([](auto& d) { d.strokes = 0; }, "desc.strokes is 0, must be 1 to 1024");
@@ -381,18 +382,18 @@ TEST(StylizeOptionsApi, RefusesEachBadArgument) {
 
 TEST(StylizeOptionsApi, SuppliedFramesThatAreMissingFailTheJob) {
     Host host;
-    FlgStylizeDesc stylize = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
     stylize.style = make_style(host, {coil(), {}}, false);
     stylize.target = host.create(arcs(1));
-    stylize.frame = FLG_FRAME_SUPPLIED;
-    FlgResampleDesc resample = flgResampleDefaults();
+    stylize.frame = FLG_FRAME_METHOD_SUPPLIED;
+    FlgCurveSetResampleDesc resample = flgCurveSetResampleDefaults();
     resample.curves = stylize.target;
     resample.spacing = 0.1f;
-    resample.frame = FLG_FRAME_SUPPLIED;
+    resample.frame = FLG_FRAME_METHOD_SUPPLIED;
     FlgCurveSet out{};
     FlgJob stylize_job{}, resample_job{};
-    ASSERT_EQ(flgStylize(host.context, &stylize, &out, &stylize_job), FLG_OK);
-    ASSERT_EQ(flgResample(host.context, &resample, &out, &resample_job), FLG_OK);
+    ASSERT_EQ(flgCurveSetStylize(host.context, &stylize, &out, &stylize_job), FLG_OK);
+    ASSERT_EQ(flgCurveSetResample(host.context, &resample, &out, &resample_job), FLG_OK);
     host.finish();
     for (FlgJob job : {stylize_job, resample_job}) {
         EXPECT_EQ(host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
@@ -400,7 +401,7 @@ TEST(StylizeOptionsApi, SuppliedFramesThatAreMissingFailTheJob) {
     }
     // With normals both do.
     resample.curves = targets().create(host);
-    ASSERT_EQ(flgResample(host.context, &resample, &out, nullptr), FLG_OK);
+    ASSERT_EQ(flgCurveSetResample(host.context, &resample, &out, nullptr), FLG_OK);
     host.finish();
     const FlgCurveSetView view = host.view_of(out);
     for (uint32_t i = 0; i < view.curve_offsets[1]; ++i) EXPECT_GT(column(view, FLG_ATTRIBUTE_NORMAL)[3 * i + 2], 0.8);

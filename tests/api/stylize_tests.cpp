@@ -11,27 +11,28 @@ struct Made {
     FlgJob style_job{}, job{};
 };
 
-Made start(const Host& host, Curves example, Curves target, FlgStylizeDesc desc = flgStylizeDefaults()) {
+Made start(const Host& host, Curves example, Curves target,
+           FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults()) {
     Made made;
     FlgStyleDesc style_desc = flgStyleDefaults();
     style_desc.style = host.create(std::move(example));
-    EXPECT_EQ(flgStyleCreate(host.context, &style_desc, &made.style, &made.style_job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleCreate(host.context, &style_desc, &made.style, &made.style_job), FLG_OK) << flgErrorGetMessage();
     desc.style = made.style;
     desc.target = host.create(std::move(target));
-    EXPECT_EQ(flgStylize(host.context, &desc, &made.result, &made.job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetStylize(host.context, &desc, &made.result, &made.job), FLG_OK) << flgErrorGetMessage();
     return made;
 }
 
 FlgStyleInfo info_of(const Host& host, FlgStyle style) {
     FlgStyleInfo info{};
     info.struct_size = sizeof info;
-    EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgStyleGetInfo(host.context, style, &info), FLG_OK) << flgErrorGetMessage();
     return info;
 }
 
 TEST(StylizeApi, SameBitsUnderAnyWorkersAndBudgets) {
     std::string expected;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.temperature = 0.7f;
     for (uint32_t workers : {0u, 1u, 2u, 4u}) {
         for (uint32_t budget_us : {0u, 300u, 2000u}) {
@@ -54,11 +55,11 @@ TEST(StylizeApi, StyleOnItsOwnGuideGivesTheStyleBack) {
     host.finish();
     const FlgStyleInfo info = info_of(host, made.style);
     EXPECT_EQ(info.point_count, 600u);
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = made.style;
     ASSERT_EQ(flgStyleGetGuide(host.context, made.style, &desc.target), FLG_OK);
     FlgCurveSet back{};
-    ASSERT_EQ(flgStylize(host.context, &desc, &back, nullptr), FLG_OK);
+    ASSERT_EQ(flgCurveSetStylize(host.context, &desc, &back, nullptr), FLG_OK);
     host.finish();
     const FlgCurveSetView view = host.view_of(back);
     ASSERT_EQ(view.curve_offsets[1], info.point_count);
@@ -116,7 +117,7 @@ TEST(StylizeApi, StagesProgressAndInfo) {
 
 TEST(StylizeApi, MagnitudeScalesTheDisplacement) {
     Host host;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     std::vector<std::vector<float>> results;
     for (float magnitude : {0.0f, 1.0f, 2.0f}) {
         desc.magnitude = magnitude;
@@ -240,7 +241,7 @@ TEST(StyleApi, ExamplesThatAreNoStyleFailTheirJob) {
         if (!guide.positions.empty()) desc.guide = host.create(std::move(guide));
         FlgStyle style{};
         FlgJob job{};
-        ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, &job), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, &job), FLG_OK) << flgErrorGetMessage();
         host.finish();
         EXPECT_EQ(host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_NE(std::strstr(host.status_of(job).error, words), nullptr) << host.status_of(job).error;
@@ -248,11 +249,11 @@ TEST(StyleApi, ExamplesThatAreNoStyleFailTheirJob) {
         info.struct_size = sizeof info;
         expect_failure(flgStyleGetInfo(host.context, style, &info), FLG_ERROR_INVALID_ARGUMENT, words);
         EXPECT_EQ(info.point_count, 0u);
-        FlgStylizeDesc stylize = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
         stylize.style = style;
         stylize.target = desc.style;
         FlgCurveSet out{};
-        expect_failure(flgStylize(host.context, &stylize, &out, nullptr), FLG_ERROR_DEPENDENCY, words);
+        expect_failure(flgCurveSetStylize(host.context, &stylize, &out, nullptr), FLG_ERROR_DEPENDENCY, words);
     };
     Curves point;
     point.add_point(1, 1, 1);
@@ -275,7 +276,7 @@ TEST(StyleApi, AStraightStyleChangesNothing) {
     for (int i = 0; i < 50; ++i) line.add_point(0.1 * i, 0, 0);
     line.end_curve();
     const Made made = start(host, line, arcs(1));
-    FlgStylizeDesc none = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc none = flgCurveSetStylizeDefaults();
     none.magnitude = 0;
     const Made reference = start(host, line, arcs(1), none);
     host.finish();
@@ -306,12 +307,12 @@ TEST(StylizeApi, RefusesEachBadArgument) {
     const Made made = start(host, coil(), arcs(1));
     const FlgCurveSet target = host.create(arcs(1));
     const auto refused = [&](auto change, FlgResult expected, const char* words) {
-        FlgStylizeDesc desc = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
         desc.style = made.style;
         desc.target = target;
         change(desc);
         FlgCurveSet out{5};
-        expect_failure(flgStylize(host.context, &desc, &out, nullptr), expected, words);
+        expect_failure(flgCurveSetStylize(host.context, &desc, &out, nullptr), expected, words);
         EXPECT_EQ(out.id, 0u);
     };
     const FlgResult invalid = FLG_ERROR_INVALID_ARGUMENT;
@@ -320,7 +321,7 @@ TEST(StylizeApi, RefusesEachBadArgument) {
     refused([](auto& d) { d.temperature = NAN; }, invalid, "desc.temperature is nan");
     refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
     refused([](auto& d) { d.scale = -2; }, invalid, "desc.scale is -2");
-    refused([](auto& d) { d.start = static_cast<FlgStart>(3); }, invalid, "desc.start is 3");
+    refused([](auto& d) { d.start = static_cast<FlgStyleStart>(3); }, invalid, "desc.start is 3");
     refused([](auto& d) { d.frame = static_cast<FlgFrameMethod>(3); }, invalid, "desc.frame is 3");
     refused([](auto& d) { d.style = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.style is null");
     refused([](auto& d) { d.target = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.target is null");
@@ -340,7 +341,7 @@ TEST(StylizeApi, RandomCancellationLeaksNothing) {
             const Made made = start(host, coil(200 + random(200)), arcs(1 + random(30)));
             jobs.push_back(made.style_job);
             jobs.push_back(made.job);
-            flgTick(host.context, 1 + random(3000), nullptr);
+            flgContextTick(host.context, 1 + random(3000), nullptr);
             ASSERT_EQ(flgJobCancel(host.context, jobs[random(static_cast<uint32_t>(jobs.size()))]), FLG_OK);
             const bool release_result = random(2) == 0, release_style = random(2) == 0;
             ASSERT_EQ(release_result ? flgCurveSetRelease(host.context, made.result) : FLG_OK, FLG_OK);
@@ -366,22 +367,22 @@ TEST(StylizeApi, MemoryThatRunsOutAnywhereFailsCleanly) {
         desc.worker_count = 0;
         desc.allocator = allocator.hook();
         allocator.fail_at = fail;
-        FlgContext context = nullptr;
+        FlgContext context{};
         FlgResult result = flgContextCreate(&desc, &context);
         if (result == FLG_OK) {
             Curves example = coil(64, 3), target = arcs(3);
             const FlgCurveSetView example_view = example.view(), target_view = target.view();
             FlgCurveSet out{};
             FlgStyleDesc style = flgStyleDefaults();
-            FlgStylizeDesc stylize = flgStylizeDefaults();
+            FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
             style.point_count = 64;
             FlgJob job{};
             result = flgCurveSetCreate(context, &example_view, &style.style);
             if (result == FLG_OK) result = flgCurveSetCreate(context, &target_view, &stylize.target);
             if (result == FLG_OK) result = flgStyleCreate(context, &style, &stylize.style, nullptr);
-            if (result == FLG_OK) result = flgStylize(context, &stylize, &out, &job);
+            if (result == FLG_OK) result = flgCurveSetStylize(context, &stylize, &out, &job);
             if (result == FLG_OK) {
-                EXPECT_EQ(flgTick(context, 0, nullptr), FLG_OK);
+                EXPECT_EQ(flgContextTick(context, 0, nullptr), FLG_OK);
                 FlgJobStatus status{};
                 status.struct_size = sizeof status;
                 EXPECT_EQ(flgJobGetStatus(context, job, &status), FLG_OK);
@@ -393,7 +394,7 @@ TEST(StylizeApi, MemoryThatRunsOutAnywhereFailsCleanly) {
         if (result == FLG_OK) break;
         ++failed_rounds;
         EXPECT_TRUE(result == FLG_ERROR_OUT_OF_MEMORY || result == FLG_ERROR_DEPENDENCY)
-            << flgResultName(result) << " when allocation " << fail << " fails";
+            << flgResultGetName(result) << " when allocation " << fail << " fails";
     }
     EXPECT_GT(failed_rounds, 50);
 }

@@ -141,7 +141,7 @@ inline MeshArrays loose_triangles(uint32_t count) {
 }
 
 inline Point vertex_at(const FlgSurfaceView& view, uint32_t vertex) {
-    const float* p = view.mesh.columns[0].data + 3 * size_t{vertex};
+    const float* p = view.mesh->columns[0].data + 3 * size_t{vertex};
     return {p[0], p[1], p[2]};
 }
 
@@ -149,14 +149,14 @@ inline Point point_at(const FlgSurfaceView& view, const FlgSurfacePoint& point) 
     const double weights[] = {1.0 - point.u - point.v, point.u, point.v};
     Point sum{};
     for (int k = 0; k < 3; ++k) {
-        const Point corner = vertex_at(view, view.mesh.triangles[3 * size_t{point.triangle} + k]);
+        const Point corner = vertex_at(view, view.mesh->triangles[3 * size_t{point.triangle} + k]);
         for (int i = 0; i < 3; ++i) sum[i] += weights[k] * corner[i];
     }
     return sum;
 }
 
 inline double area_of(const FlgSurfaceView& view, uint32_t triangle) {
-    const uint32_t* t = view.mesh.triangles + 3 * size_t{triangle};
+    const uint32_t* t = view.mesh->triangles + 3 * size_t{triangle};
     const Point a = vertex_at(view, t[0]), b = vertex_at(view, t[1]), c = vertex_at(view, t[2]);
     const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     return 0.5 * distance({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}, {});
@@ -165,13 +165,13 @@ inline double area_of(const FlgSurfaceView& view, uint32_t triangle) {
 // The areas of the regions, by label.
 inline std::map<uint32_t, double> areas(const FlgSurfaceView& view) {
     std::map<uint32_t, double> areas;
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) areas[view.mesh.regions[t]] += area_of(view, t);
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) areas[view.mesh->regions[t]] += area_of(view, t);
     return areas;
 }
 
 // Indices exist, edges have one or two triangles of one winding and are what the neighbours say, values are finite.
 inline void expect_valid(const FlgSurfaceView& view) {
-    const FlgMeshView& mesh = view.mesh;
+    const FlgMeshView& mesh = *view.mesh;
     ASSERT_GT(mesh.triangle_count, 0u);
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> triangle_at;
     std::vector<bool> is_used(mesh.vertex_count);
@@ -207,11 +207,11 @@ void append(std::string& all, const T* values, size_t count) {
 // All bits, to compare.
 inline std::string bits(const FlgSurfaceView& view) {
     std::string all;
-    append(all, view.mesh.triangles, size_t{3} * view.mesh.triangle_count);
-    append(all, view.neighbours, size_t{3} * view.mesh.triangle_count);
-    append(all, view.mesh.regions, view.mesh.triangle_count);
-    for (uint32_t c = 0; c < view.mesh.column_count; ++c) {
-        append(all, view.mesh.columns[c].data, size_t{view.mesh.vertex_count} * view.mesh.columns[c].components);
+    append(all, view.mesh->triangles, size_t{3} * view.mesh->triangle_count);
+    append(all, view.neighbours, size_t{3} * view.mesh->triangle_count);
+    append(all, view.mesh->regions, view.mesh->triangle_count);
+    for (uint32_t c = 0; c < view.mesh->column_count; ++c) {
+        append(all, view.mesh->columns[c].data, size_t{view.mesh->vertex_count} * view.mesh->columns[c].components);
     }
     return all;
 }
@@ -239,9 +239,10 @@ public:
     FlgSurface start_surface(MeshArrays mesh, float weld_distance = 0) const {
         FlgSurfaceDesc desc = flgSurfaceDefaults();
         desc.weld_distance = weld_distance;
-        desc.mesh = mesh.view();
+        const FlgMeshView input = mesh.view();
+        desc.mesh = &input;
         FlgSurface surface{};
-        EXPECT_EQ(flgSurfaceCreate(context, &desc, &surface, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceCreate(context, &desc, &surface, nullptr), FLG_OK) << flgErrorGetMessage();
         return surface;
     }
     FlgSurface surface(MeshArrays mesh, float weld_distance = 0) const {
@@ -252,38 +253,38 @@ public:
     FlgField field(FlgSurface surface, const std::function<double(const Point&)>& value_at) const {
         const FlgSurfaceView shown = view(surface);
         std::vector<float> values;
-        for (uint32_t v = 0; v < shown.mesh.vertex_count; ++v) {
+        for (uint32_t v = 0; v < shown.mesh->vertex_count; ++v) {
             values.push_back(static_cast<float>(value_at(vertex_at(shown, v))));
         }
         FlgField field{};
-        EXPECT_EQ(flgFieldCreate(context, surface, values.data(), shown.mesh.vertex_count, &field), FLG_OK)
-            << flgLastError();
+        EXPECT_EQ(flgFieldCreate(context, surface, values.data(), shown.mesh->vertex_count, &field), FLG_OK)
+            << flgErrorGetMessage();
         return field;
     }
     FlgField start_distances(FlgSurface surface, uint32_t vertex) const {
-        FlgGeodesicDesc desc = flgGeodesicDefaults();
+        FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
         desc.surface = surface;
         desc.vertices = &vertex;
         desc.vertex_count = 1;
         return start(desc);
     }
-    FlgField start(const FlgGeodesicDesc& desc, FlgJob* job = nullptr) const {
+    FlgField start(const FlgFieldGeodesicDesc& desc, FlgJob* job = nullptr) const {
         FlgField field{};
-        EXPECT_EQ(flgGeodesic(context, &desc, &field, job), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgFieldCreateGeodesic(context, &desc, &field, job), FLG_OK) << flgErrorGetMessage();
         return field;
     }
-    FlgField solve(const FlgGeodesicDesc& desc) const {
+    FlgField solve(const FlgFieldGeodesicDesc& desc) const {
         const FlgField field = start(desc);
         finish();
         return field;
     }
     FlgSurfaceCurves start_isolines(FlgField field, const std::vector<float>& levels) const {
-        FlgIsolinesDesc desc = flgIsolinesDefaults();
+        FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
         desc.field = field;
-        desc.levels.values = levels.data();
-        desc.levels.count = static_cast<uint32_t>(levels.size());
+        desc.levels = levels.data();
+        desc.level_count = static_cast<uint32_t>(levels.size());
         FlgSurfaceCurves curves{};
-        EXPECT_EQ(flgTraceIsolines(context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgFieldTraceIsolines(context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
         return curves;
     }
     FlgSurfaceCurves isolines(FlgField field, const std::vector<float>& levels) const {
@@ -293,28 +294,28 @@ public:
     }
     FlgSurfaceView view(FlgSurface surface) const {
         FlgSurfaceView view = flgSurfaceViewDefaults();
-        EXPECT_EQ(flgSurfaceGetView(context, surface, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceGetView(context, surface, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
     FlgFieldView view(FlgField field) const {
         FlgFieldView view = flgFieldViewDefaults();
-        EXPECT_EQ(flgFieldGetView(context, field, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgFieldGetView(context, field, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
     FlgSurfaceCurvesView view(FlgSurfaceCurves curves) const {
         FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
-        EXPECT_EQ(flgSurfaceCurvesGetView(context, curves, &view), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceCurvesGetView(context, curves, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
     FlgSurfaceReport report(FlgSurface surface) const {
         FlgSurfaceReport report{};
         report.struct_size = sizeof report;
-        EXPECT_EQ(flgSurfaceGetReport(context, surface, &report), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceGetReport(context, surface, &report), FLG_OK) << flgErrorGetMessage();
         return report;
     }
     std::vector<uint32_t> changes(FlgSurface surface, uint32_t since) const {
         uint32_t count = 0;
-        EXPECT_EQ(flgSurfaceGetChanges(context, surface, since, nullptr, 0, &count), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceGetChanges(context, surface, since, nullptr, 0, &count), FLG_OK) << flgErrorGetMessage();
         std::vector<uint32_t> triangles(count);
         EXPECT_EQ(flgSurfaceGetChanges(context, surface, since, triangles.data(), count, &count), FLG_OK);
         return triangles;
@@ -338,8 +339,8 @@ inline double relative_error(const FlgSurfaceView& surface, const FlgFieldView& 
 
 // The triangle of the surface, of those seen from above, that holds (x, y), and where in it.
 inline FlgSurfacePoint point_above(const FlgSurfaceView& view, double x, double y) {
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
-        const uint32_t* corners = view.mesh.triangles + 3 * size_t{t};
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
+        const uint32_t* corners = view.mesh->triangles + 3 * size_t{t};
         const Point a = vertex_at(view, corners[0]), b = vertex_at(view, corners[1]), c = vertex_at(view, corners[2]);
         const double whole = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         const double u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / whole;

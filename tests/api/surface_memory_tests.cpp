@@ -19,9 +19,9 @@ struct Bench {
     Bench() : surface(host.surface(plane(5))) {
         field = host.field(surface, [](const Point& p) { return distance(p, {0.1, 0.05, 0}); });
         curves = host.isolines(field, {0.5f});
-        FlgLiftDesc lift = flgLiftDefaults();
+        FlgSurfaceCurvesLiftDesc lift = flgSurfaceCurvesLiftDefaults();
         lift.curves = curves;
-        EXPECT_EQ(flgLiftCurves(host.context, &lift, &lifted, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgSurfaceCurvesLift(host.context, &lift, &lifted, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         before = bits(host.view(surface));
         zeros.resize(36);
@@ -50,18 +50,18 @@ int64_t fail_each(Step step) {
         const int64_t calls = allocator.calls;
         allocator.fail_at = -1;
         if (fail_at < 0) {
-            EXPECT_EQ(result, FLG_OK) << flgLastError();
+            EXPECT_EQ(result, FLG_OK) << flgErrorGetMessage();
         } else {
             // Also where memory ran out in what is built for a job, which is a job of its own.
             EXPECT_TRUE(result == FLG_OK || result == FLG_ERROR_OUT_OF_MEMORY)
-                << fail_at << ": " << flgResultName(result);
+                << fail_at << ": " << flgResultGetName(result);
         }
         const FlgSurfaceView view = bench.host.view(bench.surface);
         expect_valid(view);
         EXPECT_TRUE(result == FLG_OK || bits(view) == bench.before) << "allocation " << fail_at;
         // The surface is as good as ever, and once more after a cut.
         for (int round = 0; round < 2; ++round) {
-            FlgGeodesicDesc desc = flgGeodesicDefaults();
+            FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
             const uint32_t vertex = 0;
             desc.surface = bench.surface;
             desc.vertices = &vertex;
@@ -72,11 +72,12 @@ int64_t fail_each(Step step) {
                 const double exact = distance(vertex_at(now, v), {});
                 EXPECT_NEAR(field.values[v], exact, 0.1 * exact) << "allocation " << fail_at;
             }
-            FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+            FlgSurfaceCutIsolinesDesc cut = flgSurfaceCutIsolinesDefaults();
             cut.field = bench.host.solve(desc);
-            cut.levels.first = 0.33f;
-            cut.levels.every = 9;
-            EXPECT_EQ(flgCutIsolines(bench.host.context, &cut, nullptr, nullptr), FLG_OK) << flgLastError();
+            cut.level_first = 0.33f;
+            cut.level_every = 9;
+            EXPECT_EQ(flgSurfaceCutIsolines(bench.host.context, &cut, nullptr, nullptr), FLG_OK)
+                << flgErrorGetMessage();
             bench.host.finish();
             expect_valid(bench.host.view(bench.surface));
             if (::testing::Test::HasFailure()) return calls;
@@ -95,13 +96,14 @@ TEST(SurfaceMemory, SurfacesAreMadeOrRefused) {
                   MeshArrays mesh = cube(2);
                   mesh.add_triangle(0, 0, 1);
                   mesh.set_regions([](const Point&) { return 4u; });
-                  desc.mesh = mesh.view();
+                  const FlgMeshView input = mesh.view();
+                  desc.mesh = &input;
                   FlgSurface made{};
                   return flgSurfaceCreate(bench.host.context, &desc, &made, job);
               }),
               20);
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgRefineDesc desc = flgRefineDefaults();
+        FlgSurfaceRefineDesc desc = flgSurfaceRefineDefaults();
         desc.surface = bench.surface;
         desc.scheme = FLG_SUBDIVISION_LOOP;
         FlgSurface made{};
@@ -115,13 +117,13 @@ TEST(SurfaceMemory, FieldsAreMadeOrRefused) {
         return flgFieldCreate(bench.host.context, bench.surface, bench.zeros.data(), 36, &made);
     });
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgBlendDesc desc = flgBlendDefaults();
+        FlgFieldBlendDesc desc = flgFieldBlendDefaults();
         desc.from = desc.to = bench.field;
         FlgField made{};
         return flgFieldBlend(bench.host.context, &desc, &made, job);
     });
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgSamplingDesc desc = flgSamplingDefaults();
+        FlgSurfaceSampleDesc desc = flgSurfaceSampleDefaults();
         desc.surface = bench.surface;
         desc.radius = 0.3f;
         FlgField made{};
@@ -133,7 +135,7 @@ template <bool perturbed>
 FlgResult measure(Bench& bench, FlgJob* job) {
     const uint32_t zero = 0;
     const FlgSurfacePoint point = {7, 0.2f, 0.2f};
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     desc.surface = bench.surface;
     desc.vertices = desc.targets = desc.regions = desc.border_regions = &zero;
     desc.vertex_count = desc.target_count = desc.region_count = desc.border_region_count = 1;
@@ -143,7 +145,7 @@ FlgResult measure(Bench& bench, FlgJob* job) {
     desc.labels = 1;
     desc.perturbation = perturbed ? 0.01f : 0.0f;
     FlgField made{};
-    return flgGeodesic(bench.host.context, &desc, &made, job);
+    return flgFieldCreateGeodesic(bench.host.context, &desc, &made, job);
 }
 
 TEST(SurfaceMemory, DistancesAreMeasuredOrRefused) {
@@ -153,60 +155,60 @@ TEST(SurfaceMemory, DistancesAreMeasuredOrRefused) {
 
 TEST(SurfaceMemory, CurvesAreTracedOrRefused) {
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgIsolinesDesc desc = flgIsolinesDefaults();
+        FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
         desc.field = bench.field;
-        desc.levels.every = 0.2f;
+        desc.level_every = 0.2f;
         FlgSurfaceCurves made{};
-        return flgTraceIsolines(bench.host.context, &desc, &made, job);
+        return flgFieldTraceIsolines(bench.host.context, &desc, &made, job);
     });
     fail_each([](Bench& bench, FlgJob* job) {
         const FlgSurfacePoint start = {20, 0.2f, 0.2f};
-        FlgStreamsDesc desc = flgStreamsDefaults();
+        FlgFieldTraceStreamsDesc desc = flgFieldTraceStreamsDefaults();
         desc.field = bench.field;
         desc.starts = &start;
         desc.start_count = 1;
         desc.border_samples = bench.curves;
         FlgSurfaceCurves made{};
-        return flgTraceStreams(bench.host.context, &desc, &made, job);
+        return flgFieldTraceStreams(bench.host.context, &desc, &made, job);
     });
     fail_each([](Bench& bench, FlgJob* job) {
         const FlgSurfacePoint points[] = {{0, 0.2f, 0.2f}, {48, 0.2f, 0.2f}, {9, 0.5f, 0}};
         const uint32_t offsets[] = {0, 3};
-        FlgPathsDesc desc = flgPathsDefaults();
+        FlgFieldTracePathsDesc desc = flgFieldTracePathsDefaults();
         desc.surface = bench.surface;
         desc.points = points;
         desc.path_offsets = offsets;
         desc.path_count = 1;
         desc.closed = 1;
         FlgSurfaceCurves made{};
-        return flgTracePaths(bench.host.context, &desc, &made, job);
+        return flgFieldTracePaths(bench.host.context, &desc, &made, job);
     });
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgBorderSamplingDesc desc = flgBorderSamplingDefaults();
+        FlgSurfaceSampleBordersDesc desc = flgSurfaceSampleBordersDefaults();
         desc.surface = bench.surface;
         desc.spacing = 0.1f;
         FlgSurfaceCurves made{};
-        return flgBorderSample(bench.host.context, &desc, &made, job);
+        return flgSurfaceSampleBorders(bench.host.context, &desc, &made, job);
     });
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgLiftDesc desc = flgLiftDefaults();
+        FlgSurfaceCurvesLiftDesc desc = flgSurfaceCurvesLiftDefaults();
         desc.curves = bench.curves;
         FlgCurveSet made{};
-        return flgLiftCurves(bench.host.context, &desc, &made, job);
+        return flgSurfaceCurvesLift(bench.host.context, &desc, &made, job);
     });
     fail_each([](Bench& bench, FlgJob* job) {
-        FlgProjectDesc desc = flgProjectDefaults();
+        FlgCurveSetProjectDesc desc = flgCurveSetProjectDefaults();
         desc.surface = bench.surface;
         desc.curves = bench.lifted;
         FlgSurfaceCurves made{};
-        return flgProjectCurves(bench.host.context, &desc, &made, job);
+        return flgCurveSetProject(bench.host.context, &desc, &made, job);
     });
 }
 
 // With what the solver keeps there, so that a cut has it to update.
 void build_solver(Bench& bench) {
     const int64_t fail_at = bench.host.allocator.fail_at.exchange(-1);
-    EXPECT_EQ(measure<false>(bench, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(measure<false>(bench, nullptr), FLG_OK) << flgErrorGetMessage();
     bench.host.finish();
     bench.host.allocator.calls = 0;
     bench.host.allocator.fail_at = fail_at;
@@ -215,21 +217,21 @@ void build_solver(Bench& bench) {
 TEST(SurfaceMemory, CutsAreMadeWholeOrNotAtAll) {
     EXPECT_GT(fail_each([](Bench& bench, FlgJob* job) {
                   build_solver(bench);
-                  FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+                  FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
                   desc.field = bench.field;
-                  desc.levels.first = 0.2f;
-                  desc.levels.every = 0.13f;
+                  desc.level_first = 0.2f;
+                  desc.level_every = 0.13f;
                   desc.first_label = 3;
                   FlgField made{};
-                  return flgCutIsolines(bench.host.context, &desc, &made, job);
+                  return flgSurfaceCutIsolines(bench.host.context, &desc, &made, job);
               }),
               30);
     EXPECT_GT(fail_each([](Bench& bench, FlgJob* job) {
                   build_solver(bench);
-                  FlgCutCurvesDesc desc = flgCutCurvesDefaults();
+                  FlgSurfaceCutCurvesDesc desc = flgSurfaceCutCurvesDefaults();
                   desc.curves = bench.curves;
                   desc.first_label = 3;
-                  return flgCutCurves(bench.host.context, &desc, job);
+                  return flgSurfaceCutCurves(bench.host.context, &desc, job);
               }),
               30);
 }
@@ -244,12 +246,12 @@ TEST(SurfaceMemory, ReadersAreWaitedForOrRefused) {
         bench.host.allocator.fail_at = fail_at;
         std::vector<FlgSurfaceCurves> traced;
         for (int i = 0; i < 20; ++i) {
-            FlgIsolinesDesc desc = flgIsolinesDefaults();
+            FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
             desc.field = bench.field;
-            desc.levels.every = 0.1f;
+            desc.level_every = 0.1f;
             FlgSurfaceCurves curves{};
-            const FlgResult result = flgTraceIsolines(bench.host.context, &desc, &curves, nullptr);
-            EXPECT_TRUE(result == FLG_OK || result == FLG_ERROR_OUT_OF_MEMORY) << flgResultName(result);
+            const FlgResult result = flgFieldTraceIsolines(bench.host.context, &desc, &curves, nullptr);
+            EXPECT_TRUE(result == FLG_OK || result == FLG_ERROR_OUT_OF_MEMORY) << flgResultGetName(result);
             EXPECT_EQ(curves.id != 0, result == FLG_OK);
             if (result == FLG_OK) traced.push_back(curves);
         }
@@ -258,12 +260,12 @@ TEST(SurfaceMemory, ReadersAreWaitedForOrRefused) {
         EXPECT_GE(traced.size(), 19u);
         FlgFrameReport report{};
         report.struct_size = sizeof report;
-        EXPECT_EQ(flgTick(bench.host.context, 1, &report), FLG_OK);
+        EXPECT_EQ(flgContextTick(bench.host.context, 1, &report), FLG_OK);
         EXPECT_EQ(report.jobs_pending + report.jobs_finished, traced.size()) << "allocation " << fail_at;
-        FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+        FlgSurfaceCutIsolinesDesc cut = flgSurfaceCutIsolinesDefaults();
         cut.field = bench.field;
-        cut.levels.every = 0.21f;
-        ASSERT_EQ(flgCutIsolines(bench.host.context, &cut, nullptr, nullptr), FLG_OK) << flgLastError();
+        cut.level_every = 0.21f;
+        ASSERT_EQ(flgSurfaceCutIsolines(bench.host.context, &cut, nullptr, nullptr), FLG_OK) << flgErrorGetMessage();
         bench.host.finish();
         for (FlgSurfaceCurves curves : traced) {
             EXPECT_TRUE(bits(bench.host.view(curves)) == bits(bench.host.view(traced[0]))) << "allocation " << fail_at;

@@ -36,7 +36,7 @@ TEST(SurfaceOrder, SameBitsUnderAnyWorkersAndBudgets) {
             SurfaceScenario scenario(host);
             uint32_t started = 0;
             scenario.start([&] {
-                if (++started % 3 == 0) flgTick(host.context, budget_us + 1, nullptr);
+                if (++started % 3 == 0) flgContextTick(host.context, budget_us + 1, nullptr);
             });
             host.finish(budget_us);
             EXPECT_TRUE(scenario.all_bits() == one_by_one()) << workers << " workers, " << budget_us << " us";
@@ -46,6 +46,7 @@ TEST(SurfaceOrder, SameBitsUnderAnyWorkersAndBudgets) {
 
 TEST(SurfaceOrder, NothingIsShownWhileAChangeIsPending) {
     const SurfaceHost host;
+    MeshArrays mesh = plane(1);
     FlgSurfaceView view = flgSurfaceViewDefaults();
     FlgSurfaceReport report{};
     report.struct_size = sizeof report;
@@ -53,9 +54,10 @@ TEST(SurfaceOrder, NothingIsShownWhileAChangeIsPending) {
     FlgField field{};
     const float values[9] = {};
     const auto expect_hidden = [&](FlgSurface surface) {
-        view.mesh.vertex_count = 7;
+        const FlgMeshView other = mesh.view();
+        view.mesh = &other;
         EXPECT_EQ(flgSurfaceGetView(host.context, surface, &view), FLG_NOT_READY);
-        EXPECT_EQ(view.mesh.vertex_count, 0u);
+        EXPECT_EQ(view.mesh->vertex_count, 0u);
         EXPECT_EQ(flgSurfaceGetChanges(host.context, surface, 0, nullptr, 0, &count), FLG_NOT_READY);
         EXPECT_EQ(count, 0u);
         EXPECT_EQ(flgFieldCreate(host.context, surface, values, 9, &field), FLG_NOT_READY);
@@ -66,22 +68,22 @@ TEST(SurfaceOrder, NothingIsShownWhileAChangeIsPending) {
     EXPECT_EQ(flgSurfaceGetReport(host.context, surface, &report), FLG_NOT_READY);
     EXPECT_EQ(report.vertex_count, 0u);
     host.finish();
-    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc cut = flgSurfaceCutIsolinesDefaults();
     cut.field = host.field(surface, [](const Point& p) { return p[0]; });
-    cut.levels.first = 0.3f;
-    cut.levels.every = 1;
+    cut.level_first = 0.3f;
+    cut.level_every = 1;
     FlgField first{}, second{};
-    ASSERT_EQ(flgCutIsolines(host.context, &cut, &first, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceCutIsolines(host.context, &cut, &first, nullptr), FLG_OK) << flgErrorGetMessage();
     expect_hidden(surface);
     EXPECT_EQ(flgSurfaceGetReport(host.context, surface, &report), FLG_OK) << "cuts don't change it";
     EXPECT_EQ(report.vertex_count, 9u);
     cut.field = first;
-    cut.levels.first = 0.6f;
-    ASSERT_EQ(flgCutIsolines(host.context, &cut, &second, nullptr), FLG_OK) << flgLastError();
+    cut.level_first = 0.6f;
+    ASSERT_EQ(flgSurfaceCutIsolines(host.context, &cut, &second, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(host.view(surface).revision, 2u);
     EXPECT_EQ(host.view(first).revision, 1u);
-    EXPECT_EQ(host.view(second).vertex_count, host.view(surface).mesh.vertex_count);
+    EXPECT_EQ(host.view(second).vertex_count, host.view(surface).mesh->vertex_count);
     EXPECT_EQ(host.report(surface).vertex_count, 9u);
 }
 
@@ -90,7 +92,7 @@ TEST(SurfaceOrder, ReadersLeaveTheViewOpen) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(4));
     host.start_distances(surface, 0);
-    EXPECT_EQ(host.view(surface).mesh.vertex_count, 25u);
+    EXPECT_EQ(host.view(surface).mesh->vertex_count, 25u);
     host.finish();
 }
 
@@ -103,22 +105,24 @@ TEST(SurfaceOrder, CallbacksSeeTheCutSurface) {
         uint32_t changed = 0;
         FlgField next{};
     } state{host, host.surface(plane(4))};
-    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
     desc.field = host.field(state.surface, [](const Point& p) { return p[0]; });
-    desc.levels.first = 0.3f;
-    desc.levels.every = 9;
-    desc.job.user_data = &state;
-    desc.job.on_finished = [](void* user, FlgJob, FlgResult result) {
+    desc.level_first = 0.3f;
+    desc.level_every = 9;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    desc.job = &options;
+    options.user_data = &state;
+    options.on_finished = [](void* user, FlgJob, FlgResult result) {
         State& s = *static_cast<State*>(user);
         EXPECT_EQ(result, FLG_OK);
         EXPECT_EQ(s.host.view(s.surface).revision, 1u);
         s.changed = static_cast<uint32_t>(s.host.changes(s.surface, 0).size());
         s.next = s.host.start_distances(s.surface, 0);
     };
-    ASSERT_EQ(flgCutIsolines(host.context, &desc, nullptr, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceCutIsolines(host.context, &desc, nullptr, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     EXPECT_EQ(state.changed, 24u) << "each triangle of a column of 4 squares became three";
-    EXPECT_EQ(host.view(state.next).vertex_count, host.view(state.surface).mesh.vertex_count);
+    EXPECT_EQ(host.view(state.next).vertex_count, host.view(state.surface).mesh->vertex_count);
 }
 
 struct Cut {
@@ -127,13 +131,13 @@ struct Cut {
 };
 
 Cut start_cut(const SurfaceHost& host, FlgField field) {
-    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
     desc.field = field;
-    desc.levels.first = 0.2f;
-    desc.levels.every = 0.15f;
+    desc.level_first = 0.2f;
+    desc.level_every = 0.15f;
     desc.first_label = 3;
     Cut cut;
-    EXPECT_EQ(flgCutIsolines(host.context, &desc, &cut.field, &cut.job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceCutIsolines(host.context, &desc, &cut.field, &cut.job), FLG_OK) << flgErrorGetMessage();
     return cut;
 }
 
@@ -170,7 +174,7 @@ TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
             const Cut cut = start_cut(host, host.start_distances(surface, 0));
             const FlgField later = host.start_distances(surface, 3);
             const auto tick = [&] {
-                flgTick(host.context, 20, nullptr);
+                flgContextTick(host.context, 20, nullptr);
                 if (workers > 0) flgContextWait(host.context, 10);
             };
             if (round == 0) {
@@ -187,9 +191,9 @@ TEST(SurfaceOrder, ACutIsDoneWholeOrNotAtAll) {
             const FlgSurfaceView view = host.view(surface);
             expect_valid(view);
             if (round == 0) whole = bits(view);
-            EXPECT_TRUE(result == FLG_OK || result == FLG_ERROR_CANCELLED) << flgResultName(result);
+            EXPECT_TRUE(result == FLG_OK || result == FLG_ERROR_CANCELLED) << flgResultGetName(result);
             EXPECT_TRUE(bits(view) == (result == FLG_OK ? whole : before)) << "round " << round;
-            EXPECT_EQ(host.view(later).vertex_count, view.mesh.vertex_count);
+            EXPECT_EQ(host.view(later).vertex_count, view.mesh->vertex_count);
             const Cut again = start_cut(host, later);
             host.finish();
             EXPECT_EQ(host.result_of(again.job), FLG_OK);
@@ -210,16 +214,18 @@ TEST(SurfaceOrder, NothingOvertakesACutBecauseAnotherOneEndedEarly) {
             const SurfaceHost host(context_desc);
             const FlgSurface surface = host.surface(plane(40));
             const Cut first = start_cut(host, host.start_distances(surface, 0));
-            FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+            FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
             desc.field = first.field;
-            desc.levels.every = 1;
+            desc.level_every = 1;
             const Cut other = start_cut(host, host.start_distances(host.start_surface(plane(1)), 0));
+            FlgJobOptions options = flgJobOptionsDefaults();
             if (!cancelled) {
-                desc.job.dependencies = &other.job;
-                desc.job.dependency_count = 1;
+                options.dependencies = &other.job;
+                options.dependency_count = 1;
             }
+            desc.job = &options;
             FlgJob second{};
-            ASSERT_EQ(flgCutIsolines(host.context, &desc, nullptr, &second), FLG_OK) << flgLastError();
+            ASSERT_EQ(flgSurfaceCutIsolines(host.context, &desc, nullptr, &second), FLG_OK) << flgErrorGetMessage();
             ASSERT_EQ(flgJobCancel(host.context, cancelled ? second : other.job), FLG_OK);
             const FlgField later = host.start_distances(surface, 3);
             const Cut third = start_cut(host, later);
@@ -238,9 +244,9 @@ TEST(SurfaceOrder, ContextsMayEndAtAnyMoment) {
         const SurfaceHost host(round % 3);
         SurfaceScenario scenario(host);
         scenario.start([&] {
-            if (round % 2 == 0) flgTick(host.context, 10, nullptr);
+            if (round % 2 == 0) flgContextTick(host.context, 10, nullptr);
         });
-        for (uint32_t i = 0; i < round * 11 % 40; ++i) flgTick(host.context, 100, nullptr);
+        for (uint32_t i = 0; i < round * 11 % 40; ++i) flgContextTick(host.context, 100, nullptr);
     }
 }
 

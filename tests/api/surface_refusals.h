@@ -34,21 +34,20 @@ struct Refusal {
     void common() const {
         Out out{7};
         FlgJob job{7};
-        expect_failure(entry(nullptr, &good, &out, &job), FLG_ERROR_INVALID_HANDLE, "context is null");
+        expect_failure(entry({}, &good, &out, &job), FLG_ERROR_INVALID_HANDLE, "context is null");
         EXPECT_EQ(out.id, 0u);
         EXPECT_EQ(job.id, 0u);
         expect_failure(entry(host.context, nullptr, &out, &job), FLG_ERROR_INVALID_ARGUMENT, "desc is null");
         (*this)([](Desc& d) { d.struct_size = 0; }, "desc: struct_size is 0");
         (*this)([](Desc& d) { d.struct_size += 8; }, "desc: struct_size is");
-        (*this)([](Desc& d) { d.job.dependency_count = 1; }, "job.dependencies is null, but dependency_count is 1");
+        FlgJobOptions options = flgJobOptionsDefaults();
+        const auto use = [&](Desc& d) { d.job = &options; };
+        options.dependency_count = 1;
+        (*this)(use, "job.dependencies is null, but dependency_count is 1");
         const FlgJob stale{12345};
-        (*this)(
-            [&](Desc& d) {
-                d.job.dependency_count = 1;
-                d.job.dependencies = &stale;
-            },
-            "a handle in job.dependencies (0x3039) is not a living job", FLG_ERROR_INVALID_HANDLE);
-        EXPECT_EQ(entry(host.context, &good, &out, nullptr), FLG_OK) << flgLastError();
+        options.dependencies = &stale;
+        (*this)(use, "a handle in job.dependencies (0x3039) is not a living job", FLG_ERROR_INVALID_HANDLE);
+        EXPECT_EQ(entry(host.context, &good, &out, nullptr), FLG_OK) << flgErrorGetMessage();
         EXPECT_NE(out.id, 0u);
         host.finish();
     }
@@ -74,11 +73,11 @@ struct Things {
         flgSurfaceCurvesRelease(host.context, stale_curves);
     }
     void cut() const {
-        FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+        FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
         desc.field = field;
-        desc.levels.first = 0.4f;
-        desc.levels.every = 9;
-        EXPECT_EQ(flgCutIsolines(host.context, &desc, nullptr, nullptr), FLG_OK) << flgLastError();
+        desc.level_first = 0.4f;
+        desc.level_every = 9;
+        EXPECT_EQ(flgSurfaceCutIsolines(host.context, &desc, nullptr, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
     }
 };

@@ -11,24 +11,32 @@ TEST(SurfaceRefusals, Meshes) {
     mesh.regions = {0, FLG_REGION_MAX + 1};
     std::vector<float> colors(16, 1);
     mesh.further_columns = {{FLG_ATTRIBUTE_COLOR, 4, colors.data(), 0, 0}};
+    FlgMeshView view = mesh.view();
+    view.regions = nullptr;
     FlgSurfaceDesc good = flgSurfaceDefaults();
-    good.mesh = mesh.view();
-    good.mesh.regions = nullptr;
+    good.mesh = &view;
     const Refusal refused{host, &flgSurfaceCreate, good};
+    const auto refused_view = [&](const std::function<void(FlgMeshView&)>& change, const char* words) {
+        FlgMeshView changed = view;
+        change(changed);
+        refused([&](FlgSurfaceDesc& d) { d.mesh = &changed; }, words);
+    };
     refused.common();
     using D = FlgSurfaceDesc;
     expect_failure(flgSurfaceCreate(host.context, &good, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "out_surface is null");
     refused([](D& d) { d.weld_distance = nan; }, "desc.weld_distance is nan");
     refused([](D& d) { d.weld_distance = inf; }, "desc.weld_distance is inf");
-    refused([](D& d) { d.mesh.struct_size = 4; }, "desc.mesh: struct_size is 4");
-    refused([](D& d) { d.mesh.triangles = nullptr; }, "desc.mesh.triangles is null");
-    refused([](D& d) { d.mesh.columns = nullptr; }, "desc.mesh.columns is null");
-    refused([](D& d) { d.mesh.column_count = 0; }, "desc.mesh.column_count is 0, must be 1 to 16");
-    refused([](D& d) { d.mesh.column_count = 17; }, "desc.mesh.column_count is 17");
-    refused([](D& d) { ++d.mesh.columns, --d.mesh.column_count; }, "desc.mesh.columns has no FLG_ATTRIBUTE_POSITION");
-    refused([&](D& d) { d.mesh.regions = mesh.regions.data(); },
-            "desc.mesh.regions[1] is 16777216, the largest label is 16777215");
+    refused([](D& d) { d.mesh = nullptr; }, "desc.mesh is null");
+    refused_view([](FlgMeshView& v) { v.struct_size = 4; }, "desc.mesh: struct_size is 4");
+    refused_view([](FlgMeshView& v) { v.triangles = nullptr; }, "desc.mesh.triangles is null");
+    refused_view([](FlgMeshView& v) { v.columns = nullptr; }, "desc.mesh.columns is null");
+    refused_view([](FlgMeshView& v) { v.column_count = 0; }, "desc.mesh.column_count is 0, must be 1 to 16");
+    refused_view([](FlgMeshView& v) { v.column_count = 17; }, "desc.mesh.column_count is 17");
+    refused_view([](FlgMeshView& v) { ++v.columns, --v.column_count; },
+                 "desc.mesh.columns has no FLG_ATTRIBUTE_POSITION");
+    refused_view([&](FlgMeshView& v) { v.regions = mesh.regions.data(); },
+                 "desc.mesh.regions[1] is 16777216, the largest label is 16777215");
     colors[6] = nan;
     refused([](D&) {}, "desc.mesh.columns[1] holds nan at vertex 1, must be finite");
     colors[6] = 1;
@@ -53,10 +61,11 @@ TEST(SurfaceRefusals, MeshesThatTheJobCantUse) {
     const SurfaceHost host;
     const auto fails = [&](MeshArrays mesh, const char* words) {
         FlgSurfaceDesc desc = flgSurfaceDefaults();
-        desc.mesh = mesh.view();
+        const FlgMeshView input = mesh.view();
+        desc.mesh = &input;
         FlgSurface surface{};
         FlgJob job{};
-        ASSERT_EQ(flgSurfaceCreate(host.context, &desc, &surface, &job), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgSurfaceCreate(host.context, &desc, &surface, &job), FLG_OK) << flgErrorGetMessage();
         // Started while nobody knows yet that the surface will not be.
         const FlgField field = host.start_distances(surface, 0);
         host.finish();
@@ -72,7 +81,7 @@ TEST(SurfaceRefusals, MeshesThatTheJobCantUse) {
                        words);
         FlgFieldView field_view = flgFieldViewDefaults();
         expect_failure(flgFieldGetView(host.context, field, &field_view), FLG_ERROR_DEPENDENCY, words);
-        FlgRefineDesc refine = flgRefineDefaults();
+        FlgSurfaceRefineDesc refine = flgSurfaceRefineDefaults();
         refine.surface = surface;
         FlgSurface fine{};
         expect_failure(flgSurfaceRefine(host.context, &refine, &fine, nullptr), FLG_ERROR_DEPENDENCY,
@@ -92,11 +101,11 @@ TEST(SurfaceRefusals, MeshesThatTheJobCantUse) {
 
 TEST(SurfaceRefusals, Refining) {
     const Things things;
-    FlgRefineDesc good = flgRefineDefaults();
+    FlgSurfaceRefineDesc good = flgSurfaceRefineDefaults();
     good.surface = things.surface;
     const Refusal refused{things.host, &flgSurfaceRefine, good};
     refused.common();
-    using D = FlgRefineDesc;
+    using D = FlgSurfaceRefineDesc;
     expect_failure(flgSurfaceRefine(things.host.context, &good, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "out_surface is null");
     refused([](D& d) { d.levels = 0; }, "desc.levels is 0, must be 1 to 8");
@@ -145,8 +154,8 @@ TEST(SurfaceRefusals, Views) {
     expect_failure(flgFieldRelease(context, {}), FLG_ERROR_INVALID_HANDLE, "field is null");
     expect_failure(flgSurfaceCurvesRelease(context, {things.field.id}), FLG_ERROR_INVALID_HANDLE, "is not a living");
     expect_failure(flgSurfaceDescInit(nullptr, 8), FLG_ERROR_INVALID_ARGUMENT, "desc is null");
-    FlgCutCurvesDesc desc;
-    expect_failure(flgCutCurvesDescInit(&desc, 4), FLG_ERROR_INVALID_ARGUMENT, "struct_size is 4");
+    FlgSurfaceCutCurvesDesc desc;
+    expect_failure(flgSurfaceCutCurvesDescInit(&desc, 4), FLG_ERROR_INVALID_ARGUMENT, "struct_size is 4");
 }
 
 TEST(SurfaceRefusals, FieldsOfTheHostsOwn) {

@@ -18,7 +18,7 @@ struct SurfaceScenario {
     template <class Between>
     void start(Between between) {
         const auto step = [&](FlgResult result) {
-            EXPECT_EQ(result, FLG_OK) << flgLastError();
+            EXPECT_EQ(result, FLG_OK) << flgErrorGetMessage();
             between();
         };
         surface = host.start_surface(sphere(7));
@@ -26,41 +26,41 @@ struct SurfaceScenario {
         fields.push_back(host.start_distances(surface, 11));
         between();
 
-        FlgGeodesicDesc geodesic = flgGeodesicDefaults();
+        FlgFieldGeodesicDesc geodesic = flgFieldGeodesicDefaults();
         geodesic.surface = surface;
         geodesic.curves = host.start_isolines(fields[0], {0.4f, 0.8f});
         geodesic.labels = 1;
         curves.push_back(geodesic.curves);
         between();
         fields.push_back({});
-        step(flgGeodesic(host.context, &geodesic, &fields.back(), nullptr));
+        step(flgFieldCreateGeodesic(host.context, &geodesic, &fields.back(), nullptr));
 
-        FlgCutIsolinesDesc bands = flgCutIsolinesDefaults();
+        FlgSurfaceCutIsolinesDesc bands = flgSurfaceCutIsolinesDefaults();
         bands.field = fields[0];
-        bands.levels.first = 0.5f;
-        bands.levels.every = 0.7f;
+        bands.level_first = 0.5f;
+        bands.level_every = 0.7f;
         bands.first_label = 5;
         fields.push_back({});
-        step(flgCutIsolines(host.context, &bands, &fields.back(), nullptr));
+        step(flgSurfaceCutIsolines(host.context, &bands, &fields.back(), nullptr));
 
         const FlgSurfacePoint stops[] = {{3, 0.2f, 0.3f}, {250, 0.5f, 0.1f}, {400, 0.1f, 0.1f}};
         const uint32_t offsets[] = {0, 3};
-        FlgPathsDesc path = flgPathsDefaults();
+        FlgFieldTracePathsDesc path = flgFieldTracePathsDefaults();
         path.surface = surface;
         path.points = stops;
         path.path_offsets = offsets;
         path.path_count = 1;
         path.closed = 1;
         curves.push_back({});
-        step(flgTracePaths(host.context, &path, &curves.back(), nullptr));
+        step(flgFieldTracePaths(host.context, &path, &curves.back(), nullptr));
 
-        FlgCutCurvesDesc along = flgCutCurvesDefaults();
+        FlgSurfaceCutCurvesDesc along = flgSurfaceCutCurvesDefaults();
         along.curves = curves.back();
         along.first_label = 100;
-        step(flgCutCurves(host.context, &along, nullptr));
+        step(flgSurfaceCutCurves(host.context, &along, nullptr));
 
         const uint32_t regions[] = {6, 7, 100, 101, 102, 103};
-        FlgSamplingDesc sampling = flgSamplingDefaults();
+        FlgSurfaceSampleDesc sampling = flgSurfaceSampleDefaults();
         sampling.surface = surface;
         sampling.radius = 0.3f;
         sampling.regions = regions;
@@ -70,22 +70,22 @@ struct SurfaceScenario {
         fields.push_back(host.start_distances(surface, 0));
         between();
 
-        FlgBorderSamplingDesc border = flgBorderSamplingDefaults();
+        FlgSurfaceSampleBordersDesc border = flgSurfaceSampleBordersDefaults();
         border.surface = surface;
         border.region = 5;
         border.spacing = 0.2f;
         curves.push_back({});
-        step(flgBorderSample(host.context, &border, &curves.back(), nullptr));
+        step(flgSurfaceSampleBorders(host.context, &border, &curves.back(), nullptr));
 
-        FlgStreamsDesc streams = flgStreamsDefaults();
+        FlgFieldTraceStreamsDesc streams = flgFieldTraceStreamsDefaults();
         streams.field = fields.back();
         streams.border_samples = curves.back();
         streams.downhill = 1;
         curves.push_back({});
-        step(flgTraceStreams(host.context, &streams, &curves.back(), nullptr));
+        step(flgFieldTraceStreams(host.context, &streams, &curves.back(), nullptr));
 
         along.curves = curves.back();
-        step(flgCutCurves(host.context, &along, nullptr));
+        step(flgSurfaceCutCurves(host.context, &along, nullptr));
         fields.push_back(host.start_distances(surface, 0));
         between();
     }

@@ -7,29 +7,30 @@ namespace {
 
 TEST(SurfaceApi, DefaultsAreThoseOfTheHeader) {
     EXPECT_EQ(flgSurfaceDefaults().weld_distance, 0);
-    EXPECT_EQ(flgSurfaceDefaults().mesh.struct_size, sizeof(FlgMeshView));
-    EXPECT_EQ(flgSurfaceViewDefaults().mesh.struct_size, sizeof(FlgMeshView));
-    EXPECT_EQ(flgRefineDefaults().scheme, FLG_SUBDIVISION_MIDPOINT);
-    EXPECT_EQ(flgRefineDefaults().levels, 1u);
-    EXPECT_EQ(flgGeodesicDefaults().labels, 0u);
-    EXPECT_EQ(flgGeodesicDefaults().max_distance, std::numeric_limits<float>::infinity());
-    EXPECT_EQ(flgGeodesicDefaults().perturbation, 0);
-    EXPECT_EQ(flgGeodesicDefaults().frequency, 1);
-    EXPECT_EQ(flgGeodesicDefaults().seed, 1u);
-    EXPECT_EQ(flgGeodesicDefaults().labels, 0u);
-    EXPECT_EQ(flgSamplingDefaults().seed, 1u);
-    EXPECT_EQ(flgSamplingDefaults().max_count, 0u);
-    EXPECT_EQ(flgStreamsDefaults().end_value, std::numeric_limits<float>::infinity());
-    EXPECT_EQ(flgLiftDefaults().height, 0);
-    EXPECT_EQ(flgCutIsolinesDefaults().first_label, FLG_NO_INDEX);
-    EXPECT_EQ(flgCutCurvesDefaults().first_label, FLG_NO_INDEX);
-    for (uint32_t size :
-         {flgMeshViewDefaults().struct_size, flgSurfaceDefaults().struct_size, flgSurfaceViewDefaults().struct_size,
-          flgRefineDefaults().struct_size, flgSurfaceCurvesViewDefaults().struct_size, flgLiftDefaults().struct_size,
-          flgGeodesicDefaults().struct_size, flgFieldViewDefaults().struct_size, flgBlendDefaults().struct_size,
-          flgSamplingDefaults().struct_size, flgBorderSamplingDefaults().struct_size, flgIsolinesDefaults().struct_size,
-          flgStreamsDefaults().struct_size, flgPathsDefaults().struct_size, flgCutIsolinesDefaults().struct_size,
-          flgCutCurvesDefaults().struct_size}) {
+    EXPECT_EQ(flgSurfaceDefaults().mesh, nullptr);
+    EXPECT_EQ(flgSurfaceViewDefaults().mesh->triangle_count, 0u);
+    EXPECT_EQ(flgSurfaceRefineDefaults().scheme, FLG_SUBDIVISION_MIDPOINT);
+    EXPECT_EQ(flgSurfaceRefineDefaults().levels, 1u);
+    EXPECT_EQ(flgFieldGeodesicDefaults().labels, 0u);
+    EXPECT_EQ(flgFieldGeodesicDefaults().max_distance, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(flgFieldGeodesicDefaults().perturbation, 0);
+    EXPECT_EQ(flgFieldGeodesicDefaults().frequency, 1);
+    EXPECT_EQ(flgFieldGeodesicDefaults().seed, 1u);
+    EXPECT_EQ(flgFieldGeodesicDefaults().labels, 0u);
+    EXPECT_EQ(flgSurfaceSampleDefaults().seed, 1u);
+    EXPECT_EQ(flgSurfaceSampleDefaults().max_count, 0u);
+    EXPECT_EQ(flgFieldTraceStreamsDefaults().end_value, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(flgSurfaceCurvesLiftDefaults().height, 0);
+    EXPECT_EQ(flgSurfaceCutIsolinesDefaults().first_label, FLG_NO_INDEX);
+    EXPECT_EQ(flgSurfaceCutCurvesDefaults().first_label, FLG_NO_INDEX);
+    for (uint32_t size : {flgMeshViewDefaults().struct_size, flgSurfaceDefaults().struct_size,
+                          flgSurfaceViewDefaults().struct_size, flgSurfaceRefineDefaults().struct_size,
+                          flgSurfaceCurvesViewDefaults().struct_size, flgSurfaceCurvesLiftDefaults().struct_size,
+                          flgFieldGeodesicDefaults().struct_size, flgFieldViewDefaults().struct_size,
+                          flgFieldBlendDefaults().struct_size, flgSurfaceSampleDefaults().struct_size,
+                          flgSurfaceSampleBordersDefaults().struct_size, flgFieldTraceIsolinesDefaults().struct_size,
+                          flgFieldTraceStreamsDefaults().struct_size, flgFieldTracePathsDefaults().struct_size,
+                          flgSurfaceCutIsolinesDefaults().struct_size, flgSurfaceCutCurvesDefaults().struct_size}) {
         EXPECT_GT(size, 0u);
     }
 }
@@ -55,9 +56,9 @@ TEST(SurfaceApi, AnOpenSurfaceIsReported) {
     expect_valid(view);
     EXPECT_EQ(view.revision, 0u);
     MeshArrays input = plane(5);
-    EXPECT_EQ(std::vector(view.mesh.triangles, view.mesh.triangles + 150), input.triangles);
-    EXPECT_EQ(std::vector(view.mesh.columns[0].data, view.mesh.columns[0].data + 108), input.positions);
-    EXPECT_EQ(std::vector(view.mesh.regions, view.mesh.regions + 50), std::vector<uint32_t>(50, 0));
+    EXPECT_EQ(std::vector(view.mesh->triangles, view.mesh->triangles + 150), input.triangles);
+    EXPECT_EQ(std::vector(view.mesh->columns[0].data, view.mesh->columns[0].data + 108), input.positions);
+    EXPECT_EQ(std::vector(view.mesh->regions, view.mesh->regions + 50), std::vector<uint32_t>(50, 0));
 }
 
 TEST(SurfaceApi, VerticesAtOnePlaceBecomeOne) {
@@ -128,15 +129,15 @@ TEST(SurfaceApi, ColumnsAndRegionsAreCarriedAlong) {
                              {static_cast<FlgAttribute>(FLG_ATTRIBUTE_USER + 3), 2, strided.data(), 12, 0}};
     const FlgSurface surface = host.surface(input);
     const FlgSurfaceView view = host.view(surface);
-    ASSERT_EQ(view.mesh.column_count, 3u);
-    EXPECT_EQ(view.mesh.columns[1].attribute, FLG_ATTRIBUTE_COLOR);
-    EXPECT_EQ(view.mesh.columns[2].attribute, FLG_ATTRIBUTE_USER + 3);
-    EXPECT_EQ(view.mesh.columns[2].stride, 0u);
-    for (uint32_t v = 0; v < view.mesh.vertex_count; ++v) {
+    ASSERT_EQ(view.mesh->column_count, 3u);
+    EXPECT_EQ(view.mesh->columns[1].attribute, FLG_ATTRIBUTE_COLOR);
+    EXPECT_EQ(view.mesh->columns[2].attribute, FLG_ATTRIBUTE_USER + 3);
+    EXPECT_EQ(view.mesh->columns[2].stride, 0u);
+    for (uint32_t v = 0; v < view.mesh->vertex_count; ++v) {
         const Point p = vertex_at(view, v);
-        for (int i = 0; i < 3; ++i) EXPECT_EQ(view.mesh.columns[1].data[4 * v + i], p[i]);
-        EXPECT_FLOAT_EQ(view.mesh.columns[2].data[2 * v], static_cast<float>(p[0] + p[1]));
-        EXPECT_FLOAT_EQ(view.mesh.columns[2].data[2 * v + 1], static_cast<float>(2 * p[2]));
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(view.mesh->columns[1].data[4 * v + i], p[i]);
+        EXPECT_FLOAT_EQ(view.mesh->columns[2].data[2 * v], static_cast<float>(p[0] + p[1]));
+        EXPECT_FLOAT_EQ(view.mesh->columns[2].data[2 * v + 1], static_cast<float>(2 * p[2]));
     }
     EXPECT_NEAR(areas(view)[7], 3, 1e-6);
     EXPECT_NEAR(areas(view)[FLG_REGION_MAX], 3, 1e-6);
@@ -147,18 +148,18 @@ TEST(SurfaceApi, RefiningAtMidpointsKeepsTheSurface) {
     MeshArrays input = cube(1);
     input.set_regions([](const Point& p) { return p[0] > 0.99 ? 4u : 1u; });
     const FlgSurface coarse = host.surface(input);
-    FlgRefineDesc desc = flgRefineDefaults();
+    FlgSurfaceRefineDesc desc = flgSurfaceRefineDefaults();
     desc.surface = coarse;
     desc.levels = 2;
     FlgSurface fine{};
-    ASSERT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK) << flgErrorGetMessage();
     FlgSurfaceView pending = flgSurfaceViewDefaults();
     EXPECT_EQ(flgSurfaceGetView(host.context, fine, &pending), FLG_NOT_READY);
     host.finish();
     const FlgSurfaceView before = host.view(coarse), after = host.view(fine);
     expect_valid(after);
-    EXPECT_EQ(after.mesh.triangle_count, 16u * 12);
-    EXPECT_EQ(after.mesh.vertex_count, 98u);
+    EXPECT_EQ(after.mesh->triangle_count, 16u * 12);
+    EXPECT_EQ(after.mesh->vertex_count, 98u);
     EXPECT_NEAR(host.report(fine).area, 6, 1e-5);
     EXPECT_EQ(host.report(fine).euler_number, 2);
     EXPECT_NEAR(areas(after)[4], 1, 1e-6);
@@ -172,18 +173,18 @@ TEST(SurfaceApi, LoopsSchemeRoundsBordersAndKeepsPlanesFlat) {
     std::vector<float> along_x;
     for (uint32_t v = 0; v < input.vertex_count(); ++v) along_x.push_back(input.positions[3 * v]);
     input.further_columns = {{FLG_ATTRIBUTE_USER, 1, along_x.data(), 0, 0}};
-    FlgRefineDesc desc = flgRefineDefaults();
+    FlgSurfaceRefineDesc desc = flgSurfaceRefineDefaults();
     desc.surface = host.surface(input);
     desc.scheme = FLG_SUBDIVISION_LOOP;
     FlgSurface fine{};
-    ASSERT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgSurfaceView view = host.view(fine);
     expect_valid(view);
-    EXPECT_EQ(view.mesh.triangle_count, 4u * 72);
-    for (uint32_t v = 0; v < view.mesh.vertex_count; ++v) {
+    EXPECT_EQ(view.mesh->triangle_count, 4u * 72);
+    for (uint32_t v = 0; v < view.mesh->vertex_count; ++v) {
         EXPECT_EQ(vertex_at(view, v)[2], 0);
-        EXPECT_NEAR(view.mesh.columns[1].data[v], vertex_at(view, v)[0], 1e-6) << "columns move as positions do";
+        EXPECT_NEAR(view.mesh->columns[1].data[v], vertex_at(view, v)[0], 1e-6) << "columns move as positions do";
     }
     const Point corner = vertex_at(view, 0), middle = vertex_at(view, 3 * 7 + 3);
     EXPECT_NEAR(corner[0], 1.0 / 48, 1e-6);  // (1, 6, 1) / 8 of (0, 1/6), (0, 0), (1/6, 0)
@@ -194,7 +195,7 @@ TEST(SurfaceApi, LoopsSchemeRoundsBordersAndKeepsPlanesFlat) {
 
 TEST(SurfaceApi, ARefinedSurfaceCanBeAskedForBeforeItsCoarseOneIsMade) {
     const SurfaceHost host(1);
-    FlgRefineDesc desc = flgRefineDefaults();
+    FlgSurfaceRefineDesc desc = flgSurfaceRefineDefaults();
     desc.surface = host.start_surface(plane(2));
     FlgSurface fine{}, finer{};
     ASSERT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK);
@@ -202,7 +203,7 @@ TEST(SurfaceApi, ARefinedSurfaceCanBeAskedForBeforeItsCoarseOneIsMade) {
     desc.surface = fine;
     ASSERT_EQ(flgSurfaceRefine(host.context, &desc, &finer, nullptr), FLG_OK);
     host.finish();
-    EXPECT_EQ(host.view(finer).mesh.triangle_count, 128u);
+    EXPECT_EQ(host.view(finer).mesh->triangle_count, 128u);
     FlgSurfaceView view = flgSurfaceViewDefaults();
     flgSurfaceRelease(host.context, fine);
     expect_failure(flgSurfaceGetView(host.context, fine, &view), FLG_ERROR_INVALID_HANDLE, "not a living surface");
@@ -216,10 +217,10 @@ TEST(SurfaceApi, FieldsAndCurvesOutliveTheSurfacesHandle) {
     flgSurfaceRelease(host.context, surface);
     const FlgSurfaceCurves curves = host.isolines(field, {0.3f});
     flgFieldRelease(host.context, field);
-    FlgLiftDesc lift = flgLiftDefaults();
+    FlgSurfaceCurvesLiftDesc lift = flgSurfaceCurvesLiftDefaults();
     lift.curves = curves;
     FlgCurveSet set{};
-    ASSERT_EQ(flgLiftCurves(host.context, &lift, &set, nullptr), FLG_OK);
+    ASSERT_EQ(flgSurfaceCurvesLift(host.context, &lift, &set, nullptr), FLG_OK);
     flgSurfaceCurvesRelease(host.context, curves);
     host.finish();
     EXPECT_EQ(host.view_of(set).curve_count, 1u);

@@ -17,7 +17,7 @@ void expect_stretches_in_triangles(const FlgSurfaceView& surface, const FlgSurfa
         for (uint32_t i = first; i < end - (closed ? 0 : 1); ++i) {
             const uint32_t next = i + 1 == end ? first : i + 1;
             const Point q = point_at(surface, curves.points[next]);
-            const uint32_t* corners = surface.mesh.triangles + 3 * size_t{curves.points[i].triangle};
+            const uint32_t* corners = surface.mesh->triangles + 3 * size_t{curves.points[i].triangle};
             const Point a = vertex_at(surface, corners[0]), b = vertex_at(surface, corners[1]),
                         c3 = vertex_at(surface, corners[2]);
             const auto area = [](const Point& p, const Point& u, const Point& v) {
@@ -45,14 +45,14 @@ double length_of(const FlgSurfaceView& surface, const FlgSurfaceCurvesView& curv
 
 FlgSurfaceCurves trace_paths(const SurfaceHost& host, FlgSurface surface, const std::vector<FlgSurfacePoint>& points,
                              const std::vector<uint32_t>& offsets, bool closed = false, FlgJob* job = nullptr) {
-    FlgPathsDesc desc = flgPathsDefaults();
+    FlgFieldTracePathsDesc desc = flgFieldTracePathsDefaults();
     desc.surface = surface;
     desc.points = points.data();
     desc.path_offsets = offsets.data();
     desc.path_count = static_cast<uint32_t>(offsets.size()) - 1;
     desc.closed = closed ? 1 : 0;
     FlgSurfaceCurves curves{};
-    EXPECT_EQ(flgTracePaths(host.context, &desc, &curves, job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgFieldTracePaths(host.context, &desc, &curves, job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return curves;
 }
@@ -80,14 +80,14 @@ TEST(TracingApi, IsolinesHaveTheirValueAndTheHigherOnesToTheirLeft) {
 TEST(TracingApi, EvenLevelsAreAsManyAsAskedForOrAsTheFieldHas) {
     const SurfaceHost host;
     const FlgField field = host.field(host.surface(plane(7)), along_x);
-    FlgIsolinesDesc desc = flgIsolinesDefaults();
+    FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
     desc.field = field;
-    desc.levels.first = 0.1f;
-    desc.levels.every = 0.2f;
+    desc.level_first = 0.1f;
+    desc.level_every = 0.2f;
     for (const auto& [count, expected] : {std::pair{0u, 5u}, {2u, 2u}, {9u, 5u}}) {
-        desc.levels.count = count;
+        desc.level_count = count;
         FlgSurfaceCurves curves{};
-        ASSERT_EQ(flgTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgFieldTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         const FlgSurfaceCurvesView lines = host.view(curves);
         ASSERT_EQ(lines.curve_count, expected);
@@ -98,12 +98,12 @@ TEST(TracingApi, EvenLevelsAreAsManyAsAskedForOrAsTheFieldHas) {
 TEST(TracingApi, EvenLevelsBelowTheFieldAreNotCounted) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(7));
-    FlgIsolinesDesc desc = flgIsolinesDefaults();
+    FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
     desc.field = host.field(surface, [](const Point& p) { return 100'000 + along_x(p); });
-    desc.levels.first = 0.25f;
-    desc.levels.every = 0.5f;  // 200,000 are below
+    desc.level_first = 0.25f;
+    desc.level_every = 0.5f;  // 200,000 are below
     FlgSurfaceCurves curves{};
-    ASSERT_EQ(flgTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgFieldTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgSurfaceCurvesView lines = host.view(curves);
     ASSERT_EQ(lines.curve_count, 2u);
@@ -112,9 +112,9 @@ TEST(TracingApi, EvenLevelsBelowTheFieldAreNotCounted) {
 
     // None between two values, nor where the first is above all.
     for (const float first : {0.0f, 200'000.0f}) {
-        desc.levels.first = first;
-        desc.levels.every = 7;
-        ASSERT_EQ(flgTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+        desc.level_first = first;
+        desc.level_every = 7;
+        ASSERT_EQ(flgFieldTraceIsolines(host.context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         EXPECT_EQ(host.view(curves).curve_count, 0u) << first;
     }
@@ -132,16 +132,16 @@ TEST(TracingApi, ClosedIsolinesAndThoseThatEndAtRegions) {
     EXPECT_NEAR(length_of(host.view(surface), circle, 0), 0.6 * M_PI, 0.01);
     expect_stretches_in_triangles(host.view(surface), circle);
 
-    FlgIsolinesDesc desc = flgIsolinesDefaults();
+    FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
     const float level = 0.3f;
     const uint32_t region = 1;
     desc.field = field;
-    desc.levels.values = &level;
-    desc.levels.count = 1;
+    desc.levels = &level;
+    desc.level_count = 1;
     desc.regions = &region;
     desc.region_count = 1;
     FlgSurfaceCurves half{};
-    ASSERT_EQ(flgTraceIsolines(host.context, &desc, &half, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgFieldTraceIsolines(host.context, &desc, &half, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgSurfaceCurvesView arc = host.view(half);
     ASSERT_EQ(arc.curve_count, 1u);
@@ -156,13 +156,13 @@ TEST(TracingApi, StreamsFollowTheGradientToTheirEnd) {
     const FlgSurface surface = host.surface(input);
     const FlgSurfaceView mesh = host.view(surface);
     const FlgSurfacePoint starts[] = {point_above(mesh, 0.31, 0.52), point_above(mesh, 0.31, 0.87)};
-    FlgStreamsDesc desc = flgStreamsDefaults();
+    FlgFieldTraceStreamsDesc desc = flgFieldTraceStreamsDefaults();
     desc.field = host.field(surface, along_x);
     desc.starts = starts;
     desc.start_count = 2;
     const auto ends_at = [&](uint32_t curves, double x) {
         FlgSurfaceCurves streams{};
-        ASSERT_EQ(flgTraceStreams(host.context, &desc, &streams, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgFieldTraceStreams(host.context, &desc, &streams, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         const FlgSurfaceCurvesView view = host.view(streams);
         ASSERT_EQ(view.curve_count, curves);
@@ -196,14 +196,15 @@ TEST(TracingApi, StreamsFollowTheGradientToTheirEnd) {
 TEST(TracingApi, StreamsStartFromBorderSamplesInTheMaking) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(plane(9));
-    FlgBorderSamplingDesc border = flgBorderSamplingDefaults();
+    FlgSurfaceSampleBordersDesc border = flgSurfaceSampleBordersDefaults();
     border.surface = surface;
     border.spacing = 0.5f;
-    FlgStreamsDesc desc = flgStreamsDefaults();
-    ASSERT_EQ(flgBorderSample(host.context, &border, &desc.border_samples, nullptr), FLG_OK) << flgLastError();
+    FlgFieldTraceStreamsDesc desc = flgFieldTraceStreamsDefaults();
+    ASSERT_EQ(flgSurfaceSampleBorders(host.context, &border, &desc.border_samples, nullptr), FLG_OK)
+        << flgErrorGetMessage();
     desc.field = host.field(surface, [](const Point& p) { return -distance(p, {0.45, 0.52, 0}); });
     FlgSurfaceCurves streams{};
-    ASSERT_EQ(flgTraceStreams(host.context, &desc, &streams, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgFieldTraceStreams(host.context, &desc, &streams, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgSurfaceCurvesView samples = host.view(desc.border_samples), view = host.view(streams);
     ASSERT_EQ(samples.curve_offsets[samples.curve_count], 8u);
@@ -244,7 +245,7 @@ TEST(TracingApi, PathsAreStraightOnAPlaneAndOverEdges) {
     const FlgSurface box = host.surface(cube(5));
     const FlgSurfaceView sides = host.view(box);
     const auto middle_of = [&](const Point& wanted) -> FlgSurfacePoint {
-        for (uint32_t t = 0; t < sides.mesh.triangle_count; ++t) {
+        for (uint32_t t = 0; t < sides.mesh->triangle_count; ++t) {
             for (float u : {0.0f, 0.5f}) {
                 if (distance(point_at(sides, {t, u, 0.5f}), wanted) < 1e-6) return {t, u, 0.5f};
                 if (distance(point_at(sides, {t, 0.5f, u}), wanted) < 1e-6) return {t, 0.5f, u};
@@ -268,7 +269,7 @@ TEST(TracingApi, PathsKeepToTheirRegions) {
     const FlgSurfaceView mesh = host.view(surface);
     const FlgSurfacePoint points[] = {point_above(mesh, 0.4, 0.05), point_above(mesh, 0.97, 0.55)};
     const uint32_t offsets[] = {0, 2}, region = 1;
-    FlgPathsDesc desc = flgPathsDefaults();
+    FlgFieldTracePathsDesc desc = flgFieldTracePathsDefaults();
     desc.surface = surface;
     desc.points = points;
     desc.path_offsets = offsets;
@@ -276,7 +277,7 @@ TEST(TracingApi, PathsKeepToTheirRegions) {
     desc.regions = &region;
     desc.region_count = 1;
     FlgSurfaceCurves curves{};
-    ASSERT_EQ(flgTracePaths(host.context, &desc, &curves, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgFieldTracePaths(host.context, &desc, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const Point corner = {0.5, 0.5, 0};
     EXPECT_NEAR(host.view(curves).curve_values[0], distance({0.4, 0.05, 0}, corner) + distance(corner, {0.97, 0.55, 0}),
@@ -292,21 +293,22 @@ TEST(TracingApi, PointsWithNoWayBetweenThemFail) {
     EXPECT_STREQ(host.status_of(job).error, "no way leads from desc.points[0] to desc.points[1]");
     FlgSurfaceCurvesView view = flgSurfaceCurvesViewDefaults();
     expect_failure(flgSurfaceCurvesGetView(host.context, curves, &view), FLG_ERROR_INVALID_ARGUMENT, "no way leads");
-    FlgLiftDesc lift = flgLiftDefaults();
+    FlgSurfaceCurvesLiftDesc lift = flgSurfaceCurvesLiftDefaults();
     lift.curves = curves;
     FlgCurveSet set{};
-    expect_failure(flgLiftCurves(host.context, &lift, &set, nullptr), FLG_ERROR_DEPENDENCY, "desc.curves was not made");
+    expect_failure(flgSurfaceCurvesLift(host.context, &lift, &set, nullptr), FLG_ERROR_DEPENDENCY,
+                   "desc.curves was not made");
 }
 
 TEST(TracingApi, LiftedCurvesHaveTheSurfacesNormals) {
     const SurfaceHost host;
     const FlgSurface surface = host.surface(sphere(12));
-    FlgLiftDesc desc = flgLiftDefaults();
+    FlgSurfaceCurvesLiftDesc desc = flgSurfaceCurvesLiftDefaults();
     desc.curves = host.start_isolines(host.field(surface, [](const Point& p) { return p[2]; }), {-0.4f, 0.1f});
     for (float height : {0.0f, 0.25f, -0.5f}) {
         desc.height = height;
         FlgCurveSet set{};
-        ASSERT_EQ(flgLiftCurves(host.context, &desc, &set, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgSurfaceCurvesLift(host.context, &desc, &set, nullptr), FLG_OK) << flgErrorGetMessage();
         host.finish();
         const FlgCurveSetView view = host.view_of(set);
         const FlgSurfaceCurvesView curves = host.view(desc.curves);
@@ -331,13 +333,13 @@ TEST(TracingApi, LiftedCurvesHaveTheSurfacesNormals) {
 TEST(TracingApi, NoCurvesCanBeShownButNotLifted) {
     const SurfaceHost host;
     const FlgField field = host.field(host.surface(plane(2)), along_x);
-    FlgLiftDesc desc = flgLiftDefaults();
+    FlgSurfaceCurvesLiftDesc desc = flgSurfaceCurvesLiftDefaults();
     desc.curves = host.isolines(field, {7});
     EXPECT_EQ(host.view(desc.curves).curve_count, 0u);
     EXPECT_EQ(host.view(desc.curves).curve_offsets[0], 0u);
     FlgCurveSet set{};
     FlgJob job{};
-    ASSERT_EQ(flgLiftCurves(host.context, &desc, &set, &job), FLG_OK);
+    ASSERT_EQ(flgSurfaceCurvesLift(host.context, &desc, &set, &job), FLG_OK);
     host.finish();
     EXPECT_EQ(host.status_of(job).result, FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_STREQ(host.status_of(job).error, "there are no curves to lift");

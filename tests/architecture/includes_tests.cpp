@@ -18,6 +18,7 @@ using Rooms = std::set<std::string>;
 // Which rooms of sdk/ each may include, besides itself. "filigree" are the public headers.
 const std::map<std::string, Rooms> allowed = {
     {"sdk/core", {"filigree"}},
+    {"sdk/brush", {"filigree", "core"}},
     {"sdk/runtime", {"filigree", "core"}},
     {"sdk/linear", {"filigree", "core", "runtime"}},
     {"sdk/curves", {"filigree", "core", "runtime"}},
@@ -29,9 +30,9 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api",
-     {"filigree", "core", "runtime", "curves", "stylization", "surfaces", "splines", "skeletons", "inflation", "bones",
-      "tangles"}},
-    {"sdk/io", {"filigree"}},
+     {"filigree", "core", "brush", "runtime", "curves", "stylization", "surfaces", "splines", "skeletons", "inflation",
+      "bones", "tangles"}},
+    {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
     {"renderer", {"filigree"}},
@@ -58,9 +59,9 @@ const std::map<std::string, Rooms> allowed_within = {
     {"io/tangle", {"base"}},
     {"io/", {"base", "gltf", "text", "tilt", "svg"}},
 };
-const Rooms rooms = {"filigree", "core",    "runtime",   "linear",           "curves", "stylization",
-                     "surfaces", "splines", "skeletons", "inflation",        "bones",  "tangles",
-                     "api",      "io",      "pick",      "filigree_renderer"};
+const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "linear",           "curves",
+                     "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",
+                     "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();

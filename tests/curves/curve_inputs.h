@@ -65,7 +65,7 @@ inline Resampled resample(const SamplingPlan& plan, bool haltingly = false, std:
 }
 
 inline SamplingPlan plan_of(const Points& points, uint32_t steps,
-                            FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING) {
+                            FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING) {
     SamplingPlan plan;
     plan.curve = points.view();
     plan.measure = measure(points);
@@ -74,8 +74,8 @@ inline SamplingPlan plan_of(const Points& points, uint32_t steps,
     return plan;
 }
 
-inline Resampled resample(const Points& points, uint32_t steps, FlgFrameMethod frame = FLG_FRAME_ROTATION_MINIMIZING,
-                          bool haltingly = false) {
+inline Resampled resample(const Points& points, uint32_t steps,
+                          FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING, bool haltingly = false) {
     return resample(plan_of(points, steps, frame), haltingly);
 }
 

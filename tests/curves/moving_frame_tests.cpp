@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "curves/moving_frame.h"
+#include "core/moving_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -134,7 +134,7 @@ TEST(MovingFrame, ClosedCurvesSpreadTheirTwist) {
 }
 
 TEST(MovingFrame, FrenetNormalsOfAHelix) {
-    const Resampled r = test::resample(test::sampled(test::helix, 600), 900, FLG_FRAME_FRENET);
+    const Resampled r = test::resample(test::sampled(test::helix, 600), 900, FLG_FRAME_METHOD_FRENET);
     expect_orthonormal(r);
     for (size_t i = 5; i + 5 < r.size(); ++i) {
         const Vec3 p = r.position(i);
@@ -148,7 +148,7 @@ TEST(MovingFrame, FrenetNormalsAreCarriedAlongStraightParts) {
     for (int i = 0; i <= 40; ++i)
         points.emplace_back(std::sin(i * 0.025 * 1.5708), 1 - std::cos(i * 0.025 * 1.5708), 0);
     for (int i = 1; i <= 40; ++i) points.emplace_back(1, 1 + 0.1 * i, 0);
-    const Resampled r = test::resample(points_of(points), 400, FLG_FRAME_FRENET);
+    const Resampled r = test::resample(points_of(points), 400, FLG_FRAME_METHOD_FRENET);
     expect_orthonormal(r);
     // The transition is an inflection, where Frenet normals may flip; from there on nothing turns.
     EXPECT_NEAR(std::abs(r.normal(300).x()), 1, 1e-5);
@@ -157,7 +157,7 @@ TEST(MovingFrame, FrenetNormalsAreCarriedAlongStraightParts) {
 
 // Normals in a fixed direction, one a point.
 SamplingPlan supplied(const Points& points, uint32_t steps, const std::vector<float>& normals) {
-    SamplingPlan plan = test::plan_of(points, steps, FLG_FRAME_SUPPLIED);
+    SamplingPlan plan = test::plan_of(points, steps, FLG_FRAME_METHOD_SUPPLIED);
     plan.normals = normals.data();
     return plan;
 }
@@ -217,7 +217,7 @@ Points arched_track() {
 
 TEST(MovingFrame, FrenetNormalsAreCarriedOverTheFirstPointOfClosedCurves) {
     const Points track = arched_track();
-    const Resampled r = test::resample(track, 1000, FLG_FRAME_FRENET);
+    const Resampled r = test::resample(track, 1000, FLG_FRAME_METHOD_FRENET);
     expect_orthonormal(r);
     // The last bend before is in the xy plane.
     EXPECT_NEAR(std::abs(r.normal(0).y()), 1, 1e-5);
@@ -225,7 +225,7 @@ TEST(MovingFrame, FrenetNormalsAreCarriedOverTheFirstPointOfClosedCurves) {
         EXPECT_LT((r.normal(i) - r.normal(0)).norm(), 1e-5) << i;
         EXPECT_LT((r.normal(1000 - i) - r.normal(0)).norm(), 1e-5) << i;
     }
-    EXPECT_EQ(test::resample(track, 1000, FLG_FRAME_FRENET, 1).normals, r.normals);
+    EXPECT_EQ(test::resample(track, 1000, FLG_FRAME_METHOD_FRENET, 1).normals, r.normals);
 }
 
 TEST(MovingFrame, SuppliedNormalsAreCarriedOverTheFirstPointOfClosedCurves) {

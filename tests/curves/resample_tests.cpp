@@ -134,7 +134,8 @@ TEST(Resample, RepeatedPointsCountOnce) {
 
 TEST(Resample, ResultsDoNotDependOnTheSlices) {
     for (bool closed : {false, true}) {
-        for (FlgFrameMethod frame : {FLG_FRAME_ROTATION_MINIMIZING, FLG_FRAME_FRENET, FLG_FRAME_SUPPLIED}) {
+        for (FlgFrameMethod frame :
+             {FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_FRENET, FLG_FRAME_METHOD_SUPPLIED}) {
             const Points points = test::sampled(test::wild, 500, closed);
             SamplingPlan plan = test::plan_of(points, 700, frame);
             plan.normals = points.floats.data();

@@ -16,20 +16,20 @@ public:
     BoundedMemory(const BoundedMemory&) = delete;
     BoundedMemory& operator=(const BoundedMemory&) = delete;
 
-    FlgAllocator hooks() {
-        return {this,
-                [](void* self, size_t size, size_t alignment) -> void* {
-                    std::atomic<int64_t>& left = static_cast<BoundedMemory*>(self)->left_;
-                    const auto wanted = static_cast<int64_t>(size);
-                    if (wanted < 0 || wanted > left) return nullptr;
-                    left -= wanted;
-                    return ::operator new(size, std::align_val_t(alignment));
-                },
-                [](void* self, void* memory, size_t size, size_t alignment) {
-                    static_cast<BoundedMemory*>(self)->left_ += static_cast<int64_t>(size);
-                    ::operator delete(memory, size, std::align_val_t(alignment));
-                }};
-    }
+    const FlgAllocator* hooks() const { return &hooks_; }
+
+    const FlgAllocator hooks_{sizeof(FlgAllocator), this,
+                              [](void* self, size_t size, size_t alignment) -> void* {
+                                  std::atomic<int64_t>& left = static_cast<BoundedMemory*>(self)->left_;
+                                  const auto wanted = static_cast<int64_t>(size);
+                                  if (wanted < 0 || wanted > left) return nullptr;
+                                  left -= wanted;
+                                  return ::operator new(size, std::align_val_t(alignment));
+                              },
+                              [](void* self, void* memory, size_t size, size_t alignment) {
+                                  static_cast<BoundedMemory*>(self)->left_ += static_cast<int64_t>(size);
+                                  ::operator delete(memory, size, std::align_val_t(alignment));
+                              }};
 
 private:
     std::atomic<int64_t> left_;

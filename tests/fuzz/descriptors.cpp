@@ -108,7 +108,7 @@ public:
         }
     }
     void after(const char* function, FlgResult result) override {
-        if (result == FLG_ERROR_INTERNAL) std::fprintf(stderr, "%s: %s\n", function, flgLastError());
+        if (result == FLG_ERROR_INTERNAL) std::fprintf(stderr, "%s: %s\n", function, flgErrorGetMessage());
         FLG_DEMAND(result != FLG_ERROR_INTERNAL);
     }
 
@@ -137,7 +137,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 0;
     desc.allocator = memory.hooks();
-    FlgContext context = nullptr;
+    FlgContext context{};
     FLG_DEMAND(flgContextCreate(&desc, &context) == FLG_OK);
     {
         Edits edits(data + 1, size - 1);

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const FlgResult result = flgSkinFileRead(input.holding(data, size), &file);
     if (result != FLG_OK) {
         FLG_DEMAND(file == nullptr);
-        flg::fuzz::demand_refusal(result, flgIoLastError());
+        flg::fuzz::demand_refusal(result, flgIoErrorGetMessage());
         return 0;
     }
     if (file == nullptr) return 0;
@@ -20,10 +20,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     view.struct_size = sizeof view;
     FlgSkinFileInfo info = {};
     info.struct_size = sizeof info;
-    FlgSkinFileDesc desc = {};
-    FLG_DEMAND(flgSkinFileDescInit(&desc, sizeof desc) == FLG_OK);
+    FlgSkinFileWriteDesc desc = {};
+    FLG_DEMAND(flgSkinFileWriteDescInit(&desc, sizeof desc) == FLG_OK);
     FLG_DEMAND(flgSkinFileGetView(file, &view) == FLG_OK && flgSkinFileGetInfo(file, &info) == FLG_OK);
-    FLG_DEMAND(flgSkinFileGetAnimations(file, &desc.animations, &desc.animation_count) == FLG_OK);
+    std::vector<FlgSkinAnimation> animations(info.animation_count);
+    for (uint32_t i = 0; i < info.animation_count; ++i) {
+        animations[i].struct_size = sizeof animations[i];
+        FLG_DEMAND(flgSkinFileGetAnimation(file, i, &animations[i]) == FLG_OK);
+    }
+    desc.animations = animations.data();
+    desc.animation_count = info.animation_count;
     FLG_DEMAND(flgSkinFileGetMaterials(file, &desc.materials, &desc.material_count) == FLG_OK);
     desc.skin = &view;
     FLG_DEMAND(flgSkinFileWrite(copy.holding(nullptr, 0), &desc) == FLG_OK);

@@ -21,14 +21,14 @@ void apply(FlgContext context, FlgStyle style) {
     view.curve_offsets = offsets;
     view.columns = &column;
     view.column_count = 1;
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     FlgCurveSet result = {};
     desc.style = style;
     desc.temperature = 1;
     desc.max_points = most_points;
     FLG_DEMAND(flgCurveSetCreate(context, &view, &desc.target) == FLG_OK);
-    FLG_DEMAND(flgStylize(context, &desc, &result, nullptr) == FLG_OK);
-    FLG_DEMAND(flgTick(context, 0, nullptr) == FLG_OK);
+    FLG_DEMAND(flgCurveSetStylize(context, &desc, &result, nullptr) == FLG_OK);
+    FLG_DEMAND(flgContextTick(context, 0, nullptr) == FLG_OK);
     flgCurveSetGetView(context, result, &view);
 }
 
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* content, size_t content_siz
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 0;
     desc.allocator = memory.hooks();
-    FlgContext context = nullptr;
+    FlgContext context{};
     FLG_DEMAND(flgContextCreate(&desc, &context) == FLG_OK);
     FlgStyle style = {};
     const FlgResult result = flgStyleCreateFromData(context, data.data(), data.size(), &style);

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const FlgResult result = flgTangleFileRead(input.holding(data, size), &file);
     if (result != FLG_OK) {
         FLG_DEMAND(file == nullptr);
-        flg::fuzz::demand_refusal(result, flgIoLastError());
+        flg::fuzz::demand_refusal(result, flgIoErrorGetMessage());
         return 0;
     }
     FlgTangleHistory history = {};

@@ -9,9 +9,8 @@ namespace flg::test {
 namespace {
 
 // From its first zone on, a thread that the SDK started is inside.
-FlgProfiler thread_watch() {
-    return {nullptr, [](void*, const char*) { InsideSdk::is_inside = true; }, [](void*) {}};
-}
+const FlgProfiler thread_watch = {sizeof thread_watch, nullptr, [](void*, const char*) { InsideSdk::is_inside = true; },
+                                  [](void*) {}};
 
 class Allocator : public testing::TestWithParam<Scenario> {};
 
@@ -22,9 +21,9 @@ TEST_P(Allocator, GivesAllMemoryAndGetsItBack) {
         FlgContextDesc desc = flgContextDefaults();
         desc.worker_count = workers;
         desc.allocator = ledger.hook();
-        if (workers > 0) desc.profiler = thread_watch();
-        FlgContext context = nullptr;
-        ASSERT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+        if (workers > 0) desc.profiler = &thread_watch;
+        FlgContext context{};
+        ASSERT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
         const uint64_t heap_calls = heap_calls_inside_sdk();
         {
             Calls calls(context);
@@ -36,7 +35,7 @@ TEST_P(Allocator, GivesAllMemoryAndGetsItBack) {
         EXPECT_GT(ledger.calls, 0);
         {
             const InsideSdk inside;
-            ASSERT_EQ(flgContextDestroy(context), FLG_OK) << flgLastError();
+            ASSERT_EQ(flgContextDestroy(context), FLG_OK) << flgErrorGetMessage();
         }
         EXPECT_EQ(heap_calls_inside_sdk(), heap_calls);
         EXPECT_EQ(ledger.live_bytes, 0);
@@ -76,7 +75,7 @@ TEST(AllocatorSteadyState, TicksAndLiveStrokesTakeNone) {
             report.struct_size = sizeof report;
             for (uint32_t at = 0; at + 3 <= samples.size(); at += 3) {
                 ASSERT_EQ(flgLiveStrokePush(host.context, stroke, samples.data() + at, 3, &view), FLG_OK);
-                ASSERT_EQ(flgTick(host.context, 2000, &report), FLG_OK);
+                ASSERT_EQ(flgContextTick(host.context, 2000, &report), FLG_OK);
                 if (at % 30 == 27) {
                     ASSERT_EQ(flgLiveStrokeUndo(host.context, stroke, 2, nullptr), FLG_OK);
                     ASSERT_EQ(flgLiveStrokePush(host.context, stroke, samples.data() + at + 1, 2, &view), FLG_OK);

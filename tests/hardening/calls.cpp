@@ -39,13 +39,13 @@ void Calls::end() {
 void Calls::returned(const char* name, FlgResult result) {
     for (uint64_t* id : outs_) {
         EXPECT_NE(*id, unwritten) << name;
-        EXPECT_EQ(*id != 0, result == FLG_OK) << name << ": " << flgResultName(result);
+        EXPECT_EQ(*id != 0, result == FLG_OK) << name << ": " << flgResultGetName(result);
     }
     outs_.clear();
     if (meddler) meddler->after(name, result);
     if (result == FLG_OK) return;
-    EXPECT_STRNE(flgLastError(), "") << name;
-    EXPECT_TRUE(allows(result)) << name << ": " << flgResultName(result) << ", " << flgLastError();
+    EXPECT_STRNE(flgErrorGetMessage(), "") << name;
+    EXPECT_TRUE(allows(result)) << name << ": " << flgResultGetName(result) << ", " << flgErrorGetMessage();
     end();
 }
 
@@ -55,7 +55,7 @@ void Calls::finish() {
         if (before_tick) before_tick();
         report.struct_size = sizeof report;
         ++ticks;
-        FLG_CALL(*this, flgTick, context, tick_budget_us, &report);
+        FLG_CALL(*this, flgContextTick, context, tick_budget_us, &report);
         FLG_VALUE(*this, flgContextWait, context, 1000u);
     } while (report.jobs_pending > 0);
     bool all_done = true;
@@ -63,12 +63,12 @@ void Calls::finish() {
         FlgJobStatus status{};
         status.struct_size = sizeof status;
         FLG_CALL(*this, flgJobGetStatus, context, job, &status);
-        EXPECT_EQ(status.state, FLG_JOB_FINISHED);
+        EXPECT_EQ(status.state, FLG_JOB_STATE_FINISHED);
         if (status.result != FLG_OK) {
             all_done = false;
             EXPECT_STRNE(status.error, "");
             const bool follows = status.result == FLG_ERROR_DEPENDENCY && !allowed.empty();
-            EXPECT_TRUE(follows || allows(status.result)) << flgResultName(status.result) << ", " << status.error;
+            EXPECT_TRUE(follows || allows(status.result)) << flgResultGetName(status.result) << ", " << status.error;
         } else {
             EXPECT_EQ(status.progress, 1.0f);
             EXPECT_STREQ(status.error, "");

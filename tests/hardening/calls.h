@@ -31,6 +31,44 @@ public:
     virtual void after(const char* function, FlgResult result) = 0;
 };
 
+// An argument on its way to the SDK.
+template <class Parameter>
+struct Passed {
+    Parameter argument;
+    operator Parameter() { return argument; }
+};
+
+// Likewise a struct that the SDK fills: it may write no further than the struct's own size.
+template <class Struct>
+requires requires(Struct& fields) {
+    fields.struct_size = 0;
+}
+class Passed<Struct*> {
+public:
+    explicit Passed(Struct* host) : host_(host) {
+        std::memset(&fenced_, fence, sizeof fenced_);
+        if (host) fenced_.fields = *host;
+    }
+    ~Passed() {
+        if (!host_) return;
+        *host_ = fenced_.fields;
+        for (const unsigned char byte : fenced_.beyond) EXPECT_EQ(byte, fence) << "written beyond " << sizeof(Struct);
+    }
+    Passed(const Passed&) = delete;
+    Passed& operator=(const Passed&) = delete;
+
+    operator Struct*() { return host_ ? &fenced_.fields : nullptr; }
+
+private:
+    static constexpr unsigned char fence = 0x5f;
+
+    Struct* const host_;
+    struct {
+        Struct fields;
+        unsigned char beyond[64];
+    } fenced_;
+};
+
 class Calls {
 public:
     explicit Calls(FlgContext on) : context(on) {}
@@ -60,7 +98,7 @@ public:
         note_call(name);
         if (meddler) (meddle<Parameters>(name, arguments), ...);
         const InsideSdk inside;
-        return function(std::forward<Arguments>(arguments)...);
+        return function(Passed<Parameters>{static_cast<Parameters>(arguments)}...);
     }
     // A descriptor or view with its defaults, by FLG_INIT.
     template <class Struct>

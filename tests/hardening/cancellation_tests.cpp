@@ -14,9 +14,10 @@ namespace {
 // jobs.
 struct LookClock {
     std::atomic<uint64_t> ns{0};
-    FlgClock hook() {
-        return {this, [](void* self) { return static_cast<LookClock*>(self)->ns.fetch_add(100); }};
-    }
+    const FlgClock* hook() const { return &hook_; }
+
+    const FlgClock hook_{sizeof(FlgClock), this,
+                         [](void* self) { return static_cast<LookClock*>(self)->ns.fetch_add(100); }};
 };
 
 struct Made {
@@ -31,7 +32,7 @@ void expect_whole(const Calls& calls, const Made& whole) {
         FlgSurfaceView view = flgSurfaceViewDefaults();
         const FlgResult result = flgSurfaceGetView(calls.context, surface, &view);
         if (result == FLG_ERROR_CANCELLED || result == FLG_ERROR_DEPENDENCY) continue;  // never made
-        ASSERT_EQ(result, FLG_OK) << flgLastError();
+        ASSERT_EQ(result, FLG_OK) << flgErrorGetMessage();
         expect_valid(view);
         const std::string now = bits(view);
         EXPECT_NE(std::find(whole.surface_bits.begin(), whole.surface_bits.end(), now), whole.surface_bits.end())
@@ -47,8 +48,8 @@ Made run(const Scenario& scenario, uint32_t workers, uint32_t at, uint32_t choic
     desc.worker_count = workers;
     desc.allocator = ledger.hook();
     if (workers == 0) desc.clock = clock.hook();
-    FlgContext context = nullptr;
-    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+    FlgContext context{};
+    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     Made made;
     {
         Calls calls(context);
@@ -64,7 +65,7 @@ Made run(const Scenario& scenario, uint32_t workers, uint32_t at, uint32_t choic
         FlgFrameReport report{};
         report.struct_size = sizeof report;
         do {
-            EXPECT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
+            EXPECT_EQ(flgContextTick(context, 0, &report), FLG_OK) << flgErrorGetMessage();
             flgContextWait(context, 1000);
         } while (report.jobs_pending > 0);
         if (whole) expect_whole(calls, *whole);
@@ -75,7 +76,7 @@ Made run(const Scenario& scenario, uint32_t workers, uint32_t at, uint32_t choic
         make_curves(after);
         EXPECT_FALSE(after.ended);
     }
-    EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(ledger.live_bytes, 0);
     EXPECT_EQ(ledger.wrong_frees, 0);
     return made;

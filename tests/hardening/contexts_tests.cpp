@@ -22,11 +22,12 @@ std::string run(const Scenario& scenario, uint32_t workers, uint32_t budget_us) 
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = workers;
     desc.allocator = ledger.hook();
-    desc.log = {&lines, [](void* user, FlgLogLevel, const char* message) {
-                    static_cast<std::vector<std::string>*>(user)->push_back(message);
-                }};
-    FlgContext context = nullptr;
-    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+    const FlgLog log = {sizeof log, &lines, [](void* user, FlgLogLevel, const char* message) {
+                            static_cast<std::vector<std::string>*>(user)->push_back(message);
+                        }};
+    desc.log = &log;
+    FlgContext context{};
+    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     std::string bits;
     {
         Calls calls(context);
@@ -36,7 +37,7 @@ std::string run(const Scenario& scenario, uint32_t workers, uint32_t budget_us) 
         EXPECT_FALSE(calls.ended);
         bits = calls.bits;
     }
-    EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(lines.size(), 0u);
     EXPECT_GT(ledger.calls, 0);
     EXPECT_EQ(ledger.live_bytes, 0);
@@ -68,30 +69,30 @@ TEST(Contexts, EachThreadHasItsOwnLastError) {
     const Host host;
     const FlgCurveSet set = host.create(arcs(1));
     FlgCurveSet out{};
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = set;
     desc.spacing = -1;
-    ASSERT_EQ(flgResample(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    const std::string mine = flgLastError();
+    ASSERT_EQ(flgCurveSetResample(host.context, &desc, &out, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    const std::string mine = flgErrorGetMessage();
     std::vector<std::thread> threads;
     for (uint32_t t = 1; t <= 4; ++t) {
         threads.emplace_back([t] {
             const Host own;
-            EXPECT_STREQ(flgLastError(), "no error");
+            EXPECT_STREQ(flgErrorGetMessage(), "no error");
             for (int i = 0; i < 200; ++i) {
-                FlgResampleDesc wrong = flgResampleDefaults();
+                FlgCurveSetResampleDesc wrong = flgCurveSetResampleDefaults();
                 FlgCurveSet none{};
                 wrong.curves = own.create(arcs(1));
                 wrong.spacing = -static_cast<float>(t);
-                ASSERT_EQ(flgResample(own.context, &wrong, &none, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+                ASSERT_EQ(flgCurveSetResample(own.context, &wrong, &none, nullptr), FLG_ERROR_INVALID_ARGUMENT);
                 std::this_thread::yield();
-                const std::string sentence = flgLastError();
+                const std::string sentence = flgErrorGetMessage();
                 ASSERT_NE(sentence.find(std::string("-").append(std::to_string(t))), sentence.npos) << sentence;
             }
         });
     }
     for (std::thread& thread : threads) thread.join();
-    EXPECT_EQ(flgLastError(), mine);
+    EXPECT_EQ(flgErrorGetMessage(), mine);
 }
 
 }  // namespace

@@ -27,9 +27,7 @@ private:
 };
 
 template <class Info, class File>
-Info info_of(Calls& calls, const char* name, FlgResult (*get)(File, Info*), File file) {
-    Info info{};
-    info.struct_size = sizeof info;
+Info info_of(Calls& calls, const char* name, FlgResult (*get)(File, Info*), File file, Info info) {
     calls.call(name, get, file, &info);
     return info;
 }
@@ -64,19 +62,22 @@ void keep_plain_files(Calls& calls) {
 }
 
 void keep_curve_files(Calls& calls) {
-    EXPECT_NE(FLG_VALUE(calls, flgIoLastError), nullptr);
+    EXPECT_NE(FLG_VALUE(calls, flgIoErrorGetMessage), nullptr);
     const Folder folder;
     const std::string path = folder.at("curves.glb");
     Curves curves = arcs(2, 9);
     const FlgCurveSetView given = curves.view();
-    const FlgCurveWriteDesc desc = FLG_INIT(calls, flgCurveWriteDescInit);
+    const FlgCurveFileWriteDesc desc = FLG_INIT(calls, flgCurveFileWriteDescInit);
     FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, &desc);
     Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
     FLG_CALL(calls, flgCurveFileRead, path.c_str(), &read.file);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
     calls.bits += bits(view);
-    EXPECT_EQ(info_of(calls, "flgCurveFileGetInfo", flgCurveFileGetInfo, read.file).curve_count, 2u);
+    EXPECT_EQ(
+        info_of(calls, "flgCurveFileGetInfo", flgCurveFileGetInfo, read.file, FLG_INIT(calls, flgCurveFileInfoInit))
+            .curve_count,
+        2u);
     const FlgStroke* strokes = nullptr;
     uint32_t count = 1;
     FLG_CALL(calls, flgCurveFileGetStrokes, read.file, &strokes, &count);
@@ -93,7 +94,7 @@ void keep_mesh_files(Calls& calls) {
     for (const char* name : {"mesh.ply", "mesh.glb"}) {
         const std::string path = folder.at(name);
         const FlgMeshView given = mesh.view();
-        FlgMeshWriteDesc desc = FLG_INIT(calls, flgMeshWriteDescInit);
+        FlgMeshFileWriteDesc desc = FLG_INIT(calls, flgMeshFileWriteDescInit);
         if (path.ends_with(".ply")) {
             desc.face_columns = &column;
             desc.face_column_count = 1;
@@ -108,7 +109,10 @@ void keep_mesh_files(Calls& calls) {
         FlgMeshView view = flgMeshViewDefaults();
         FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
         calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
-        EXPECT_EQ(info_of(calls, "flgMeshFileGetInfo", flgMeshFileGetInfo, read.file).region_count, 2u);
+        EXPECT_EQ(
+            info_of(calls, "flgMeshFileGetInfo", flgMeshFileGetInfo, read.file, FLG_INIT(calls, flgMeshFileInfoInit))
+                .region_count,
+            2u);
         const FlgMeshFaceColumn* columns = nullptr;
         const FlgMeshMaterial* looks = nullptr;
         uint32_t column_count = 0, look_count = 0;
@@ -127,10 +131,10 @@ void keep_skin_files(Calls& calls) {
     const float weights[12] = {0.75f, 0.25f, 0, 0, 0.5f, 0.5f, 0, 0, 1, 0, 0, 0}, places[] = {0, 0, 0, 1, 0, 0};
     const char* const names[] = {"root", "tip"};
     const FlgSkinView skin = {sizeof skin, 3,       1,     2,      positions, normals, triangle,
-                              joints,      weights, parts, places, parents,   names};
+                              joints,      weights, parts, places, parents,   names,   {}};
     const float times[] = {0, 1}, rotations[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.6f, 0.8f, 0, 0, 0, 1};
     const FlgSkinAnimation animation = {sizeof animation, 2, "nod", times, rotations, nullptr};
-    FlgSkinFileDesc desc = FLG_INIT(calls, flgSkinFileDescInit);
+    FlgSkinFileWriteDesc desc = FLG_INIT(calls, flgSkinFileWriteDescInit);
     desc.skin = &skin;
     desc.animations = &animation;
     desc.animation_count = 1;
@@ -141,17 +145,19 @@ void keep_skin_files(Calls& calls) {
     FlgSkinView view = flgSkinViewDefaults();
     FLG_CALL(calls, flgSkinFileGetView, read.file, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
-    const FlgSkinAnimation* animations = nullptr;
+    FlgSkinAnimation shown = FLG_INIT(calls, flgSkinAnimationInit);
+    FLG_CALL(calls, flgSkinFileGetAnimation, read.file, 0u, &shown);
+    EXPECT_STREQ(shown.name, "nod");
     const FlgMeshMaterial* looks = nullptr;
-    uint32_t animation_count = 0, look_count = 0;
-    FLG_CALL(calls, flgSkinFileGetAnimations, read.file, &animations, &animation_count);
-    EXPECT_EQ(animation_count, 1u);
+    uint32_t look_count = 0;
     FLG_CALL(calls, flgSkinFileGetMaterials, read.file, &looks, &look_count);
-    EXPECT_EQ(info_of(calls, "flgSkinFileGetInfo", flgSkinFileGetInfo, read.file).part_count, 1u);
+    EXPECT_EQ(info_of(calls, "flgSkinFileGetInfo", flgSkinFileGetInfo, read.file, FLG_INIT(calls, flgSkinFileInfoInit))
+                  .part_count,
+              1u);
 
     const double motion_times[] = {0, 1};
     const double poses[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 1, 0, 0};
-    FlgMotionFileDesc motion = FLG_INIT(calls, flgMotionFileDescInit);
+    FlgMotionFileWriteDesc motion = FLG_INIT(calls, flgMotionFileWriteDescInit);
     motion.position_count = 2;
     motion.times = motion_times;
     motion.poses = poses;
@@ -159,20 +165,21 @@ void keep_skin_files(Calls& calls) {
 }
 
 void keep_tangle_files(Calls& calls) {
-    EXPECT_STREQ(FLG_VALUE(calls, flgTangleOperatorName, uint32_t{FLG_TANGLE_VORONOI}), "voronoi");
-    EXPECT_STREQ(FLG_VALUE(calls, flgTangleMacroName, uint32_t{FLG_TANGLE_FLOWER}), "flower");
+    EXPECT_STREQ(FLG_VALUE(calls, flgTangleOperatorGetName, uint32_t{FLG_TANGLE_OPERATOR_VORONOI}), "voronoi");
+    EXPECT_STREQ(FLG_VALUE(calls, flgTangleMacroGetName, uint32_t{FLG_TANGLE_MACRO_FLOWER}), "flower");
     const Folder folder;
     std::vector<uint32_t> regions;
     for (uint32_t i = 0; i < 40; ++i) regions.push_back(i);
     FlgTangleStep step{};
     step.struct_size = sizeof step;
-    step.kind = FLG_TANGLE_STEP_GROUP;
+    step.kind = FLG_TANGLE_STEP_KIND_GROUP;
     step.regions = regions.data();
     step.region_count = 40;
+    const FlgTangleStep* const steps[] = {&step};
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
     history.step_count = history.made_count = 1;
-    history.steps = &step;
+    history.steps = steps;
     history.box_max[0] = 1;
     const std::string path = folder.at("tangle.json");
     FLG_CALL(calls, flgTangleFileWrite, path.c_str(), &history);
@@ -182,7 +189,7 @@ void keep_tangle_files(Calls& calls) {
     shown.struct_size = sizeof shown;
     FLG_CALL(calls, flgTangleFileGetHistory, read.file, &shown);
     ASSERT_EQ(shown.step_count, 1u);
-    calls.note(shown.steps[0].regions, shown.steps[0].region_count * sizeof(uint32_t));
+    calls.note(shown.steps[0]->regions, shown.steps[0]->region_count * sizeof(uint32_t));
 }
 
 }  // namespace flg::test

@@ -42,35 +42,35 @@ private:
 // Hooks that note on which threads they are called, and how zones lie in one another.
 class Watch {
 public:
-    FlgAllocator allocator() {
-        return {this,
-                [](void* self, size_t size, size_t alignment) {
-                    auto& watch = *static_cast<Watch*>(self);
-                    watch.note_thread();
-                    const FlgAllocator hook = watch.ledger.hook();
-                    return hook.allocate(hook.user_data, size, alignment);
-                },
-                [](void* self, void* memory, size_t size, size_t alignment) {
-                    auto& watch = *static_cast<Watch*>(self);
-                    watch.note_thread();
-                    const FlgAllocator hook = watch.ledger.hook();
-                    hook.free(hook.user_data, memory, size, alignment);
-                }};
-    }
-    FlgProfiler profiler() {
-        return {this,
-                [](void* self, const char* name) {
-                    auto& watch = *static_cast<Watch*>(self);
-                    const std::lock_guard lock(watch.mutex_);
-                    ++watch.depth[std::this_thread::get_id()];
-                    ++watch.zones[name];
-                },
-                [](void* self) {
-                    auto& watch = *static_cast<Watch*>(self);
-                    const std::lock_guard lock(watch.mutex_);
-                    if (--watch.depth[std::this_thread::get_id()] < 0) watch.is_nested = false;
-                }};
-    }
+    const FlgAllocator* allocator() const { return &allocator_; }
+
+    const FlgAllocator allocator_{sizeof(FlgAllocator), this,
+                                  [](void* self, size_t size, size_t alignment) {
+                                      auto& watch = *static_cast<Watch*>(self);
+                                      watch.note_thread();
+                                      const FlgAllocator& hook = *watch.ledger.hook();
+                                      return hook.allocate(hook.user_data, size, alignment);
+                                  },
+                                  [](void* self, void* memory, size_t size, size_t alignment) {
+                                      auto& watch = *static_cast<Watch*>(self);
+                                      watch.note_thread();
+                                      const FlgAllocator& hook = *watch.ledger.hook();
+                                      hook.free(hook.user_data, memory, size, alignment);
+                                  }};
+    const FlgProfiler* profiler() const { return &profiler_; }
+
+    const FlgProfiler profiler_{sizeof(FlgProfiler), this,
+                                [](void* self, const char* name) {
+                                    auto& watch = *static_cast<Watch*>(self);
+                                    const std::lock_guard lock(watch.mutex_);
+                                    ++watch.depth[std::this_thread::get_id()];
+                                    ++watch.zones[name];
+                                },
+                                [](void* self) {
+                                    auto& watch = *static_cast<Watch*>(self);
+                                    const std::lock_guard lock(watch.mutex_);
+                                    if (--watch.depth[std::this_thread::get_id()] < 0) watch.is_nested = false;
+                                }};
     void note_thread() {
         const std::lock_guard lock(mutex_);
         threads.insert(std::this_thread::get_id());
@@ -89,11 +89,11 @@ private:
 std::string run(const Scenario& scenario, FlgContextDesc desc, Watch& watch) {
     desc.allocator = watch.allocator();
     desc.profiler = watch.profiler();
-    FlgContext context = nullptr;
-    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+    FlgContext context{};
+    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     Calls calls(context);
     calls.contexts.allocator = watch.ledger.hook();
-    calls.tick_budget_us = desc.worker_count == 0 && !desc.job_system.submit ? 50 : 0;
+    calls.tick_budget_us = desc.worker_count == 0 && !desc.job_system ? 50 : 0;
     scenario.run(calls);
     EXPECT_FALSE(calls.ended);
     while (flgContextDestroy(context) == FLG_NOT_READY) std::this_thread::yield();
@@ -150,23 +150,24 @@ TEST(HostLog, OneLineAMessageOnTheHostsThread) {
     } lines;
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 2;
-    desc.log = {&lines, [](void* user, FlgLogLevel level, const char* message) {
-                    auto& log = *static_cast<Lines*>(user);
-                    EXPECT_EQ(level, FLG_LOG_ERROR);
-                    EXPECT_EQ(std::this_thread::get_id(), log.thread);
-                    log.all.push_back(message);
-                }};
+    const FlgLog log = {sizeof log, &lines, [](void* user, FlgLogLevel level, const char* message) {
+                            auto& heard = *static_cast<Lines*>(user);
+                            EXPECT_EQ(level, FLG_LOG_LEVEL_ERROR);
+                            EXPECT_EQ(std::this_thread::get_id(), heard.thread);
+                            heard.all.push_back(message);
+                        }};
+    desc.log = &log;
     const Host host(desc);
     Curves curves = coil();
     for (const char* name : {"first", "second"}) {
-        FlgStylizeDesc stylize = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
         FlgStyleDesc style = flgStyleDefaults();
         style.style = host.create(curves);
-        ASSERT_EQ(flgStyleCreate(host.context, &style, &stylize.style, nullptr), FLG_OK) << flgLastError();
+        ASSERT_EQ(flgStyleCreate(host.context, &style, &stylize.style, nullptr), FLG_OK) << flgErrorGetMessage();
         stylize.target = host.create(arcs(1));
         stylize.max_points = 2;
         FlgCurveSet out{};
-        ASSERT_EQ(flgStylize(host.context, &stylize, &out, nullptr), FLG_OK) << name << flgLastError();
+        ASSERT_EQ(flgCurveSetStylize(host.context, &stylize, &out, nullptr), FLG_OK) << name << flgErrorGetMessage();
     }
     host.finish();
     ASSERT_EQ(lines.all.size(), 2u);

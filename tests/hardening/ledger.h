@@ -14,15 +14,14 @@ namespace flg::test {
 
 class Ledger {
 public:
-    FlgAllocator hook() {
-        return {this,
-                [](void* self, size_t size, size_t alignment) {
-                    return static_cast<Ledger*>(self)->allocate(size, alignment);
-                },
-                [](void* self, void* memory, size_t size, size_t alignment) {
-                    static_cast<Ledger*>(self)->free(memory, size, alignment);
-                }};
-    }
+    const FlgAllocator* hook() const { return &hook_; }
+
+    const FlgAllocator hook_{
+        sizeof(FlgAllocator), this,
+        [](void* self, size_t size, size_t alignment) { return static_cast<Ledger*>(self)->allocate(size, alignment); },
+        [](void* self, void* memory, size_t size, size_t alignment) {
+            static_cast<Ledger*>(self)->free(memory, size, alignment);
+        }};
     // The allocation number `at` from now on (counted from 0) fails, and all later ones if `from_then_on`.
     void fail(int64_t at, bool from_then_on = false) {
         calls = 0;

@@ -26,7 +26,9 @@ FlgSpline fit(Calls& calls, FlgManifold manifold, FlgSpline warm_start = {}) {
     desc.node_count = 16;
     desc.max_rounds = 20;
     desc.warm_start = warm_start;
-    desc.job.partial_results = 1;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    desc.job = &options;
     FlgSpline spline{};
     FLG_CALL(calls, flgSplineCreate, calls.context, &desc, calls.out(spline), calls.job());
     return spline;
@@ -38,8 +40,8 @@ void look_at(Calls& calls, FlgSpline spline) {
     calls.note(view.nodes, size_t{view.ambient} * view.node_count * sizeof(double));
 }
 
-FlgManifold make_shape(Calls& calls, FlgShape shape, const char* name = nullptr) {
-    FlgShapeDesc desc = FLG_INIT(calls, flgShapeDescInit);
+FlgManifold make_shape(Calls& calls, FlgManifoldShape shape, const char* name = nullptr) {
+    FlgManifoldShapeDesc desc = FLG_INIT(calls, flgManifoldShapeDescInit);
     desc.shape = shape;
     desc.name = name;
     FlgManifold manifold{};
@@ -50,11 +52,12 @@ FlgManifold make_shape(Calls& calls, FlgShape shape, const char* name = nullptr)
 }  // namespace
 
 void make_manifolds(Calls& calls) {
-    const char* const name = FLG_VALUE(calls, flgFormulaName, 0u);
+    const char* const name = FLG_VALUE(calls, flgFormulaGetName, 0u);
     ASSERT_NE(name, nullptr);
-    std::vector<FlgManifold> all = {make_shape(calls, FLG_SHAPE_SPACE), make_shape(calls, FLG_SHAPE_PLANE),
-                                    make_shape(calls, FLG_SHAPE_SPHERE), make_shape(calls, FLG_SHAPE_TORUS),
-                                    make_shape(calls, FLG_SHAPE_FORMULA, name)};
+    std::vector<FlgManifold> all = {
+        make_shape(calls, FLG_MANIFOLD_SHAPE_SPACE), make_shape(calls, FLG_MANIFOLD_SHAPE_PLANE),
+        make_shape(calls, FLG_MANIFOLD_SHAPE_SPHERE), make_shape(calls, FLG_MANIFOLD_SHAPE_TORUS),
+        make_shape(calls, FLG_MANIFOLD_SHAPE_FORMULA, name)};
     FlgManifoldFunctions functions = FLG_INIT(calls, flgManifoldFunctionsInit);
     functions.ambient = 3;
     functions.dimension = 2;
@@ -83,20 +86,21 @@ void make_manifolds(Calls& calls) {
 void make_sampled_manifolds(Calls& calls) {
     MeshArrays mesh = sphere(3);
     FlgSurfaceDesc surface = FLG_INIT(calls, flgSurfaceDescInit);
-    surface.mesh = mesh.view();
-    FlgMeshManifoldDesc by_mesh = FLG_INIT(calls, flgMeshManifoldDescInit);
+    const FlgMeshView input = mesh.view();
+    surface.mesh = &input;
+    FlgManifoldFromSurfaceDesc by_mesh = FLG_INIT(calls, flgManifoldFromSurfaceDescInit);
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &surface, calls.out(by_mesh.surface), calls.job());
     FlgManifold made[3] = {};
     FLG_CALL(calls, flgManifoldCreateFromSurface, calls.context, &by_mesh, calls.out(made[0]), calls.job());
     const std::vector<float> points = points_on_sphere(120);
-    FlgCloudManifoldDesc cloud = FLG_INIT(calls, flgCloudManifoldDescInit);
+    FlgManifoldFromPointsDesc cloud = FLG_INIT(calls, flgManifoldFromPointsDescInit);
     cloud.points = points.data();
     cloud.point_count = 120;
     FLG_CALL(calls, flgManifoldCreateFromPoints, calls.context, &cloud, calls.out(made[1]), calls.job());
     const std::vector<float> values = distances_from_sphere(8, 0.4);
-    FlgGridManifoldDesc grid = FLG_INIT(calls, flgGridManifoldDescInit);
+    FlgManifoldFromGridDesc grid = FLG_INIT(calls, flgManifoldFromGridDescInit);
     for (uint32_t& count : grid.counts) count = 8;
-    for (double& x : grid.origin) x = -1.4;
+    for (double& x : grid.corner) x = -1.4;
     grid.spacing = 0.4;
     grid.values = values.data();
     FLG_CALL(calls, flgManifoldCreateFromGrid, calls.context, &grid, calls.out(made[2]), calls.job());
@@ -110,14 +114,15 @@ void make_sampled_manifolds(Calls& calls) {
 }
 
 void fit_splines(Calls& calls) {
-    for (const FlgShape shape : {FLG_SHAPE_SPACE, FLG_SHAPE_SPHERE, FLG_SHAPE_TORUS}) {
+    for (const FlgManifoldShape shape :
+         {FLG_MANIFOLD_SHAPE_SPACE, FLG_MANIFOLD_SHAPE_SPHERE, FLG_MANIFOLD_SHAPE_TORUS}) {
         const FlgManifold manifold = make_shape(calls, shape);
         const FlgSpline spline = fit(calls, manifold);
         const FlgSpline warm = fit(calls, manifold, spline);
-        FlgSplineCurvesDesc curves = FLG_INIT(calls, flgSplineCurvesDescInit);
+        FlgSplineSampleDesc curves = FLG_INIT(calls, flgSplineSampleDescInit);
         curves.spline = warm;
         FlgCurveSet set{};
-        FLG_CALL(calls, flgSplineCurves, calls.context, &curves, calls.out(set), calls.job());
+        FLG_CALL(calls, flgSplineSample, calls.context, &curves, calls.out(set), calls.job());
         calls.finish();
         look_at(calls, spline);
         look_at(calls, warm);

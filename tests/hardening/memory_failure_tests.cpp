@@ -15,10 +15,10 @@ struct Bench {
         FlgContextDesc desc = flgContextDefaults();
         desc.worker_count = 0;
         desc.allocator = ledger.hook();
-        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     }
     ~Bench() {
-        EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgErrorGetMessage();
         EXPECT_EQ(ledger.live_bytes, 0);
         EXPECT_EQ(ledger.wrong_frees, 0);
     }
@@ -37,12 +37,12 @@ struct Bench {
         FlgFrameReport report{};
         report.struct_size = sizeof report;
         do {
-            ASSERT_EQ(flgTick(context, 0, &report), FLG_OK) << flgLastError();
+            ASSERT_EQ(flgContextTick(context, 0, &report), FLG_OK) << flgErrorGetMessage();
         } while (report.jobs_pending > 0);
     }
 
     Ledger ledger;
-    FlgContext context = nullptr;
+    FlgContext context{};
 };
 
 // All of the first ones, where most entry points take theirs, then one in `stride`.
@@ -101,7 +101,7 @@ class HeapFailures : public testing::TestWithParam<Scenario> {};
 TEST_P(HeapFailures, AreSaidAndLoseNothing) {
     const Scenario& scenario = GetParam();
     const auto run = [&](int64_t fail_at, bool from_then_on) {
-        Calls calls(nullptr);
+        Calls calls(FlgContext{});
         if (fail_at >= 0) calls.allowed = {FLG_ERROR_OUT_OF_MEMORY};
         fail_heap(fail_at, from_then_on);
         try {

@@ -25,7 +25,8 @@ FlgContourView contour(Calls& calls, const std::vector<double>& points) {
 
 FlgPart make_part(Calls& calls, const std::vector<double>& points) {
     FlgPartDesc desc = FLG_INIT(calls, flgPartDescInit);
-    desc.contour = contour(calls, points);
+    const FlgContourView drawn = contour(calls, points);
+    desc.contour = &drawn;
     desc.spacing = 0.03;
     FlgPart part{};
     FLG_CALL(calls, flgPartCreate, calls.context, &desc, calls.out(part), calls.job());
@@ -35,7 +36,7 @@ FlgPart make_part(Calls& calls, const std::vector<double>& points) {
 // A body and an arm that is there twice.
 FlgModel make_model(Calls& calls) {
     FlgModelPart parts[2];
-    for (FlgModelPart& part : parts) FLG_CALL(calls, flgModelPartInit, &part);
+    for (FlgModelPart& part : parts) part = FLG_INIT(calls, flgModelPartInit);
     parts[0].part = make_part(calls, ellipse(0, 0, 1, 2));
     parts[0].name = "body";
     parts[1].part = make_part(calls, ellipse(1.6, 0.8, 1.2, 0.35));
@@ -55,7 +56,8 @@ void make_straight_skeletons(Calls& calls) {
     const std::vector<double> hourglass = {0, 0, 3, 2, 3, 0, 0, 2};
     for (const std::vector<double>& points : {ellipse(0, 0, 2, 1), hourglass}) {
         FlgStraightSkeletonDesc desc = FLG_INIT(calls, flgStraightSkeletonDescInit);
-        desc.contour = contour(calls, points);
+        const FlgContourView drawn = contour(calls, points);
+        desc.contour = &drawn;
         desc.repair = points == hourglass;
         FlgStraightSkeleton skeleton{};
         FLG_CALL(calls, flgStraightSkeletonCreate, calls.context, &desc, calls.out(skeleton), calls.job());
@@ -112,7 +114,8 @@ void make_models(Calls& calls) {
 void make_outlines(Calls& calls) {
     MeshArrays mesh = sphere(4);
     FlgSurfaceDesc surface = FLG_INIT(calls, flgSurfaceDescInit);
-    surface.mesh = mesh.view();
+    const FlgMeshView input = mesh.view();
+    surface.mesh = &input;
     FlgOutlineDesc desc = FLG_INIT(calls, flgOutlineDescInit);
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &surface, calls.out(desc.surface), calls.job());
     desc.direction[2] = 1;
@@ -121,7 +124,7 @@ void make_outlines(Calls& calls) {
     calls.finish();
     FlgOutlineView view = FLG_INIT(calls, flgOutlineViewInit);
     FLG_CALL(calls, flgOutlineGetView, calls.context, outline, &view);
-    calls.note(view.contour.points, size_t{2} * view.contour.point_count * sizeof(double));
+    calls.note(view.contour->points, size_t{2} * view.contour->point_count * sizeof(double));
     FLG_CALL(calls, flgOutlineRelease, calls.context, outline);
 }
 

@@ -16,15 +16,15 @@ double ball_distance(void*, const double* x, double* gradient) {
 
 FlgSurface create(Calls& calls, MeshArrays mesh) {
     FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
-    desc.mesh = mesh.view();
+    const FlgMeshView input = mesh.view();
+    desc.mesh = &input;
     FlgSurface surface{};
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(surface), calls.job());
     return surface;
 }
 
 FlgObstacle obstacle(Calls& calls, FlgObstacleKind kind, double x, double y, double z, double radius) {
-    FlgObstacle made;
-    FLG_VALUE(calls, flgObstacleInit, &made);
+    FlgObstacle made = FLG_INIT(calls, flgObstacleInit);
     made.kind = kind;
     made.centre[0] = made.to[0] = x;
     made.centre[1] = y;
@@ -48,7 +48,7 @@ FlgObstacles among(Calls& calls, uint32_t dimension, const std::vector<FlgObstac
 }
 
 void fit(Calls& calls, uint32_t dimension, const std::vector<double>& points, FlgObstacles obstacles) {
-    FlgShapeDesc shape = FLG_INIT(calls, flgShapeDescInit);
+    FlgManifoldShapeDesc shape = FLG_INIT(calls, flgManifoldShapeDescInit);
     shape.ambient = dimension;
     FlgSplineDesc desc = FLG_INIT(calls, flgSplineDescInit);
     FLG_CALL(calls, flgManifoldCreateShape, calls.context, &shape, calls.out(desc.manifold));
@@ -70,25 +70,25 @@ void fit(Calls& calls, uint32_t dimension, const std::vector<double>& points, Fl
 
 void avoid_obstacles(Calls& calls) {
     const double triangle[] = {1.5, -0.4, 2.2, -0.3, 1.8, 0.5};
-    FlgObstacle polygon = obstacle(calls, FLG_OBSTACLE_POLYGON, 0, 0, 0, 1);
+    FlgObstacle polygon = obstacle(calls, FLG_OBSTACLE_KIND_POLYGON, 0, 0, 0, 1);
     polygon.points = triangle;
     polygon.point_count = 3;
-    const FlgObstacles flat = among(calls, 2, {polygon, obstacle(calls, FLG_OBSTACLE_BALL, 0.5, 0.1, 0, 0.3)});
+    const FlgObstacles flat = among(calls, 2, {polygon, obstacle(calls, FLG_OBSTACLE_KIND_BALL, 0.5, 0.1, 0, 0.3)});
     fit(calls, 2, {0, 0, 1.1, 0, 3, 0.1}, flat);
 
-    FlgObstacle function = obstacle(calls, FLG_OBSTACLE_FUNCTION, 0, 3, 0, 0.6);
+    FlgObstacle function = obstacle(calls, FLG_OBSTACLE_KIND_FUNCTION, 0, 3, 0, 0.6);
     function.value = ball_distance;
-    FlgObstacle solid = obstacle(calls, FLG_OBSTACLE_MESH, 0, 0, 0, 1);
+    FlgObstacle solid = obstacle(calls, FLG_OBSTACLE_KIND_MESH, 0, 0, 0, 1);
     solid.surface = create(calls, sphere(2));
-    const FlgObstacles space =
-        among(calls, 3,
-              {obstacle(calls, FLG_OBSTACLE_BALL, 0, -3, 0, 0.5), obstacle(calls, FLG_OBSTACLE_BOX, 3, 0, 0, 0.4),
-               obstacle(calls, FLG_OBSTACLE_CAPSULE, -3, 0, 0, 0.3), function, solid});
+    const FlgObstacles space = among(
+        calls, 3,
+        {obstacle(calls, FLG_OBSTACLE_KIND_BALL, 0, -3, 0, 0.5), obstacle(calls, FLG_OBSTACLE_KIND_BOX, 3, 0, 0, 0.4),
+         obstacle(calls, FLG_OBSTACLE_KIND_CAPSULE, -3, 0, 0, 0.3), function, solid});
     fit(calls, 3, {-1.6, 0, 0.1, 1.6, 0.1, 0}, space);
 
-    FlgObstacle layer = obstacle(calls, FLG_OBSTACLE_LAYER, 0, 0, 0, 0.6);
+    FlgObstacle layer = obstacle(calls, FLG_OBSTACLE_KIND_LAYER, 0, 0, 0, 0.6);
     layer.cells = 20;
-    FlgObstacle border = obstacle(calls, FLG_OBSTACLE_BORDER, 0, 0, 0, 1);
+    FlgObstacle border = obstacle(calls, FLG_OBSTACLE_KIND_BORDER, 0, 0, 0, 1);
     layer.surface = border.surface = create(calls, plane(4));
     among(calls, 3, {layer});
     fit(calls, 3, {0.2, 0.2, 0.1, 0.8, 0.7, 0.1}, among(calls, 3, {border}));
@@ -106,7 +106,9 @@ void move_bodies(Calls& calls) {
     desc.poses = poses;
     desc.position_count = 13;
     desc.max_rounds = 10;
-    desc.job.partial_results = 1;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    desc.job = &options;
     for (const bool closed : {false, true}) {
         desc.closed = closed;
         FlgMotion motion{};

@@ -8,7 +8,7 @@
 namespace flg::test {
 
 void pick(Calls& calls) {
-    EXPECT_NE(FLG_VALUE(calls, flgPickLastError), nullptr);
+    EXPECT_NE(FLG_VALUE(calls, flgPickErrorGetMessage), nullptr);
     const FlgPickSceneDesc desc = FLG_INIT(calls, flgPickSceneDescInit);
     FlgPickScene scene = nullptr;
     FLG_CALL(calls, flgPickSceneCreate, &desc, &scene);
@@ -19,9 +19,10 @@ void pick(Calls& calls) {
     } const destroyed{calls, scene};
     MeshArrays mesh = plane(3);
     FlgSurfaceView surface = flgSurfaceViewDefaults();
-    surface.mesh = mesh.view();
+    FlgMeshView seen = mesh.view();
+    surface.mesh = &seen;
     const std::vector<uint32_t> regions(mesh.triangle_count(), 4);
-    surface.mesh.regions = regions.data();
+    seen.regions = regions.data();
     FLG_CALL(calls, flgPickSceneSetSurface, scene, 7u, &surface, nullptr, 0u);
     Curves curves = arcs(1, 9);
     const FlgCurveSetView view = curves.view();
@@ -29,11 +30,11 @@ void pick(Calls& calls) {
     FLG_CALL(calls, flgPickSceneCommit, scene);
     const FlgRay ray = {{0.4f, 0.6f, 2}, 0, {0, 0, -1}, HUGE_VALF};
     FlgHit hit{};
-    FLG_CALL(calls, flgPickRays, scene, &ray, 1u, &hit);
+    FLG_CALL(calls, flgPickSceneCastRays, scene, &ray, 1u, &hit);
     EXPECT_EQ(hit.object, 7u);
     EXPECT_EQ(hit.region, 4u);
     calls.note(&hit, sizeof hit);
-    FLG_CALL(calls, flgPickNearest, scene, ray.origin, 9.0f, &hit);
+    FLG_CALL(calls, flgPickSceneFindNearest, scene, ray.origin, 9.0f, &hit);
     calls.note(&hit, sizeof hit);
     FLG_CALL(calls, flgPickSceneRemove, scene, 8u);
     FLG_CALL(calls, flgPickSceneCommit, scene);

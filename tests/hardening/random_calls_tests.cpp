@@ -32,7 +32,7 @@ TEST(RandomCalls, EndWithDocumentedResults) {
     // It is neither all refused nor all taken.
     for (const FlgResult result : {FLG_OK, FLG_NOT_READY, FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_INVALID_HANDLE,
                                    FLG_ERROR_DEPENDENCY, FLG_ERROR_FORMAT}) {
-        EXPECT_GT(results[result], 0u) << flgResultName(result);
+        EXPECT_GT(results[result], 0u) << flgResultGetName(result);
     }
     EXPECT_GT(results[FLG_OK], results[FLG_ERROR_INVALID_HANDLE]);
 }

@@ -29,64 +29,69 @@ RandomHost::RandomHost(uint64_t seed, uint32_t workers) : random_(seed) {
     desc.worker_count = workers;
     desc.worker_budget_us = chance(3) ? 200 : 0;
     desc.allocator = ledger_.hook();
-    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     Curves curves = arcs(2, 15);
     const FlgCurveSetView view = curves.view();
-    EXPECT_EQ(flgCurveSetCreate(context, &view, &quiet_), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetCreate(context, &view, &quiet_), FLG_OK) << flgErrorGetMessage();
 }
 
 // With whatever is still going on.
 RandomHost::~RandomHost() {
-    EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(ledger_.live_bytes, 0);
     EXPECT_EQ(ledger_.wrong_frees, 0);
 }
 
-void RandomHost::options(FlgJobOptions& options) {
-    if (chance(8)) options.priority = choice<FlgPriority>(3);
+const FlgJobOptions* RandomHost::options() {
+    static thread_local FlgJobOptions options;
+    options = flgJobOptionsDefaults();
+    if (chance(60)) options.struct_size = draw(16);
+    if (chance(8)) options.priority = static_cast<FlgPriority>(static_cast<int>(draw(5)) - 2);
     options.partial_results = chance(6);
-    if (!chance(20)) return;
+    if (!chance(20)) return &options;
     static thread_local FlgJob dependency;
     dependency = any<FlgJob>(job);
     options.dependencies = maybe(&dependency);
     options.dependency_count = 1;
+    return &options;
 }
 
 void RandomHost::returned(FlgResult result) {
     ++results[result];
-    EXPECT_TRUE(is_documented(result, flgLastError())) << flgResultName(result) << ", " << flgLastError();
+    EXPECT_TRUE(is_documented(result, flgErrorGetMessage()))
+        << flgResultGetName(result) << ", " << flgErrorGetMessage();
     for (const Output& output : outputs_) {
         if (result == FLG_OK) {
             EXPECT_NE(output.id, ~uint64_t{0}) << "an output was not written";
             if (output.id != 0 && output.id != ~uint64_t{0}) pools_[output.kind].push_back(output.id);
         } else {
-            EXPECT_EQ(output.id, 0u) << flgLastError();
+            EXPECT_EQ(output.id, 0u) << flgErrorGetMessage();
         }
     }
     outputs_.clear();
     if (result < 0) {
-        EXPECT_STRNE(flgLastError(), "");
-        EXPECT_STRNE(flgLastError(), "no error");
+        EXPECT_STRNE(flgErrorGetMessage(), "");
+        EXPECT_STRNE(flgErrorGetMessage(), "no error");
     }
 }
 
 std::string RandomHost::quiet_bits() {
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = quiet_;
     desc.spacing = 0.3f;
     FlgCurveSet made{};
     FlgJob under_way{};
-    EXPECT_EQ(flgResample(context, &desc, &made, &under_way), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetResample(context, &desc, &made, &under_way), FLG_OK) << flgErrorGetMessage();
     FlgJobStatus status{};
     status.struct_size = sizeof status;
     do {
-        EXPECT_EQ(flgTick(context, 500, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgContextTick(context, 500, nullptr), FLG_OK) << flgErrorGetMessage();
         flgContextWait(context, 500);
-        EXPECT_EQ(flgJobGetStatus(context, under_way, &status), FLG_OK) << flgLastError();
-    } while (status.state != FLG_JOB_FINISHED && !testing::Test::HasFailure());
+        EXPECT_EQ(flgJobGetStatus(context, under_way, &status), FLG_OK) << flgErrorGetMessage();
+    } while (status.state != FLG_JOB_STATE_FINISHED && !testing::Test::HasFailure());
     FlgCurveSetView view = flgCurveSetViewDefaults();
     if (testing::Test::HasFailure()) return {};
-    EXPECT_EQ(flgCurveSetGetView(context, made, &view), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetGetView(context, made, &view), FLG_OK) << flgErrorGetMessage();
     std::string all = view.curve_offsets ? bits(view) : "";
     EXPECT_EQ(flgCurveSetRelease(context, made), FLG_OK);
     EXPECT_EQ(flgJobRelease(context, under_way), FLG_OK);
@@ -133,7 +138,7 @@ void RandomHost::tick() {
     report.struct_size = chance(40) ? draw(8) : static_cast<uint32_t>(sizeof report);
     const uint32_t budgets[] = {1, 20, 100, 500, 0};
     const FlgContext on = at();
-    returned(flgTick(on, budgets[draw(5)], maybe(&report)));
+    returned(flgContextTick(on, budgets[draw(5)], maybe(&report)));
     if (chance(3)) returned(flgContextWait(on, draw(200)));
 }
 
@@ -145,7 +150,8 @@ void RandomHost::ask_jobs() {
     const FlgResult result = flgJobGetStatus(at(), asked, maybe(&status));
     returned(result);
     if (result == FLG_OK && status.struct_size == sizeof status) {
-        EXPECT_TRUE(is_documented(status.result, status.error)) << flgResultName(status.result) << ", " << status.error;
+        EXPECT_TRUE(is_documented(status.result, status.error))
+            << flgResultGetName(status.result) << ", " << status.error;
         EXPECT_TRUE(status.progress >= 0 && status.progress <= 1);
         EXPECT_EQ(*status.error != '\0', status.result < 0);
     }

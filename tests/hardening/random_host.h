@@ -28,7 +28,7 @@ public:
     // Of curves that nobody else knows, whatever else goes on: these bits.
     std::string quiet_bits();
 
-    FlgContext context = nullptr;
+    FlgContext context{};
     std::map<FlgResult, uint32_t> results;  // of calls and jobs, to see that all sorts of things happen
 
 private:
@@ -85,9 +85,10 @@ private:
     template <class Desc>
     void odd(Desc& desc) {
         if (chance(60)) desc.struct_size = draw(2) == 0 ? draw(16) : static_cast<uint32_t>(sizeof desc) - 4;
-        if constexpr (requires { desc.job.priority; }) options(desc.job);
+        if constexpr (requires { desc.job; }) desc.job = maybe(options());
     }
-    void options(FlgJobOptions& options);
+    // Valid until asked for again.
+    const FlgJobOptions* options();
     // Any handle for an argument of this kind.
     template <class Handle>
     Handle any(Kind kind) {
@@ -114,7 +115,7 @@ private:
     void release(FlgResult (*function)(FlgContext, Handle), Kind kind) {
         returned(function(at(), any<Handle>(kind)));
     }
-    FlgContext at() { return chance(200) ? nullptr : context; }
+    FlgContext at() { return chance(200) ? FlgContext{} : context; }
 
     void tick();
     void ask_jobs();

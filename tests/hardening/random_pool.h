@@ -29,16 +29,18 @@ public:
     RandomPool(const RandomPool&) = delete;
     RandomPool& operator=(const RandomPool&) = delete;
 
-    FlgJobSystem hook(uint32_t concurrency) {
-        return {this, concurrency, [](void* self, void (*run)(void*), void* task) {
-                    const OutsideSdk outside;
-                    auto& pool = *static_cast<RandomPool*>(self);
-                    {
-                        const std::lock_guard lock(pool.mutex_);
-                        pool.tasks_.push_back({run, task});
-                    }
-                    pool.wake_.notify_one();
-                }};
+    // Valid until asked for again.
+    const FlgJobSystem* hook(uint32_t concurrency) {
+        hook_ = {sizeof hook_, concurrency, this, [](void* self, void (*run)(void*), void* task) {
+                     const OutsideSdk outside;
+                     auto& pool = *static_cast<RandomPool*>(self);
+                     {
+                         const std::lock_guard lock(pool.mutex_);
+                         pool.tasks_.push_back({run, task});
+                     }
+                     pool.wake_.notify_one();
+                 }};
+        return &hook_;
     }
     std::vector<std::thread::id> ids() const {
         std::vector<std::thread::id> ids;
@@ -47,6 +49,7 @@ public:
     }
 
 private:
+    FlgJobSystem hook_{};
     struct Task {
         void (*run)(void*);
         void* task;

@@ -19,12 +19,12 @@ void RandomHost::make_curves() {
 }
 
 void RandomHost::resample() {
-    FlgResampleDesc desc = flgResampleDefaults();
+    FlgCurveSetResampleDesc desc = flgCurveSetResampleDefaults();
     desc.curves = any<FlgCurveSet>(curve_set);
     desc.spacing = number(0.02, 1);
     desc.frame = choice<FlgFrameMethod>(3);
     odd(desc);
-    returned(flgResample(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
+    returned(flgCurveSetResample(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
 }
 
 void RandomHost::make_style() {
@@ -60,19 +60,19 @@ void RandomHost::keep_style() {
 }
 
 void RandomHost::stylize() {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = any<FlgStyle>(style);
     desc.target = any<FlgCurveSet>(curve_set);
     desc.magnitude = number(-1, 1);
     desc.temperature = number(0, 3);
     desc.scale = number(0.3, 2);
     desc.frame = choice<FlgFrameMethod>(3);
-    desc.start = choice<FlgStart>(3);
+    desc.start = choice<FlgStyleStart>(3);
     desc.strokes = chance(10) ? draw(2000) : 1 + draw(2);
     desc.pin_ends = chance(3);
     desc.max_points = 5000;
     odd(desc);
-    returned(flgStylize(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
+    returned(flgCurveSetStylize(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
 }
 
 void RandomHost::draw_live() {
@@ -105,6 +105,7 @@ void RandomHost::draw_live() {
     returned(flgLiveStrokeGetInfo(at(), stroke, maybe(&info)));
     if (chance(3)) returned(flgLiveStrokeUndo(at(), stroke, draw(6), nullptr));
     if (chance(3)) returned(flgLiveStrokeGetPoints(at(), stroke, maybe(&view)));
+    if (chance(3)) returned(flgLiveStrokeGetTip(at(), stroke, maybe(&view)));
 }
 
 void RandomHost::end_live() {
@@ -124,7 +125,7 @@ void RandomHost::end_live() {
 void RandomHost::make_manifold() {
     switch (draw(5)) {
         case 0: {
-            FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+            FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
             desc.surface = any<FlgSurface>(surface);
             odd(desc);
             returned(flgManifoldCreateFromSurface(at(), maybe(&desc), out<FlgManifold>(manifold), job_out()));
@@ -133,7 +134,7 @@ void RandomHost::make_manifold() {
         case 1: {
             std::vector<float> points = points_on_sphere(40);
             if (chance(4)) points[draw(120)] = number(-1, 1);
-            FlgCloudManifoldDesc desc = flgCloudManifoldDefaults();
+            FlgManifoldFromPointsDesc desc = flgManifoldFromPointsDefaults();
             desc.points = maybe(points.data());
             desc.point_count = chance(8) ? draw(8) : 40;
             desc.neighbours = chance(8) ? draw(50) : 12;
@@ -146,10 +147,10 @@ void RandomHost::make_manifold() {
                                             out<FlgManifold>(manifold)));
             break;
         default: {
-            FlgShapeDesc desc = flgShapeDefaults();
-            desc.shape = choice<FlgShape>(5);
+            FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
+            desc.shape = choice<FlgManifoldShape>(5);
             desc.radius = number<double>(0.5, 2);
-            desc.name = chance(3) ? "no such formula" : flgFormulaName(draw(3));
+            desc.name = chance(3) ? "no such formula" : flgFormulaGetName(draw(3));
             odd(desc);
             returned(flgManifoldCreateShape(at(), maybe(&desc), out<FlgManifold>(manifold)));
         }
@@ -176,10 +177,10 @@ void RandomHost::fit_spline() {
     if (chance(5)) desc.obstacles = any<FlgObstacles>(obstacles);
     odd(desc);
     returned(flgSplineCreate(at(), maybe(&desc), out<FlgSpline>(spline), job_out()));
-    FlgSplineCurvesDesc curves = flgSplineCurvesDefaults();
+    FlgSplineSampleDesc curves = flgSplineSampleDefaults();
     curves.spline = any<FlgSpline>(spline);
     curves.height = number(-1, 1);
-    if (chance(3)) returned(flgSplineCurves(at(), &curves, out<FlgCurveSet>(curve_set), job_out()));
+    if (chance(3)) returned(flgSplineSample(at(), &curves, out<FlgCurveSet>(curve_set), job_out()));
 }
 
 void RandomHost::make_obstacles() {
@@ -192,7 +193,7 @@ void RandomHost::make_obstacles() {
         solid.cells = 8 + draw(4);
         solid.points = maybe(triangle);
         solid.point_count = 3;
-        if (solid.kind >= FLG_OBSTACLE_MESH) solid.surface = any<FlgSurface>(surface);
+        if (solid.kind >= FLG_OBSTACLE_KIND_MESH) solid.surface = any<FlgSurface>(surface);
     }
     FlgObstaclesDesc desc = flgObstaclesDefaults();
     desc.dimension = 2 + draw(3);

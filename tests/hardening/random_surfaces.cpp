@@ -10,21 +10,22 @@ void RandomHost::make_surface() {
     if (chance(6)) mesh.triangles[draw(static_cast<uint32_t>(mesh.triangles.size()))] = draw(30);
     if (chance(60)) mesh.triangles[0] = UINT32_MAX;
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh = mesh.view();
+    FlgMeshView input = mesh.view();
+    desc.mesh = maybe(&input);
     desc.weld_distance = chance(10) ? number(0, 0.1) : 0;
-    odd(desc.mesh);
+    odd(input);
     odd(desc);
     returned(flgSurfaceCreate(at(), maybe(&desc), out<FlgSurface>(surface), job_out()));
 }
 
 // Into a finer one, if it is small.
 void RandomHost::change_surface() {
-    FlgRefineDesc desc = flgRefineDefaults();
+    FlgSurfaceRefineDesc desc = flgSurfaceRefineDefaults();
     desc.surface = any<FlgSurface>(surface);
     FlgSurfaceView view = flgSurfaceViewDefaults();
     const FlgResult shown = flgSurfaceGetView(context, desc.surface, &view);
     returned(shown);
-    if (shown == FLG_OK && view.mesh.triangle_count > 300) return;
+    if (shown == FLG_OK && view.mesh->triangle_count > 300) return;
     desc.scheme = choice<FlgSubdivision>(2);
     desc.levels = chance(20) ? 9 + draw(9) : 1;
     odd(desc);
@@ -38,14 +39,14 @@ void RandomHost::measure() {
     const FlgSurfacePoint point = {draw(60), number(0, 0.5), number(0, 0.5)};
     switch (draw(6)) {
         case 0: {
-            FlgBlendDesc desc = flgBlendDefaults();
+            FlgFieldBlendDesc desc = flgFieldBlendDefaults();
             desc.from = any<FlgField>(field);
             desc.to = any<FlgField>(field);
             odd(desc);
             return returned(flgFieldBlend(at(), maybe(&desc), out<FlgField>(field), job_out()));
         }
         case 1: {
-            FlgSamplingDesc desc = flgSamplingDefaults();
+            FlgSurfaceSampleDesc desc = flgSurfaceSampleDefaults();
             desc.surface = any<FlgSurface>(surface);
             desc.radius = number(0.1, 1);
             desc.max_count = draw(20);
@@ -58,7 +59,7 @@ void RandomHost::measure() {
                                            out<FlgField>(field)));
         }
         default: {
-            FlgGeodesicDesc desc = flgGeodesicDefaults();
+            FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
             desc.surface = any<FlgSurface>(surface);
             desc.vertices = maybe(vertices);
             desc.vertex_count = draw(3);
@@ -72,7 +73,7 @@ void RandomHost::measure() {
             desc.perturbation = chance(6) ? number(0, 0.1) : 0;
             desc.labels = chance(3);
             odd(desc);
-            returned(flgGeodesic(at(), maybe(&desc), out<FlgField>(field), job_out()));
+            returned(flgFieldCreateGeodesic(at(), maybe(&desc), out<FlgField>(field), job_out()));
         }
     }
 }
@@ -82,79 +83,82 @@ void RandomHost::trace() {
     const uint32_t offsets[] = {0, 2};
     switch (draw(6)) {
         case 0: {
-            FlgIsolinesDesc desc = flgIsolinesDefaults();
+            FlgFieldTraceIsolinesDesc desc = flgFieldTraceIsolinesDefaults();
             desc.field = any<FlgField>(field);
-            desc.levels.every = number(0.05, 0.5);
-            desc.levels.count = draw(4);
+            desc.level_every = number(0.05, 0.5);
+            desc.level_count = draw(4);
             odd(desc);
-            return returned(flgTraceIsolines(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
+            return returned(
+                flgFieldTraceIsolines(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
         }
         case 1: {
-            FlgStreamsDesc desc = flgStreamsDefaults();
+            FlgFieldTraceStreamsDesc desc = flgFieldTraceStreamsDefaults();
             desc.field = any<FlgField>(field);
             desc.starts = maybe(points);
             desc.start_count = draw(3);
             desc.downhill = chance(2);
             if (chance(3)) desc.border_samples = any<FlgSurfaceCurves>(surface_curves);
             odd(desc);
-            return returned(flgTraceStreams(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
+            return returned(flgFieldTraceStreams(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
         }
         case 2: {
-            FlgPathsDesc desc = flgPathsDefaults();
+            FlgFieldTracePathsDesc desc = flgFieldTracePathsDefaults();
             desc.surface = any<FlgSurface>(surface);
             desc.points = maybe(points);
             desc.path_offsets = maybe(offsets);
             desc.path_count = chance(10) ? 0 : 1;
             desc.closed = chance(3);
             odd(desc);
-            return returned(flgTracePaths(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
+            return returned(flgFieldTracePaths(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
         }
         case 3: {
-            FlgBorderSamplingDesc desc = flgBorderSamplingDefaults();
+            FlgSurfaceSampleBordersDesc desc = flgSurfaceSampleBordersDefaults();
             desc.surface = any<FlgSurface>(surface);
             desc.spacing = number(0.1, 1);
             desc.region = draw(4);
             odd(desc);
-            return returned(flgBorderSample(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
+            return returned(
+                flgSurfaceSampleBorders(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
         }
         case 4: {
-            FlgProjectDesc desc = flgProjectDefaults();
+            FlgCurveSetProjectDesc desc = flgCurveSetProjectDefaults();
             desc.surface = any<FlgSurface>(surface);
             desc.curves = any<FlgCurveSet>(curve_set);
             odd(desc);
-            return returned(flgProjectCurves(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
+            return returned(flgCurveSetProject(at(), maybe(&desc), out<FlgSurfaceCurves>(surface_curves), job_out()));
         }
         default: {
-            FlgLiftDesc desc = flgLiftDefaults();
+            FlgSurfaceCurvesLiftDesc desc = flgSurfaceCurvesLiftDefaults();
             desc.curves = any<FlgSurfaceCurves>(surface_curves);
             desc.height = number(-1, 1);
             odd(desc);
-            returned(flgLiftCurves(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
+            returned(flgSurfaceCurvesLift(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
         }
     }
 }
 
 void RandomHost::cut() {
     if (chance(2)) {
-        FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+        FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
         desc.field = any<FlgField>(field);
-        desc.levels.first = number(0, 0.5);
-        desc.levels.every = number(0.2, 0.6);
-        desc.levels.count = draw(4);
+        desc.level_first = number(0, 0.5);
+        desc.level_every = number(0.2, 0.6);
+        desc.level_count = draw(4);
         desc.first_label = chance(2) ? draw(100) : FLG_NO_INDEX;
         odd(desc);
-        returned(flgCutIsolines(at(), maybe(&desc), out<FlgField>(field), job_out()));
+        returned(flgSurfaceCutIsolines(at(), maybe(&desc), out<FlgField>(field), job_out()));
     } else {
-        FlgCutCurvesDesc desc = flgCutCurvesDefaults();
+        FlgSurfaceCutCurvesDesc desc = flgSurfaceCutCurvesDefaults();
         desc.curves = any<FlgSurfaceCurves>(surface_curves);
         desc.first_label = chance(2) ? draw(100) : FLG_NO_INDEX;
         odd(desc);
-        returned(flgCutCurves(at(), maybe(&desc), job_out()));
+        returned(flgSurfaceCutCurves(at(), maybe(&desc), job_out()));
     }
 }
 
 void RandomHost::divide_tangle() {
-    if (chance(3)) returned(flgTangleCreate(at(), any<FlgSurface>(surface), out<FlgTangle>(tangle), job_out()));
+    if (chance(3))
+        returned(flgTangleCreate(at(), any<FlgSurface>(surface), nullptr, out<FlgTangle>(tangle), job_out()));
     const uint32_t regions[] = {draw(4), draw(8)};
     const FlgSurfacePoint points[] = {{draw(60), number(0, 0.4), 0.3f}, {draw(60), 0.2f, 0.2f}};
     FlgTangleDivideDesc desc = flgTangleDivideDefaults();
@@ -162,11 +166,15 @@ void RandomHost::divide_tangle() {
     desc.kind = choice<FlgTangleOperator>(4);
     desc.regions = maybe(regions);
     desc.region_count = draw(3);
-    desc.a.borders = chance(2) ? FLG_TANGLE_BORDERS_OUTER : FLG_TANGLE_BORDERS_NONE;
-    desc.a.sample_radius = chance(2) ? number(0.2, 0.6) : 0;
-    desc.a.points = maybe(points);
-    desc.a.point_count = draw(3);
-    desc.b.sample_radius = chance(4) ? number(0.3, 0.6) : 0;
+    FlgTangleSeeds a = flgTangleSeedsDefaults(), b = flgTangleSeedsDefaults();
+    a.borders = chance(2) ? FLG_TANGLE_BORDERS_OUTER : FLG_TANGLE_BORDERS_NONE;
+    a.sample_radius = chance(2) ? number(0.2, 0.6) : 0;
+    a.points = maybe(points);
+    a.point_count = draw(3);
+    b.sample_radius = chance(4) ? number(0.3, 0.6) : 0;
+    odd(a);
+    desc.a = maybe(&a);
+    desc.b = chance(2) ? &b : nullptr;
     desc.delta = number(0.05, 0.4);
     desc.count = draw(3);
     desc.grouping = choice<FlgTangleGrouping>(4);
@@ -179,12 +187,14 @@ void RandomHost::edit_tangle() {
     const uint32_t regions[] = {draw(6), draw(6)};
     const FlgTangle edited = any<FlgTangle>(tangle);
     switch (draw(8)) {
-        case 0: return returned(flgTangleUndo(at(), edited, job_out()));
-        case 1: return returned(flgTangleRedo(at(), edited, job_out()));
-        case 2: return returned(flgTangleGroup(at(), edited, maybe(regions), draw(3), job_out()));
-        case 3: return returned(flgTangleUngroup(at(), edited, draw(5), job_out()));
-        case 4: return returned(flgTangleJoin(at(), edited, maybe(regions), draw(3), job_out()));
-        case 5: return returned(flgTangleBorders(at(), edited, out<FlgSurfaceCurves>(surface_curves), job_out()));
+        case 0: return returned(flgTangleUndo(at(), edited, nullptr, job_out()));
+        case 1: return returned(flgTangleRedo(at(), edited, nullptr, job_out()));
+        case 2: return returned(flgTangleGroup(at(), edited, maybe(regions), draw(3), nullptr, job_out()));
+        case 3: return returned(flgTangleUngroup(at(), edited, draw(5), nullptr, job_out()));
+        case 4: return returned(flgTangleJoin(at(), edited, maybe(regions), draw(3), nullptr, job_out()));
+        case 5:
+            return returned(
+                flgTangleTraceBorders(at(), edited, nullptr, out<FlgSurfaceCurves>(surface_curves), job_out()));
         case 6: {
             FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
             desc.tangle = edited;
@@ -196,7 +206,7 @@ void RandomHost::edit_tangle() {
             return returned(flgTangleDisplace(at(), maybe(&desc), job_out()));
         }
         default: {
-            FlgTangleMacroDesc desc = flgTangleMacroDefaults();
+            FlgTangleApplyMacroDesc desc = flgTangleApplyMacroDefaults();
             desc.tangle = edited;
             desc.kind = choice<FlgTangleMacro>(8);
             desc.regions = maybe(regions);
@@ -218,7 +228,7 @@ void RandomHost::replay_tangle() {
     if (result != FLG_OK || history.step_count > 6) return;
     if (chance(4)) history.made_count = draw(4);
     if (chance(20)) history.steps = nullptr;
-    returned(flgTangleReplay(at(), any<FlgTangle>(tangle), maybe(&history), job_out()));
+    returned(flgTangleReplay(at(), any<FlgTangle>(tangle), maybe(&history), nullptr, job_out()));
 }
 
 void RandomHost::sketch() {
@@ -235,7 +245,7 @@ void RandomHost::sketch() {
     odd(contour);
     if (chance(2)) {
         FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
-        desc.contour = contour;
+        desc.contour = maybe(&contour);
         desc.repair = chance(2);
         odd(desc);
         returned(flgStraightSkeletonCreate(at(), maybe(&desc), out<FlgStraightSkeleton>(skeleton), job_out()));
@@ -244,7 +254,7 @@ void RandomHost::sketch() {
                                            maybe(&polygons)));
     } else {
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour = contour;
+        desc.contour = maybe(&contour);
         desc.spacing = chance(8) ? number<double>(0, 0.1) : 0.03;
         desc.repair = chance(2);
         odd(desc);

@@ -42,25 +42,26 @@ FlgResult save_tangle(const std::string& path, uint32_t version) {
     for (uint32_t i = 0; i < 20; ++i) regions.push_back(i + version);
     FlgTangleStep step{};
     step.struct_size = sizeof step;
-    step.kind = FLG_TANGLE_STEP_GROUP;
+    step.kind = FLG_TANGLE_STEP_KIND_GROUP;
     step.regions = regions.data();
     step.region_count = static_cast<uint32_t>(regions.size());
+    const FlgTangleStep* const steps[] = {&step};
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
     history.step_count = history.made_count = 1;
-    history.steps = &step;
+    history.steps = steps;
     history.box_max[0] = 1;
     return flgTangleFileWrite(path.c_str(), &history);
 }
 
 std::string load_tangle(const std::string& path) {
     FlgTangleFile file = nullptr;
-    if (flgTangleFileRead(path.c_str(), &file) != FLG_OK) return flgIoLastError();
+    if (flgTangleFileRead(path.c_str(), &file) != FLG_OK) return flgIoErrorGetMessage();
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
     EXPECT_EQ(flgTangleFileGetHistory(file, &history), FLG_OK);
     std::string all;
-    append(all, history.steps[0].regions, history.steps[0].region_count);
+    append(all, history.steps[0]->regions, history.steps[0]->region_count);
     flgTangleFileRelease(file);
     return all;
 }
@@ -73,7 +74,7 @@ FlgResult save_curves(const std::string& path, uint32_t version) {
 
 std::string load_curves(const std::string& path) {
     FlgCurveFile file = nullptr;
-    if (flgCurveFileRead(path.c_str(), &file) != FLG_OK) return flgIoLastError();
+    if (flgCurveFileRead(path.c_str(), &file) != FLG_OK) return flgIoErrorGetMessage();
     FlgCurveSetView view = flgCurveSetViewDefaults();
     EXPECT_EQ(flgCurveFileGetView(file, &view), FLG_OK);
     std::string all = bits(view);
@@ -89,7 +90,7 @@ FlgResult save_mesh(const std::string& path, uint32_t version) {
 
 std::string load_mesh(const std::string& path) {
     FlgMeshFile file = nullptr;
-    if (flgMeshFileRead(path.c_str(), &file) != FLG_OK) return flgIoLastError();
+    if (flgMeshFileRead(path.c_str(), &file) != FLG_OK) return flgIoErrorGetMessage();
     FlgMeshView view = flgMeshViewDefaults();
     EXPECT_EQ(flgMeshFileGetView(file, &view), FLG_OK);
     std::string all;
@@ -152,13 +153,13 @@ protected:
     std::string before, after;
 
     void SetUp() override {
-        ASSERT_EQ(document.save(path, 1), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(document.save(path, 1), FLG_OK) << flgIoErrorGetMessage();
         after = document.load(path);
         start_again();
         before = document.load(path);
         ASSERT_NE(before, after);
     }
-    void start_again() { ASSERT_EQ(document.save(path, 0), FLG_OK) << flgIoLastError(); }
+    void start_again() { ASSERT_EQ(document.save(path, 0), FLG_OK) << flgIoErrorGetMessage(); }
     // Old or new, and what was left behind is in nobody's way.
     void expect_whole() {
         const std::string now = document.load(path);

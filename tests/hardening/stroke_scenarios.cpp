@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Contexts, curves, styles, stylization, live strokes.
 #include <utility>
+#include <vector>
 
 #include "api/live_inputs.h"
+#include "filigree/filigree_brush.h"
+#include "filigree/filigree_model.h"
+#include "filigree/filigree_surface.h"
+#include "filigree/filigree_tangle.h"
 #include "hardening/scenarios.h"
 
 namespace flg::test {
@@ -26,12 +31,54 @@ FlgStyle create_style(Calls& calls) {
     return style;
 }
 
+// In two calls, the second of which goes on with the same points.
+void sweep(Calls& calls, const FlgCurveSetView& view) {
+    FlgBrushMeshDesc desc = FLG_INIT(calls, flgBrushMeshDescInit);
+    desc.curves = &view;
+    FlgBrushMeshState state = FLG_INIT(calls, flgBrushMeshStateInit);
+    FlgBrushMeshSizes sizes = FLG_INIT(calls, flgBrushMeshSizesInit);
+    for (int i = 0; i < 2; ++i) {
+        FLG_CALL(calls, flgBrushMeshGetSizes, &desc, &state, &sizes);
+        std::vector<float> positions(3 * sizes.vertex_count);
+        std::vector<uint32_t> indices(sizes.index_count);
+        const FlgVertexColumn column = {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0,
+                                        0};
+        FlgBrushMeshOutput output = FLG_INIT(calls, flgBrushMeshOutputInit);
+        output.columns = &column;
+        output.column_count = 1;
+        output.vertex_capacity = sizes.vertex_count;
+        output.indices = indices.data();
+        output.index_capacity = sizes.index_count;
+        FLG_CALL(calls, flgBrushMeshWrite, &desc, &state, &output, &sizes);
+        calls.bits.append(reinterpret_cast<const char*>(positions.data()), positions.size() * sizeof(float));
+        calls.bits.append(reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(uint32_t));
+    }
+}
+
 }  // namespace
 
 void make_contexts(Calls& calls) {
-    EXPECT_EQ(FLG_VALUE(calls, flgVersion), uint32_t{FLG_VERSION});
-    EXPECT_STREQ(FLG_VALUE(calls, flgResultName, FLG_ERROR_LIMIT), "FLG_ERROR_LIMIT");
-    EXPECT_NE(FLG_VALUE(calls, flgLastError), nullptr);
+    EXPECT_EQ(FLG_VALUE(calls, flgVersionGet), uint32_t{FLG_VERSION});
+    EXPECT_STREQ(FLG_VALUE(calls, flgResultGetName, FLG_ERROR_LIMIT), "FLG_ERROR_LIMIT");
+    EXPECT_NE(FLG_VALUE(calls, flgErrorGetMessage), nullptr);
+    // Structs that scenarios fill by hand: by their defaults, too.
+    FLG_INIT(calls, flgAllocatorInit);
+    FLG_INIT(calls, flgBoneThresholdsInit);
+    FLG_INIT(calls, flgClockInit);
+    FLG_INIT(calls, flgFrameReportInit);
+    FLG_INIT(calls, flgJobOptionsInit);
+    FLG_INIT(calls, flgJobStatusInit);
+    FLG_INIT(calls, flgJobSystemInit);
+    FLG_INIT(calls, flgLiveStrokeInfoInit);
+    FLG_INIT(calls, flgLogInit);
+    FLG_INIT(calls, flgProfilerInit);
+    FLG_INIT(calls, flgStyleInfoInit);
+    FLG_INIT(calls, flgSurfaceReportInit);
+    FLG_INIT(calls, flgTangleHistoryInit);
+    FLG_INIT(calls, flgTangleSeedPlacesInit);
+    FLG_INIT(calls, flgTangleInfoInit);
+    FLG_INIT(calls, flgTangleRegionInit);
+    FLG_INIT(calls, flgTangleStepInit);
     FlgContextDesc desc = FLG_INIT(calls, flgContextDescInit);
     desc.allocator = calls.contexts.allocator;
     desc.job_system = calls.contexts.job_system;
@@ -40,12 +87,12 @@ void make_contexts(Calls& calls) {
     try {
         FLG_CALL(calls, flgContextCreate, &desc, &context);
     } catch (const Ended&) {
-        EXPECT_EQ(context, nullptr);
+        EXPECT_EQ(context.id, 0u);
         throw;
     }
     FlgFrameReport report{};
     report.struct_size = sizeof report;
-    FLG_CALL(calls, flgTick, context, 100u, &report);
+    FLG_CALL(calls, flgContextTick, context, 100u, &report);
     EXPECT_EQ(report.frame, 1u);
     FLG_CALL(calls, flgContextWait, context, 10u);
     FLG_CALL(calls, flgContextRun, context, nullptr, 0u, 1.0);
@@ -58,17 +105,18 @@ void make_curves(Calls& calls) {
     FLG_CALL(calls, flgCurveSetCreateFromPoints, calls.context, arc.positions.data(), 12u, uint8_t{0}, calls.out(lone));
     FlgCurveSetView view = FLG_INIT(calls, flgCurveSetViewInit);
     FLG_CALL(calls, flgCurveSetGetView, calls.context, lone, &view);
-    EXPECT_EQ(FLG_VALUE(calls, flgCurveSetViewColumn, &std::as_const(view), FLG_ATTRIBUTE_POSITION), view.columns);
+    sweep(calls, view);
+    EXPECT_EQ(FLG_VALUE(calls, flgCurveSetViewGetColumn, &std::as_const(view), FLG_ATTRIBUTE_POSITION), view.columns);
     calls.bits += bits(view);
     FLG_CALL(calls, flgCurveSetRelease, calls.context, lone);
-    FlgResampleDesc desc = FLG_INIT(calls, flgResampleDescInit);
+    FlgCurveSetResampleDesc desc = FLG_INIT(calls, flgCurveSetResampleDescInit);
     desc.curves = create(calls, arcs(3, 12));
     desc.spacing = 0.4f;
     FlgCurveSet even{}, framed{};
-    FLG_CALL(calls, flgResample, calls.context, &desc, calls.out(even), calls.job());
+    FLG_CALL(calls, flgCurveSetResample, calls.context, &desc, calls.out(even), calls.job());
     desc.curves = even;
-    desc.frame = FLG_FRAME_FRENET;
-    FLG_CALL(calls, flgResample, calls.context, &desc, calls.out(framed), calls.job());
+    desc.frame = FLG_FRAME_METHOD_FRENET;
+    FLG_CALL(calls, flgCurveSetResample, calls.context, &desc, calls.out(framed), calls.job());
     calls.finish();
     calls.note(framed);
 
@@ -114,15 +162,17 @@ void make_styles(Calls& calls) {
 }
 
 void stylize_curves(Calls& calls) {
-    FlgStylizeDesc desc = FLG_INIT(calls, flgStylizeDescInit);
+    FlgCurveSetStylizeDesc desc = FLG_INIT(calls, flgCurveSetStylizeDescInit);
     desc.style = create_style(calls);
     desc.target = create(calls, arcs(3, 12, 4));
     desc.temperature = 1;
     desc.strokes = 2;
     desc.keep_displacement = 1;
-    desc.job.partial_results = 1;
+    FlgJobOptions options = flgJobOptionsDefaults();
+    options.partial_results = 1;
+    desc.job = &options;
     FlgCurveSet one{}, two{};
-    FLG_CALL(calls, flgStylize, calls.context, &desc, calls.out(one), calls.job());
+    FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(one), calls.job());
     calls.finish();
     calls.note(one);
     desc.target = one;
@@ -130,7 +180,7 @@ void stylize_curves(Calls& calls) {
     desc.scale = 0.5f;
     desc.temperature = 0;
     desc.pin_ends = 1;
-    FLG_CALL(calls, flgStylize, calls.context, &desc, calls.out(two), calls.job());
+    FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(two), calls.job());
     calls.finish();
     calls.note(two);
 }
@@ -155,6 +205,8 @@ void draw_live_strokes(Calls& calls) {
     FLG_CALL(calls, flgLiveStrokeUndo, context, stroke, 3u, &left);
     FLG_CALL(calls, flgLiveStrokePush, context, stroke, samples.data() + 27, 3u, &view);
     FLG_CALL(calls, flgLiveStrokeGetPoints, context, stroke, &view);
+    calls.bits += bits(view);
+    FLG_CALL(calls, flgLiveStrokeGetTip, context, stroke, &view);
     calls.bits += bits(view);
     FlgLiveStrokeInfo info{};
     info.struct_size = sizeof info;

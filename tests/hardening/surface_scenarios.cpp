@@ -9,29 +9,30 @@ namespace {
 
 FlgSurface create(Calls& calls, MeshArrays mesh) {
     FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
-    desc.mesh = mesh.view();
+    const FlgMeshView input = mesh.view();
+    desc.mesh = &input;
     FlgSurface surface{};
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(surface), calls.job());
     return surface;
 }
 
 FlgField distances(Calls& calls, FlgSurface surface, uint32_t vertex) {
-    FlgGeodesicDesc desc = FLG_INIT(calls, flgGeodesicDescInit);
+    FlgFieldGeodesicDesc desc = FLG_INIT(calls, flgFieldGeodesicDescInit);
     desc.surface = surface;
     desc.vertices = &vertex;
     desc.vertex_count = 1;
     desc.labels = 1;
     FlgField field{};
-    FLG_CALL(calls, flgGeodesic, calls.context, &desc, calls.out(field), calls.job());
+    FLG_CALL(calls, flgFieldCreateGeodesic, calls.context, &desc, calls.out(field), calls.job());
     return field;
 }
 
 FlgSurfaceCurves isolines(Calls& calls, FlgField field, float every) {
-    FlgIsolinesDesc desc = FLG_INIT(calls, flgIsolinesDescInit);
+    FlgFieldTraceIsolinesDesc desc = FLG_INIT(calls, flgFieldTraceIsolinesDescInit);
     desc.field = field;
-    desc.levels.every = every;
+    desc.level_every = every;
     FlgSurfaceCurves curves{};
-    FLG_CALL(calls, flgTraceIsolines, calls.context, &desc, calls.out(curves), calls.job());
+    FLG_CALL(calls, flgFieldTraceIsolines, calls.context, &desc, calls.out(curves), calls.job());
     return curves;
 }
 
@@ -43,10 +44,10 @@ void make_surfaces(Calls& calls) {
     mesh.set_regions([](const Point& p) { return p[0] > 0.5 ? 1u : 0u; });
     const FlgMeshView given = FLG_INIT(calls, flgMeshViewInit);
     EXPECT_EQ(given.triangle_count, 0u);
-    EXPECT_EQ(FLG_VALUE(calls, flgMeshViewColumn, &given, FLG_ATTRIBUTE_POSITION), nullptr);
+    EXPECT_EQ(FLG_VALUE(calls, flgMeshViewGetColumn, &given, FLG_ATTRIBUTE_POSITION), nullptr);
     FlgSurface plain{};
     FLG_CALL(calls, flgSurfaceCreateFromTriangles, calls.context, mesh.positions.data(), mesh.vertex_count(),
-             mesh.triangles.data(), mesh.triangle_count(), calls.out(plain), calls.job());
+             mesh.triangles.data(), mesh.triangle_count(), nullptr, calls.out(plain), calls.job());
     calls.finish();
     calls.note(plain);
     FLG_CALL(calls, flgSurfaceRelease, calls.context, plain);
@@ -58,7 +59,7 @@ void make_surfaces(Calls& calls) {
     EXPECT_EQ(report.degenerate_triangles, 1u);
     calls.note(surface);
     for (const FlgSubdivision scheme : {FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP}) {
-        FlgRefineDesc refine = FLG_INIT(calls, flgRefineDescInit);
+        FlgSurfaceRefineDesc refine = FLG_INIT(calls, flgSurfaceRefineDescInit);
         refine.surface = surface;
         refine.scheme = scheme;
         FlgSurface finer{};
@@ -72,24 +73,24 @@ void make_surfaces(Calls& calls) {
 void measure_surfaces(Calls& calls) {
     const FlgSurface surface = create(calls, plane(6));
     const FlgField from = distances(calls, surface, 0), to = distances(calls, surface, 48);
-    FlgBlendDesc blend = FLG_INIT(calls, flgBlendDescInit);
+    FlgFieldBlendDesc blend = FLG_INIT(calls, flgFieldBlendDescInit);
     blend.from = from;
     blend.to = to;
     FlgField blended{}, sampled{}, perturbed{}, own{};
     FLG_CALL(calls, flgFieldBlend, calls.context, &blend, calls.out(blended), calls.job());
-    FlgSamplingDesc sampling = FLG_INIT(calls, flgSamplingDescInit);
+    FlgSurfaceSampleDesc sampling = FLG_INIT(calls, flgSurfaceSampleDescInit);
     sampling.surface = surface;
     sampling.radius = 0.3f;
     FLG_CALL(calls, flgSurfaceSample, calls.context, &sampling, calls.out(sampled), calls.job());
-    FlgBorderSamplingDesc border = FLG_INIT(calls, flgBorderSamplingDescInit);
+    FlgSurfaceSampleBordersDesc border = FLG_INIT(calls, flgSurfaceSampleBordersDescInit);
     border.surface = surface;
     border.spacing = 0.2f;
     FlgSurfaceCurves points{};
-    FLG_CALL(calls, flgBorderSample, calls.context, &border, calls.out(points), calls.job());
+    FLG_CALL(calls, flgSurfaceSampleBorders, calls.context, &border, calls.out(points), calls.job());
 
     const uint32_t zero = 0;
     const FlgSurfacePoint point = {7, 0.2f, 0.2f};
-    FlgGeodesicDesc desc = FLG_INIT(calls, flgGeodesicDescInit);
+    FlgFieldGeodesicDesc desc = FLG_INIT(calls, flgFieldGeodesicDescInit);
     desc.surface = surface;
     desc.points = &point;
     desc.point_count = 1;
@@ -98,7 +99,7 @@ void measure_surfaces(Calls& calls) {
     desc.border_region_count = desc.region_count = desc.target_count = 1;
     desc.perturbation = 0.01f;
     desc.labels = 1;
-    FLG_CALL(calls, flgGeodesic, calls.context, &desc, calls.out(perturbed), calls.job());
+    FLG_CALL(calls, flgFieldCreateGeodesic, calls.context, &desc, calls.out(perturbed), calls.job());
     calls.finish();
     const std::vector<float> values(49, 0.5f);
     FLG_CALL(calls, flgFieldCreate, calls.context, surface, values.data(), 49u, calls.out(own));
@@ -115,30 +116,30 @@ void trace_surfaces(Calls& calls) {
     const FlgSurfaceCurves rings = isolines(calls, field, 0.4f);
     FlgSurfaceCurves flows{}, paths{}, laid{};
     const FlgSurfacePoint starts[] = {{40, 0.2f, 0.2f}, {70, 0.1f, 0.3f}};
-    FlgStreamsDesc streams = FLG_INIT(calls, flgStreamsDescInit);
+    FlgFieldTraceStreamsDesc streams = FLG_INIT(calls, flgFieldTraceStreamsDescInit);
     streams.field = field;
     streams.starts = starts;
     streams.start_count = 2;
     streams.downhill = 1;
-    FLG_CALL(calls, flgTraceStreams, calls.context, &streams, calls.out(flows), calls.job());
+    FLG_CALL(calls, flgFieldTraceStreams, calls.context, &streams, calls.out(flows), calls.job());
     const FlgSurfacePoint stops[] = {{3, 0.2f, 0.3f}, {50, 0.5f, 0.1f}, {90, 0.1f, 0.1f}};
     const uint32_t offsets[] = {0, 3};
-    FlgPathsDesc path = FLG_INIT(calls, flgPathsDescInit);
+    FlgFieldTracePathsDesc path = FLG_INIT(calls, flgFieldTracePathsDescInit);
     path.surface = surface;
     path.points = stops;
     path.path_offsets = offsets;
     path.path_count = 1;
     path.closed = 1;
-    FLG_CALL(calls, flgTracePaths, calls.context, &path, calls.out(paths), calls.job());
-    FlgLiftDesc lift = FLG_INIT(calls, flgLiftDescInit);
+    FLG_CALL(calls, flgFieldTracePaths, calls.context, &path, calls.out(paths), calls.job());
+    FlgSurfaceCurvesLiftDesc lift = FLG_INIT(calls, flgSurfaceCurvesLiftDescInit);
     lift.curves = paths;
     lift.height = 0.1f;
     FlgCurveSet lifted{};
-    FLG_CALL(calls, flgLiftCurves, calls.context, &lift, calls.out(lifted), calls.job());
-    FlgProjectDesc project = FLG_INIT(calls, flgProjectDescInit);
+    FLG_CALL(calls, flgSurfaceCurvesLift, calls.context, &lift, calls.out(lifted), calls.job());
+    FlgCurveSetProjectDesc project = FLG_INIT(calls, flgCurveSetProjectDescInit);
     project.surface = surface;
     project.curves = lifted;
-    FLG_CALL(calls, flgProjectCurves, calls.context, &project, calls.out(laid), calls.job());
+    FLG_CALL(calls, flgCurveSetProject, calls.context, &project, calls.out(laid), calls.job());
     calls.finish();
     calls.note(lifted);
     for (const FlgSurfaceCurves curves : {rings, flows, paths, laid}) {
@@ -156,23 +157,23 @@ void cut_surfaces(Calls& calls) {
     calls.note(surface);
     const FlgField first = distances(calls, surface, 3);
     calls.finish();
-    FlgCutIsolinesDesc bands = FLG_INIT(calls, flgCutIsolinesDescInit);
+    FlgSurfaceCutIsolinesDesc bands = FLG_INIT(calls, flgSurfaceCutIsolinesDescInit);
     bands.field = first;
-    bands.levels.first = 0.5f;
-    bands.levels.every = 0.7f;
+    bands.level_first = 0.5f;
+    bands.level_every = 0.7f;
     bands.first_label = 5;
     FlgField after{};
-    FLG_CALL(calls, flgCutIsolines, calls.context, &bands, calls.out(after), calls.job());
+    FLG_CALL(calls, flgSurfaceCutIsolines, calls.context, &bands, calls.out(after), calls.job());
     calls.finish();
     calls.note(surface);
     calls.note(after);
 
     const FlgField second = distances(calls, surface, 30);
-    FlgCutCurvesDesc along = FLG_INIT(calls, flgCutCurvesDescInit);
+    FlgSurfaceCutCurvesDesc along = FLG_INIT(calls, flgSurfaceCutCurvesDescInit);
     along.curves = isolines(calls, second, 0.33f);
     along.first_label = 100;
     calls.finish();
-    FLG_CALL(calls, flgCutCurves, calls.context, &along, calls.job());
+    FLG_CALL(calls, flgSurfaceCutCurves, calls.context, &along, calls.job());
     calls.finish();
     calls.note(surface);
     uint32_t changed = 0;

@@ -15,10 +15,11 @@ struct Decorated {
 Decorated begin(Calls& calls) {
     FlgSurfaceDesc desc = FLG_INIT(calls, flgSurfaceDescInit);
     MeshArrays mesh = plane(7);
-    desc.mesh = mesh.view();
+    const FlgMeshView input = mesh.view();
+    desc.mesh = &input;
     Decorated made;
     FLG_CALL(calls, flgSurfaceCreate, calls.context, &desc, calls.out(made.surface), calls.job());
-    FLG_CALL(calls, flgTangleCreate, calls.context, made.surface, calls.out(made.tangle), calls.job());
+    FLG_CALL(calls, flgTangleCreate, calls.context, made.surface, nullptr, calls.out(made.tangle), calls.job());
     calls.surfaces.push_back(made.surface);
     calls.finish();
     calls.note(made.surface);
@@ -47,16 +48,16 @@ void divide(Calls& calls, const Decorated& decorated, FlgTangleOperator kind, ui
     desc.kind = kind;
     desc.regions = &region;
     desc.region_count = 1;
-    desc.a = seeds;
+    desc.a = &seeds;
     desc.delta = delta;
     FLG_CALL(calls, flgTangleDivide, calls.context, &desc, calls.job());
     finish(calls, decorated);
 }
 
 void frame(Calls& calls, const Decorated& decorated) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = FLG_INIT(calls, flgTangleSeedsInit);
     seeds.borders = FLG_TANGLE_BORDERS_OUTER;
-    divide(calls, decorated, FLG_TANGLE_CONTOUR, 0, seeds, 0.17f);
+    divide(calls, decorated, FLG_TANGLE_OPERATOR_CONTOUR, 0, seeds, 0.17f);
 }
 
 }  // namespace
@@ -64,19 +65,19 @@ void frame(Calls& calls, const Decorated& decorated) {
 void divide_tangles(Calls& calls) {
     const Decorated decorated = begin(calls);
     frame(calls, decorated);
-    FlgTangleSeeds samples{};
+    FlgTangleSeeds samples = flgTangleSeedsDefaults();
     samples.sample_radius = 0.2f;
-    divide(calls, decorated, FLG_TANGLE_VORONOI, 2, samples, 0.1f);
-    FlgTangleSeeds borders{};
+    divide(calls, decorated, FLG_TANGLE_OPERATOR_VORONOI, 2, samples, 0.1f);
+    FlgTangleSeeds borders = flgTangleSeedsDefaults();
     borders.borders = FLG_TANGLE_BORDERS_OUTER;
-    divide(calls, decorated, FLG_TANGLE_STREAM, 1, borders, 0.5f);
+    divide(calls, decorated, FLG_TANGLE_OPERATOR_STREAM, 1, borders, 0.5f);
     const FlgSurfacePoint ends[] = {{3, 0.3f, 0.3f}, {90, 0.2f, 0.3f}};
-    FlgTangleSeeds points{};
+    FlgTangleSeeds points = flgTangleSeedsDefaults();
     points.points = ends;
     points.point_count = 2;
-    divide(calls, decorated, FLG_TANGLE_POLYLINE, 0, points, 0.1f);
+    divide(calls, decorated, FLG_TANGLE_OPERATOR_POLYLINE, 0, points, 0.1f);
     FlgSurfaceCurves seen{};
-    FLG_CALL(calls, flgTangleBorders, calls.context, decorated.tangle, calls.out(seen), calls.job());
+    FLG_CALL(calls, flgTangleTraceBorders, calls.context, decorated.tangle, nullptr, calls.out(seen), calls.job());
     calls.finish();
     calls.note(seen);
     FLG_CALL(calls, flgTangleRelease, calls.context, decorated.tangle);
@@ -86,9 +87,9 @@ void edit_tangles(Calls& calls) {
     const Decorated decorated = begin(calls);
     frame(calls, decorated);
     const uint32_t inner = 2;
-    FlgTangleMacroDesc macro = FLG_INIT(calls, flgTangleMacroDescInit);
+    FlgTangleApplyMacroDesc macro = FLG_INIT(calls, flgTangleApplyMacroDescInit);
     macro.tangle = decorated.tangle;
-    macro.kind = FLG_TANGLE_POLKA_DOTS;
+    macro.kind = FLG_TANGLE_MACRO_POLKA_DOTS;
     macro.regions = &inner;
     macro.region_count = 1;
     macro.size = 0.08f;
@@ -103,36 +104,36 @@ void edit_tangles(Calls& calls) {
     FLG_CALL(calls, flgTangleDisplace, calls.context, &displace, calls.job());
     finish(calls, decorated);
     const uint32_t both[] = {1, 2};
-    FLG_CALL(calls, flgTangleGroup, calls.context, decorated.tangle, both, 2u, calls.job());
+    FLG_CALL(calls, flgTangleGroup, calls.context, decorated.tangle, both, 2u, nullptr, calls.job());
     finish(calls, decorated);
     FlgTangleRegion region{};
     region.struct_size = sizeof region;
     FLG_CALL(calls, flgTangleGetRegion, calls.context, decorated.tangle, 1u, &region);
-    FLG_CALL(calls, flgTangleUngroup, calls.context, decorated.tangle, region.group, calls.job());
+    FLG_CALL(calls, flgTangleUngroup, calls.context, decorated.tangle, region.group, nullptr, calls.job());
     finish(calls, decorated);
-    FLG_CALL(calls, flgTangleJoin, calls.context, decorated.tangle, both, 2u, calls.job());
+    FLG_CALL(calls, flgTangleJoin, calls.context, decorated.tangle, both, 2u, nullptr, calls.job());
     finish(calls, decorated);
     for (int i = 0; i < 3; ++i) {
-        FLG_CALL(calls, flgTangleUndo, calls.context, decorated.tangle, calls.job());
+        FLG_CALL(calls, flgTangleUndo, calls.context, decorated.tangle, nullptr, calls.job());
         finish(calls, decorated);
     }
-    FLG_CALL(calls, flgTangleRedo, calls.context, decorated.tangle, calls.job());
+    FLG_CALL(calls, flgTangleRedo, calls.context, decorated.tangle, nullptr, calls.job());
     finish(calls, decorated);
 }
 
 void replay_tangles(Calls& calls) {
     const Decorated first = begin(calls);
     frame(calls, first);
-    FlgTangleSeeds samples{};
+    FlgTangleSeeds samples = flgTangleSeedsDefaults();
     samples.sample_radius = 0.25f;
-    divide(calls, first, FLG_TANGLE_CONTOUR, 2, samples, 0.08f);
+    divide(calls, first, FLG_TANGLE_OPERATOR_CONTOUR, 2, samples, 0.08f);
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
     FLG_CALL(calls, flgTangleGetHistory, calls.context, first.tangle, &history);
     EXPECT_EQ(history.step_count, 2u);
     calls.surfaces.clear();  // in between, the second surface has states of its own
     const Decorated second = begin(calls);
-    FLG_CALL(calls, flgTangleReplay, calls.context, second.tangle, &history, calls.job());
+    FLG_CALL(calls, flgTangleReplay, calls.context, second.tangle, &history, nullptr, calls.job());
     finish(calls, second);
 }
 

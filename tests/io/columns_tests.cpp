@@ -42,8 +42,8 @@ struct Rich {
 };
 
 FlgResult write_all(const std::string& path, const Rich& rich, uint32_t all_columns = 1) {
-    FlgCurveWriteDesc desc;
-    flgCurveWriteDescInit(&desc, sizeof desc);
+    FlgCurveFileWriteDesc desc;
+    flgCurveFileWriteDescInit(&desc, sizeof desc);
     desc.all_columns = all_columns;
     const FlgCurveSetView view = rich.view();
     return flgCurveFileWrite(path.c_str(), &view, &desc);
@@ -76,7 +76,7 @@ TEST(CurveColumns, TextRoundTripsExactly) {
                      {FLG_ATTRIBUTE_DISPLACEMENT, 3},
                      {user_0, 1},
                      {user_7, 16}});
-    ASSERT_EQ(write_all(folder.at("a.xyz"), rich), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_all(folder.at("a.xyz"), rich), FLG_OK) << flgIoErrorGetMessage();
     expect_same(read(folder.at("a.xyz")), rich);
     // The radius is where readers that know nothing of columns look for it.
     EXPECT_EQ(slurp(folder.at("a.xyz")).rfind("# columns x y z radius tangent_0 tangent_1 tangent_2 nx ny nz red", 0),
@@ -104,16 +104,16 @@ TEST(CurveColumns, GltfRoundTripsExactly) {
                {user_0, 2},
                {user_7, 4}});
     for (size_t i = 0; i < 24; ++i) rich.values[10].second[i] = i % 3 == i / 8 ? 1.0f : 0.0f;
-    ASSERT_EQ(write_all(folder.at("a.glb"), rich), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_all(folder.at("a.glb"), rich), FLG_OK) << flgIoErrorGetMessage();
     expect_same(read(folder.at("a.glb")), rich);
     ASSERT_EQ(write_all(folder.at("b.glb"), rich, 0), FLG_OK);
     EXPECT_EQ(read(folder.at("b.glb")).columns.size(), 2u);
 
     ASSERT_EQ(write_all(folder.at("c.glb"), Rich({{FLG_ATTRIBUTE_POSITION, 3}, {user_7, 5}})),
               FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("view.columns[1].components: is 5, .glb holds at most 4"),
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("view.columns[1].components: is 5, .glb holds at most 4"),
               std::string::npos)
-        << flgIoLastError();
+        << flgIoErrorGetMessage();
 }
 
 TEST(CurveColumns, AreReadByName) {

@@ -12,7 +12,7 @@ namespace flg::test {
 namespace {
 
 std::string last_error() {
-    return flgIoLastError();
+    return flgIoErrorGetMessage();
 }
 
 TEST(CurveFile, MissingFilesAndUnknownFormats) {
@@ -47,7 +47,7 @@ TEST(CurveFile, NullsAreRefusedAndOutputsCleared) {
     EXPECT_EQ(flgCurveFileGetStrokes(nullptr, &strokes, &count), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(strokes, nullptr);
     EXPECT_EQ(count, 0u);
-    EXPECT_EQ(flgCurveWriteDescInit(nullptr, sizeof(FlgCurveWriteDesc)), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgCurveFileWriteDescInit(nullptr, sizeof(FlgCurveFileWriteDesc)), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(flgCurveFileWrite("a.xyz", nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(last_error(), "a.xyz:view: is null");
     flgCurveFileRelease(nullptr);
@@ -74,10 +74,10 @@ TEST(CurveFile, StructSizesAreHonoured) {
     for (const uint32_t size : {0u, 8u}) {
         view.struct_size = info.struct_size = size;
         EXPECT_EQ(flgCurveFileGetView(file, &view), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(last_error().find("struct_size " + std::to_string(size)), std::string::npos) << last_error();
+        EXPECT_NE(last_error().find("struct_size is " + std::to_string(size)), std::string::npos) << last_error();
         EXPECT_EQ(flgCurveFileGetInfo(file, &info), FLG_ERROR_INVALID_ARGUMENT);
-        FlgCurveWriteDesc desc;
-        EXPECT_EQ(flgCurveWriteDescInit(&desc, size), FLG_ERROR_INVALID_ARGUMENT);
+        FlgCurveFileWriteDesc desc;
+        EXPECT_EQ(flgCurveFileWriteDescInit(&desc, size), FLG_ERROR_INVALID_ARGUMENT);
     }
     flgCurveFileRelease(file);
 }
@@ -95,7 +95,7 @@ TEST(CurveFile, ViewsThatCannotBeWrittenAreRefused) {
     };
     FlgCurveSetView view = good;
     view.struct_size = 4;
-    refuse(view, "view.struct_size: is 4");
+    refuse(view, " view: struct_size is 4");
     view = good;
     view.curve_count = 0;
     refuse(view, "view.curve_count: is 0");
@@ -143,17 +143,17 @@ TEST(CurveFile, DescriptorsAreChecked) {
     const Folder folder;
     Curves curves;
     curves.add({0, 0, 0, 1, 0, 0});
-    FlgCurveWriteDesc good;
-    ASSERT_EQ(flgCurveWriteDescInit(&good, sizeof good), FLG_OK);
-    EXPECT_EQ(good.geometry, FLG_GEOMETRY_LINES);
+    FlgCurveFileWriteDesc good;
+    ASSERT_EQ(flgCurveFileWriteDescInit(&good, sizeof good), FLG_OK);
+    EXPECT_EQ(good.geometry, FLG_CURVE_GEOMETRY_LINES);
     EXPECT_EQ(good.default_radius, 0.005f);
     EXPECT_EQ(good.tube_sides, 8u);
-    const auto refuse = [&](const FlgCurveWriteDesc& desc, const char* what) {
+    const auto refuse = [&](const FlgCurveFileWriteDesc& desc, const char* what) {
         EXPECT_EQ(write(folder.at("a.glb"), curves, &desc), FLG_ERROR_INVALID_ARGUMENT);
         EXPECT_NE(last_error().find(what), std::string::npos) << last_error();
     };
-    FlgCurveWriteDesc desc = good;
-    desc.geometry = static_cast<FlgGeometry>(3);
+    FlgCurveFileWriteDesc desc = good;
+    desc.geometry = static_cast<FlgCurveGeometry>(3);
     refuse(desc, "desc.geometry: is 3");
     desc = good;
     desc.tube_sides = 2;
@@ -167,7 +167,7 @@ TEST(CurveFile, DescriptorsAreChecked) {
     refuse(desc, "desc.default_radius: is nan");
     desc = good;
     desc.struct_size = 0;
-    refuse(desc, "struct_size 0");
+    refuse(desc, "struct_size is 0");
 }
 
 TEST(CurveFile, StridedColumnsAreFollowed) {
@@ -239,7 +239,7 @@ TEST(CurveFile, WritingThroughALinkKeepsTheLink) {
     Curves curves;
     curves.add({1, 2, 3, 4, 5, 6});
     for (const char* name : {"second.xyz", "dangling.xyz"}) {
-        ASSERT_EQ(write(folder.at(name), curves), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(write(folder.at(name), curves), FLG_OK) << flgIoErrorGetMessage();
         EXPECT_TRUE(std::filesystem::is_symlink(folder.at(name)));
     }
     EXPECT_TRUE(std::filesystem::is_symlink(folder.at("link.xyz")));

@@ -75,7 +75,7 @@ inline Read read(const std::string& path) {
     read.result = flgCurveFileRead(path.c_str(), &file);
     if (read.result != FLG_OK) {
         EXPECT_EQ(file, nullptr);
-        read.error = flgIoLastError();
+        read.error = flgIoErrorGetMessage();
         EXPECT_EQ(read.error.rfind(path, 0), 0u) << read.error;
         return read;
     }
@@ -134,7 +134,7 @@ struct Curves {
     }
 };
 
-inline FlgResult write(const std::string& path, Curves& curves, const FlgCurveWriteDesc* desc = nullptr) {
+inline FlgResult write(const std::string& path, Curves& curves, const FlgCurveFileWriteDesc* desc = nullptr) {
     const FlgCurveSetView view = curves.view();
     return flgCurveFileWrite(path.c_str(), &view, desc);
 }

@@ -125,7 +125,7 @@ protected:
         TestSkin skin = bar(9, 8);
         TestAnimation animation = curl(4);
         turn_root(animation);
-        EXPECT_EQ(write_skin(folder_.at("own.glb"), skin, {animation}), FLG_OK) << flgIoLastError();
+        EXPECT_EQ(write_skin(folder_.at("own.glb"), skin, {animation}), FLG_OK) << flgIoErrorGetMessage();
         own_ = slurp(folder_.at("own.glb"));
     }
     static void turn_root(TestAnimation& animation) {
@@ -381,7 +381,7 @@ TEST_F(BadSkin, RootsThatPart) {
     skin.parents[2] = FLG_NO_INDEX;
     TestAnimation animation = curl(4);
     turn_root(animation);
-    ASSERT_EQ(write_skin(folder_.at("two.glb"), skin, {animation}), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_skin(folder_.at("two.glb"), skin, {animation}), FLG_OK) << flgIoErrorGetMessage();
     Glb glb(slurp(folder_.at("two.glb")));
     // The second root's moves are the last before the bind matrices: three numbers a key.
     glb.put(glb.binary.size() - 4 * 64 - 24, 77.0f);

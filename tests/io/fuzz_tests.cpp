@@ -59,7 +59,7 @@ void read_skins(const std::string& path) {
     for (size_t i = 0; i < skin.weights.size(); ++i) ASSERT_LE(skin.weights[i], skin.weights[i / 4 * 4]);
     for (const TestAnimation& animation : read.animations) ASSERT_FALSE(animation.times.empty());
     const std::string copy = std::filesystem::path(path).replace_extension(".copy.glb").string();
-    EXPECT_EQ(write_skin(copy, read.skin, read.animations), FLG_OK) << flgIoLastError();
+    EXPECT_EQ(write_skin(copy, read.skin, read.animations), FLG_OK) << flgIoErrorGetMessage();
 }
 
 void damage(const std::string& path, const std::string& whole, int rounds, void (*read_one)(const std::string&)) {
@@ -104,8 +104,8 @@ TEST(Fuzz, TextAndGltf) {
         ASSERT_EQ(write(folder.at(name), curves), FLG_OK);
         damage(folder.at(name), slurp(folder.at(name)), 600, read_curves);
     }
-    FlgCurveWriteDesc all;
-    flgCurveWriteDescInit(&all, sizeof all);
+    FlgCurveFileWriteDesc all;
+    flgCurveFileWriteDescInit(&all, sizeof all);
     all.all_columns = 1;
     curves.normals.assign(21, 0.5f);
     for (const char* name : {"b.xyz", "b.glb"}) {
@@ -138,7 +138,7 @@ TEST(Fuzz, Meshes) {
     const Folder folder;
     MeshInput mesh = sample_mesh();
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb"}) {
-        ASSERT_EQ(write_mesh(folder.at(name), mesh), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(write_mesh(folder.at(name), mesh), FLG_OK) << flgIoErrorGetMessage();
         damage(folder.at(name), slurp(folder.at(name)), 800, read_meshes);
     }
     damage(folder.at("b.ply"),
@@ -154,7 +154,7 @@ TEST(Fuzz, Skins) {
     TestSkin skin = cross(3, 3);
     TestAnimation animation = curl(skin.joint_count());
     animation.translations.assign(9, 0.5f);
-    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {animation}), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {animation}), FLG_OK) << flgIoErrorGetMessage();
     const std::string whole = slurp(folder.at("a.glb"));
     damage(folder.at("a.glb"), whole, 2000, read_skins);
     for (size_t size = 0; size < whole.size(); size += 7)

@@ -135,7 +135,7 @@ TEST(GltfMesh, RoundTripsEveryBit) {
     mesh.positions = {0.1f, -7.5f, 1e-42f, 1e30f, 0.3f, 0, -7.7f, 1, 0.125f, 3, 4, 5};
     mesh.colors = {0.1f, 0.2f, 0.3f, 0.4f, 1, 0, 0, 1, 0, 0, 0, 0.5f, 0, 0, 0, 0};
     mesh.regions = {9, 4, 9, 7};
-    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoErrorGetMessage();
     ReadMesh again = read_mesh(folder.at("a.glb"));
     ASSERT_EQ(again.result, FLG_OK) << again.error;
     EXPECT_EQ(again.positions(), mesh.positions);
@@ -144,7 +144,7 @@ TEST(GltfMesh, RoundTripsEveryBit) {
     EXPECT_EQ(again.regions, Indices{});
     // With regions: by region, in their order, vertices still shared.
     mesh.split_regions = true;
-    ASSERT_EQ(write_mesh(folder.at("b.glb"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("b.glb"), mesh), FLG_OK) << flgIoErrorGetMessage();
     ReadMesh split = read_mesh(folder.at("b.glb"));
     EXPECT_EQ(split.positions(), mesh.positions);
     EXPECT_EQ(split.triangles, (Indices{0, 1, 3, 1, 2, 3, 0, 2, 1, 0, 3, 2}));
@@ -175,7 +175,7 @@ MeshInput painted() {
 TEST(GltfMesh, MaterialsRoundTripWithoutThoseThatNoRegionHas) {
     const Folder folder;
     MeshInput mesh = painted();
-    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoErrorGetMessage();
     ReadMesh again = read_mesh(folder.at("a.glb"));
     ASSERT_EQ(again.result, FLG_OK) << again.error;
     EXPECT_EQ(again.positions(), mesh.positions) << "vertices are shared";
@@ -190,14 +190,14 @@ TEST(GltfMesh, MaterialsRoundTripWithoutThoseThatNoRegionHas) {
     EXPECT_EQ(again.materials[2].border_width_px, 0.0f);
     // Of one region there are no labels, but there is its material.
     mesh.regions.assign(4, 2);
-    ASSERT_EQ(write_mesh(folder.at("b.glb"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("b.glb"), mesh), FLG_OK) << flgIoErrorGetMessage();
     again = read_mesh(folder.at("b.glb"));
     EXPECT_EQ(again.regions, Indices{});
     EXPECT_EQ(again.material_names, std::vector<std::string>{gold().name});
     // Without a table materials have no colour, and are not handed out.
     mesh.materials.clear();
     mesh.regions = {2, 0, 2, 3};
-    ASSERT_EQ(write_mesh(folder.at("c.glb"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("c.glb"), mesh), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_TRUE(read_mesh(folder.at("c.glb")).materials.empty());
 }
 
@@ -238,7 +238,7 @@ TEST(GltfMesh, MaterialsThatCantBeWrittenAreRefused) {
     const Folder folder;
     const auto refuse = [&](MeshInput mesh, const std::string& sentence) {
         EXPECT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_NE(std::string(flgIoLastError()).find(sentence), std::string::npos) << flgIoLastError();
+        EXPECT_NE(std::string(flgIoErrorGetMessage()).find(sentence), std::string::npos) << flgIoErrorGetMessage();
     };
     const auto refuse_material = [&](auto change, const std::string& sentence) {
         MeshInput mesh = painted();
@@ -258,10 +258,10 @@ TEST(GltfMesh, MaterialsThatCantBeWrittenAreRefused) {
     mesh.regions[1] = 4;
     refuse(mesh, "view.regions[1]: is 4, but there are 4 materials");
     const FlgMeshView view = mesh.view();
-    FlgMeshWriteDesc desc = mesh.desc();
+    FlgMeshFileWriteDesc desc = mesh.desc();
     desc.materials = nullptr;
     EXPECT_EQ(flgMeshFileWrite(folder.at("a.glb").c_str(), &view, &desc), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("desc.materials"), std::string::npos) << flgIoLastError();
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("desc.materials"), std::string::npos) << flgIoErrorGetMessage();
 }
 
 tinygltf::Model load_model(const std::string& path) {
@@ -288,7 +288,7 @@ TEST(GltfMesh, AnotherReaderFindsTheSame) {
     MeshInput mesh;
     mesh.regions = {3, 3, 0, 3};
     mesh.split_regions = true;
-    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("a.glb"), mesh), FLG_OK) << flgIoErrorGetMessage();
     const tinygltf::Model model = load_model(folder.at("a.glb"));
     ASSERT_EQ(model.meshes.size(), 1u);
     ASSERT_EQ(model.meshes[0].primitives.size(), 2u);
@@ -311,7 +311,7 @@ TEST(GltfMesh, AnotherReaderFindsTheSame) {
     for (size_t k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(normals[3 + k], k == 0 ? 1.0f : 0.0f);
 
     MeshInput with_materials = painted();
-    ASSERT_EQ(write_mesh(folder.at("c.glb"), with_materials), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("c.glb"), with_materials), FLG_OK) << flgIoErrorGetMessage();
     const tinygltf::Model colored = load_model(folder.at("c.glb"));
     ASSERT_EQ(colored.meshes[0].primitives.size(), 3u);
     ASSERT_EQ(colored.materials.size(), 3u);

@@ -17,7 +17,7 @@ TEST(Gltf, LinesRoundTripExactly) {
         curves.radii.push_back(0.1f * static_cast<float>(i));
         curves.colors.insert(curves.colors.end(), {0.1f * static_cast<float>(i), 0.3f, 1, 0.5f});
     }
-    ASSERT_EQ(write(folder.at("a.glb"), curves), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write(folder.at("a.glb"), curves), FLG_OK) << flgIoErrorGetMessage();
     const Read again = read(folder.at("a.glb"));
     ASSERT_EQ(again.result, FLG_OK) << again.error;
     EXPECT_EQ(again.positions(), curves.positions);
@@ -33,7 +33,7 @@ TEST(Gltf, ColoursAreClampedOnWriting) {
     Curves curves;
     curves.add({0, 0, 0, 1, 0, 0});
     curves.colors = {2, -1, 0.5f, 1, 0, 0, 0, 1};
-    ASSERT_EQ(write(folder.at("a.glb"), curves), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write(folder.at("a.glb"), curves), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_EQ(read(folder.at("a.glb")).column(FLG_ATTRIBUTE_COLOR), (Floats{1, 0, 0.5f, 1, 0, 0, 0, 1}));
 }
 

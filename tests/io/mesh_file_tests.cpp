@@ -11,10 +11,10 @@ void expect_unwritable(const std::string& name, MeshInput& mesh, FlgResult resul
     const Folder folder;
     folder.put(name, "as it was");
     const FlgMeshView view = mesh.view();
-    const FlgMeshWriteDesc desc = mesh.desc();
+    const FlgMeshFileWriteDesc desc = mesh.desc();
     EXPECT_EQ(flgMeshFileWrite(folder.at(name).c_str(), &view, &desc), result);
-    EXPECT_NE(std::string(flgIoLastError()).find(folder.at(name) + ":" + sentence), std::string::npos)
-        << flgIoLastError();
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find(folder.at(name) + ":" + sentence), std::string::npos)
+        << flgIoErrorGetMessage();
     EXPECT_EQ(slurp(folder.at(name)), "as it was");
     EXPECT_EQ(folder.entries(), 1u);
 }
@@ -37,25 +37,25 @@ TEST(MeshFile, RefusesFilesThatAreNone) {
 TEST(MeshFile, ArgumentsAreChecked) {
     FlgMeshFile file = reinterpret_cast<FlgMeshFile>(1);
     EXPECT_EQ(flgMeshFileRead(nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgIoLastError(), "flgMeshFileRead:path: is null");
+    EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileRead:path: is null");
     EXPECT_EQ(file, nullptr);
     EXPECT_EQ(flgMeshFileRead("a.ply", nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgIoLastError(), "a.ply:out_file: is null");
+    EXPECT_STREQ(flgIoErrorGetMessage(), "a.ply:out_file: is null");
 
     FlgMeshView view = {};
     view.struct_size = sizeof view - 1;
     EXPECT_EQ(flgMeshFileGetView(nullptr, &view), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("out_view: has the struct_size"), std::string::npos);
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("out_view: struct_size is"), std::string::npos);
     view.struct_size = sizeof view;
     view.vertex_count = 7;
     EXPECT_EQ(flgMeshFileGetView(nullptr, &view), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgIoLastError(), "flgMeshFileGetView:file: is null");
+    EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileGetView:file: is null");
     EXPECT_EQ(view.vertex_count, 0u);
     EXPECT_EQ(flgMeshFileGetView(nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
 
     FlgMeshFileInfo info = {};
     EXPECT_EQ(flgMeshFileGetInfo(nullptr, &info), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("out_info: has the struct_size 0"), std::string::npos);
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("out_info: struct_size is 0"), std::string::npos);
     EXPECT_EQ(flgMeshFileGetInfo(nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
 
     const FlgMeshFaceColumn* columns = reinterpret_cast<const FlgMeshFaceColumn*>(1);
@@ -67,14 +67,14 @@ TEST(MeshFile, ArgumentsAreChecked) {
     const FlgMeshMaterial* materials = reinterpret_cast<const FlgMeshMaterial*>(1);
     count = 9;
     EXPECT_EQ(flgMeshFileGetMaterials(nullptr, &materials, &count), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgIoLastError(), "flgMeshFileGetMaterials:file: is null");
+    EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileGetMaterials:file: is null");
     EXPECT_EQ(materials, nullptr);
     EXPECT_EQ(count, 0u);
 
-    FlgMeshWriteDesc desc = {};
-    EXPECT_EQ(flgMeshWriteDescInit(nullptr, sizeof desc), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(flgMeshWriteDescInit(&desc, 4), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(flgMeshWriteDescInit(&desc, sizeof desc), FLG_OK);
+    FlgMeshFileWriteDesc desc = {};
+    EXPECT_EQ(flgMeshFileWriteDescInit(nullptr, sizeof desc), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgMeshFileWriteDescInit(&desc, 4), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgMeshFileWriteDescInit(&desc, sizeof desc), FLG_OK);
     EXPECT_EQ(desc.struct_size, sizeof desc);
     flgMeshFileRelease(nullptr);
 }
@@ -122,16 +122,16 @@ TEST(MeshFile, RefusesNullsOnWriting) {
     const std::string path = folder.at("a.ply");
     MeshInput mesh;
     const FlgMeshView whole = mesh.view();
-    const auto refuse = [&](const FlgMeshView* view, const FlgMeshWriteDesc* desc, const char* sentence) {
+    const auto refuse = [&](const FlgMeshView* view, const FlgMeshFileWriteDesc* desc, const char* sentence) {
         EXPECT_EQ(flgMeshFileWrite(path.c_str(), view, desc), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_EQ(std::string(flgIoLastError()).rfind(path + ":" + sentence, 0), 0u) << flgIoLastError();
+        EXPECT_EQ(std::string(flgIoErrorGetMessage()).rfind(path + ":" + sentence, 0), 0u) << flgIoErrorGetMessage();
     };
     EXPECT_EQ(flgMeshFileWrite(nullptr, &whole, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgIoLastError(), "flgMeshFileWrite:path: is null");
+    EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileWrite:path: is null");
     refuse(nullptr, nullptr, "view: is null");
     FlgMeshView view = whole;
     view.struct_size = 8;
-    refuse(&view, nullptr, "view: has the struct_size 8");
+    refuse(&view, nullptr, " view: struct_size is 8");
     view = whole;
     view.columns = nullptr;
     refuse(&view, nullptr, "view.columns: is null");
@@ -141,9 +141,9 @@ TEST(MeshFile, RefusesNullsOnWriting) {
     view = whole;
     view.triangles = nullptr;
     refuse(&view, nullptr, "view.triangles: is null");
-    FlgMeshWriteDesc desc = mesh.desc();
+    FlgMeshFileWriteDesc desc = mesh.desc();
     desc.struct_size = 0;
-    refuse(&whole, &desc, "desc: has the struct_size 0");
+    refuse(&whole, &desc, " desc: struct_size is 0");
     desc = mesh.desc();
     desc.face_column_count = 1;
     desc.face_columns = nullptr;
@@ -161,7 +161,7 @@ TEST(MeshFile, StridedColumnsArePacked) {
     FlgMeshView view = mesh.view();
     view.columns = &column;
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb"}) {
-        ASSERT_EQ(flgMeshFileWrite(folder.at(name).c_str(), &view, nullptr), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(flgMeshFileWrite(folder.at(name).c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
         EXPECT_EQ(read_mesh(folder.at(name)).positions(), mesh.positions) << name;
     }
 }

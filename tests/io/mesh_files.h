@@ -45,7 +45,7 @@ inline ReadMesh read_mesh(const std::string& path) {
     read.result = flgMeshFileRead(path.c_str(), &file);
     if (read.result != FLG_OK) {
         EXPECT_EQ(file, nullptr);
-        read.error = flgIoLastError();
+        read.error = flgIoErrorGetMessage();
         EXPECT_EQ(read.error.rfind(path, 0), 0u) << read.error;
         return read;
     }
@@ -114,9 +114,9 @@ struct MeshInput {
         view.regions = regions.empty() ? nullptr : regions.data();
         return view;
     }
-    FlgMeshWriteDesc desc() const {
-        FlgMeshWriteDesc desc = {};
-        EXPECT_EQ(flgMeshWriteDescInit(&desc, sizeof desc), FLG_OK);
+    FlgMeshFileWriteDesc desc() const {
+        FlgMeshFileWriteDesc desc = {};
+        EXPECT_EQ(flgMeshFileWriteDescInit(&desc, sizeof desc), FLG_OK);
         desc.face_columns = face_columns.data();
         desc.face_column_count = static_cast<uint32_t>(face_columns.size());
         desc.split_regions = split_regions;
@@ -128,7 +128,7 @@ struct MeshInput {
 
 inline FlgResult write_mesh(const std::string& path, MeshInput& mesh) {
     const FlgMeshView view = mesh.view();
-    const FlgMeshWriteDesc desc = mesh.desc();
+    const FlgMeshFileWriteDesc desc = mesh.desc();
     return flgMeshFileWrite(path.c_str(), &view, &desc);
 }
 

@@ -138,7 +138,7 @@ TEST(TextMesh, NineDigitsGiveTheSameFloatsBack) {
     MeshInput mesh = ugly_mesh();
     for (size_t i = 0; i < 200; ++i) mesh.regions.push_back(static_cast<uint32_t>(i / 50));
     for (const char* name : {"a.obj", "a.off"}) {
-        ASSERT_EQ(write_mesh(folder.at(name), mesh), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(write_mesh(folder.at(name), mesh), FLG_OK) << flgIoErrorGetMessage();
         ReadMesh again = read_mesh(folder.at(name));
         ASSERT_EQ(again.result, FLG_OK) << again.error;
         EXPECT_EQ(again.positions(), mesh.positions) << name;

@@ -13,7 +13,7 @@ namespace {
 // Turns about an axis, by any angle, on its way along a line.
 struct Motion {
     std::vector<double> times, poses;
-    FlgMotionFileDesc desc = {};
+    FlgMotionFileWriteDesc desc = {};
 
     explicit Motion(size_t count) {
         for (size_t i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ struct Motion {
                                        z * s, c, -x * s, 2 * t,              //
                                        x * z * k, x * s, c + z * z * k, 1 - 0.5 * t});
         }
-        EXPECT_EQ(flgMotionFileDescInit(&desc, sizeof desc), FLG_OK);
+        EXPECT_EQ(flgMotionFileWriteDescInit(&desc, sizeof desc), FLG_OK);
     }
     static double angle_at(size_t i) { return 0.4 * static_cast<double>(i); }
     FlgResult write(const std::string& path) {
@@ -89,14 +89,14 @@ TEST(MotionFile, MovesAMesh) {
     Motion motion(40);
     const Triangle triangle;
     const FlgMeshMaterial red = {"red \"paint\"", {1, 0, 0}, 0, 0.5f, {0, 0, 0}, 0, 0};
-    FlgMeshWriteDesc mesh = {};
-    ASSERT_EQ(flgMeshWriteDescInit(&mesh, sizeof mesh), FLG_OK);
+    FlgMeshFileWriteDesc mesh = {};
+    ASSERT_EQ(flgMeshFileWriteDescInit(&mesh, sizeof mesh), FLG_OK);
     mesh.split_regions = mesh.material_count = 1;
     mesh.materials = &red;
     motion.desc.mesh = &triangle.view;
     motion.desc.mesh_desc = &mesh;
     motion.desc.name = "falling \"leaf\"";
-    ASSERT_EQ(motion.write(folder.at("a.glb")), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(motion.write(folder.at("a.glb")), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_EQ(folder.entries(), 1u);
     const tinygltf::Model model = load_model(folder.at("a.glb"));
     expect_valid(model);
@@ -125,7 +125,7 @@ TEST(MotionFile, MovesACameraOrNothing) {
     const Folder folder;
     Motion motion(3);
     motion.desc.camera_fov_rad = 0.75f;
-    ASSERT_EQ(motion.write(folder.at("camera.glb")), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(motion.write(folder.at("camera.glb")), FLG_OK) << flgIoErrorGetMessage();
     const tinygltf::Model model = load_model(folder.at("camera.glb"));
     expect_valid(model);
     EXPECT_EQ(model.nodes[0].camera, 0);
@@ -136,7 +136,7 @@ TEST(MotionFile, MovesACameraOrNothing) {
     EXPECT_EQ(static_cast<float>(model.cameras[0].perspective.yfov), 0.75f);
     EXPECT_GT(model.cameras[0].perspective.znear, 0);
     Motion alone(1);
-    ASSERT_EQ(alone.write(folder.at("alone.glb")), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(alone.write(folder.at("alone.glb")), FLG_OK) << flgIoErrorGetMessage();
     const tinygltf::Model nothing = load_model(folder.at("alone.glb"));
     expect_valid(nothing);
     EXPECT_TRUE(nothing.cameras.empty() && nothing.meshes.empty());
@@ -146,7 +146,7 @@ TEST(MotionFile, ClosedMotionsComeBack) {
     const Folder folder;
     Motion motion(12);
     motion.desc.end_time = 1.5;
-    ASSERT_EQ(motion.write(folder.at("a.glb")), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(motion.write(folder.at("a.glb")), FLG_OK) << flgIoErrorGetMessage();
     const tinygltf::Model model = load_model(folder.at("a.glb"));
     expect_valid(model);
     const std::vector<float> times = values_of<float>(model, model.animations[0].samplers[0].input);
@@ -170,7 +170,7 @@ TEST(MotionFile, RefusesWhatIsNoMotion) {
         Motion motion(4);
         spoil(motion);
         EXPECT_EQ(motion.write(folder.at("a.glb")), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_EQ(std::string(flgIoLastError()).substr(folder.at("a.glb").size()), sentence);
+        EXPECT_EQ(std::string(flgIoErrorGetMessage()).substr(folder.at("a.glb").size()), sentence);
         EXPECT_EQ(folder.entries(), 0u);
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -39,7 +39,7 @@ TEST(Ply, RoundTripsEveryBit) {
     MeshInput mesh = full_mesh();
     const Indices group = {1, 2, 3, 0x80000000}, tag_2 = {9, 8, 7, 6};
     mesh.face_columns = {{"group", group.data()}, {"tag_2", tag_2.data()}};
-    ASSERT_EQ(write_mesh(folder.at("a.ply"), mesh), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_mesh(folder.at("a.ply"), mesh), FLG_OK) << flgIoErrorGetMessage();
     ReadMesh again = read_mesh(folder.at("a.ply"));
     ASSERT_EQ(again.result, FLG_OK) << again.error;
     const auto same_bits = [](const Floats& a, const Floats& b) {
@@ -85,7 +85,7 @@ TEST(Ply, AllAttributesHaveNames) {
     FlgMeshView view = plain;
     view.columns = columns.data();
     view.column_count = static_cast<uint32_t>(columns.size());
-    ASSERT_EQ(flgMeshFileWrite(folder.at("a.ply").c_str(), &view, nullptr), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(flgMeshFileWrite(folder.at("a.ply").c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
     const ReadMesh again = read_mesh(folder.at("a.ply"));
     EXPECT_EQ(again.columns.size(), columns.size());
     for (const auto& [attribute, components] : all) {

@@ -28,7 +28,7 @@ TEST(SkinFile, RoundTripKeepsEveryBitOfTheRest) {
     skin.joint_positions[4] = 0.1f;  // what a difference of floats can't hold
     skin.joint_positions[7] = -1e-7f;
     ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {curl(4), TestAnimation{"still", {0.5f}, no_turns(4), {}}}), FLG_OK)
-        << flgIoLastError();
+        << flgIoErrorGetMessage();
     EXPECT_EQ(folder.entries(), 1u);
     const ReadSkin read = read_skin(folder.at("a.glb"));
     ASSERT_EQ(read.result, FLG_OK) << read.error;
@@ -59,7 +59,7 @@ TEST(SkinFile, BranchesPartsMaterialsAndMovedRootsComeBack) {
     const Folder folder;
     TestSkin skin = cross();
     const TestAnimation sway = swaying_cross(skin);
-    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {sway}, four_materials()), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {sway}, four_materials()), FLG_OK) << flgIoErrorGetMessage();
     const ReadSkin read = read_skin(folder.at("a.glb"));
     ASSERT_EQ(read.result, FLG_OK) << read.error;
     EXPECT_EQ(read.skin.positions, skin.positions);
@@ -75,7 +75,7 @@ TEST(SkinFile, BranchesPartsMaterialsAndMovedRootsComeBack) {
     expect_same(read.animations[0], sway);
     // Two roots, and one material for all.
     skin.parents[3] = FLG_NO_INDEX;
-    ASSERT_EQ(write_skin(folder.at("b.glb"), skin, {sway}, {four_materials()[1]}), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write_skin(folder.at("b.glb"), skin, {sway}, {four_materials()[1]}), FLG_OK) << flgIoErrorGetMessage();
     const ReadSkin two = read_skin(folder.at("b.glb"));
     ASSERT_EQ(two.result, FLG_OK) << two.error;
     EXPECT_EQ(two.skin.parents, skin.parents);
@@ -87,12 +87,12 @@ TEST(SkinFile, BranchesPartsMaterialsAndMovedRootsComeBack) {
 
 class SkinRefusals : public ::testing::Test {
 protected:
-    std::string refusal(const std::function<void(FlgSkinView&, FlgSkinAnimation&, FlgSkinFileDesc&)>& change,
+    std::string refusal(const std::function<void(FlgSkinView&, FlgSkinAnimation&, FlgSkinFileWriteDesc&)>& change,
                         const char* name = "a.glb") {
         FlgSkinView view = skin_.view();
         FlgSkinAnimation animation = animation_.view();
-        FlgSkinFileDesc desc = {};
-        EXPECT_EQ(flgSkinFileDescInit(&desc, sizeof desc), FLG_OK);
+        FlgSkinFileWriteDesc desc = {};
+        EXPECT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
         desc.skin = &view;
         desc.animations = &animation;
         desc.animation_count = 1;
@@ -101,7 +101,7 @@ protected:
         const FlgResult result = flgSkinFileWrite(path.c_str(), &desc);
         EXPECT_TRUE(result == FLG_ERROR_INVALID_ARGUMENT || result == FLG_ERROR_FORMAT) << result;
         EXPECT_EQ(folder_.entries(), 0u);
-        const std::string error = flgIoLastError();
+        const std::string error = flgIoErrorGetMessage();
         EXPECT_EQ(error.rfind(path + ":", 0), 0u) << error;
         return error.substr(std::min(error.size(), path.size() + 1));
     }
@@ -114,10 +114,10 @@ protected:
 };
 
 TEST_F(SkinRefusals, Arguments) {
-    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.struct_size = 4; }).rfind("desc.skin: has the struct_size 4", 0),
+    EXPECT_EQ(refusal([](auto& v, auto&, auto&) { v.struct_size = 4; }).rfind(" desc.skin: struct_size is 4", 0), 0u);
+    EXPECT_EQ(refusal([](auto&, auto& a, auto&) { a.struct_size = 4; }).rfind(" desc.animations[0]: struct_size", 0),
               0u);
-    EXPECT_EQ(refusal([](auto&, auto& a, auto&) { a.struct_size = 4; }).rfind("desc.animations[0]: has the", 0), 0u);
-    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.struct_size = 4; }).rfind("desc: has the struct_size 4", 0), 0u);
+    EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.struct_size = 4; }).rfind(" desc: struct_size is 4", 0), 0u);
     EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.skin = nullptr; }), "desc.skin: is null");
     EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.animations = nullptr; }), "desc.animations: is null");
     EXPECT_EQ(refusal([](auto&, auto&, auto& d) { d.material_count = 1; }), "desc.materials: is null");
@@ -226,11 +226,14 @@ TEST(SkinFile, HostsStructsAreChecked) {
     EXPECT_EQ(flgSkinFileGetView(nullptr, &view), FLG_ERROR_INVALID_ARGUMENT);
     FlgSkinFileInfo info = {};
     EXPECT_EQ(flgSkinFileGetInfo(file, &info), FLG_ERROR_INVALID_ARGUMENT);
-    const FlgSkinAnimation* animations = reinterpret_cast<const FlgSkinAnimation*>(&info);
+    FlgSkinAnimation animation{};
+    animation.struct_size = sizeof animation;
+    EXPECT_EQ(flgSkinFileGetAnimation(nullptr, 0, &animation), FLG_ERROR_INVALID_ARGUMENT);
+    info.struct_size = sizeof info;
+    EXPECT_EQ(flgSkinFileGetInfo(file, &info), FLG_OK);
+    EXPECT_EQ(flgSkinFileGetAnimation(file, info.animation_count, &animation), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("but there are"), std::string::npos) << flgIoErrorGetMessage();
     uint32_t count = 7;
-    EXPECT_EQ(flgSkinFileGetAnimations(nullptr, &animations, &count), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(animations, nullptr);
-    EXPECT_EQ(count, 0u);
     EXPECT_EQ(flgSkinFileGetMaterials(file, nullptr, &count), FLG_ERROR_INVALID_ARGUMENT);
     flgSkinFileRelease(file);
 }

@@ -14,8 +14,8 @@ inline FlgResult write_skin(const std::string& path, TestSkin& skin, const std::
     const FlgSkinView view = skin.view();
     std::vector<FlgSkinAnimation> views;
     for (const TestAnimation& animation : animations) views.push_back(animation.view());
-    FlgSkinFileDesc desc = {};
-    EXPECT_EQ(flgSkinFileDescInit(&desc, sizeof desc), FLG_OK);
+    FlgSkinFileWriteDesc desc = {};
+    EXPECT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
     desc.skin = &view;
     desc.animations = views.data();
     desc.animation_count = static_cast<uint32_t>(views.size());
@@ -42,7 +42,7 @@ inline ReadSkin read_skin(const std::string& path) {
     read.has_skin = file != nullptr;
     if (read.result != FLG_OK) {
         EXPECT_EQ(file, nullptr);
-        read.error = flgIoLastError();
+        read.error = flgIoErrorGetMessage();
         EXPECT_EQ(read.error.rfind(path, 0), 0u) << read.error;
     }
     if (!file) return read;
@@ -60,11 +60,12 @@ inline ReadSkin read_skin(const std::string& path) {
     skin.joint_positions.assign(view.joint_positions, view.joint_positions + 3 * joints);
     skin.parents.assign(view.joint_parents, view.joint_parents + joints);
     for (size_t j = 0; j < joints; ++j) skin.names.emplace_back(view.joint_names[j]);
-    const FlgSkinAnimation* animations = nullptr;
-    uint32_t count = 0;
-    EXPECT_EQ(flgSkinFileGetAnimations(file, &animations, &count), FLG_OK);
-    for (uint32_t i = 0; i < count; ++i) {
-        const FlgSkinAnimation& a = animations[i];
+    read.info.struct_size = sizeof read.info;
+    EXPECT_EQ(flgSkinFileGetInfo(file, &read.info), FLG_OK);
+    for (uint32_t i = 0; i < read.info.animation_count; ++i) {
+        FlgSkinAnimation a{};
+        a.struct_size = sizeof a;
+        EXPECT_EQ(flgSkinFileGetAnimation(file, i, &a), FLG_OK);
         TestAnimation& to = read.animations.emplace_back();
         to.name = a.name;
         to.times.assign(a.times, a.times + a.key_count);
@@ -72,6 +73,7 @@ inline ReadSkin read_skin(const std::string& path) {
         if (a.translations) to.translations.assign(a.translations, a.translations + 3 * size_t{a.key_count});
     }
     const FlgMeshMaterial* materials = nullptr;
+    uint32_t count = 0;
     EXPECT_EQ(flgSkinFileGetMaterials(file, &materials, &count), FLG_OK);
     for (uint32_t i = 0; i < count; ++i) {
         read.materials.push_back(materials[i]);

@@ -126,7 +126,7 @@ TEST(SkinFile, IsValidGltf) {
     TestAnimation sway = swaying_cross(skin);
     for (float& r : sway.rotations) r *= 1.0005f;
     ASSERT_EQ(write_skin(folder.at("a.glb"), skin, {sway, curl(skin.joint_count())}, four_materials()), FLG_OK)
-        << flgIoLastError();
+        << flgIoErrorGetMessage();
     const tinygltf::Model model = load_model(folder.at("a.glb"));
     expect_valid(model);
     EXPECT_EQ(model.meshes[0].primitives.size(), 4u);

@@ -135,18 +135,18 @@ Surface load(const std::string& path, bool smooth) {
     return surface;
 }
 
-FlgCurveWriteDesc desc_of(FlgGeometry geometry, uint32_t sides = 8) {
-    FlgCurveWriteDesc desc;
-    EXPECT_EQ(flgCurveWriteDescInit(&desc, sizeof desc), FLG_OK);
+FlgCurveFileWriteDesc desc_of(FlgCurveGeometry geometry, uint32_t sides = 8) {
+    FlgCurveFileWriteDesc desc;
+    EXPECT_EQ(flgCurveFileWriteDescInit(&desc, sizeof desc), FLG_OK);
     desc.geometry = geometry;
     desc.tube_sides = sides;
     return desc;
 }
 
-Surface swept(Curves& curves, const FlgCurveWriteDesc& desc, bool smooth = true) {
+Surface swept(Curves& curves, const FlgCurveFileWriteDesc& desc, bool smooth = true) {
     const Folder folder;
     const FlgResult result = write(folder.at("a.glb"), curves, &desc);
-    EXPECT_EQ(result, FLG_OK) << flgIoLastError();
+    EXPECT_EQ(result, FLG_OK) << flgIoErrorGetMessage();
     return result == FLG_OK ? load(folder.at("a.glb"), smooth) : Surface{};
 }
 
@@ -154,7 +154,7 @@ TEST(Surface, StraightTubeIsAPrism) {
     Curves curves;
     curves.add({1, 2, 3, 1, 2, 4, 1, 2, 4, 1, 2, 6});  // with a repeated point
     for (const uint32_t sides : {3u, 8u, 64u}) {
-        FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE, sides);
+        FlgCurveFileWriteDesc desc = desc_of(FLG_CURVE_GEOMETRY_TUBE, sides);
         desc.default_radius = 0.5f;
         const Surface tube = swept(curves, desc);
         const double base = sides / 2.0 * 0.25 * std::sin(2 * std::numbers::pi / sides);
@@ -171,10 +171,11 @@ TEST(Surface, ConeHasSlantedNormalsAndNoCapAtItsTip) {
     curves.add({0, 0, 0, 0, 0, 1});
     curves.radii = {1, 0};
     curves.colors.assign(8, 1.0f);
-    const Surface cone = swept(curves, desc_of(FLG_GEOMETRY_TUBE, 64));
+    const Surface cone = swept(curves, desc_of(FLG_CURVE_GEOMETRY_TUBE, 64));
     EXPECT_NEAR(cone.volume(), std::numbers::pi / 3, 0.01);
     EXPECT_EQ(cone.positions.size(), 2u * 64 + 65);
-    EXPECT_NEAR(cone.normals[0].z, std::sqrt(0.5), 1e-6);
+    EXPECT_EQ(cone.normals[0].z, -1);  // the cap at its start, then the sides
+    EXPECT_NEAR(cone.normals[65].z, std::sqrt(0.5), 1e-6);
     EXPECT_TRUE(cone.colored);
 }
 
@@ -189,7 +190,7 @@ TEST(Surface, ClosedTubeIsATorus) {
         }
     }
     curves.end(true);
-    FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE, 32);
+    FlgCurveFileWriteDesc desc = desc_of(FLG_CURVE_GEOMETRY_TUBE, 32);
     desc.default_radius = 0.1f;
     const Surface torus = swept(curves, desc);
     EXPECT_TRUE(torus.watertight());
@@ -216,7 +217,7 @@ TEST(Surface, RibbonLiesAcrossTheNormal) {
     curves.add({0, 0, 0, 1, 0, 0, 3, 0, 0});
     curves.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
     curves.radii = {0.5f, 0.5f, 0.5f};
-    const Surface ribbon = swept(curves, desc_of(FLG_GEOMETRY_RIBBON));
+    const Surface ribbon = swept(curves, desc_of(FLG_CURVE_GEOMETRY_RIBBON));
     EXPECT_TRUE(ribbon.double_sided);
     EXPECT_EQ(ribbon.positions.size(), 6u);
     EXPECT_NEAR(ribbon.area(), 3, 1e-6);
@@ -224,7 +225,7 @@ TEST(Surface, RibbonLiesAcrossTheNormal) {
     for (const Point& n : ribbon.normals) EXPECT_NEAR(n.z, 1, 1e-7);
 }
 
-// What flgStylize makes of a straight target: loops in the plane of its normal, with the target's frame.
+// What flgCurveSetStylize makes of a straight target: loops in the plane of its normal, with the target's frame.
 Curves loops_with_frames_of_a_line() {
     Curves curves;
     constexpr int count = 121;
@@ -246,14 +247,15 @@ Point point_of(const Curves& curves, size_t i) {
     return {p[0], p[1], p[2]};
 }
 
-// Vertex `side` of each cross section, from its centre: across the curve, and never flung to the other side.
-void expect_across(const Curves& curves, const Surface& surface, size_t sides) {
+// Vertex `side` of each cross section, the first of which begins at `first`, from its centre: across the curve, and
+// never flung to the other side.
+void expect_across(const Curves& curves, const Surface& surface, size_t sides, size_t first) {
     const size_t count = curves.positions.size() / 3;
-    ASSERT_GE(surface.positions.size(), sides * count);
+    ASSERT_GE(surface.positions.size(), first + sides * count);
     for (size_t side = 0; side < sides; ++side) {
         for (size_t i = 1; i + 1 < count; ++i) {
-            const Point arm = surface.positions[sides * i + side] - point_of(curves, i);
-            const Point next = surface.positions[sides * (i + 1) + side] - point_of(curves, i + 1);
+            const Point arm = surface.positions[first + sides * i + side] - point_of(curves, i);
+            const Point next = surface.positions[first + sides * (i + 1) + side] - point_of(curves, i + 1);
             const Point along = point_of(curves, i + 1) - point_of(curves, i - 1);
             EXPECT_NEAR(dot(arm, arm), 0.01, 1e-5) << i;
             EXPECT_NEAR(dot(arm, along) / std::sqrt(dot(arm, arm) * dot(along, along)), 0, 2e-3) << i;
@@ -264,12 +266,12 @@ void expect_across(const Curves& curves, const Surface& surface, size_t sides) {
 
 TEST(Surface, TubesStandAcrossTheCurveWhateverItsFrame) {
     Curves curves = loops_with_frames_of_a_line();
-    expect_across(curves, swept(curves, desc_of(FLG_GEOMETRY_TUBE, 8)), 8);
+    expect_across(curves, swept(curves, desc_of(FLG_CURVE_GEOMETRY_TUBE, 8)), 8, 9);  // after the start's cap
 }
 
 TEST(Surface, RibbonsDoNotCrossOverWhereTheNormalPointsAlongTheCurve) {
     Curves curves = loops_with_frames_of_a_line();
-    expect_across(curves, swept(curves, desc_of(FLG_GEOMETRY_RIBBON)), 2);
+    expect_across(curves, swept(curves, desc_of(FLG_CURVE_GEOMETRY_RIBBON)), 2, 0);
 }
 
 TEST(Surface, ResultsWithAllTheirColumnsCanBeWritten) {
@@ -287,13 +289,13 @@ TEST(Surface, ResultsWithAllTheirColumnsCanBeWritten) {
     view.columns = curves.columns.data();
     view.column_count = static_cast<uint32_t>(curves.columns.size());
     const Folder folder;
-    EXPECT_EQ(flgCurveFileWrite(folder.at("a.glb").c_str(), &view, nullptr), FLG_OK) << flgIoLastError();
+    EXPECT_EQ(flgCurveFileWrite(folder.at("a.glb").c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
 }
 
 TEST(Surface, FramesSurviveCornersAndTurnsBack) {
     Curves curves;
     curves.add({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1});
-    const Surface tube = swept(curves, desc_of(FLG_GEOMETRY_TUBE), false);
+    const Surface tube = swept(curves, desc_of(FLG_CURVE_GEOMETRY_TUBE), false);
     EXPECT_TRUE(tube.watertight());
     for (const Point& p : tube.positions) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
 }
@@ -303,9 +305,9 @@ TEST(Surface, CurvesWithoutLengthAreLeftOut) {
     curves.add({1, 1, 1});
     curves.add({2, 2, 2, 2, 2, 2}, true);
     const Folder folder;
-    const FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE);
+    const FlgCurveFileWriteDesc desc = desc_of(FLG_CURVE_GEOMETRY_TUBE);
     EXPECT_EQ(write(folder.at("a.glb"), curves, &desc), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("no curve with a length"), std::string::npos);
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("no curve with a length"), std::string::npos);
     EXPECT_EQ(folder.entries(), 0u);
     curves.add({0, 0, 0, 1, 0, 0});
     EXPECT_EQ(swept(curves, desc).positions.size(), 2u * 8 + 2 * 9);
@@ -340,7 +342,7 @@ TEST(Surface, ToleranceLeavesOutWhatIsNotNeeded) {
         straight.radii.push_back(0.1f);
     }
     straight.end();
-    FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_TUBE, 64);
+    FlgCurveFileWriteDesc desc = desc_of(FLG_CURVE_GEOMETRY_TUBE, 64);
     for (const double tolerance : {1e-4, 1e-3, 1e-2, 0.5}) {
         desc.tolerance = static_cast<float>(tolerance);
         const size_t fewest =
@@ -356,7 +358,7 @@ TEST(Surface, ToleranceLeavesOutWhatIsNotNeeded) {
     Curves curves = coil(5, 0.02f);
     size_t before = 1001 * 2 + 1;
     for (const float tolerance : {0.0f, 1e-3f, 4e-3f, 1.6e-2f}) {
-        desc = desc_of(FLG_GEOMETRY_RIBBON);
+        desc = desc_of(FLG_CURVE_GEOMETRY_RIBBON);
         desc.tolerance = tolerance;
         const Surface ribbon = swept(curves, desc, false);
         EXPECT_LT(ribbon.positions.size(), before) << tolerance;
@@ -382,7 +384,7 @@ TEST(Surface, ToleranceLeavesOutWhatIsNotNeeded) {
     // Closed ones stay closed.
     Curves ring = coil(1, 0.02f);
     ring.flags.back() = FLG_CURVE_CLOSED;
-    desc = desc_of(FLG_GEOMETRY_TUBE);
+    desc = desc_of(FLG_CURVE_GEOMETRY_TUBE);
     desc.tolerance = 0.01f;
     EXPECT_TRUE(swept(ring, desc, false).watertight());
 }
@@ -395,37 +397,38 @@ TEST(Surface, ManyCurvesComeInPiecesThat16BitsNumber) {
         curves.radii.insert(curves.radii.end(), one.radii.begin(), one.radii.end());
         curves.end();
     }
-    const Surface tubes = swept(curves, desc_of(FLG_GEOMETRY_TUBE, 8));
+    const Surface tubes = swept(curves, desc_of(FLG_CURVE_GEOMETRY_TUBE, 8));
     EXPECT_EQ(tubes.primitives, 3u);  // 20 x 8026 vertices
     EXPECT_EQ(tubes.indices.size(), 20u * (1000 * 8 * 2 + 2 * 8) * 3);
     EXPECT_TRUE(tubes.watertight());
     // One curve that alone has more takes 32 bits.
     Curves longest = coil(50, 0.02f);
-    EXPECT_EQ(swept(longest, desc_of(FLG_GEOMETRY_TUBE, 8)).primitives, 1u);
+    EXPECT_EQ(swept(longest, desc_of(FLG_CURVE_GEOMETRY_TUBE, 8)).primitives, 1u);
 }
 
 TEST(Surface, CurvesHaveEachTheirOwnGeometry) {
     Curves curves;
     for (const float y : {0.0f, 1.0f, 2.0f}) curves.add({0, y, 0, 1, y, 0});
-    const uint8_t geometries[] = {FLG_GEOMETRY_TUBE, FLG_GEOMETRY_RIBBON, FLG_GEOMETRY_TUBE};
-    FlgCurveWriteDesc desc = desc_of(FLG_GEOMETRY_LINES);
+    const uint8_t geometries[] = {FLG_CURVE_GEOMETRY_TUBE, FLG_CURVE_GEOMETRY_RIBBON, FLG_CURVE_GEOMETRY_TUBE};
+    FlgCurveFileWriteDesc desc = desc_of(FLG_CURVE_GEOMETRY_LINES);
     desc.geometries = geometries;
     const Surface both = swept(curves, desc);
     EXPECT_EQ(both.primitives, 2u);
     EXPECT_EQ(both.positions.size(), 2u * (2 * 8 + 2 * 9) + 4);
     EXPECT_TRUE(both.double_sided);  // the ribbon, which comes second
-    const uint8_t wrong[] = {FLG_GEOMETRY_TUBE, FLG_GEOMETRY_LINES, FLG_GEOMETRY_TUBE};
+    const uint8_t wrong[] = {FLG_CURVE_GEOMETRY_TUBE, FLG_CURVE_GEOMETRY_LINES, FLG_CURVE_GEOMETRY_TUBE};
     desc.geometries = wrong;
     const Folder folder;
     EXPECT_EQ(write(folder.at("a.glb"), curves, &desc), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("desc.geometries[1]: is 0"), std::string::npos) << flgIoLastError();
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("desc.geometries[1]: is 0"), std::string::npos)
+        << flgIoErrorGetMessage();
 }
 
 // Of a mesh file, in the order of its triangles' corners.
 std::vector<Point> corners_of(const std::string& path) {
     FlgMeshFile file = nullptr;
     std::vector<Point> corners;
-    EXPECT_EQ(flgMeshFileRead(path.c_str(), &file), FLG_OK) << flgIoLastError();
+    EXPECT_EQ(flgMeshFileRead(path.c_str(), &file), FLG_OK) << flgIoErrorGetMessage();
     if (file == nullptr) return corners;
     FlgMeshView view = {};
     view.struct_size = sizeof view;
@@ -442,8 +445,8 @@ TEST(Surface, QuantizedPositionsAreReadBackWithinAStep) {
     const Folder folder;
     Curves curves = coil(5, 0.02f);
     curves.colors.assign(4 * curves.radii.size(), 0.25f);
-    for (const FlgGeometry geometry : {FLG_GEOMETRY_RIBBON, FLG_GEOMETRY_TUBE}) {
-        FlgCurveWriteDesc desc = desc_of(geometry);
+    for (const FlgCurveGeometry geometry : {FLG_CURVE_GEOMETRY_RIBBON, FLG_CURVE_GEOMETRY_TUBE}) {
+        FlgCurveFileWriteDesc desc = desc_of(geometry);
         ASSERT_EQ(write(folder.at("exact.glb"), curves, &desc), FLG_OK);
         desc.quantize = 1;
         ASSERT_EQ(write(folder.at("small.glb"), curves, &desc), FLG_OK);

@@ -19,11 +19,15 @@ struct MadeUp {
     std::vector<uint8_t> flags = {0, FLG_CURVE_CLOSED};
     std::vector<float> values = {0.1f, -2};
     FlgBorderStretch stretch = {2, 0.3f, 1.1f};
+    FlgTangleSeeds a{}, b{};
+    FlgSurfaceCurvesView lines{};
     FlgTangleDivideDesc divide{};
-    FlgTangleMacroDesc macro{};
+    FlgTangleApplyMacroDesc macro{};
     FlgTangleDisplaceDesc displace{};
-    std::vector<FlgTangleSeedPlaces> places = std::vector<FlgTangleSeedPlaces>(2);
-    std::vector<FlgTangleStep> steps = std::vector<FlgTangleStep>(6);
+    FlgTangleSeedPlaces places[2] = {};
+    const FlgTangleSeedPlaces* const shown_places[2] = {&places[0], &places[1]};
+    FlgTangleStep steps[6];
+    const FlgTangleStep* shown_steps[6];
     FlgTangleHistory history{};
 
     MadeUp() {
@@ -33,31 +37,34 @@ struct MadeUp {
             for (uint32_t k = 0; k < 3; ++k) positions.push_back(float(i) / 7 - float(k));
         }
         divide.struct_size = sizeof divide;
-        divide.kind = FLG_TANGLE_STREAM;
+        divide.kind = FLG_TANGLE_OPERATOR_STREAM;
         divide.regions = many.data();
         divide.region_count = 40;
         divide.count = 7;
-        divide.a.borders = FLG_TANGLE_BORDERS_EACH;
-        divide.a.stretches = &stretch;
-        divide.a.stretch_count = 1;
-        divide.a.points = points.data();
-        divide.a.point_count = 3;
-        divide.b.points = points.data();
-        divide.b.point_count = 40;
-        divide.b.sample_radius = 0.1f;
-        divide.b.sample_count = 9;
-        divide.b.border_spacing = 1e-20f;
-        divide.b.regions = root.data();
-        divide.b.region_count = 1;
+        a.struct_size = b.struct_size = sizeof a;
+        divide.a = &a;
+        divide.b = &b;
+        a.borders = FLG_TANGLE_BORDERS_EACH;
+        a.stretches = &stretch;
+        a.stretch_count = 1;
+        a.points = points.data();
+        a.point_count = 3;
+        b.points = points.data();
+        b.point_count = 40;
+        b.sample_radius = 0.1f;
+        b.sample_count = 9;
+        b.border_spacing = 1e-20f;
+        b.regions = root.data();
+        b.region_count = 1;
         divide.delta = 0.1f;
-        divide.grouping = FLG_TANGLE_GROUP_CYCLE;
+        divide.grouping = FLG_TANGLE_GROUPING_CYCLE;
         divide.cycle = 5;
         divide.scaffold = divide.closed = 1;
         divide.perturbation = 0.3f;
         divide.frequency = 3e7f;
         divide.seed = UINT64_MAX;
         macro.struct_size = sizeof macro;
-        macro.kind = FLG_TANGLE_CELLS;
+        macro.kind = FLG_TANGLE_MACRO_CELLS;
         macro.regions = root.data();
         macro.region_count = 1;
         macro.count = 4;
@@ -71,26 +78,30 @@ struct MadeUp {
         displace.bias = 0.2f;
         displace.gain = 0.9f;
         displace.reach = 2;
+        for (FlgTangleSeedPlaces& place : places) place.struct_size = sizeof place;
         places[0].points = positions.data();
         places[0].point_count = 3;
         places[0].loops = positions.data();
         places[0].loop_count = 1;
         places[1].samples = positions.data();
         places[1].sample_count = 30;
-        places[1].curves.struct_size = sizeof places[1].curves;
-        places[1].curves.curve_count = 2;
-        places[1].curves.curve_offsets = offsets.data();
-        places[1].curves.curve_flags = flags.data();
-        places[1].curves.curve_values = values.data();
-        places[1].curves.points = points.data();
+        lines.struct_size = sizeof lines;
+        places[1].curves = &lines;
+        lines.curve_count = 2;
+        lines.curve_offsets = offsets.data();
+        lines.curve_flags = flags.data();
+        lines.curve_values = values.data();
+        lines.points = points.data();
         places[1].curve_points = positions.data();
         for (uint32_t i = 0; i < 6; ++i) {
+            steps[i] = {};
             steps[i].struct_size = sizeof steps[i];
+            shown_steps[i] = &steps[i];
             steps[i].kind = static_cast<FlgTangleStepKind>(i);
             steps[i].first_region = i + 1;
         }
         steps[0].divide = &divide;
-        steps[0].places = places.data();
+        steps[0].places = shown_places;
         steps[0].place_count = 2;
         steps[0].made = positions.data();
         steps[0].made_count = 40;
@@ -106,7 +117,7 @@ struct MadeUp {
         steps[5].regions = many.data();
         steps[5].region_count = 40;
         history.struct_size = sizeof history;
-        history.steps = steps.data();
+        history.steps = shown_steps;
         history.step_count = 6;
         history.made_count = 4;
         history.base = 0xfedcba9876543210;
@@ -129,7 +140,7 @@ struct Opened {
         if (result == FLG_OK) {
             EXPECT_EQ(flgTangleFileGetHistory(file, &history), FLG_OK);
         } else {
-            error = flgIoLastError();
+            error = flgIoErrorGetMessage();
             EXPECT_EQ(file, nullptr);
             EXPECT_EQ(error.rfind(path, 0), 0u) << error;
         }
@@ -162,7 +173,7 @@ void expect_same(const FlgTangleSeeds& a, const FlgTangleSeeds& b) {
 TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
     const Folder folder;
     const MadeUp made;
-    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_EQ(folder.entries(), 2u);
     const Opened read(folder.at("a.json"));
     ASSERT_EQ(read.result, FLG_OK) << read.error;
@@ -173,7 +184,7 @@ TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
     ASSERT_EQ(read.history.step_count, 6u);
     for (uint32_t i = 0; i < 6; ++i) {
         SCOPED_TRACE(i);
-        const FlgTangleStep &a = made.steps[i], &b = read.history.steps[i];
+        const FlgTangleStep &a = made.steps[i], &b = *read.history.steps[i];
         EXPECT_EQ(a.kind, b.kind);
         EXPECT_EQ(a.group, b.group);
         EXPECT_EQ(a.placed, b.placed);
@@ -184,12 +195,12 @@ TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
         expect_same(a.made, b.made, size_t{3} * a.made_count);
         ASSERT_EQ(a.place_count, b.place_count);
     }
-    const FlgTangleDivideDesc &a = made.divide, &b = *read.history.steps[0].divide;
+    const FlgTangleDivideDesc &a = made.divide, &b = *read.history.steps[0]->divide;
     EXPECT_EQ(a.kind, b.kind);
     ASSERT_EQ(a.region_count, b.region_count);
     expect_same(a.regions, b.regions, a.region_count);
-    expect_same(a.a, b.a);
-    expect_same(a.b, b.b);
+    expect_same(*a.a, *b.a);
+    expect_same(*a.b, *b.b);
     EXPECT_EQ(a.delta, b.delta);
     EXPECT_EQ(a.count, b.count);
     EXPECT_EQ(a.grouping, b.grouping);
@@ -199,31 +210,31 @@ TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
     EXPECT_EQ(a.perturbation, b.perturbation);
     EXPECT_EQ(a.frequency, b.frequency);
     EXPECT_EQ(a.seed, b.seed);
-    const FlgTangleMacroDesc& macro = *read.history.steps[1].macro;
-    EXPECT_EQ(macro.kind, FLG_TANGLE_CELLS);
+    const FlgTangleApplyMacroDesc& macro = *read.history.steps[1]->macro;
+    EXPECT_EQ(macro.kind, FLG_TANGLE_MACRO_CELLS);
     EXPECT_EQ(macro.spacing, 1.0f / 3);
     EXPECT_EQ(macro.size, 0.1f);
-    const FlgTangleDisplaceDesc& displace = *read.history.steps[2].displace;
+    const FlgTangleDisplaceDesc& displace = *read.history.steps[2]->displace;
     EXPECT_EQ(displace.amount, -0.7f);
     EXPECT_EQ(displace.bias, 0.2f);
     EXPECT_EQ(displace.gain, 0.9f);
     EXPECT_EQ(displace.reach, 2);
-    const FlgTangleSeedPlaces* places = read.history.steps[0].places;
-    ASSERT_EQ(places[0].point_count, 3u);
-    expect_same(made.positions.data(), places[0].points, 9);
-    ASSERT_EQ(places[0].loop_count, 1u);
-    ASSERT_EQ(places[1].sample_count, 30u);
-    expect_same(made.positions.data(), places[1].samples, 90);
-    ASSERT_EQ(places[1].curves.curve_count, 2u);
-    expect_same(made.offsets.data(), places[1].curves.curve_offsets, 3);
-    expect_same(made.flags.data(), places[1].curves.curve_flags, 2);
-    expect_same(made.values.data(), places[1].curves.curve_values, 2);
-    expect_same(made.points.data(), places[1].curves.points, 23);
-    expect_same(made.positions.data(), places[1].curve_points, 69);
+    const FlgTangleSeedPlaces* const* places = read.history.steps[0]->places;
+    ASSERT_EQ(places[0]->point_count, 3u);
+    expect_same(made.positions.data(), places[0]->points, 9);
+    ASSERT_EQ(places[0]->loop_count, 1u);
+    ASSERT_EQ(places[1]->sample_count, 30u);
+    expect_same(made.positions.data(), places[1]->samples, 90);
+    ASSERT_EQ(places[1]->curves->curve_count, 2u);
+    expect_same(made.offsets.data(), places[1]->curves->curve_offsets, 3);
+    expect_same(made.flags.data(), places[1]->curves->curve_flags, 2);
+    expect_same(made.values.data(), places[1]->curves->curve_values, 2);
+    expect_same(made.points.data(), places[1]->curves->points, 23);
+    expect_same(made.positions.data(), places[1]->curve_points, 69);
     // The same history gives the same bytes; so does what was read.
     ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history), FLG_ERROR_FILE);
     std::filesystem::create_directory(folder.at("b"));
-    ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_EQ(slurp(folder.at("a.json")), slurp(folder.at("b/a.json")));
 }
 
@@ -231,7 +242,7 @@ TEST(TangleFile, ShortHistoriesNeedNoSideFile) {
     const Folder folder;
     MadeUp made;
     made.history.step_count = made.history.made_count = 0;
-    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_EQ(folder.entries(), 1u);
     const Opened read(folder.at("a.json"));
     EXPECT_EQ(read.result, FLG_OK) << read.error;
@@ -246,15 +257,15 @@ std::vector<std::string> names(const char* (*name)(uint32_t)) {
 }
 
 TEST(TangleFile, WordsHaveTheEnumeratorsOrder) {
-    const std::vector<std::string> operators = names(flgTangleOperatorName), macros = names(flgTangleMacroName);
-    ASSERT_EQ(operators.size(), FLG_TANGLE_POLYLINE + 1u);
-    EXPECT_EQ(operators[FLG_TANGLE_CONTOUR], "contour");
-    EXPECT_EQ(operators[FLG_TANGLE_VORONOI], "voronoi");
-    ASSERT_EQ(macros.size(), FLG_TANGLE_CELLS + 1u);
-    EXPECT_EQ(macros[FLG_TANGLE_GRID], "grid");
-    EXPECT_EQ(macros[FLG_TANGLE_LACE], "lace");
-    EXPECT_EQ(flgTangleOperatorName(UINT32_MAX), nullptr);
-    EXPECT_EQ(flgTangleMacroName(UINT32_MAX), nullptr);
+    const std::vector<std::string> operators = names(flgTangleOperatorGetName), macros = names(flgTangleMacroGetName);
+    ASSERT_EQ(operators.size(), FLG_TANGLE_OPERATOR_POLYLINE + 1u);
+    EXPECT_EQ(operators[FLG_TANGLE_OPERATOR_CONTOUR], "contour");
+    EXPECT_EQ(operators[FLG_TANGLE_OPERATOR_VORONOI], "voronoi");
+    ASSERT_EQ(macros.size(), FLG_TANGLE_MACRO_CELLS + 1u);
+    EXPECT_EQ(macros[FLG_TANGLE_MACRO_GRID], "grid");
+    EXPECT_EQ(macros[FLG_TANGLE_MACRO_LACE], "lace");
+    EXPECT_EQ(flgTangleOperatorGetName(UINT32_MAX), nullptr);
+    EXPECT_EQ(flgTangleMacroGetName(UINT32_MAX), nullptr);
 }
 
 std::string side_file(const Folder& folder, const std::string& name) {
@@ -285,7 +296,7 @@ TEST(TangleFile, ASaveThatIsCutShortLeavesTheDocumentAsItWas) {
     const auto expect_old = [&] {
         const Opened read(folder.at("a.json"));
         ASSERT_EQ(read.result, FLG_OK) << read.error;
-        EXPECT_EQ(read.history.steps[0].made[40], made.positions[40] - 1);
+        EXPECT_EQ(read.history.steps[0]->made[40], made.positions[40] - 1);
     };
     for (size_t bytes = 0; bytes <= new_arrays.size(); bytes += 97) {
         folder.put(new_side + ".tmp0", new_arrays.substr(0, bytes));
@@ -301,11 +312,11 @@ TEST(TangleFile, ASaveThatIsCutShortLeavesTheDocumentAsItWas) {
     {
         const Opened read(folder.at("a.json"));
         ASSERT_EQ(read.result, FLG_OK) << read.error;
-        EXPECT_EQ(read.history.steps[0].made[40], made.positions[40]);
+        EXPECT_EQ(read.history.steps[0]->made[40], made.positions[40]);
     }
     // The next save passes over what was left, and removes the side file that it takes the place of.
     made.positions[41] += 1;
-    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_FALSE(std::filesystem::exists(folder.at(new_side)));
     EXPECT_EQ(Opened(folder.at("a.json")).result, FLG_OK);
 }
@@ -320,7 +331,7 @@ TEST(TangleFile, ASaveThatFailsLeavesNothingBehind) {
     const std::string text = slurp(folder.at("b.json"));
     made.positions[5] = NAN;
     EXPECT_EQ(flgTangleFileWrite(folder.at("b.json").c_str(), &made.history), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgIoLastError()).find("finite"), std::string::npos) << flgIoLastError();
+    EXPECT_NE(std::string(flgIoErrorGetMessage()).find("finite"), std::string::npos) << flgIoErrorGetMessage();
     EXPECT_EQ(slurp(folder.at("b.json")), text);
     EXPECT_EQ(folder.entries(), 3u);
 }
@@ -332,7 +343,7 @@ TEST(TangleFile, HistoriesThatPointToNothingAreRefused) {
         MadeUp made;
         spoil(made);
         EXPECT_EQ(flgTangleFileWrite(path.c_str(), &made.history), FLG_ERROR_INVALID_ARGUMENT) << part;
-        EXPECT_NE(std::string(flgIoLastError()).find(part), std::string::npos) << flgIoLastError();
+        EXPECT_NE(std::string(flgIoErrorGetMessage()).find(part), std::string::npos) << flgIoErrorGetMessage();
     };
     EXPECT_EQ(flgTangleFileWrite(nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(flgTangleFileWrite(path.c_str(), nullptr), FLG_ERROR_INVALID_ARGUMENT);
@@ -342,11 +353,11 @@ TEST(TangleFile, HistoriesThatPointToNothingAreRefused) {
     refused([](MadeUp& made) { made.steps[1].struct_size = 0; }, "history.steps[1]");
     refused([](MadeUp& made) { made.steps[0].divide = nullptr; }, "history.steps[0].divide");
     refused([](MadeUp& made) { made.steps[3].regions = nullptr; }, "history.steps[3].regions");
-    refused([](MadeUp& made) { made.steps[5].kind = FLG_TANGLE_STEP_FORCE_32BIT; }, "history.steps[5].kind");
+    refused([](MadeUp& made) { made.steps[5].kind = FLG_TANGLE_STEP_KIND_FORCE_32BIT; }, "history.steps[5].kind");
     refused([](MadeUp& made) { made.macro.kind = static_cast<FlgTangleMacro>(8); }, "macro.kind");
     refused([](MadeUp& made) { made.divide.grouping = static_cast<FlgTangleGrouping>(-1); }, "divide.grouping");
     refused([](MadeUp& made) { made.divide.delta = INFINITY; }, "divide.delta");
-    refused([](MadeUp& made) { made.places[1].curves.curve_offsets = nullptr; }, "curve_offsets");
+    refused([](MadeUp& made) { made.lines.curve_offsets = nullptr; }, "curve_offsets");
     EXPECT_EQ(folder.entries(), 0u);
 }
 
@@ -478,7 +489,7 @@ TEST_F(HostileTangleFile, RandomDamageIsReadOrRefused) {
         const Opened read(path);
         if (read.result != FLG_OK) continue;
         for (uint32_t s = 0; s < read.history.step_count; ++s) {
-            const FlgTangleStep& step = read.history.steps[s];
+            const FlgTangleStep& step = *read.history.steps[s];
             for (uint32_t k = 0; k < 3 * step.made_count; ++k) ASSERT_LE(std::abs(step.made[k]), 1e30f);
         }
     }

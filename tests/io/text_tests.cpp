@@ -109,7 +109,7 @@ TEST(TextRoundTrip, XyzIsExact) {
     const Folder folder;
     for (const bool radii : {false, true}) {
         Curves curves = random_curves(radii);
-        ASSERT_EQ(write(folder.at("a.xyz"), curves), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(write(folder.at("a.xyz"), curves), FLG_OK) << flgIoErrorGetMessage();
         const Read again = read(folder.at("a.xyz"));
         ASSERT_EQ(again.result, FLG_OK) << again.error;
         EXPECT_EQ(again.positions(), curves.positions);
@@ -122,7 +122,7 @@ TEST(TextRoundTrip, XyzIsExact) {
 TEST(TextRoundTrip, ObjIsExact) {
     const Folder folder;
     Curves curves = random_curves(true);
-    ASSERT_EQ(write(folder.at("a.obj"), curves), FLG_OK) << flgIoLastError();
+    ASSERT_EQ(write(folder.at("a.obj"), curves), FLG_OK) << flgIoErrorGetMessage();
     const Read again = read(folder.at("a.obj"));
     ASSERT_EQ(again.result, FLG_OK) << again.error;
     EXPECT_EQ(again.positions(), curves.positions);

@@ -32,7 +32,9 @@ def output(*command):
 
 def compiled_in(ninja, build, target):
     """The headers from outside the project and its build that the target's objects were made of."""
+    known = {line.rsplit(":", 1)[0] for line in output(ninja, "-C", build, "-t", "targets", "all").splitlines()}
     objects = [str(path.relative_to(build)) for path in build.glob(f"sdk/**/{target}.dir/**/*.o")]
+    objects = [path for path in objects if path in known]  # a build folder may hold objects of sources that have left
     if not objects:
         raise SystemExit(f"{build}: no objects of {target}")
     headers = set()

@@ -15,7 +15,7 @@ namespace {
 
 class Picking : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_EQ(flgPickSceneCreate(nullptr, &scene), FLG_OK) << flgPickLastError(); }
+    void SetUp() override { ASSERT_EQ(flgPickSceneCreate(nullptr, &scene), FLG_OK) << flgPickErrorGetMessage(); }
     void TearDown() override { flgPickSceneDestroy(scene); }
     FlgPickScene scene = nullptr;
 };
@@ -24,15 +24,20 @@ protected:
 struct Shown {
     explicit Shown(const Soup& soup) : column{FLG_ATTRIBUTE_POSITION, 3, soup.positions[0].data(), 0, 0} {
         view.struct_size = sizeof view;
-        view.mesh = {.struct_size = sizeof view.mesh,
-                     .vertex_count = static_cast<uint32_t>(soup.positions.size()),
-                     .triangle_count = static_cast<uint32_t>(soup.triangles.size()),
-                     .column_count = 1,
-                     .columns = &column,
-                     .triangles = soup.triangles[0].data(),
-                     .regions = nullptr};
+        mesh = {.struct_size = sizeof mesh,
+                .vertex_count = static_cast<uint32_t>(soup.positions.size()),
+                .triangle_count = static_cast<uint32_t>(soup.triangles.size()),
+                .column_count = 1,
+                .columns = &column,
+                .triangles = soup.triangles[0].data(),
+                .regions = nullptr,
+                .origin = {}};
+        view.mesh = &mesh;
     }
+    Shown(const Shown&) = delete;
+    Shown& operator=(const Shown&) = delete;
     FlgColumn column;
+    FlgMeshView mesh{};
     FlgSurfaceView view{};
 };
 
@@ -92,7 +97,7 @@ void expect_like_brute_force(FlgPickScene scene, const Soup& soup, uint32_t obje
     std::vector<FlgRay> rays;
     for (uint64_t i = 0; i < 301; ++i) rays.push_back(random_ray(i));
     std::vector<FlgHit> hits(rays.size());
-    ASSERT_EQ(flgPickRays(scene, rays.data(), static_cast<uint32_t>(rays.size()), hits.data()), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, rays.data(), static_cast<uint32_t>(rays.size()), hits.data()), FLG_OK);
     uint32_t met = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         const double expected = first_hit(soup, rays[i]);
@@ -118,11 +123,11 @@ void expect_like_brute_force(FlgPickScene scene, const Soup& soup, uint32_t obje
         float point[3];
         store_vec3(p, point);
         FlgHit hit;
-        ASSERT_EQ(flgPickNearest(scene, point, HUGE_VALF, &hit), FLG_OK);
+        ASSERT_EQ(flgPickSceneFindNearest(scene, point, HUGE_VALF, &hit), FLG_OK);
         const double expected = distance_to(soup, load_vec3(point));
         EXPECT_NEAR(hit.distance, expected, 1e-5);
         EXPECT_NEAR((load_vec3(hit.position) - load_vec3(point)).norm(), expected, 1e-5);
-        ASSERT_EQ(flgPickNearest(scene, point, static_cast<float>(0.9 * expected), &hit), FLG_OK);
+        ASSERT_EQ(flgPickSceneFindNearest(scene, point, static_cast<float>(0.9 * expected), &hit), FLG_OK);
         EXPECT_EQ(hit.object, FLG_NO_INDEX);
     }
 }
@@ -130,8 +135,8 @@ void expect_like_brute_force(FlgPickScene scene, const Soup& soup, uint32_t obje
 TEST_F(Picking, SurfacesAnswerAsBruteForceDoes) {
     for (const Soup& soup : {sphere(2), torus(24, 16), plane(6, 0.3)}) {
         const Shown shown(soup);
-        ASSERT_EQ(flgPickSceneSetSurface(scene, 7, &shown.view, nullptr, 0), FLG_OK) << flgPickLastError();
-        ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK) << flgPickLastError();
+        ASSERT_EQ(flgPickSceneSetSurface(scene, 7, &shown.view, nullptr, 0), FLG_OK) << flgPickErrorGetMessage();
+        ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK) << flgPickErrorGetMessage();
         expect_like_brute_force(scene, soup, 7);
     }
 }
@@ -200,14 +205,14 @@ TEST_F(Picking, ManyRaysAnswerAsEachByItself) {
     std::vector<FlgRay> rays;
     for (uint64_t i = 0; i < 12'345; ++i) rays.push_back(random_ray(i));
     std::vector<FlgHit> hits(rays.size());
-    ASSERT_EQ(flgPickRays(scene, rays.data(), 12'345, hits.data()), FLG_OK) << "nothing is there yet";
+    ASSERT_EQ(flgPickSceneCastRays(scene, rays.data(), 12'345, hits.data()), FLG_OK) << "nothing is there yet";
     EXPECT_EQ(hits[77].object, FLG_NO_INDEX);
     ASSERT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_OK);
     ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
-    ASSERT_EQ(flgPickRays(scene, rays.data(), 12'345, hits.data()), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, rays.data(), 12'345, hits.data()), FLG_OK);
     for (size_t i = 0; i < rays.size(); ++i) {
         FlgHit hit;
-        ASSERT_EQ(flgPickRays(scene, &rays[i], 1, &hit), FLG_OK);
+        ASSERT_EQ(flgPickSceneCastRays(scene, &rays[i], 1, &hit), FLG_OK);
         ASSERT_EQ(hits[i].object, hit.object) << i;
         ASSERT_NEAR(hits[i].position[0], hit.position[0], 1e-5) << i;
         ASSERT_NEAR(hits[i].position[2], hit.position[2], 1e-5) << i;
@@ -222,16 +227,16 @@ TEST_F(Picking, DirectionsMayBeOfAnyLength) {
     for (float length : {1e-30f, 1e-20f, 1e-7f, 1.0f, 1e7f, 1e20f, 3e38f}) {
         FlgRay ray{{0.1f, 0.2f, 5}, 0, {0, 0, -length}, HUGE_VALF};
         FlgHit hit;
-        ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+        ASSERT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_OK);
         ASSERT_EQ(hit.object, 0u) << length;
         EXPECT_NEAR(hit.position[2], std::sqrt(0.95), 0.01);
         EXPECT_NEAR(double{hit.distance} * length, 5 - double{hit.position[2]}, 1e-5) << length;
         ray.furthest = 3.9f / length;
-        ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+        ASSERT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_OK);
         EXPECT_EQ(hit.object, FLG_NO_INDEX) << "it ends before the sphere";
         ray.nearest = 4.5f / length;
         ray.furthest = HUGE_VALF;
-        ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+        ASSERT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_OK);
         EXPECT_LT(hit.position[2], 0) << "it begins within the sphere";
     }
 }
@@ -243,8 +248,8 @@ TEST_F(Picking, CurvesAreTubes) {
     const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions, 0, 0}, {FLG_ATTRIBUTE_RADIUS, 1, radii, 0, 0}};
     const uint32_t offsets[] = {0, 2, 6};
     const uint8_t flags[] = {0, FLG_CURVE_CLOSED};
-    FlgCurveSetView view{sizeof view, 2, offsets, flags, columns, 2, 0};
-    ASSERT_EQ(flgPickSceneSetCurves(scene, 3, &view, 0.01f), FLG_OK) << flgPickLastError();
+    FlgCurveSetView view{sizeof view, 2, offsets, flags, columns, 2, 0, {}};
+    ASSERT_EQ(flgPickSceneSetCurves(scene, 3, &view, 0.01f), FLG_OK) << flgPickErrorGetMessage();
     ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
 
     const FlgRay rays[] = {{{0.5f, 0, 5}, 0, {0, 0, -1}, HUGE_VALF},
@@ -252,7 +257,7 @@ TEST_F(Picking, CurvesAreTubes) {
                            {{0.5f, 0.101f, 5}, 0, {0, 0, -1}, HUGE_VALF},
                            {{2, 2.5f, 5}, 0, {0, 0, -1}, HUGE_VALF}};
     FlgHit hits[4];
-    ASSERT_EQ(flgPickRays(scene, rays, 4, hits), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, rays, 4, hits), FLG_OK);
     EXPECT_EQ(hits[0].object, 3u);
     EXPECT_EQ(hits[0].element, 0u);
     EXPECT_EQ(hits[0].region, 0u);
@@ -266,7 +271,7 @@ TEST_F(Picking, CurvesAreTubes) {
 
     const float point[3] = {0.2f, 0.6f, 0};
     FlgHit hit;
-    ASSERT_EQ(flgPickNearest(scene, point, 1, &hit), FLG_OK);
+    ASSERT_EQ(flgPickSceneFindNearest(scene, point, 1, &hit), FLG_OK);
     EXPECT_NEAR(hit.distance, 0.5, 1e-6);
     EXPECT_NEAR(hit.u, 0.6, 1e-6);
     EXPECT_NEAR(hit.normal[1], 1, 1e-6);
@@ -277,18 +282,18 @@ TEST_F(Picking, ObjectsGoByTheirNumber) {
     const Shown shown(soup);
     const FlgRay ray{{0.1f, 0.2f, 5}, 0, {0, 0, -1}, HUGE_VALF};
     FlgHit hit;
-    ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_OK);
     EXPECT_EQ(hit.object, FLG_NO_INDEX);
     ASSERT_EQ(flgPickSceneSetSurface(scene, 1, &shown.view, nullptr, 0), FLG_OK);
     ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
-    ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_OK);
     EXPECT_EQ(hit.object, 1u);
     ASSERT_EQ(flgPickSceneRemove(scene, 1), FLG_OK);
     ASSERT_EQ(flgPickSceneCommit(scene), FLG_OK);
-    ASSERT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_OK);
     EXPECT_EQ(hit.object, FLG_NO_INDEX);
     EXPECT_EQ(flgPickSceneRemove(scene, 1), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgPickLastError(), "object is 1, nothing in the scene");
+    EXPECT_STREQ(flgPickErrorGetMessage(), "object is 1, nothing in the scene");
 }
 
 TEST_F(Picking, QueriesRunSideBySide) {
@@ -302,7 +307,8 @@ TEST_F(Picking, QueriesRunSideBySide) {
     std::vector<std::thread> threads;
     for (auto& own : hits) {
         own.resize(rays.size());
-        threads.emplace_back([&] { flgPickRays(scene, rays.data(), static_cast<uint32_t>(rays.size()), own.data()); });
+        threads.emplace_back(
+            [&] { flgPickSceneCastRays(scene, rays.data(), static_cast<uint32_t>(rays.size()), own.data()); });
     }
     for (std::thread& thread : threads) thread.join();
     for (const auto& own : hits) {
@@ -330,31 +336,115 @@ TEST_F(Picking, RefusesWhatIsNoRayPointOrSurface) {
         {{{0, 0, 0}, 0, {0, 0, 1}, nan}, "rays[0] goes from 0 to nan, must be 0 or above and rising"},
     };
     for (const auto& [ray, sentence] : cases) {
-        EXPECT_EQ(flgPickRays(scene, &ray, 1, &hit), FLG_ERROR_INVALID_ARGUMENT);
-        EXPECT_STREQ(flgPickLastError(), sentence);
+        EXPECT_EQ(flgPickSceneCastRays(scene, &ray, 1, &hit), FLG_ERROR_INVALID_ARGUMENT);
+        EXPECT_STREQ(flgPickErrorGetMessage(), sentence);
     }
     const float point[3] = {0, 0, 0}, bad[3] = {nan, 0, 0};
-    EXPECT_EQ(flgPickNearest(scene, bad, 1, &hit), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(flgPickNearest(scene, point, 0, &hit), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(flgPickNearest(nullptr, point, 1, &hit), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgPickLastError(), "scene is null");
+    EXPECT_EQ(flgPickSceneFindNearest(scene, bad, 1, &hit), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgPickSceneFindNearest(scene, point, 0, &hit), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgPickSceneFindNearest(nullptr, point, 1, &hit), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_STREQ(flgPickErrorGetMessage(), "scene is null");
 
     const Soup soup = sphere(0);
     Shown shown(soup);
     const uint32_t changed[] = {20};
     EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, changed, 1), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgPickLastError(), "changed[0] is 20, but there are 20 triangles");
+    EXPECT_STREQ(flgPickErrorGetMessage(), "changed[0] is 20, but there are 20 triangles");
     Soup far = soup;
     far.positions[3][1] = 2e18f;
     const Shown far_away(far);
     EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &far_away.view, nullptr, 0), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgPickLastError(), "the position of vertex 3 holds 2e+18, must be finite and at most 1e18 in size");
-    shown.view.mesh.vertex_count = 5;
+    EXPECT_STREQ(flgPickErrorGetMessage(),
+                 "the position of vertex 3 holds 2e+18, must be finite and at most 1e18 in size");
+    shown.mesh.vertex_count = 5;
     EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgPickLastError(), "surface.mesh.triangles[1] is 11, but there are 5 vertices");
-    FlgCurveSetView curves{sizeof curves, 1, nullptr, nullptr, nullptr, 0, 0};
+    EXPECT_STREQ(flgPickErrorGetMessage(), "surface.mesh.triangles[1] is 11, but there are 5 vertices");
+    FlgCurveSetView curves{sizeof curves, 1, nullptr, nullptr, nullptr, 0, 0, {}};
     EXPECT_EQ(flgPickSceneSetCurves(scene, 0, &curves, 0.1f), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgPickLastError(), "curves.columns has no FLG_ATTRIBUTE_POSITION");
+    EXPECT_STREQ(flgPickErrorGetMessage(), "curves.columns has no FLG_ATTRIBUTE_POSITION");
+}
+
+// ---- Large worlds
+
+constexpr double far_away[3] = {1e6, -1e6 + 0.5, 3e9};
+
+FlgPickScene scene_at(const double (&origin)[3]) {
+    FlgPickSceneDesc desc = flgPickSceneDefaults();
+    std::copy(origin, origin + 3, desc.origin);
+    FlgPickScene scene = nullptr;
+    EXPECT_EQ(flgPickSceneCreate(&desc, &scene), FLG_OK) << flgPickErrorGetMessage();
+    return scene;
+}
+
+// Hits of rays and of the nearest point on a surface and a curve of one origin, in a scene of another; `offset` is
+// where the objects' coordinates begin.
+std::string hits_of(const double (&scene_origin)[3], const double (&origin)[3], float offset) {
+    Soup soup = sphere(3);
+    for (auto& position : soup.positions) {
+        for (float& x : position) x = std::round(256 * x) / 256 + offset;
+    }
+    Shown shown(soup);
+    std::copy(origin, origin + 3, shown.mesh.origin);
+    const float points[] = {2 + offset, -1 + offset, offset, 2 + offset, 1 + offset, offset};
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, points, 0, 0};
+    const uint32_t offsets[] = {0, 2};
+    FlgCurveSetView curves = flgCurveSetViewDefaults();
+    curves.curve_count = 1;
+    curves.curve_offsets = offsets;
+    curves.columns = &column;
+    curves.column_count = 1;
+    std::copy(origin, origin + 3, curves.origin);
+    const FlgPickScene scene = scene_at(scene_origin);
+    EXPECT_EQ(flgPickSceneSetSurface(scene, 3, &shown.view, nullptr, 0), FLG_OK) << flgPickErrorGetMessage();
+    EXPECT_EQ(flgPickSceneSetCurves(scene, 4, &curves, 0.01f), FLG_OK) << flgPickErrorGetMessage();
+    EXPECT_EQ(flgPickSceneCommit(scene), FLG_OK) << flgPickErrorGetMessage();
+    std::vector<FlgRay> rays;
+    for (uint64_t i = 0; i < 200; ++i) rays.push_back(random_ray(i));
+    rays.push_back({{2, 0.25f, -3}, 0, {0, 0, 1}, HUGE_VALF});
+    std::vector<FlgHit> hits(rays.size() + 1);
+    EXPECT_EQ(flgPickSceneCastRays(scene, rays.data(), static_cast<uint32_t>(rays.size()), hits.data()), FLG_OK);
+    EXPECT_EQ(hits[200].object, 4u);
+    const float point[] = {0.3f, 1.4f, 0.2f};
+    EXPECT_EQ(flgPickSceneFindNearest(scene, point, HUGE_VALF, &hits.back()), FLG_OK);
+    EXPECT_EQ(hits.back().object, 3u);
+    flgPickSceneDestroy(scene);
+    return {reinterpret_cast<const char*>(hits.data()), hits.size() * sizeof(FlgHit)};
+}
+
+TEST(PickingInLargeWorlds, HitsHaveTheSameBitsWhereverSceneAndObjectsAre) {
+    constexpr double home[3] = {0, 0, 0}, beside[3] = {1e6 - 4, -1e6 + 0.5 - 4, 3e9 - 4};
+    const std::string at_home = hits_of(home, home, 0);
+    EXPECT_TRUE(hits_of(far_away, far_away, 0) == at_home);
+    EXPECT_TRUE(hits_of(far_away, beside, 4) == at_home) << "moved from their origin to the scene's";
+}
+
+TEST(PickingInLargeWorlds, WhatTheScenesFloatsCannotHoldIsRefused) {
+    constexpr double home[3] = {0, 0, 0};
+    const Soup soup = sphere(3);
+    Shown shown(soup);
+    std::copy(far_away, far_away + 3, shown.mesh.origin);
+    const FlgPickScene scene = scene_at(home);
+    EXPECT_EQ(flgPickSceneSetSurface(scene, 0, &shown.view, nullptr, 0), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgPickErrorGetMessage()).find("FlgPickSceneDesc::origin"), std::string::npos)
+        << flgPickErrorGetMessage();
+    const float points[] = {0, 0, 0, 0, 1, 0};
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, points, 0, 0};
+    const uint32_t offsets[] = {0, 2};
+    FlgCurveSetView curves = flgCurveSetViewDefaults();
+    curves.curve_count = 1;
+    curves.curve_offsets = offsets;
+    curves.columns = &column;
+    curves.column_count = 1;
+    std::copy(far_away, far_away + 3, curves.origin);
+    EXPECT_EQ(flgPickSceneSetCurves(scene, 0, &curves, 0.01f), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgPickErrorGetMessage()).find("least_radius"), std::string::npos)
+        << flgPickErrorGetMessage();
+    flgPickSceneDestroy(scene);
+    FlgPickSceneDesc desc = flgPickSceneDefaults();
+    desc.origin[1] = HUGE_VAL;
+    FlgPickScene none = nullptr;
+    EXPECT_EQ(flgPickSceneCreate(&desc, &none), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(none, nullptr);
 }
 
 }  // namespace

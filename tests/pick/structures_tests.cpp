@@ -37,7 +37,7 @@ namespace {
 
 size_t asked_by_commit(FlgPickScene scene) {
     const size_t before = bytes_asked;
-    EXPECT_EQ(flgPickSceneCommit(scene), FLG_OK) << flgPickLastError();
+    EXPECT_EQ(flgPickSceneCommit(scene), FLG_OK) << flgPickErrorGetMessage();
     return bytes_asked - before;
 }
 
@@ -46,19 +46,21 @@ TEST(PickStructures, TheFirstCurvesLeaveASurfacesAsItIs) {
     const FlgColumn positions{FLG_ATTRIBUTE_POSITION, 3, soup.positions[0].data(), 0, 0};
     FlgSurfaceView surface{};
     surface.struct_size = sizeof surface;
-    surface.mesh.struct_size = sizeof surface.mesh;
-    surface.mesh.vertex_count = static_cast<uint32_t>(soup.positions.size());
-    surface.mesh.triangle_count = static_cast<uint32_t>(soup.triangles.size());
-    surface.mesh.column_count = 1;
-    surface.mesh.columns = &positions;
-    surface.mesh.triangles = soup.triangles[0].data();
+    FlgMeshView mesh{};
+    mesh.struct_size = sizeof mesh;
+    mesh.vertex_count = static_cast<uint32_t>(soup.positions.size());
+    mesh.triangle_count = static_cast<uint32_t>(soup.triangles.size());
+    mesh.column_count = 1;
+    mesh.columns = &positions;
+    mesh.triangles = soup.triangles[0].data();
+    surface.mesh = &mesh;
     const float line[] = {3, 0, 0, 4, 0, 0};
     const FlgColumn points{FLG_ATTRIBUTE_POSITION, 3, line, 0, 0};
     const uint32_t offsets[] = {0, 2};
-    const FlgCurveSetView curves{sizeof curves, 1, offsets, nullptr, &points, 1, 0};
+    const FlgCurveSetView curves{sizeof curves, 1, offsets, nullptr, &points, 1, 0, {}};
 
     FlgPickScene scene = nullptr;
-    ASSERT_EQ(flgPickSceneCreate(nullptr, &scene), FLG_OK) << flgPickLastError();
+    ASSERT_EQ(flgPickSceneCreate(nullptr, &scene), FLG_OK) << flgPickErrorGetMessage();
     ASSERT_EQ(flgPickSceneSetSurface(scene, 0, &surface, nullptr, 0), FLG_OK);
     const size_t for_surface = asked_by_commit(scene);
     ASSERT_EQ(flgPickSceneSetCurves(scene, 1, &curves, 0.1f), FLG_OK);
@@ -68,7 +70,7 @@ TEST(PickStructures, TheFirstCurvesLeaveASurfacesAsItIs) {
 
     const FlgRay rays[] = {{{1.2f, 0, 5}, 0, {0, 0, -1}, HUGE_VALF}, {{3.5f, 0, 5}, 0, {0, 0, -1}, HUGE_VALF}};
     FlgHit hits[2];
-    ASSERT_EQ(flgPickRays(scene, rays, 2, hits), FLG_OK);
+    ASSERT_EQ(flgPickSceneCastRays(scene, rays, 2, hits), FLG_OK);
     EXPECT_EQ(hits[0].object, 0u);
     EXPECT_EQ(hits[1].object, 1u);
     flgPickSceneDestroy(scene);

@@ -88,7 +88,7 @@ TEST_F(CoverageTest, JointsKeepTheWidth) {
 }
 
 // An arc that comes to the camera and goes away again, its ribbon upright. In the middle the normal points along the
-// curve, as a target's does on a result of flgStylize: the ribbon must not cross over itself there.
+// curve, as a target's does on a result of flgCurveSetStylize: the ribbon must not cross over itself there.
 TEST_F(CoverageTest, RibbonsStayWholeWhereTheNormalPointsAlongTheCurve) {
     Curves level, radial;
     constexpr int segments = 10;

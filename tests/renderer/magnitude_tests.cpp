@@ -52,19 +52,20 @@ protected:
                          -0.25f * std::sin(3 * t)});
         }
         targets.end(true);
-        const filigree::CurveSet example = context_.curves(loops.view()), target = context_.curves(targets.view());
+        const filigree::CurveSet example = context_.curve_set(loops.view()),
+                                 target = context_.curve_set(targets.view());
         FlgStyleDesc style_desc = flgStyleDefaults();
         style_desc.style = example.get();
         style_desc.point_count = 300;
         const filigree::Style style = context_.style(style_desc);
-        FlgStylizeDesc desc = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
         desc.style = style.get();
         desc.target = target.get();
         desc.magnitude = magnitude;
         desc.scale = 3;
         desc.keep_displacement = 1;
         filigree::CurveSet result = context_.stylize(desc);
-        context_.finish();
+        context_.run();
         return result;
     }
 
@@ -100,7 +101,7 @@ protected:
         return image;
     }
 
-    filigree::Context context_;
+    filigree::Context context_ = filigree::Context::create();
 };
 
 TEST_F(MagnitudeTest, ShowsWhatStylizingAnewShows) {

@@ -48,7 +48,7 @@ std::vector<float> pose_of(TestSkin& skin, FlgSkinning skinning, const std::vect
     EXPECT_EQ(flgSkinPose(&view, rotations.data(), nullptr, linear ? transforms.data() : nullptr,
                           linear ? nullptr : transforms.data()),
               FLG_OK)
-        << flgLastError();
+        << flgErrorGetMessage();
     return transforms;
 }
 
@@ -60,7 +60,7 @@ Mesh deformed(TestSkin& skin, FlgSkinning skinning, const std::vector<float>& tr
     mesh.triangles = skin.triangles;
     const FlgSkinView view = skin.view();
     EXPECT_EQ(flgSkinDeform(&view, skinning, transforms.data(), &mesh.positions[0].x, &mesh.normals[0].x), FLG_OK)
-        << flgLastError();
+        << flgErrorGetMessage();
     return mesh;
 }
 

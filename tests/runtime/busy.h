@@ -37,12 +37,12 @@ private:
 struct ManualClock {
     std::atomic<uint64_t> now_ns{1000};
     uint64_t step_ns = 0;
-    FlgClock hook() {
-        return {this, [](void* self) {
-                    auto& clock = *static_cast<ManualClock*>(self);
-                    return clock.now_ns.fetch_add(clock.step_ns);
-                }};
-    }
+    const FlgClock* hook() const { return &hook_; }
+
+    const FlgClock hook_{sizeof(FlgClock), this, [](void* self) {
+                             auto& clock = *static_cast<ManualClock*>(self);
+                             return clock.now_ns.fetch_add(clock.step_ns);
+                         }};
 };
 
 // Adds up `count` hashes in chunks of `chunk`, pausing after each.

@@ -44,7 +44,7 @@ TEST_F(WithoutWorkers, ProgressRisesAndIsOneExactlyWhenDone) {
         last = job->status.progress;
         if (done) break;
         EXPECT_LT(last, 1.0f);
-        EXPECT_EQ(job->status.state, FLG_JOB_RUNNING);
+        EXPECT_EQ(job->status.state, FLG_JOB_STATE_RUNNING);
         EXPECT_STREQ(job->status.stage, "hash");
     }
     EXPECT_EQ(last, 1.0f);
@@ -110,7 +110,7 @@ TEST_F(WithoutWorkers, JobsThatWaitForOrderOnlyRunAfterAFailure) {
     const auto dependent =
         submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {failing});
     runtime.tick(50);
-    EXPECT_EQ(ordered->status.state, FLG_JOB_WAITING);
+    EXPECT_EQ(ordered->status.state, FLG_JOB_STATE_WAITING);
     runtime.scheduler().cancel(*failing);
     const auto late = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); }, FLG_PRIORITY_HIGH,
                              {{failing, true}});
@@ -248,7 +248,7 @@ TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
         jobs.push_back(job);
     }
     while (runtime.scheduler().run_next(UINT64_MAX)) {}
-    for (const auto& job : jobs) EXPECT_EQ(job->status.state, FLG_JOB_WAITING);
+    for (const auto& job : jobs) EXPECT_EQ(job->status.state, FLG_JOB_STATE_WAITING);
     EXPECT_TRUE(order.empty());
     runtime.tick(0);
     EXPECT_EQ(order, (std::vector<uint64_t>{0, 1, 2, 3}));
@@ -339,7 +339,7 @@ TEST_F(WithoutWorkers, TicksAllocateNothingInSteadyState) {
     const int64_t before = memory.calls;
     for (int i = 0; i < 100; ++i) runtime.tick(100);
     EXPECT_EQ(memory.calls, before);
-    EXPECT_EQ(job->status.state, FLG_JOB_RUNNING);
+    EXPECT_EQ(job->status.state, FLG_JOB_STATE_RUNNING);
 }
 
 TEST_F(WithoutWorkers, MemoryThatRunsOutFailsTheJobAndNothingElse) {

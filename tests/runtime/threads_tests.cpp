@@ -26,16 +26,18 @@ public:
         wake_.notify_all();
         for (std::thread& thread : threads_) thread.join();
     }
-    FlgJobSystem hook(uint32_t concurrency) {
-        return {this, concurrency, [](void* self, void (*run)(void*), void* task) {
-                    auto& pool = *static_cast<Pool*>(self);
-                    {
-                        std::lock_guard lock(pool.mutex_);
-                        pool.queue_.push_back({run, task});
-                        pool.most_queued_ = std::max(pool.most_queued_, pool.queue_.size());
-                    }
-                    pool.wake_.notify_one();
-                }};
+    // Valid until asked for again.
+    const FlgJobSystem* hook(uint32_t concurrency) {
+        hook_ = {sizeof hook_, concurrency, this, [](void* self, void (*run)(void*), void* task) {
+                     auto& pool = *static_cast<Pool*>(self);
+                     {
+                         std::lock_guard lock(pool.mutex_);
+                         pool.queue_.push_back({run, task});
+                         pool.most_queued_ = std::max(pool.most_queued_, pool.queue_.size());
+                     }
+                     pool.wake_.notify_one();
+                 }};
+        return &hook_;
     }
     size_t most_queued() {
         std::lock_guard lock(mutex_);
@@ -43,6 +45,7 @@ public:
     }
 
 private:
+    FlgJobSystem hook_{};
     void work() {
         for (;;) {
             std::pair<void (*)(void*), void*> task;
@@ -115,9 +118,10 @@ TEST(Threads, AJobSystemThatNeverRunsOurTasksKeepsTheContextAlive) {
         std::vector<std::pair<void (*)(void*), void*>> tasks;
     } kept;
     FlgContextDesc desc{};
-    desc.job_system = {&kept, 2, [](void* self, void (*run)(void*), void* task) {
-                           static_cast<Kept*>(self)->tasks.push_back({run, task});
-                       }};
+    const FlgJobSystem system = {sizeof system, 2, &kept, [](void* self, void (*run)(void*), void* task) {
+                                     static_cast<Kept*>(self)->tasks.push_back({run, task});
+                                 }};
+    desc.job_system = &system;
     CountingMemory memory;
     {
         Runtime runtime(desc, &memory);
@@ -246,7 +250,7 @@ TEST(Threads, RandomCancellationLosesNothing) {
             if (workers % 2 == 0) {
                 tick_until_done(runtime);
                 for (uint32_t i = 0; i < many.size(); ++i) {
-                    EXPECT_EQ(jobs[i]->status.state, FLG_JOB_FINISHED);
+                    EXPECT_EQ(jobs[i]->status.state, FLG_JOB_STATE_FINISHED);
                     if (jobs[i]->status.result != FLG_OK) continue;
                     for (uint32_t k = 0; k < 20; ++k) EXPECT_EQ(many[i].values[k], expected_hash_sum(1000 + k));
                 }

@@ -77,7 +77,7 @@ private:
         report.struct_size = sizeof report;
         const auto wall = Clock::now();
         const double processor = thread_us();
-        stage_.must(flgTick(stage_.context, budget_us, &report), "flgTick");
+        stage_.must(flgContextTick(stage_.context, budget_us, &report), "flgContextTick");
         outcome_.processor.add(thread_us() - processor);
         outcome_.wall.add(std::chrono::duration<double, std::micro>(Clock::now() - wall).count());
         if (report.longest_chunk_us > outcome_.longest_chunk_us) {

@@ -20,8 +20,10 @@ std::vector<double> ellipse(double rx, double ry, uint32_t count) {
 
 FlgPart create_part(Stage& stage, const std::vector<double>& points, FlgJob* out_job) {
     FlgPartDesc desc = flgPartDefaults();
-    desc.contour.points = points.data();
-    desc.contour.point_count = static_cast<uint32_t>(points.size() / 2);
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = points.data();
+    drawn.point_count = static_cast<uint32_t>(points.size() / 2);
+    desc.contour = &drawn;
     FlgPart part{};
     stage.must(flgPartCreate(stage.context, &desc, &part, out_job), "flgPartCreate");
     return part;
@@ -86,8 +88,10 @@ public:
         desc.part = part_;
         stage.must(flgPartMeshCreate(stage.context, &desc, &mesh_, &inflation_), "flgPartMeshCreate");
         FlgStraightSkeletonDesc skeleton = flgStraightSkeletonDefaults();
-        skeleton.contour.points = points.data();
-        skeleton.contour.point_count = static_cast<uint32_t>(points.size() / 2);
+        FlgContourView drawn = flgContourViewDefaults();
+        drawn.points = points.data();
+        drawn.point_count = static_cast<uint32_t>(points.size() / 2);
+        skeleton.contour = &drawn;
         stage.must(flgStraightSkeletonCreate(stage.context, &skeleton, &skeleton_, &skeletonizing_),
                    "flgStraightSkeletonCreate");
         stage.cancel_at_random(axis_);

@@ -11,8 +11,9 @@ namespace {
 FlgManifold create_torus(Stage& stage) {
     test::MeshArrays mesh = test::torus_mesh(80, 32, 2, 0.8);
     FlgSurfaceDesc surface = flgSurfaceDefaults();
-    surface.mesh = mesh.view();
-    FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+    const FlgMeshView input = mesh.view();
+    surface.mesh = &input;
+    FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
     FlgManifold manifold{};
     stage.must(flgSurfaceCreate(stage.context, &surface, &desc.surface, nullptr), "flgSurfaceCreate");
     stage.must(flgManifoldCreateFromSurface(stage.context, &desc, &manifold, nullptr), "flgManifoldCreateFromSurface");

@@ -25,7 +25,8 @@ void release(void* user_data, void* memory, size_t size, size_t) {
 Stage::Stage(uint64_t seed) : random_(seed) {
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 1;
-    desc.allocator = {this, allocate, release};
+    const FlgAllocator allocator = {sizeof allocator, this, allocate, release};
+    desc.allocator = &allocator;
     must(flgContextCreate(&desc, &context), "flgContextCreate");
 }
 
@@ -35,7 +36,7 @@ Stage::~Stage() {
 
 bool Stage::must(FlgResult result, const char* what) {
     if (result == FLG_OK) return true;
-    errors.push_back(std::string(what) + ": " + flgResultName(result) + ", " + flgLastError());
+    errors.push_back(std::string(what) + ": " + flgResultGetName(result) + ", " + flgErrorGetMessage());
     return false;
 }
 
@@ -45,13 +46,13 @@ bool Stage::done(FlgJob& job, bool* out_made) {
     FlgJobStatus status{};
     status.struct_size = sizeof status;
     if (!must(flgJobGetStatus(context, job, &status), "flgJobGetStatus")) return true;
-    if (status.state != FLG_JOB_FINISHED) return false;
+    if (status.state != FLG_JOB_STATE_FINISHED) return false;
     ++jobs_finished;
     *out_made = status.result == FLG_OK;
     if (status.result == FLG_ERROR_CANCELLED || status.result == FLG_ERROR_DEPENDENCY) {
         ++jobs_cancelled;
     } else if (!*out_made) {
-        errors.push_back(std::string("a job: ") + flgResultName(status.result) + ", " + status.error);
+        errors.push_back(std::string("a job: ") + flgResultGetName(status.result) + ", " + status.error);
     }
     must(flgJobRelease(context, job), "flgJobRelease");
     job = {};

@@ -19,7 +19,7 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    FlgContext context = nullptr;
+    FlgContext context{};
     std::atomic<int64_t> live_bytes{0};
     std::atomic<int64_t> most_live_bytes{0};  // since it was set last
     uint64_t jobs_finished = 0, jobs_cancelled = 0;

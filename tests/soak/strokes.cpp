@@ -31,7 +31,7 @@ FlgStyle create_style(Stage& stage) {
     bool made = false;
     while (!stage.done(job, &made)) {
         flgContextWait(stage.context, 10000);
-        stage.must(flgTick(stage.context, 0, nullptr), "flgTick");
+        stage.must(flgContextTick(stage.context, 0, nullptr), "flgContextTick");
     }
     release(stage, desc.style);
     return style;
@@ -105,14 +105,16 @@ public:
 
     void frame() override {
         if (!rest()) return stage.cancel_at_random(job_);
-        FlgStylizeDesc desc = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
         desc.style = style_;
         desc.target = target_;
         desc.seed = stage.draw(1000);
         desc.temperature = static_cast<float>(stage.draw(3));
         desc.scale = 0.5f;
-        desc.job.priority = FLG_PRIORITY_LOW;
-        stage.must(flgStylize(stage.context, &desc, &made_, &job_), "flgStylize");
+        FlgJobOptions options = flgJobOptionsDefaults();
+        options.priority = FLG_PRIORITY_LOW;
+        desc.job = &options;
+        stage.must(flgCurveSetStylize(stage.context, &desc, &made_, &job_), "flgCurveSetStylize");
         stage.cancel_at_random(job_);
     }
     bool rest() override {

@@ -10,7 +10,8 @@ namespace {
 
 FlgSurface create(Stage& stage, test::MeshArrays mesh, FlgJob* out_job) {
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh = mesh.view();
+    const FlgMeshView input = mesh.view();
+    desc.mesh = &input;
     FlgSurface surface{};
     stage.must(flgSurfaceCreate(stage.context, &desc, &surface, out_job), "flgSurfaceCreate");
     return surface;
@@ -26,15 +27,16 @@ public:
             return stage.cancel_at_random(tracing_);
         }
         const uint32_t vertex = stage.draw(3000);
-        FlgGeodesicDesc desc = flgGeodesicDefaults();
+        FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
         desc.surface = surface_;
         desc.vertices = &vertex;
         desc.vertex_count = 1;
-        if (!stage.must(flgGeodesic(stage.context, &desc, &field_, &measuring_), "flgGeodesic")) return;
-        FlgIsolinesDesc isolines = flgIsolinesDefaults();
+        if (!stage.must(flgFieldCreateGeodesic(stage.context, &desc, &field_, &measuring_), "flgFieldCreateGeodesic"))
+            return;
+        FlgFieldTraceIsolinesDesc isolines = flgFieldTraceIsolinesDefaults();
         isolines.field = field_;
-        isolines.levels.every = 0.1f;
-        stage.must(flgTraceIsolines(stage.context, &isolines, &curves_, &tracing_), "flgTraceIsolines");
+        isolines.level_every = 0.1f;
+        stage.must(flgFieldTraceIsolines(stage.context, &isolines, &curves_, &tracing_), "flgFieldTraceIsolines");
         stage.cancel_at_random(measuring_);
     }
     bool rest() override {
@@ -79,7 +81,7 @@ private:
     void begin() {
         FlgJob making{};
         surface_ = create(stage, test::sphere(16), &making);
-        stage.must(flgTangleCreate(stage.context, surface_, &tangle_, &job_), "flgTangleCreate");
+        stage.must(flgTangleCreate(stage.context, surface_, nullptr, &tangle_, &job_), "flgTangleCreate");
         stage.must(flgJobRelease(stage.context, making), "flgJobRelease");
         step_ = 1;
     }
@@ -96,13 +98,13 @@ private:
         const uint32_t region = stage.draw(info.region_count);
         const uint32_t choice = stage.draw(10);
         if (step_ > 1 && info.undo_count > 0 && choice < 3) {
-            stage.must(flgTangleUndo(stage.context, tangle_, &job_), "flgTangleUndo");
+            stage.must(flgTangleUndo(stage.context, tangle_, nullptr, &job_), "flgTangleUndo");
         } else if (info.redo_count > 0 && choice < 5) {
-            stage.must(flgTangleRedo(stage.context, tangle_, &job_), "flgTangleRedo");
+            stage.must(flgTangleRedo(stage.context, tangle_, nullptr, &job_), "flgTangleRedo");
         } else if (choice < 6) {
-            FlgTangleMacroDesc desc = flgTangleMacroDefaults();
+            FlgTangleApplyMacroDesc desc = flgTangleApplyMacroDefaults();
             desc.tangle = tangle_;
-            desc.kind = FLG_TANGLE_POLKA_DOTS;
+            desc.kind = FLG_TANGLE_MACRO_POLKA_DOTS;
             desc.regions = &region;
             desc.region_count = 1;
             desc.size = 0.06f;
@@ -110,10 +112,12 @@ private:
         } else {
             FlgTangleDivideDesc desc = flgTangleDivideDefaults();
             desc.tangle = tangle_;
-            desc.kind = choice < 8 ? FLG_TANGLE_VORONOI : FLG_TANGLE_CONTOUR;
+            desc.kind = choice < 8 ? FLG_TANGLE_OPERATOR_VORONOI : FLG_TANGLE_OPERATOR_CONTOUR;
             desc.regions = &region;
             desc.region_count = 1;
-            desc.a.sample_radius = 0.5f;
+            FlgTangleSeeds samples = flgTangleSeedsDefaults();
+            samples.sample_radius = 0.5f;
+            desc.a = &samples;
             desc.seed = stage.draw(1000);
             stage.must(flgTangleDivide(stage.context, &desc, &job_), "flgTangleDivide");
         }

@@ -72,11 +72,11 @@ std::shared_ptr<Motion> make(const MotionInput& input, bool haltingly = false) {
 }
 
 void set_energy(MotionInput& input, FlgSplineEnergy energy, double tension = 3) {
-    input.bending = energy == FLG_SPLINE_E1 ? 0 : 1;
-    input.tension = energy == FLG_SPLINE_E2 ? 0 : energy == FLG_SPLINE_E1 ? 1 : tension;
+    input.bending = energy == FLG_SPLINE_ENERGY_E1 ? 0 : 1;
+    input.tension = energy == FLG_SPLINE_ENERGY_E2 ? 0 : energy == FLG_SPLINE_ENERGY_E1 ? 1 : tension;
 }
 
-constexpr FlgSplineEnergy all_energies[] = {FLG_SPLINE_E2, FLG_SPLINE_E1, FLG_SPLINE_ET};
+constexpr FlgSplineEnergy all_energies[] = {FLG_SPLINE_ENERGY_E2, FLG_SPLINE_ENERGY_E1, FLG_SPLINE_ENERGY_ET};
 
 TEST(Motion, KeysAreHit) {
     for (const bool closed : {false, true}) {
@@ -85,7 +85,7 @@ TEST(Motion, KeysAreHit) {
             set_energy(input, energy);
             const auto motion = make(input);
             const FlgMotionView& view = motion->view();
-            EXPECT_EQ(view.ending, FLG_SPLINE_CONVERGED);
+            EXPECT_EQ(view.ending, FLG_SPLINE_ENDING_CONVERGED);
             EXPECT_LE(view.residual, 1e-6);
             ASSERT_EQ(view.key_count, 6u);
             for (uint32_t i = 0; i < 6; ++i) {
@@ -136,7 +136,7 @@ TEST(Motion, TheBarycentreIsTheClassicalSpline) {
             const CubicData data{.knots = knots,
                                  .values = values,
                                  .ends = closed ? CubicEnds::periodic : CubicEnds::natural,
-                                 .tension = energy == FLG_SPLINE_E1 ? HUGE_VAL : input.tension};
+                                 .tension = energy == FLG_SPLINE_ENERGY_E1 ? HUGE_VAL : input.tension};
             const NaturalCubic spline = run_now(nan_memory(), [&](Pace& pace) { return natural_cubic(pace, data); });
             for (uint32_t i = 0; i < view.position_count; ++i) {
                 Vec3 expected;
@@ -228,7 +228,7 @@ TEST(Motion, SecondDerivativesAreInBalanceAtTheEnds) {
 // Between two keys E1 gives the flight of a free body: the barycentre goes evenly, energy and angular momentum stay.
 TEST(Motion, FreeBodiesKeepTheirAngularMomentum) {
     MotionInput input = random_keys(2, 2.5, false);
-    set_energy(input, FLG_SPLINE_E1);
+    set_energy(input, FLG_SPLINE_ENERGY_E1);
     input.positions = 401;
     const auto motion = make(input);
     const FlgMotionView& view = motion->view();
@@ -269,7 +269,7 @@ TEST(Motion, FreeBodiesKeepTheirAngularMomentum) {
 TEST(Motion, BallsTurnAboutOneAxis) {
     MotionInput input = random_keys(2, 2, false);
     input.body = BodyInertia();
-    set_energy(input, FLG_SPLINE_E1);
+    set_energy(input, FLG_SPLINE_ENERGY_E1);
     input.positions = 101;
     const auto motion = make(input);
     const FlgMotionView& view = motion->view();
@@ -329,7 +329,7 @@ TEST(Motion, ManyPositionsComeToTheSameMotion) {
     straight.positions = 5;
     const auto keys_only = make(straight);
     EXPECT_EQ(keys_only->view().position_count, 5u);
-    EXPECT_EQ(keys_only->view().ending, FLG_SPLINE_CONVERGED);
+    EXPECT_EQ(keys_only->view().ending, FLG_SPLINE_ENDING_CONVERGED);
 }
 
 // Near keys that jitter the motion goes with little energy; with a small weight it hardly smooths, with a large one it
@@ -349,7 +349,7 @@ TEST(Motion, SmoothingGoesNearTheKeys) {
             }
         }
         // Ends move too: Newton's method has to know all that depends on where they are.
-        EXPECT_EQ(motion->view().ending, FLG_SPLINE_CONVERGED);
+        EXPECT_EQ(motion->view().ending, FLG_SPLINE_ENDING_CONVERGED);
         EXPECT_LE(motion->view().rounds, 12u);
         EXPECT_LE(motion->view().energy, energy * (1 + 1e-12));
         EXPECT_GT(distance, off);

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "curves/moving_frame.h"
+#include "core/moving_frame.h"
 #include "reference/literal_synthesis.h"
 #include "stylization/synthesis_inputs.h"
 

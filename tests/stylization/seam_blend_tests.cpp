@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "curves/moving_frame.h"
+#include "core/moving_frame.h"
 #include "stylization/synthesis_inputs.h"
 
 namespace flg {

@@ -29,10 +29,11 @@ TEST(TangleHistory, StepsAreTakenBackAndMadeAgainToTheBit) {
     ASSERT_EQ(flgTangleDisplace(host.context, &displace, nullptr), FLG_OK);
     host.finish();
     remember();
-    ASSERT_EQ(flgTangleGroup(host.context, tangle, some.data(), static_cast<uint32_t>(some.size()), nullptr), FLG_OK);
+    ASSERT_EQ(flgTangleGroup(host.context, tangle, some.data(), static_cast<uint32_t>(some.size()), nullptr, nullptr),
+              FLG_OK);
     host.finish();
     remember();
-    ASSERT_EQ(flgTangleJoin(host.context, tangle, root.data(), 1, nullptr), FLG_OK);
+    ASSERT_EQ(flgTangleJoin(host.context, tangle, root.data(), 1, nullptr, nullptr), FLG_OK);
     host.finish();
     remember();
     EXPECT_EQ(host.info(tangle).leaf_count, 1u);
@@ -56,7 +57,7 @@ TEST(TangleHistory, DistancesAfterAStepIsTakenBackAreThoseBefore) {
     const FlgSurface surface = host.surface(sphere(12));
     const FlgTangle tangle = host.tangle(surface);
     const auto solve = [&] {
-        FlgGeodesicDesc desc = flgGeodesicDefaults();
+        FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
         const uint32_t vertex = 5;
         desc.surface = surface;
         desc.vertices = &vertex;
@@ -105,12 +106,12 @@ TEST(TangleHistory, GroupsAreGivenAndTakenApart) {
     ASSERT_EQ(host.divide(contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 0.1f, 3)), FLG_OK);
     const Regions leaves = host.leaves(tangle);
     ASSERT_EQ(leaves.size(), 4u);
-    ASSERT_EQ(flgTangleGroup(host.context, tangle, leaves.data(), 3, nullptr), FLG_OK);
+    ASSERT_EQ(flgTangleGroup(host.context, tangle, leaves.data(), 3, nullptr, nullptr), FLG_OK);
     host.finish();
     const uint32_t group = host.region(tangle, leaves[0]).group;
     EXPECT_EQ(host.region(tangle, leaves[2]).group, group);
     EXPECT_NE(host.region(tangle, leaves[3]).group, group);
-    ASSERT_EQ(flgTangleUngroup(host.context, tangle, group, nullptr), FLG_OK);
+    ASSERT_EQ(flgTangleUngroup(host.context, tangle, group, nullptr, nullptr), FLG_OK);
     host.finish();
     std::set<uint32_t> groups;
     for (uint32_t leaf : leaves) groups.insert(host.region(tangle, leaf).group);
@@ -124,8 +125,9 @@ TEST(TangleHistory, JoinedRegionsAreOne) {
     ASSERT_EQ(host.divide(contour(tangle, root, borders(FLG_TANGLE_BORDERS_OUTER), 0.1f, 3)), FLG_OK);
     const auto join = [&](const Regions& regions) {
         FlgJob job{};
-        EXPECT_EQ(flgTangleJoin(host.context, tangle, regions.data(), static_cast<uint32_t>(regions.size()), &job),
-                  FLG_OK);
+        EXPECT_EQ(
+            flgTangleJoin(host.context, tangle, regions.data(), static_cast<uint32_t>(regions.size()), nullptr, &job),
+            FLG_OK);
         host.finish();
         return host.result_of(job);
     };

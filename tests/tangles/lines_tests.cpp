@@ -13,20 +13,20 @@ FlgSurfaceCurves lay(const TangleHost& host, FlgSurface surface, const std::vect
     Curves curves;
     for (const Point& p : line) curves.add_point(p[0], p[1], p[2]);
     curves.end_curve(closed ? FLG_CURVE_CLOSED : 0);
-    FlgProjectDesc desc = flgProjectDefaults();
+    FlgCurveSetProjectDesc desc = flgCurveSetProjectDefaults();
     desc.surface = surface;
     desc.curves = host.create(curves);
     FlgSurfaceCurves laid{};
-    EXPECT_EQ(flgProjectCurves(host.context, &desc, &laid, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgCurveSetProject(host.context, &desc, &laid, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return laid;
 }
 
 FlgTangleDivideDesc along(FlgTangle tangle, const Regions& regions, FlgSurfaceCurves curves) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.curves = curves;
     FlgTangleDivideDesc desc = contour(tangle, regions, seeds, 1, 1);
-    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     return desc;
 }
 
@@ -61,7 +61,7 @@ TEST(TangleLines, AreCutWithinTheRegionsOnly) {
     const Regions halves = host.leaves(tangle);
     ASSERT_EQ(halves.size(), 2u);
     const uint32_t left = host.region(tangle, halves[0]).part == 0 ? halves[0] : halves[1];
-    const std::vector<FlgMeshView> before = {host.view(surface).mesh};
+    const std::vector<FlgMeshView> before = {*host.view(surface).mesh};
     std::map<uint32_t, uint32_t> triangles;
     for (uint32_t t = 0; t < before[0].triangle_count; ++t) ++triangles[before[0].regions[t]];
 
@@ -71,7 +71,7 @@ TEST(TangleLines, AreCutWithinTheRegionsOnly) {
     const std::map<uint32_t, double> parts = areas(view);
     ASSERT_EQ(parts.size(), 3u);
     std::map<uint32_t, uint32_t> after;
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) ++after[view.mesh.regions[t]];
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) ++after[view.mesh->regions[t]];
     for (const auto& [region, area] : parts) {
         if (host.region(tangle, region).parent == left) {
             const bool inside = host.region(tangle, region).part == 0;
@@ -116,13 +116,15 @@ TEST(TangleLines, JoinPointsWithTheirShortestWays) {
     FlgTangleDivideDesc desc = along(tangle, root, lay(host, surface, square, true));
     const FlgSurfaceView view = host.view(surface);
     const std::vector<FlgSurfacePoint> points = {point_above(view, 0, 0.8), point_above(view, 1, 0.8)};
-    desc.a.points = points.data();
-    desc.a.point_count = 2;
+    FlgTangleSeeds a = *desc.a;
+    a.points = points.data();
+    a.point_count = 2;
+    desc.a = &a;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     const std::map<uint32_t, double> parts = areas(host.view(surface));
     EXPECT_EQ(parts.size(), 3u);
-    desc.a.point_count = 1;
-    desc.a.curves = lay(host, surface, square, true);
+    a.point_count = 1;
+    a.curves = lay(host, surface, square, true);
     expect_failure(flgTangleDivide(host.context, &desc, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "desc.a.point_count is 1, a polyline needs 2 points at least");
 }
@@ -135,9 +137,9 @@ TEST(TangleLines, AreFoundOnAFinerMesh) {
     ASSERT_EQ(host.divide(along(from, root, lay(host, coarse, square, true))), FLG_OK);
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
-    ASSERT_EQ(flgTangleGetHistory(host.context, from, &history), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTangleGetHistory(host.context, from, &history), FLG_OK) << flgErrorGetMessage();
     FlgJob job{};
-    ASSERT_EQ(flgTangleReplay(host.context, to, &history, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTangleReplay(host.context, to, &history, nullptr, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     ASSERT_EQ(host.result_of(job), FLG_OK) << host.status_of(job).error;
     EXPECT_EQ(host.tree_bits(to), host.tree_bits(from));

@@ -7,8 +7,8 @@ namespace {
 
 const Regions root = {0};
 
-FlgTangleMacroDesc macro(FlgTangle tangle, FlgTangleMacro kind) {
-    FlgTangleMacroDesc desc = flgTangleMacroDefaults();
+FlgTangleApplyMacroDesc macro(FlgTangle tangle, FlgTangleMacro kind) {
+    FlgTangleApplyMacroDesc desc = flgTangleApplyMacroDefaults();
     desc.tangle = tangle;
     desc.kind = kind;
     desc.regions = root.data();
@@ -16,20 +16,20 @@ FlgTangleMacroDesc macro(FlgTangle tangle, FlgTangleMacro kind) {
     return desc;
 }
 
-FlgResult apply(const TangleHost& host, const FlgTangleMacroDesc& desc) {
+FlgResult apply(const TangleHost& host, const FlgTangleApplyMacroDesc& desc) {
     FlgJob job{};
-    EXPECT_EQ(flgTangleApplyMacro(host.context, &desc, &job), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgTangleApplyMacro(host.context, &desc, &job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return host.result_of(job);
 }
 
 TEST(TangleMacros, EachIsOneStep) {
-    for (int kind = FLG_TANGLE_SUNBURST; kind <= FLG_TANGLE_CELLS; ++kind) {
+    for (int kind = FLG_TANGLE_MACRO_SUNBURST; kind <= FLG_TANGLE_MACRO_CELLS; ++kind) {
         const TangleHost host;
         const FlgSurface surface = host.surface(cylinder(60, 20));
         const FlgTangle tangle = host.tangle(surface);
         const std::string before = bits(host.view(surface));
-        FlgTangleMacroDesc desc = macro(tangle, static_cast<FlgTangleMacro>(kind));
+        FlgTangleApplyMacroDesc desc = macro(tangle, static_cast<FlgTangleMacro>(kind));
         desc.size = 0.15f;
         desc.spacing = 0.5f;
         ASSERT_EQ(apply(host, desc), FLG_OK) << "macro " << kind;
@@ -50,7 +50,7 @@ TEST(TangleMacros, AGridIsAChequerboard) {
     const FlgSurface surface = host.surface(cylinder(48, 20));
     const FlgTangle tangle = host.tangle(surface);
     const double whole = host.report(surface).area;
-    FlgTangleMacroDesc desc = macro(tangle, FLG_TANGLE_GRID);
+    FlgTangleApplyMacroDesc desc = macro(tangle, FLG_TANGLE_MACRO_GRID);
     desc.count = 4;
     desc.size = static_cast<float>(whole / 2 / 12);
     ASSERT_EQ(apply(host, desc), FLG_OK);
@@ -66,17 +66,17 @@ TEST(TangleMacros, RefuseWhatTheyCantDo) {
     const FlgSurface surface = host.surface(plane(8));
     const FlgTangle tangle = host.tangle(surface);
     const std::string before = bits(host.view(surface));
-    for (const FlgTangleMacro kind : {FLG_TANGLE_SUNBURST, FLG_TANGLE_GRID}) {
+    for (const FlgTangleMacro kind : {FLG_TANGLE_MACRO_SUNBURST, FLG_TANGLE_MACRO_GRID}) {
         EXPECT_EQ(apply(host, macro(tangle, kind)), FLG_ERROR_INVALID_ARGUMENT) << "a square has one border";
     }
     EXPECT_EQ(bits(host.view(surface)), before);
     EXPECT_EQ(host.info(tangle).undo_count, 0u);
-    FlgTangleMacroDesc bad = macro(tangle, FLG_TANGLE_POLKA_DOTS);
+    FlgTangleApplyMacroDesc bad = macro(tangle, FLG_TANGLE_MACRO_POLKA_DOTS);
     bad.size = 0;
     EXPECT_EQ(flgTangleApplyMacro(host.context, &bad, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     bad = macro(tangle, static_cast<FlgTangleMacro>(8));
     EXPECT_EQ(flgTangleApplyMacro(host.context, &bad, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    bad = macro(tangle, FLG_TANGLE_FRAMES);
+    bad = macro(tangle, FLG_TANGLE_MACRO_FRAMES);
     bad.count = 1'000'000;
     EXPECT_EQ(flgTangleApplyMacro(host.context, &bad, nullptr), FLG_ERROR_INVALID_ARGUMENT);
 }

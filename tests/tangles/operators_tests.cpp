@@ -6,14 +6,14 @@ namespace flg::test {
 namespace {
 
 FlgTangleSeeds at_points(const std::vector<FlgSurfacePoint>& points) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.points = points.data();
     seeds.point_count = static_cast<uint32_t>(points.size());
     return seeds;
 }
 
 FlgTangleSeeds at_stretch(const FlgBorderStretch& stretch) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.stretches = &stretch;
     seeds.stretch_count = 1;
     return seeds;
@@ -68,10 +68,10 @@ TEST(TangleOperators, InnerNodesAreTheIntersectionWithTheirLeaves) {
 }
 
 TEST(TangleOperators, GroupsAreAsAskedFor) {
-    for (const auto& [grouping, count] : {std::pair{FLG_TANGLE_GROUP_ONE, 1u},
-                                          {FLG_TANGLE_GROUP_TWO, 2u},
-                                          {FLG_TANGLE_GROUP_CYCLE, 3u},
-                                          {FLG_TANGLE_GROUP_EACH, 8u}}) {
+    for (const auto& [grouping, count] : {std::pair{FLG_TANGLE_GROUPING_ONE, 1u},
+                                          {FLG_TANGLE_GROUPING_TWO, 2u},
+                                          {FLG_TANGLE_GROUPING_CYCLE, 3u},
+                                          {FLG_TANGLE_GROUPING_EACH, 8u}}) {
         const TangleHost host;
         const FlgSurface surface = host.surface(plane(16));
         const FlgTangle tangle = host.tangle(surface);
@@ -91,7 +91,7 @@ TEST(TangleOperators, BlendsLieBetweenTheirSeeds) {
     const FlgTangle tangle = host.tangle(surface);
     const FlgBorderStretch low = {0, 0, 1}, high = {1, 0, 1};
     FlgTangleDivideDesc desc = contour(tangle, root, at_stretch(low), 0.25f, 3);
-    desc.b = at_stretch(high);
+    desc.b = kept(at_stretch(high));
     ASSERT_EQ(host.divide(desc), FLG_OK);
     const double whole = host.report(surface).area;
     expect_valid(host, surface, tangle, whole);
@@ -107,7 +107,7 @@ TEST(TangleOperators, StreamsMakeEqualStrips) {
     const double whole = host.report(surface).area, around = whole / 2;
     const FlgBorderStretch low = {0, 0, 1};
     FlgTangleDivideDesc desc = contour(tangle, root, at_stretch(low), static_cast<float>(around / 10), 1);
-    desc.kind = FLG_TANGLE_STREAM;
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, whole);
     const FlgSurfaceView view = host.view(surface);
@@ -126,7 +126,7 @@ TEST(TangleOperators, CellsAreNearestToTheirPoints) {
     std::vector<FlgSurfacePoint> points;
     for (const Point& p : places) points.push_back(point_above(host.view(surface), p[0], p[1]));
     FlgTangleDivideDesc desc = contour(tangle, root, at_points(points), 1, 1);
-    desc.kind = FLG_TANGLE_VORONOI;
+    desc.kind = FLG_TANGLE_OPERATOR_VORONOI;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, 1);
     const FlgSurfaceView view = host.view(surface);
@@ -134,13 +134,13 @@ TEST(TangleOperators, CellsAreNearestToTheirPoints) {
     // The area that is labelled otherwise than by the nearest point.
     std::map<uint32_t, std::set<uint32_t>> nearest_of;
     std::map<std::pair<uint32_t, uint32_t>, double> shared;
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
         const Point c = point_at(view, {t, 1 / 3.0f, 1 / 3.0f});
         uint32_t nearest = 0;
         for (uint32_t i = 1; i < places.size(); ++i) {
             if (distance(c, places[i]) < distance(c, places[nearest])) nearest = i;
         }
-        shared[{view.mesh.regions[t], nearest}] += area_of(view, t);
+        shared[{view.mesh->regions[t], nearest}] += area_of(view, t);
     }
     double right = 0;
     for (uint32_t label : host.leaves(tangle)) {
@@ -155,7 +155,7 @@ TEST(TangleOperators, SamplesKeepTheirDistance) {
     const TangleHost host;
     const FlgSurface surface = host.surface(sphere(32));
     const FlgTangle tangle = host.tangle(surface);
-    FlgTangleSeeds samples{};
+    FlgTangleSeeds samples = flgTangleSeedsDefaults();
     samples.sample_radius = 0.5f;
     ASSERT_EQ(host.divide(contour(tangle, root, samples, 0.2f, 1)), FLG_OK);
     const double whole = host.report(surface).area;
@@ -180,7 +180,7 @@ TEST(TangleOperators, PolylinesDivideWhatTheySeparate) {
     const FlgSurfaceView view = host.view(surface);
     const std::vector<FlgSurfacePoint> stops = {point_above(view, 0.3, 0), point_above(view, 0.3, 1)};
     FlgTangleDivideDesc desc = contour(tangle, root, at_points(stops), 1, 1);
-    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     expect_valid(host, surface, tangle, 1);
     const std::map<uint32_t, double> parts = areas(host.view(surface));
@@ -192,7 +192,7 @@ TEST(TangleOperators, PolylinesDivideWhatTheySeparate) {
     const std::vector<FlgSurfacePoint> inside = {point_above(host.view(surface), 0.5, 0.5),
                                                  point_above(host.view(surface), 0.8, 0.6)};
     desc = contour(tangle, root, at_points(inside), 1, 1);
-    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     EXPECT_EQ(host.info(tangle).region_count, before.region_count);
     EXPECT_EQ(host.info(tangle).undo_count, before.undo_count + 1);
@@ -248,7 +248,7 @@ TEST(TangleOperators, BordersAreWhereLooksDiffer) {
     const std::vector<FlgSurfacePoint> middle = {point_above(host.view(surface), 0.8, 0.6)};
     ASSERT_EQ(host.divide(contour(tangle, root, at_points(middle), 0.15f, 1)), FLG_OK);
     FlgSurfaceCurves curves{};
-    ASSERT_EQ(flgTangleBorders(host.context, tangle, &curves, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTangleTraceBorders(host.context, tangle, nullptr, &curves, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgSurfaceView view = host.view(surface);
     const FlgSurfaceCurvesView lines = host.view(curves);
@@ -258,14 +258,14 @@ TEST(TangleOperators, BordersAreWhereLooksDiffer) {
     EXPECT_FALSE(lines.curve_flags[0] & FLG_CURVE_CLOSED);
     EXPECT_TRUE(lines.curve_flags[1] & FLG_CURVE_CLOSED);
     double expected = 0;
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t other = view.neighbours[3 * t + k];
             if (other == FLG_NO_INDEX || other < t) continue;
-            const uint32_t look = host.region(tangle, view.mesh.regions[t]).look;
-            if (look == host.region(tangle, view.mesh.regions[other]).look) continue;
-            expected += distance(vertex_at(view, view.mesh.triangles[3 * t + k]),
-                                 vertex_at(view, view.mesh.triangles[3 * t + (k + 1) % 3]));
+            const uint32_t look = host.region(tangle, view.mesh->regions[t]).look;
+            if (look == host.region(tangle, view.mesh->regions[other]).look) continue;
+            expected += distance(vertex_at(view, view.mesh->triangles[3 * t + k]),
+                                 vertex_at(view, view.mesh->triangles[3 * t + (k + 1) % 3]));
         }
     }
     EXPECT_NEAR(lines.curve_values[0] + lines.curve_values[1], expected, 1e-5);

@@ -32,7 +32,7 @@ public:
 
 private:
     FlgResult finish(FlgResult started, FlgJob job) {
-        EXPECT_EQ(started, FLG_OK) << last << ": " << flgLastError();
+        EXPECT_EQ(started, FLG_OK) << last << ": " << flgErrorGetMessage();
         if (started != FLG_OK) return started;
         host_.finish(host_.budget_us);
         return host_.result_of(job);
@@ -41,7 +41,7 @@ private:
     float share() { return static_cast<float>(draw(1000)) / 1000; }
 
     FlgTangleSeeds seeds() {
-        FlgTangleSeeds seeds{};
+        FlgTangleSeeds seeds = flgTangleSeedsDefaults();
         switch (draw(7)) {
             case 0: seeds.borders = FLG_TANGLE_BORDERS_OUTER; break;
             case 1: seeds.borders = FLG_TANGLE_BORDERS_EACH; break;
@@ -52,7 +52,7 @@ private:
                 break;
             case 3:
                 for (FlgSurfacePoint& point : points_) {
-                    point = {draw(host_.view(surface_).mesh.triangle_count), share() / 2, share() / 2};
+                    point = {draw(host_.view(surface_).mesh->triangle_count), share() / 2, share() / 2};
                 }
                 seeds.points = points_.data();
                 seeds.point_count = static_cast<uint32_t>(points_.size());
@@ -64,23 +64,26 @@ private:
     }
     FlgResult divide() {
         on_ = {any_region()};
-        FlgTangleDivideDesc desc = contour(tangle_, on_, seeds(), 0.02f + 0.1f * share(), 1 + draw(2));
+        FlgTangleSeeds a = seeds(), b = flgTangleSeedsDefaults();
+        FlgTangleDivideDesc desc = contour(tangle_, on_, a, 0.02f + 0.1f * share(), 1 + draw(2));
         desc.kind = static_cast<FlgTangleOperator>(std::max(0, static_cast<int>(draw(6)) - 2));
-        if (desc.kind == FLG_TANGLE_STREAM) desc.delta = 0.2f;
-        if (desc.kind == FLG_TANGLE_STREAM && draw(2) == 0) desc.a.borders = FLG_TANGLE_BORDERS_OUTER;
-        if (desc.kind == FLG_TANGLE_CONTOUR && draw(4) == 0) desc.b.sample_radius = 0.4f;
-        if (desc.kind == FLG_TANGLE_POLYLINE) {
+        if (desc.kind == FLG_TANGLE_OPERATOR_STREAM) desc.delta = 0.2f;
+        if (desc.kind == FLG_TANGLE_OPERATOR_STREAM && draw(2) == 0) a.borders = FLG_TANGLE_BORDERS_OUTER;
+        if (desc.kind == FLG_TANGLE_OPERATOR_CONTOUR && draw(4) == 0) b.sample_radius = 0.4f;
+        if (desc.kind == FLG_TANGLE_OPERATOR_POLYLINE) {
             for (FlgSurfacePoint& point : points_) {
-                point = {draw(host_.view(surface_).mesh.triangle_count), 0.25f, 0.5f};
+                point = {draw(host_.view(surface_).mesh->triangle_count), 0.25f, 0.5f};
             }
-            desc.a = {};
-            desc.a.points = points_.data();
-            desc.a.point_count = static_cast<uint32_t>(points_.size());
+            a = flgTangleSeedsDefaults();
+            a.points = points_.data();
+            a.point_count = static_cast<uint32_t>(points_.size());
             desc.closed = draw(2);
         }
-        if (desc.kind == FLG_TANGLE_VORONOI && desc.a.point_count == 0 && desc.a.border_spacing == 0) {
-            desc.a.sample_radius = 0.3f;
+        if (desc.kind == FLG_TANGLE_OPERATOR_VORONOI && a.point_count == 0 && a.border_spacing == 0) {
+            a.sample_radius = 0.3f;
         }
+        desc.a = &a;
+        desc.b = &b;
         desc.seed = random_();
         desc.grouping = static_cast<FlgTangleGrouping>(draw(4));
         desc.scaffold = draw(5) == 0;
@@ -93,7 +96,7 @@ private:
     }
     FlgResult macro() {
         on_ = {any_region()};
-        FlgTangleMacroDesc desc = flgTangleMacroDefaults();
+        FlgTangleApplyMacroDesc desc = flgTangleApplyMacroDefaults();
         desc.tangle = tangle_;
         desc.kind = static_cast<FlgTangleMacro>(draw(8));
         desc.regions = on_.data();
@@ -125,32 +128,32 @@ private:
         on_ = {any_region(), any_region(), any_region()};
         last = "group";
         FlgJob job{};
-        const FlgResult started = flgTangleGroup(host_.context, tangle_, on_.data(), 3, &job);
+        const FlgResult started = flgTangleGroup(host_.context, tangle_, on_.data(), 3, nullptr, &job);
         return finish(started, job);
     }
     FlgResult ungroup() {
         const uint32_t group = host_.region(tangle_, any_region()).group;
         last = "ungroup " + std::to_string(group);
         FlgJob job{};
-        const FlgResult started = flgTangleUngroup(host_.context, tangle_, group, &job);
+        const FlgResult started = flgTangleUngroup(host_.context, tangle_, group, nullptr, &job);
         return finish(started, job);
     }
     // Two that touch, mostly.
     FlgResult join() {
         const FlgSurfaceView view = host_.view(surface_);
-        const uint32_t first = draw(view.mesh.triangle_count);
-        uint32_t second = draw(view.mesh.triangle_count);
-        for (uint32_t t = 0; t < view.mesh.triangle_count && draw(50) != 0; ++t) {
-            if (view.mesh.regions[t] != view.mesh.regions[first]) continue;
+        const uint32_t first = draw(view.mesh->triangle_count);
+        uint32_t second = draw(view.mesh->triangle_count);
+        for (uint32_t t = 0; t < view.mesh->triangle_count && draw(50) != 0; ++t) {
+            if (view.mesh->regions[t] != view.mesh->regions[first]) continue;
             for (uint32_t k = 0; k < 3; ++k) {
                 const uint32_t other = view.neighbours[3 * t + k];
-                if (other != FLG_NO_INDEX && view.mesh.regions[other] != view.mesh.regions[first]) second = other;
+                if (other != FLG_NO_INDEX && view.mesh->regions[other] != view.mesh->regions[first]) second = other;
             }
         }
-        on_ = {view.mesh.regions[first], view.mesh.regions[second]};
+        on_ = {view.mesh->regions[first], view.mesh->regions[second]};
         last = "join of " + std::to_string(on_[0]) + " and " + std::to_string(on_[1]);
         FlgJob job{};
-        const FlgResult started = flgTangleJoin(host_.context, tangle_, on_.data(), 2, &job);
+        const FlgResult started = flgTangleJoin(host_.context, tangle_, on_.data(), 2, nullptr, &job);
         return finish(started, job);
     }
 

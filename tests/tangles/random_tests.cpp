@@ -12,18 +12,18 @@ void expect_borders(const TangleHost& host, FlgSurface surface, FlgTangle tangle
     for (uint32_t leaf : host.leaves(tangle)) look_of[leaf] = host.region(tangle, leaf).look;
     uint32_t edges = 0;
     double length = 0;
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t other = view.neighbours[3 * t + k];
             if (other == FLG_NO_INDEX || other < t) continue;
-            if (look_of[view.mesh.regions[t]] == look_of[view.mesh.regions[other]]) continue;
+            if (look_of[view.mesh->regions[t]] == look_of[view.mesh->regions[other]]) continue;
             ++edges;
-            length += distance(vertex_at(view, view.mesh.triangles[3 * t + k]),
-                               vertex_at(view, view.mesh.triangles[3 * t + (k + 1) % 3]));
+            length += distance(vertex_at(view, view.mesh->triangles[3 * t + k]),
+                               vertex_at(view, view.mesh->triangles[3 * t + (k + 1) % 3]));
         }
     }
     FlgSurfaceCurves borders{};
-    ASSERT_EQ(flgTangleBorders(host.context, tangle, &borders, nullptr), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTangleTraceBorders(host.context, tangle, nullptr, &borders, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const FlgSurfaceCurvesView curves = host.view(borders);
     uint32_t stretches = 0;
@@ -74,7 +74,7 @@ void run_session(const MeshArrays& mesh, uint64_t seed, uint32_t steps) {
         }
         ASSERT_FALSE(testing::Test::HasFailure());
         // Back to where there is room for more, and now and then some of the way again.
-        while (host.view(surface).mesh.triangle_count > most_triangles) {
+        while (host.view(surface).mesh->triangle_count > most_triangles) {
             for (uint32_t back = 1 + session.draw(5); back > 0 && made > 0; --back) {
                 ASSERT_EQ(host.undo(tangle), FLG_OK);
                 ASSERT_EQ(state(), states[--made]) << "taken back";
@@ -100,13 +100,13 @@ void run_session(const MeshArrays& mesh, uint64_t seed, uint32_t steps) {
     // All of it again from the history.
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
-    ASSERT_EQ(flgTangleGetHistory(host.context, tangle, &history), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTangleGetHistory(host.context, tangle, &history), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(history.made_count, made);
     const TangleHost other(1);
     const FlgSurface copy = other.surface(mesh);
     const FlgTangle again = other.tangle(copy);
     FlgJob job{};
-    ASSERT_EQ(flgTangleReplay(other.context, again, &history, &job), FLG_OK) << flgLastError();
+    ASSERT_EQ(flgTangleReplay(other.context, again, &history, nullptr, &job), FLG_OK) << flgErrorGetMessage();
     other.finish();
     ASSERT_EQ(other.result_of(job), FLG_OK) << other.status_of(job).error;
     EXPECT_TRUE(bits(other.view(copy)) == bits(host.view(surface)));

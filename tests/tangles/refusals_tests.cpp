@@ -8,7 +8,7 @@ namespace {
 const Regions root = {0};
 
 FlgTangleSeeds outer_borders() {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.borders = FLG_TANGLE_BORDERS_OUTER;
     return seeds;
 }
@@ -22,7 +22,7 @@ struct Refused {
 Refused divide(const TangleHost& host, const FlgTangleDivideDesc& desc) {
     FlgJob job{};
     const FlgResult result = flgTangleDivide(host.context, &desc, &job);
-    if (result != FLG_OK) return {result, flgLastError()};
+    if (result != FLG_OK) return {result, flgErrorGetMessage()};
     host.finish();
     const FlgJobStatus status = host.status_of(job);
     return {status.result, status.error};
@@ -70,7 +70,7 @@ TEST_F(TangleRefusals, NumbersOutOfRange) {
     desc.frequency = 0;
     expect_refused(desc, "desc.frequency");
     desc = good;
-    desc.b = outer_borders();
+    desc.b = kept(outer_borders());
     desc.delta = 1;
     expect_refused(desc, "below 1");
 }
@@ -86,10 +86,10 @@ TEST_F(TangleRefusals, RegionsThatAreNotThere) {
     desc = good;
     desc.regions = nullptr;
     expect_refused(desc, "desc.regions");
-    EXPECT_EQ(flgTangleGroup(host.context, tangle, nullptr, 1, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgTangleGroup(host.context, tangle, nullptr, 1, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     for (const auto change : {flgTangleGroup, flgTangleJoin}) {
         FlgJob job{};
-        ASSERT_EQ(change(host.context, tangle, none.data(), 1, &job), FLG_OK);
+        ASSERT_EQ(change(host.context, tangle, none.data(), 1, nullptr, &job), FLG_OK);
         host.finish();
         EXPECT_EQ(host.result_of(job), FLG_ERROR_INVALID_ARGUMENT);
     }
@@ -97,42 +97,52 @@ TEST_F(TangleRefusals, RegionsThatAreNotThere) {
 
 TEST_F(TangleRefusals, SeedsThatComeToNothing) {
     FlgTangleDivideDesc desc = good;
-    desc.a = {};
+    const FlgTangleSeeds empty = flgTangleSeedsDefaults();
+    desc.a = nullptr;
     expect_refused(desc, "desc.a is empty");
+    desc.a = &empty;
+    expect_refused(desc, "desc.a is empty");
+    FlgTangleSeeds unsized = empty;
+    unsized.struct_size = 0;
+    desc.a = &unsized;
+    expect_refused(desc, "desc.a: struct_size is 0");
     desc = good;
+    FlgTangleSeeds a = empty;
+    desc.a = &a;
     const FlgBorderStretch no_loop = {3, 0, 1}, backwards = {0, 0.5f, 0.2f}, twice_around = {0, 0, 1.5f};
-    desc.a = {};
-    desc.a.stretch_count = 1;
-    desc.a.stretches = &no_loop;
+    a.stretch_count = 1;
+    a.stretches = &no_loop;
     expect_refused(desc, "desc.a.stretches[0].loop is 3, the regions have 1 borders");
-    desc.a.stretches = &backwards;
+    a.stretches = &backwards;
     expect_refused(desc, "desc.a.stretches[0]");
-    desc.a.stretches = &twice_around;
+    a.stretches = &twice_around;
     expect_refused(desc, "desc.a.stretches[0]");
     desc = good;
-    desc.a = {};
+    a = empty;
+    desc.a = &a;
     const FlgSurfacePoint point = {100'000, 0, 0};
-    desc.a.points = &point;
-    desc.a.point_count = 1;
+    a.points = &point;
+    a.point_count = 1;
     expect_refused(desc, "triangle 100000");
-    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     expect_refused(desc, "a polyline needs 2 points");
     desc = good;
-    desc.kind = FLG_TANGLE_VORONOI;
+    desc.kind = FLG_TANGLE_OPERATOR_VORONOI;
     expect_refused(desc, "neither points nor samples");
     desc = good;
-    desc.kind = FLG_TANGLE_STREAM;
-    desc.a = {};
-    desc.a.sample_radius = 0.2f;
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
+    a = empty;
+    desc.a = &a;
+    a.sample_radius = 0.2f;
     expect_refused(desc, "for streams to begin on");
-    desc.a.sample_radius = -1;
+    a.sample_radius = -1;
     expect_refused(desc, "desc.a.sample_radius");
 }
 
 TEST(TangleRefusalsOnClosedSurfaces, BordersAreAskedForWhereThereAreNone) {
     const TangleHost host;
     const FlgTangle tangle = host.tangle(host.surface(sphere(3)));
-    for (const FlgTangleOperator kind : {FLG_TANGLE_CONTOUR, FLG_TANGLE_STREAM}) {
+    for (const FlgTangleOperator kind : {FLG_TANGLE_OPERATOR_CONTOUR, FLG_TANGLE_OPERATOR_STREAM}) {
         FlgTangleDivideDesc desc = contour(tangle, root, outer_borders(), 0.1f, 1);
         desc.kind = kind;
         const Refused refused = divide(host, desc);
@@ -146,7 +156,7 @@ class TangleInHalves : public testing::Test {
 protected:
     void SetUp() override {
         const FlgBorderStretch left = {0, 0.75f, 1};
-        FlgTangleSeeds side{};
+        FlgTangleSeeds side = flgTangleSeedsDefaults();
         side.stretches = &left;
         side.stretch_count = 1;
         ASSERT_EQ(host.divide(contour(tangle, root, side, 0.5f, 1)), FLG_OK);
@@ -161,8 +171,8 @@ TEST_F(TangleInHalves, ASeedOutsideOfTheRegionDividesNothing) {
     // A point of the left half; the operator is for the right one.
     const FlgSurfaceView view = host.view(surface);
     const FlgSurfacePoint point = point_above(view, 0.2, 0.5);
-    const Regions right = {view.mesh.regions[point_above(view, 0.8, 0.5).triangle]};
-    FlgTangleSeeds seeds{};
+    const Regions right = {view.mesh->regions[point_above(view, 0.8, 0.5).triangle]};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.points = &point;
     seeds.point_count = 1;
     ASSERT_EQ(host.divide(contour(tangle, right, seeds, 0.1f, 2)), FLG_OK);
@@ -171,14 +181,15 @@ TEST_F(TangleInHalves, ASeedOutsideOfTheRegionDividesNothing) {
 
 TEST_F(TangleInHalves, APolylineOutsideOfTheRegionIsRefused) {
     const FlgSurfaceView view = host.view(surface);
-    const Regions right = {view.mesh.regions[point_above(view, 0.8, 0.5).triangle]};
+    const Regions right = {view.mesh->regions[point_above(view, 0.8, 0.5).triangle]};
     // Vertices, all triangles around which are in the left half.
     const FlgSurfacePoint points[] = {{point_above(view, 0.17, 0.33).triangle, 0, 0},
                                       {point_above(view, 0.17, 0.67).triangle, 0, 0}};
-    FlgTangleDivideDesc desc = contour(tangle, right, {}, 0.1f, 1);
-    desc.kind = FLG_TANGLE_POLYLINE;
-    desc.a.points = points;
-    desc.a.point_count = 2;
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
+    seeds.points = points;
+    seeds.point_count = 2;
+    FlgTangleDivideDesc desc = contour(tangle, right, seeds, 0.1f, 1);
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     const Refused refused = divide(host, desc);
     EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(refused.sentence.find("no way leads from"), std::string::npos) << refused.sentence;
@@ -186,12 +197,12 @@ TEST_F(TangleInHalves, APolylineOutsideOfTheRegionIsRefused) {
 }
 
 TEST(TangleOddities, WithoutRoomForSamplesNothingIsDivided) {
-    for (const FlgTangleOperator kind : {FLG_TANGLE_CONTOUR, FLG_TANGLE_VORONOI}) {
+    for (const FlgTangleOperator kind : {FLG_TANGLE_OPERATOR_CONTOUR, FLG_TANGLE_OPERATOR_VORONOI}) {
         const TangleHost host;
         const FlgSurface surface = host.surface(plane(8));
         const FlgTangle tangle = host.tangle(surface);
         const std::string before = bits(host.view(surface));
-        FlgTangleSeeds samples{};
+        FlgTangleSeeds samples = flgTangleSeedsDefaults();
         samples.sample_radius = 5;
         FlgTangleDivideDesc desc = contour(tangle, root, samples, 0.1f, 1);
         desc.kind = kind;
@@ -209,7 +220,7 @@ TEST(TangleOddities, ARegionOfOneTriangleIsDivided) {
         << "no vertex is off the border: nothing to divide";
     EXPECT_EQ(host.info(tangle).leaf_count, 1u);
     const FlgSurfacePoint corner = {0, 0, 0};
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.points = &corner;
     seeds.point_count = 1;
     ASSERT_EQ(host.divide(contour(tangle, root, seeds, 0.3f, 2)), FLG_OK);
@@ -222,17 +233,17 @@ TEST(TangleOddities, WhatOthersCutIsRefusedFromThenOn) {
     const FlgSurface surface = host.surface(plane(6));
     const FlgTangle tangle = host.tangle(surface);
     const float level = 0.4f;
-    FlgCutIsolinesDesc cut = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc cut = flgSurfaceCutIsolinesDefaults();
     cut.field = host.field(surface, [](const Point& p) { return p[0]; });
-    cut.levels.values = &level;
-    cut.levels.count = 1;
-    ASSERT_EQ(flgCutIsolines(host.context, &cut, nullptr, nullptr), FLG_OK) << flgLastError();
+    cut.levels = &level;
+    cut.level_count = 1;
+    ASSERT_EQ(flgSurfaceCutIsolines(host.context, &cut, nullptr, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     const Refused refused = divide(host, contour(tangle, root, outer_borders(), 0.1f, 1));
     EXPECT_EQ(refused.result, FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(refused.sentence.find("changed by others"), std::string::npos) << refused.sentence;
     FlgSurfaceCurves borders{};
-    expect_failure(flgTangleBorders(host.context, tangle, &borders, nullptr), FLG_ERROR_INVALID_ARGUMENT,
+    expect_failure(flgTangleTraceBorders(host.context, tangle, nullptr, &borders, nullptr), FLG_ERROR_INVALID_ARGUMENT,
                    "changed by others");
 }
 
@@ -265,7 +276,7 @@ TEST(TangleDisplacement, HeightsFollowTheProfile) {
     host.finish();
     // A pyramid over the square: distance to the nearest side over the largest, 0.5.
     const FlgSurfaceView view = host.view(surface);
-    for (uint32_t v = 0; v < view.mesh.vertex_count; ++v) {
+    for (uint32_t v = 0; v < view.mesh->vertex_count; ++v) {
         const Point p = vertex_at(view, v);
         const double side = std::min({p[0], 1 - p[0], p[1], 1 - p[1]});
         EXPECT_NEAR(p[2], 0.25 * side / 0.5, 2e-3);

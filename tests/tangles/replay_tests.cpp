@@ -12,7 +12,7 @@ const Regions root = {0};
 FlgTangleHistory history_of(const TangleHost& host, FlgTangle tangle) {
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
-    EXPECT_EQ(flgTangleGetHistory(host.context, tangle, &history), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgTangleGetHistory(host.context, tangle, &history), FLG_OK) << flgErrorGetMessage();
     return history;
 }
 
@@ -24,8 +24,8 @@ struct Outcome {
 // By the call or by its job.
 Outcome replay(const TangleHost& host, FlgTangle tangle, const FlgTangleHistory& history) {
     FlgJob job{};
-    const FlgResult started = flgTangleReplay(host.context, tangle, &history, &job);
-    if (started != FLG_OK) return {started, flgLastError()};
+    const FlgResult started = flgTangleReplay(host.context, tangle, &history, nullptr, &job);
+    if (started != FLG_OK) return {started, flgErrorGetMessage()};
     host.finish(host.budget_us);
     const FlgJobStatus status = host.status_of(job);
     return {status.result, status.error};
@@ -39,7 +39,7 @@ std::string state(const TangleHost& host, FlgSurface surface, FlgTangle tangle) 
 template <class Start>
 void make(const TangleHost& host, Start start) {
     FlgJob job{};
-    ASSERT_EQ(start(&job), FLG_OK) << flgLastError();
+    ASSERT_EQ(start(&job), FLG_OK) << flgErrorGetMessage();
     host.finish();
     ASSERT_EQ(host.result_of(job), FLG_OK) << host.status_of(job).error;
 }
@@ -49,33 +49,33 @@ void decorate(const TangleHost& host, FlgSurface surface, FlgTangle tangle) {
     FlgTangleDivideDesc desc = contour(tangle, root, samples(0.8f), 0.25f, 2);
     desc.perturbation = 0.02f;
     desc.frequency = 3;
-    desc.grouping = FLG_TANGLE_GROUP_CYCLE;
+    desc.grouping = FLG_TANGLE_GROUPING_CYCLE;
     desc.cycle = 5;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     const Regions bands = host.leaves(tangle);
-    FlgTangleMacroDesc macro = flgTangleMacroDefaults();
+    FlgTangleApplyMacroDesc macro = flgTangleApplyMacroDefaults();
     macro.tangle = tangle;
-    macro.kind = FLG_TANGLE_OUTLINE;
+    macro.kind = FLG_TANGLE_MACRO_OUTLINE;
     macro.regions = bands.data();
     macro.region_count = 2;
     macro.size = 0.03f;
     make(host, [&](FlgJob* job) { return flgTangleApplyMacro(host.context, &macro, job); });
     const std::array<FlgSurfacePoint, 3> points = {{{3, 0.25f, 0.5f}, {200, 0.3f, 0.3f}, {410, 0.1f, 0.2f}}};
-    FlgTangleSeeds at_points{};
+    FlgTangleSeeds at_points = flgTangleSeedsDefaults();
     at_points.points = points.data();
     at_points.point_count = 3;
     desc = contour(tangle, root, at_points, 0.1f, 1);
-    desc.kind = FLG_TANGLE_POLYLINE;
+    desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
     desc.closed = 1;
     desc.scaffold = 1;
     ASSERT_EQ(host.divide(desc), FLG_OK);
     // Lines: the isolines of the height.
     const FlgField heights = host.field(surface, [](const Point& p) { return p[2]; });
     const FlgSurfaceCurves lines = host.isolines(heights, {0.1f});
-    FlgTangleSeeds at_lines{};
+    FlgTangleSeeds at_lines = flgTangleSeedsDefaults();
     at_lines.curves = lines;
     desc = contour(tangle, root, at_lines, 0.1f, 1);
-    desc.kind = FLG_TANGLE_STREAM;
+    desc.kind = FLG_TANGLE_OPERATOR_STREAM;
     desc.delta = 0.5f;
     desc.seed = uint64_t{1} << 60;
     ASSERT_EQ(host.divide(desc), FLG_OK);
@@ -88,12 +88,12 @@ void decorate(const TangleHost& host, FlgSurface surface, FlgTangle tangle) {
     displace.amount = 0.02f;
     displace.gain = 0.7f;
     make(host, [&](FlgJob* job) { return flgTangleDisplace(host.context, &displace, job); });
-    make(host, [&](FlgJob* job) { return flgTangleGroup(host.context, tangle, bands.data(), 2, job); });
+    make(host, [&](FlgJob* job) { return flgTangleGroup(host.context, tangle, bands.data(), 2, nullptr, job); });
     const uint32_t group = host.region(tangle, bands[0]).group;
-    make(host, [&](FlgJob* job) { return flgTangleUngroup(host.context, tangle, group, job); });
+    make(host, [&](FlgJob* job) { return flgTangleUngroup(host.context, tangle, group, nullptr, job); });
     desc = contour(tangle, first, borders(FLG_TANGLE_BORDERS_OUTER), 0.02f, 1);
     ASSERT_EQ(host.divide(desc), FLG_OK);
-    make(host, [&](FlgJob* job) { return flgTangleJoin(host.context, tangle, first.data(), 1, job); });
+    make(host, [&](FlgJob* job) { return flgTangleJoin(host.context, tangle, first.data(), 1, nullptr, job); });
     ASSERT_EQ(host.divide(contour(tangle, first, samples(0.1f), 0.02f, 1)), FLG_OK);
     ASSERT_EQ(host.undo(tangle), FLG_OK);
     ASSERT_EQ(host.undo(tangle), FLG_OK);
@@ -152,10 +152,10 @@ TEST(TangleReplay, RandomSessionsComeToTheSameBits) {
 // ---- Other meshes
 
 FlgSurface refined(const TangleHost& host, const MeshArrays& mesh) {
-    FlgRefineDesc desc = flgRefineDefaults();
+    FlgSurfaceRefineDesc desc = flgSurfaceRefineDefaults();
     desc.surface = host.start_surface(mesh);
     FlgSurface fine{};
-    EXPECT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK) << flgLastError();
+    EXPECT_EQ(flgSurfaceRefine(host.context, &desc, &fine, nullptr), FLG_OK) << flgErrorGetMessage();
     host.finish();
     return fine;
 }
@@ -174,13 +174,13 @@ void expect_alike_when_refined(const MeshArrays& mesh, double tolerance,
     const TangleHost host, other;
     const FlgSurface surface = host.surface(mesh), fine = refined(other, mesh);
     const FlgTangle tangle = host.tangle(surface), again = other.tangle(fine);
-    const uint32_t before = other.view(fine).mesh.triangle_count;
+    const uint32_t before = other.view(fine).mesh->triangle_count;
     make_it(host, surface, tangle);
     ASSERT_FALSE(testing::Test::HasFailure());
     ASSERT_GT(host.info(tangle).leaf_count, 3u);
     const Outcome outcome = replay(other, again, history_of(host, tangle));
     ASSERT_EQ(outcome.result, FLG_OK) << outcome.sentence;
-    EXPECT_GT(other.view(fine).mesh.triangle_count, before);
+    EXPECT_GT(other.view(fine).mesh->triangle_count, before);
     const FlgTangleInfo expected = host.info(tangle), got = other.info(again);
     EXPECT_EQ(got.region_count, expected.region_count);
     EXPECT_EQ(got.leaf_count, expected.leaf_count);
@@ -206,8 +206,8 @@ void expect_alike_when_refined(const MeshArrays& mesh, double tolerance,
 TEST(TangleReplay, SamplesAndCellsAreWhereTheyWere) {
     expect_alike_when_refined(sphere(12), 2e-3, [](const TangleHost& host, FlgSurface, FlgTangle tangle) {
         FlgTangleDivideDesc cells = contour(tangle, root, samples(0.9f), 0.1f, 1);
-        cells.kind = FLG_TANGLE_VORONOI;
-        cells.grouping = FLG_TANGLE_GROUP_EACH;
+        cells.kind = FLG_TANGLE_OPERATOR_VORONOI;
+        cells.grouping = FLG_TANGLE_GROUPING_EACH;
         ASSERT_EQ(host.divide(cells), FLG_OK);
         // Of the cells, by their names: each second one is raised, two that touch a third are one with it.
         const Regions all = host.leaves(tangle);
@@ -215,9 +215,9 @@ TEST(TangleReplay, SamplesAndCellsAreWhereTheyWere) {
             const Regions one = {all[i]};
             ASSERT_EQ(host.divide(contour(tangle, one, borders(FLG_TANGLE_BORDERS_EACH), 0.08f, 1)), FLG_OK);
         }
-        ASSERT_EQ(flgTangleUngroup(host.context, tangle, host.region(tangle, all[1]).group, nullptr), FLG_OK);
+        ASSERT_EQ(flgTangleUngroup(host.context, tangle, host.region(tangle, all[1]).group, nullptr, nullptr), FLG_OK);
         const Regions first = {all[0]};
-        ASSERT_EQ(flgTangleJoin(host.context, tangle, first.data(), 1, nullptr), FLG_OK);
+        ASSERT_EQ(flgTangleJoin(host.context, tangle, first.data(), 1, nullptr, nullptr), FLG_OK);
         host.finish();
         ASSERT_EQ(host.undo(tangle), FLG_OK);
     });
@@ -225,9 +225,9 @@ TEST(TangleReplay, SamplesAndCellsAreWhereTheyWere) {
 
 TEST(TangleReplay, BordersBeginWhereTheyDid) {
     expect_alike_when_refined(cylinder(60, 20), 3e-3, [](const TangleHost& host, FlgSurface, FlgTangle tangle) {
-        FlgTangleMacroDesc grid = flgTangleMacroDefaults();
+        FlgTangleApplyMacroDesc grid = flgTangleApplyMacroDefaults();
         grid.tangle = tangle;
-        grid.kind = FLG_TANGLE_GRID;
+        grid.kind = FLG_TANGLE_MACRO_GRID;
         grid.regions = root.data();
         grid.region_count = 1;
         grid.count = 2;
@@ -236,12 +236,12 @@ TEST(TangleReplay, BordersBeginWhereTheyDid) {
         const Regions cells = host.leaves(tangle);
         // Strips from a part of a cell's border.
         const FlgBorderStretch stretch = {0, 0.1f, 0.6f};
-        FlgTangleSeeds seeds{};
+        FlgTangleSeeds seeds = flgTangleSeedsDefaults();
         seeds.stretches = &stretch;
         seeds.stretch_count = 1;
         const Regions last = {cells.back()};
         ASSERT_EQ(host.divide(contour(tangle, last, seeds, 0.15f, 1)), FLG_OK);
-        FlgTangleSeeds spaced{};
+        FlgTangleSeeds spaced = flgTangleSeedsDefaults();
         spaced.border_spacing = 0.5f;
         const Regions first = {cells[0]};
         ASSERT_EQ(host.divide(contour(tangle, first, spaced, 0.1f, 1)), FLG_OK);
@@ -251,15 +251,15 @@ TEST(TangleReplay, BordersBeginWhereTheyDid) {
 TEST(TangleReplay, PointsAndLinesAreWhereTheyWere) {
     expect_alike_when_refined(sphere(12), 2e-3, [](const TangleHost& host, FlgSurface surface, FlgTangle tangle) {
         const std::array<FlgSurfacePoint, 3> points = {{{3, 0.25f, 0.5f}, {200, 0.3f, 0.3f}, {410, 0.1f, 0.2f}}};
-        FlgTangleSeeds at_points{};
+        FlgTangleSeeds at_points = flgTangleSeedsDefaults();
         at_points.points = points.data();
         at_points.point_count = 3;
         FlgTangleDivideDesc desc = contour(tangle, root, at_points, 0.1f, 1);
-        desc.kind = FLG_TANGLE_POLYLINE;
+        desc.kind = FLG_TANGLE_OPERATOR_POLYLINE;
         desc.closed = 1;
         ASSERT_EQ(host.divide(desc), FLG_OK);
         const FlgField heights = host.field(surface, [](const Point& p) { return p[2]; });
-        FlgTangleSeeds at_lines{};
+        FlgTangleSeeds at_lines = flgTangleSeedsDefaults();
         at_lines.curves = host.isolines(heights, {0.31f});
         ASSERT_EQ(host.divide(contour(tangle, root, at_lines, 0.15f, 1)), FLG_OK);
         FlgTangleDisplaceDesc displace = flgTangleDisplaceDefaults();
@@ -278,8 +278,9 @@ protected:
     void SetUp() override {
         decorate(host, surface, tangle);
         history = history_of(host, tangle);
-        steps.assign(history.steps, history.steps + history.step_count);
-        history.steps = steps.data();
+        for (uint32_t i = 0; i < history.step_count; ++i) steps.push_back(*history.steps[i]);
+        for (const FlgTangleStep& step : steps) shown_steps.push_back(&step);
+        history.steps = shown_steps.data();
     }
     void expect_refused(const std::string& part) {
         const std::string before = state(other, again, fresh);
@@ -299,6 +300,7 @@ protected:
     const FlgTangle tangle = host.tangle(surface), fresh = other.tangle(again);
     FlgTangleHistory history{};
     std::vector<FlgTangleStep> steps;
+    std::vector<const FlgTangleStep*> shown_steps;
 };
 
 TEST_F(TangleReplayRefusals, StructsThatCantBe) {
@@ -317,15 +319,14 @@ TEST_F(TangleReplayRefusals, StructsThatCantBe) {
     history = good;
     steps[1].struct_size = 0;
     expect_refused("history.steps[1]: step: struct_size is 0");
-    steps[1] = good.steps[1];
     steps[1].struct_size = sizeof(FlgTangleStep);
     steps[1].kind = static_cast<FlgTangleStepKind>(6);
     expect_refused("history.steps[1]: kind is 6");
-    EXPECT_EQ(flgTangleReplay(other.context, fresh, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgTangleReplay(other.context, fresh, nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
 }
 
 TEST_F(TangleReplayRefusals, StepsThatComeToSomethingElse) {
-    FlgTangleStep& divide = find(FLG_TANGLE_STEP_DIVIDE);
+    FlgTangleStep& divide = find(FLG_TANGLE_STEP_KIND_DIVIDE);
     const FlgTangleStep good = divide;
     ASSERT_GT(good.made_count, 1u);
     --divide.made_count;
@@ -336,7 +337,7 @@ TEST_F(TangleReplayRefusals, StepsThatComeToSomethingElse) {
 }
 
 TEST_F(TangleReplayRefusals, StepsThatCantBeMade) {
-    FlgTangleStep& divide = find(FLG_TANGLE_STEP_DIVIDE);
+    FlgTangleStep& divide = find(FLG_TANGLE_STEP_KIND_DIVIDE);
     const FlgTangleStep good = divide;
     FlgTangleDivideDesc desc = *divide.divide;
     divide.divide = nullptr;
@@ -350,7 +351,7 @@ TEST_F(TangleReplayRefusals, StepsThatCantBeMade) {
     expect_refused("history.steps[0]: desc.regions[0] is 77");
     divide = good;
     // The last step made fails: all before it are taken back.
-    FlgTangleStep& join = find(FLG_TANGLE_STEP_JOIN);
+    FlgTangleStep& join = find(FLG_TANGLE_STEP_KIND_JOIN);
     const FlgTangleStep good_join = join;
     const uint32_t beyond[] = {1'000'000};
     join.regions = beyond;
@@ -359,13 +360,13 @@ TEST_F(TangleReplayRefusals, StepsThatCantBeMade) {
     join.region_count = 0;
     expect_refused("region_count");
     join = good_join;
-    FlgTangleStep& ungroup = find(FLG_TANGLE_STEP_UNGROUP);
+    FlgTangleStep& ungroup = find(FLG_TANGLE_STEP_KIND_UNGROUP);
     ungroup.group = 1'000'000;
     expect_refused("group is 1000000");
 }
 
 TEST_F(TangleReplayRefusals, PlacesThatCantBe) {
-    FlgTangleStep& divide = find(FLG_TANGLE_STEP_DIVIDE);
+    FlgTangleStep& divide = find(FLG_TANGLE_STEP_KIND_DIVIDE);
     const FlgTangleStep good = divide;
     divide.place_count = 0;
     divide.placed = 1;
@@ -374,36 +375,40 @@ TEST_F(TangleReplayRefusals, PlacesThatCantBe) {
     divide.place_count = 1;
     expect_refused("place_count is 1, must be 0 or 2");
     divide = good;
-    std::vector<FlgTangleSeedPlaces> places(divide.places, divide.places + 2);
-    divide.places = places.data();
+    FlgTangleSeedPlaces places[] = {*divide.places[0], *divide.places[1]};
+    const FlgTangleSeedPlaces* const shown[] = {&places[0], &places[1]};
+    divide.places = shown;
     places[0].point_count = 3;
     expect_refused("places.point_count is 3, but the seeds have 0 points");
-    places[0] = good.places[0];
+    places[0] = *good.places[0];
     const float bad[] = {0, NAN, 0};
     places[0].loops = bad;
     places[0].loop_count = 1;
     expect_refused("places.loops[1] is nan");
-    places[0] = good.places[0];
+    places[0] = *good.places[0];
     divide.made = bad;
     divide.made_count = 1;
     expect_refused("made[1] is nan");
     divide = good;
     // Lines: the stream has them.
     const auto lines = std::find_if(steps.begin(), steps.end(), [](const FlgTangleStep& step) {
-        return step.place_count > 0 && step.places[0].curves.curve_count > 0;
+        return step.place_count > 0 && step.places[0]->curves != nullptr;
     });
     ASSERT_NE(lines, steps.end());
-    std::vector<FlgTangleSeedPlaces> of_lines(lines->places, lines->places + 2);
-    lines->places = of_lines.data();
-    const FlgSurfaceCurvesView view = of_lines[0].curves;
+    FlgTangleSeedPlaces of_lines[] = {*lines->places[0], *lines->places[1]};
+    const FlgTangleSeedPlaces* const shown_lines[] = {&of_lines[0], &of_lines[1]};
+    lines->places = shown_lines;
+    const FlgSurfaceCurvesView view = *of_lines[0].curves;
+    FlgSurfaceCurvesView changed = view;
+    of_lines[0].curves = &changed;
     const std::vector<uint32_t> offsets(view.curve_offsets, view.curve_offsets + view.curve_count + 1);
     std::vector<uint32_t> falling = offsets;
     falling[1] = 1;
-    of_lines[0].curves.curve_offsets = falling.data();
+    changed.curve_offsets = falling.data();
     expect_refused("curves.curve_offsets[1] is 1 after 0");
-    of_lines[0].curves = view;
+    changed = view;
     std::vector<FlgSurfacePoint> points(view.points, view.points + offsets.back());
-    of_lines[0].curves.points = points.data();
+    changed.points = points.data();
     points[2].triangle = 10'000'000;
     expect_refused("curves.points[2] is in triangle 10000000");
     points[2] = {0, 2, 0};
@@ -419,7 +424,7 @@ TEST_F(TangleReplayRefusals, AnotherShape) {
 TEST_F(TangleReplayRefusals, NamesThatNoStepMadeOnAnotherMesh) {
     history.base ^= 1;
     const uint32_t beyond[] = {1'000'000};
-    FlgTangleStep& group = find(FLG_TANGLE_STEP_GROUP);
+    FlgTangleStep& group = find(FLG_TANGLE_STEP_KIND_GROUP);
     const FlgTangleStep good = group;
     group.regions = beyond;
     group.region_count = 1;

@@ -2,6 +2,7 @@
 // Tangles in the tests: operators in one line, and what is asked of every tangle.
 #pragma once
 
+#include <deque>
 #include <set>
 
 #include "api/surface_inputs.h"
@@ -20,27 +21,27 @@ public:
 
     FlgTangle tangle(FlgSurface surface) const {
         FlgTangle tangle{};
-        EXPECT_EQ(flgTangleCreate(context, surface, &tangle, nullptr), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgTangleCreate(context, surface, nullptr, &tangle, nullptr), FLG_OK) << flgErrorGetMessage();
         finish(budget_us);
         return tangle;
     }
     // The job's result.
     FlgResult divide(const FlgTangleDivideDesc& desc) const {
         FlgJob job{};
-        EXPECT_EQ(flgTangleDivide(context, &desc, &job), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgTangleDivide(context, &desc, &job), FLG_OK) << flgErrorGetMessage();
         finish(budget_us);
         return result_of(job);
     }
     FlgTangleInfo info(FlgTangle tangle) const {
         FlgTangleInfo info{};
         info.struct_size = sizeof info;
-        EXPECT_EQ(flgTangleGetInfo(context, tangle, &info), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgTangleGetInfo(context, tangle, &info), FLG_OK) << flgErrorGetMessage();
         return info;
     }
     FlgTangleRegion region(FlgTangle tangle, uint32_t region) const {
         FlgTangleRegion out{};
         out.struct_size = sizeof out;
-        EXPECT_EQ(flgTangleGetRegion(context, tangle, region, &out), FLG_OK) << flgLastError();
+        EXPECT_EQ(flgTangleGetRegion(context, tangle, region, &out), FLG_OK) << flgErrorGetMessage();
         return out;
     }
     FlgResult undo(FlgTangle tangle) const { return step(flgTangleUndo, tangle); }
@@ -72,9 +73,9 @@ public:
     }
 
 private:
-    FlgResult step(FlgResult (*go)(FlgContext, FlgTangle, FlgJob*), FlgTangle tangle) const {
+    FlgResult step(FlgResult (*go)(FlgContext, FlgTangle, const FlgJobOptions*, FlgJob*), FlgTangle tangle) const {
         FlgJob job{};
-        EXPECT_EQ(go(context, tangle, &job), FLG_OK) << flgLastError();
+        EXPECT_EQ(go(context, tangle, nullptr, &job), FLG_OK) << flgErrorGetMessage();
         finish(budget_us);
         return result_of(job);
     }
@@ -82,15 +83,21 @@ private:
 
 // Isolines of the distance from what `seeds` says.
 inline FlgTangleSeeds samples(float radius) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.sample_radius = radius;
     return seeds;
 }
 
 inline FlgTangleSeeds borders(FlgTangleBorders which) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.borders = which;
     return seeds;
+}
+
+// Seeds for descriptors that outlive the expression they are made in: kept until the process ends.
+inline const FlgTangleSeeds* kept(const FlgTangleSeeds& seeds) {
+    static std::deque<FlgTangleSeeds> all;
+    return &all.emplace_back(seeds);
 }
 
 inline FlgTangleDivideDesc contour(FlgTangle tangle, const Regions& regions, const FlgTangleSeeds& seeds, float delta,
@@ -99,7 +106,7 @@ inline FlgTangleDivideDesc contour(FlgTangle tangle, const Regions& regions, con
     desc.tangle = tangle;
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
-    desc.a = seeds;
+    desc.a = kept(seeds);
     desc.delta = delta;
     desc.count = count;
     return desc;
@@ -108,12 +115,12 @@ inline FlgTangleDivideDesc contour(FlgTangle tangle, const Regions& regions, con
 // Regions that touch are of different groups.
 inline void expect_chequered(const TangleHost& host, FlgSurface surface, FlgTangle tangle) {
     const FlgSurfaceView view = host.view(surface);
-    for (uint32_t t = 0; t < view.mesh.triangle_count; ++t) {
+    for (uint32_t t = 0; t < view.mesh->triangle_count; ++t) {
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t other = view.neighbours[3 * t + k];
-            if (other == FLG_NO_INDEX || view.mesh.regions[other] == view.mesh.regions[t]) continue;
-            EXPECT_NE(host.region(tangle, view.mesh.regions[t]).group,
-                      host.region(tangle, view.mesh.regions[other]).group);
+            if (other == FLG_NO_INDEX || view.mesh->regions[other] == view.mesh->regions[t]) continue;
+            EXPECT_NE(host.region(tangle, view.mesh->regions[t]).group,
+                      host.region(tangle, view.mesh->regions[other]).group);
         }
     }
 }
@@ -127,10 +134,10 @@ inline double whole_area(const FlgSurfaceView& view) {
 // How many pieces, joined by edges, the triangles of each label are in.
 inline std::map<uint32_t, uint32_t> count_pieces(const FlgSurfaceView& view) {
     std::map<uint32_t, uint32_t> pieces;
-    std::vector<bool> seen(view.mesh.triangle_count);
-    for (uint32_t first = 0; first < view.mesh.triangle_count; ++first) {
+    std::vector<bool> seen(view.mesh->triangle_count);
+    for (uint32_t first = 0; first < view.mesh->triangle_count; ++first) {
         if (seen[first]) continue;
-        const uint32_t label = view.mesh.regions[first];
+        const uint32_t label = view.mesh->regions[first];
         ++pieces[label];
         std::vector<uint32_t> waiting = {first};
         seen[first] = true;
@@ -139,7 +146,7 @@ inline std::map<uint32_t, uint32_t> count_pieces(const FlgSurfaceView& view) {
             waiting.pop_back();
             for (uint32_t k = 0; k < 3; ++k) {
                 const uint32_t other = view.neighbours[3 * t + k];
-                if (other == FLG_NO_INDEX || seen[other] || view.mesh.regions[other] != label) continue;
+                if (other == FLG_NO_INDEX || seen[other] || view.mesh->regions[other] != label) continue;
                 seen[other] = true;
                 waiting.push_back(other);
             }

@@ -38,7 +38,10 @@ TEST_F(LiveStrokes, UploadsWhatIsNewAndSaysWhatFramesTook) {
     const auto points = report["points"].get<double>(), bytes = report["growth_bytes"].get<double>();
     EXPECT_GT(points, 200);
     EXPECT_GE(bytes, 24 * points);
-    EXPECT_LT(bytes, 40 * points) << "a few points a frame, and the last one again";
+    const auto tips = report["tip_points"].get<double>();
+    EXPECT_GT(tips, 0);
+    EXPECT_LT(tips, 3 * points) << "a tip reaches to the last sample and no further";
+    EXPECT_LT(bytes, 40 * (points + tips)) << "a few points a frame, the last one again, and the tip";
     EXPECT_GT(report["samples"].get<int>(), 60) << "one a frame while the trigger is pressed";
     for (const char* figure : {"push_us", "tick_us", "record_ms", "submit_ms", "wait_ms", "frame_ms"}) {
         const nlohmann::json& row = report[figure];

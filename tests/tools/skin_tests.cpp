@@ -15,12 +15,12 @@ protected:
         const FlgSkinView view = skin.view();
         std::vector<FlgSkinAnimation> views;
         for (const TestAnimation& animation : animations) views.push_back(animation.view());
-        FlgSkinFileDesc desc = {};
-        ASSERT_EQ(flgSkinFileDescInit(&desc, sizeof desc), FLG_OK);
+        FlgSkinFileWriteDesc desc = {};
+        ASSERT_EQ(flgSkinFileWriteDescInit(&desc, sizeof desc), FLG_OK);
         desc.skin = &view;
         desc.animations = views.data();
         desc.animation_count = static_cast<uint32_t>(views.size());
-        ASSERT_EQ(flgSkinFileWrite((folder / name).string().c_str(), &desc), FLG_OK) << flgIoLastError();
+        ASSERT_EQ(flgSkinFileWrite((folder / name).string().c_str(), &desc), FLG_OK) << flgIoErrorGetMessage();
     }
     // The bar curls up to one side, or by another animation to the other and twisted.
     void write_bar() {

@@ -38,7 +38,7 @@ namespace Filigree.Tests
         static void Stylize(FiligreeContext context, Style style, BinaryReader file)
         {
             CurveSet target = CurveSet.Create(context, Floats(file), closed: true);
-            FlgStylizeDesc desc = Native.flgStylizeDefaults();
+            FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
             desc.temperature = 1;
             desc.seed = 7;
             desc.strokes = 3;

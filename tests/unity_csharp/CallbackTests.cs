@@ -24,7 +24,7 @@ namespace Filigree.Tests
             {
                 Style style = Scenes.Style(context);
                 CurveSet target = CurveSet.Create(context, Scenes.Line);
-                CurveSet result = style.Stylize(target, Native.flgStylizeDefaults(), ended =>
+                CurveSet result = style.Stylize(target, Native.flgCurveSetStylizeDefaults(), ended =>
                 {
                     results.Add(ended);
                     thread = Thread.CurrentThread.ManagedThreadId;
@@ -41,7 +41,7 @@ namespace Filigree.Tests
                 Expect.Equal(FlgResult.Ok, results[0], "its result");
                 Expect.Equal(Thread.CurrentThread.ManagedThreadId, thread, "the thread that ticks");
 
-                FlgStylizeDesc wrong = Native.flgStylizeDefaults();
+                FlgCurveSetStylizeDesc wrong = Native.flgCurveSetStylizeDefaults();
                 wrong.scale = -1;
                 Expect.Throws<FiligreeException>(() => style.Stylize(target, wrong, results.Add), "a wrong descriptor");
                 Scenes.Finish(context);
@@ -56,7 +56,7 @@ namespace Filigree.Tests
                 Style style = Scenes.Style(context);
                 CurveSet target = CurveSet.Create(context, Scenes.Line);
                 int calls = 0;
-                FlgStylizeDesc desc = Native.flgStylizeDefaults();
+                FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
                 style.Stylize(target, desc, ended => { throw new Exception("the game's own"); });
                 style.Stylize(target, desc, ended => ++calls);
                 var thrown = Expect.Throws<InvalidOperationException>(() => context.Tick(0), "a callback that throws");
@@ -83,7 +83,7 @@ namespace Filigree.Tests
             var messages = new List<string>();
             using (var context = new FiligreeContext(0, 0, (level, message) => messages.Add(level + ": " + message)))
             {
-                FlgStylizeDesc desc = Native.flgStylizeDefaults();
+                FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
                 desc.frame = FlgFrameMethod.Supplied;
                 Scenes.Style(context).Stylize(CurveSet.Create(context, Scenes.Line), desc);
                 Scenes.Finish(context);

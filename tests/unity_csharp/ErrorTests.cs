@@ -26,7 +26,7 @@ namespace Filigree.Tests
             desc.radius_min = -2.5f;
             var failure = Expect.Throws<FiligreeException>(() => LiveStroke.TryBegin(style, desc), "a negative radius");
             Expect.Equal(FlgResult.ErrorInvalidArgument, failure.Result, "a negative radius");
-            Expect.Equal(FiligreeException.ToString(Native.flgLastError()), failure.Message, "the sentence");
+            Expect.Equal(FiligreeException.ToString(Native.flgErrorGetMessage()), failure.Message, "the sentence");
             Expect.Contains("radius_min", failure.Message, "the argument");
             Expect.Contains("-2.5", failure.Message, "its value");
 
@@ -81,7 +81,7 @@ namespace Filigree.Tests
             failure = Expect.Throws<FiligreeException>(() => { bool ready = early.IsReady; }, "cancelled");
             Expect.Equal(FlgResult.ErrorCancelled, failure.Result, "cancelled");
 
-            FlgStylizeDesc desc = Native.flgStylizeDefaults();
+            FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
             desc.frame = FlgFrameMethod.Supplied; // but the target has no normals
             CurveSet failed = style.Stylize(target, desc);
             Scenes.Finish(context);

@@ -25,6 +25,7 @@ namespace Filigree.Tests
                     points = game.StrokePoints - points;
                     Console.WriteLine(workers + " workers, " + Frames + " frames: " + bytes + " bytes of garbage, " +
                         points + " points drawn, " + jobs + " jobs of " + game.ResultPoints + " points");
+                    Expect.True(game.TipPoints > Frames, "there were tips");
                     Expect.True(points > Frames && jobs > 2 && game.ResultPoints > 1000, "the frames had work to do");
                     Expect.Equal(0L, bytes, "bytes of garbage in " + Frames + " frames");
                     // The control: the same frames, each with one object too many, are told apart.
@@ -44,12 +45,12 @@ namespace Filigree.Tests
             readonly LiveStroke stroke;
             readonly float[] strokeMesh = new float[3 * 65536];
             readonly float[] resultMesh = new float[3 * 65536];
-            FlgStylizeDesc again;
+            FlgCurveSetStylizeDesc again;
             FlgCurveSet running;
             internal object LastLitter;
 
             internal bool Litter;
-            internal int StrokePoints, FinishedJobs, ResultPoints;
+            internal int StrokePoints, TipPoints, FinishedJobs, ResultPoints;
 
             internal Game(int workers)
             {
@@ -60,7 +61,7 @@ namespace Filigree.Tests
                 Scenes.Finish(context);
                 FlgLiveStrokeDesc desc = Native.flgLiveStrokeDefaults();
                 stroke = LiveStroke.TryBegin(style, desc);
-                again = Native.flgStylizeDefaults();
+                again = Native.flgCurveSetStylizeDefaults();
                 again.style = style.Handle;
                 again.target = target.Handle;
                 again.strokes = 20;
@@ -86,15 +87,16 @@ namespace Filigree.Tests
                 ReadOnlySpan<float> positions = made.Floats(FlgAttribute.Position);
                 positions.CopyTo(new Span<float>(strokeMesh, 3 * StrokePoints, positions.Length));
                 StrokePoints += made.PointCount;
+                TipPoints += stroke.Tip.PointCount;
             }
 
             // Jobs by the functions of Native, whose handles are values: starting one makes no garbage either.
             void Start()
             {
-                fixed (FlgStylizeDesc* desc = &again)
+                fixed (FlgCurveSetStylizeDesc* desc = &again)
                 fixed (FlgCurveSet* made = &running)
                 {
-                    FiligreeException.Check(Native.flgStylize(context.Handle, desc, made, null));
+                    FiligreeException.Check(Native.flgCurveSetStylize(context.Handle, desc, made, null));
                 }
                 ++again.seed;
             }

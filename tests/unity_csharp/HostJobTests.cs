@@ -24,8 +24,10 @@ namespace Filigree.Tests
             Thread[] threads = { new Thread(Work) { IsBackground = true }, new Thread(Work) { IsBackground = true } };
             foreach (Thread thread in threads) thread.Start();
             FlgContextDesc desc = Native.flgContextDefaults();
-            desc.job_system.concurrency = 2;
-            desc.job_system.submit = Marshal.GetFunctionPointerForDelegate(submit);
+            FlgJobSystem system = Native.flgJobSystemDefaults();
+            system.concurrency = 2;
+            system.submit = Marshal.GetFunctionPointerForDelegate(submit);
+            desc.job_system = &system;
             var hosted = new FiligreeContext(desc);
             byte[] found = Result(hosted);
             while (!hosted.IsDisposed)
@@ -51,7 +53,7 @@ namespace Filigree.Tests
 
         static byte[] Result(FiligreeContext context)
         {
-            FlgStylizeDesc desc = Native.flgStylizeDefaults();
+            FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
             desc.temperature = 1;
             desc.strokes = 50;
             CurveSet result = Scenes.Style(context).Stylize(CurveSet.Create(context, Scenes.Line), desc);

@@ -27,7 +27,7 @@ namespace Filigree.Tests
                 ++blittable;
             }
             Expect.True(blittable > 100, blittable + " structs are not all");
-            Expect.Equal(Native.flgVersion(), (uint)Native.FLG_VERSION, "version of library and binding");
+            Expect.Equal(Native.flgVersionGet(), (uint)Native.FLG_VERSION, "version of library and binding");
         }
     }
 }

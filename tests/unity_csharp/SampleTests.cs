@@ -32,7 +32,8 @@ namespace Filigree.Tests
             long garbage = Garbage.Of(() => Draw(stroke, frame, frame + Frames, tick, update));
             Expect.True(mesh.Part.vertexCount > before + 8 * Frames, "the stroke grew");
             Expect.Equal(0L, garbage, "bytes of garbage in " + Frames + " frames");
-            Expect.Equal(24L * mesh.Part.vertexCount, mesh.UploadedBytes, "bytes uploaded: each vertex once");
+            Expect.True(mesh.UploadedBytes <= 24L * (mesh.Part.vertexCount + 8 * (frame + Frames)),
+                mesh.UploadedBytes + " bytes uploaded: each vertex once, and a ring a frame again");
 
             stroke.Drawing = false;
             while (stroke.Finished == null) Frame(stroke, frame + Frames, tick, update);

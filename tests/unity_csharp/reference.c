@@ -11,7 +11,7 @@ enum { EXAMPLE_POINTS = 300, TARGET_POINTS = 40, SAMPLES = 200 };
 
 static FlgResult check(FlgResult result) {
     if (result >= 0) return result;
-    fprintf(stderr, "%s: %s\n", flgResultName(result), flgLastError());
+    fprintf(stderr, "%s: %s\n", flgResultGetName(result), flgErrorGetMessage());
     exit(1);
 }
 
@@ -39,7 +39,7 @@ static void finish(FlgContext context) {
     FlgFrameReport report = {.struct_size = sizeof report};
     do {
         check(flgContextWait(context, 10000));
-        check(flgTick(context, 0, &report));
+        check(flgContextTick(context, 0, &report));
     } while (report.jobs_pending > 0);
 }
 
@@ -111,13 +111,13 @@ int main(int count, char** arguments) {
     FlgStyleDesc style = flgStyleDefaults();
     style.style = curve(context, file, example[0], EXAMPLE_POINTS, 0);
     style.point_count = 400;
-    FlgStylizeDesc stylize = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
     check(flgStyleCreate(context, &style, &stylize.style, NULL));
     stylize.target = curve(context, file, target[0], TARGET_POINTS, FLG_CURVE_CLOSED);
     stylize.temperature = 1;
     stylize.seed = 7;
     stylize.strokes = 3;
-    check(flgStylize(context, &stylize, &result, NULL));
+    check(flgCurveSetStylize(context, &stylize, &result, NULL));
     write_set(context, file, result);
     draw(context, file, stylize.style);
     check(flgContextDestroy(context));

@@ -11,7 +11,7 @@ _HEAD = """/* Written by tools/abi/c_proof.py. Each line below holds, or this do
 #include <inttypes.h>
 #include <stdio.h>
 
-{includes}
+#include "filigree/filigree_all.h"
 
 #define SAME_TYPE(Struct, field, ...) \\
     _Static_assert(_Generic(&((Struct*)0)->field, __VA_ARGS__: 1, default: 0), #Struct "." #field)
@@ -40,7 +40,7 @@ class _Types:
 
 def proof(abi: dict) -> str:
     types = _Types(abi)
-    lines = [_HEAD.format(includes="\n".join(f'#include "filigree/{h["name"]}"' for h in abi["headers"]))]
+    lines = [_HEAD]
     for constant in abi["constants"]:
         lines.append(f'_Static_assert({constant["name"]} == {constant["value"]}, "{constant["name"]}");')
     for enum in abi["enums"]:

@@ -10,12 +10,14 @@ callbacks  name (of a field: STRUCT.FIELD; of a callback's parameter: CALLBACK.P
 structs    name, header, section, doc, size, align, init (the function that fills it with defaults, or null), fields
            (name, type, count: of an array, or 1, offset, size, doc); layout of 64-bit machines
 functions  name, header, library, section, doc, returns, parameters (name, type, count), thread: "any", or the type
-           whose calls must not overlap: calls on one FlgContext, one FlgPickScene, one FlgCurveFile...
+           whose calls must not overlap: calls on one FlgContext, one FlgPickScene, one FlgCurveFile... A handle
+           (FlgLiveStroke): calls that take it, whatever else runs on its context
 inlines    functions in the headers themselves: name, header, returns, parameters
 
 Types are C's, pointers as `const FlgColumn*`; a parameter of type T with count n is declared `T name[n]`.
 """
 import json
+import re
 from pathlib import Path
 
 from c_declarations import Declarations, Function, Place, Variable
@@ -23,6 +25,7 @@ from layout import Layout
 
 _LIBRARIES = {"filigree_io.h": "filigree_io", "filigree_pick.h": "filigree_pick"}
 _ANY = "[any thread]"
+_ANY_BUT = re.compile(r"\[any thread, one per (\w+)\]")
 
 
 def library(header: str) -> str:
@@ -33,6 +36,8 @@ def _thread(function: Function, header_doc: str, owners: set[str]) -> str:
     """Which calls must not overlap with it. Functions without an object touch only what they are given."""
     if _ANY in function.doc:
         return "any"
+    if _ANY_BUT.match(function.doc):
+        return function.parameters[1].type
     first = function.parameters[0].type if function.parameters else ""
     if first in owners:
         return first
@@ -57,7 +62,7 @@ def _init_functions(functions: list[Function]) -> dict[str, str]:
 def describe(headers: Path) -> dict:
     found = Declarations(headers)
     layout = Layout(found)
-    owners = {place.name for place in found.objects}
+    owners = {place.name for place in found.objects} | {"FlgContext"}
     inits = _init_functions(found.functions)
     structs = []
     for struct in found.structs:

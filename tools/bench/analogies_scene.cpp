@@ -55,13 +55,13 @@ FlgStyle prepare(Host& host, FlgCurveSet curve, FlgCurveSet guide) {
 }
 
 FlgCurveSet stylize(Host& host, FlgStyle style, FlgCurveSet target, float scale, float magnitude) {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = style;
     desc.target = target;
     desc.scale = scale;
     desc.magnitude = magnitude;
     FlgCurveSet result = {};
-    check(flgStylize(host.context(), &desc, &result, nullptr));
+    check(flgCurveSetStylize(host.context(), &desc, &result, nullptr));
     return result;
 }
 

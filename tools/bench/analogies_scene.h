@@ -20,7 +20,7 @@ struct AnalogiesScene {
     double theirs_ms;  // from the matched guide and style on
 };
 
-// `scale` as in FlgStylizeDesc. Times are medians of `runs`.
+// `scale` as in FlgCurveSetStylizeDesc. Times are medians of `runs`.
 AnalogiesScene make_analogies_scene(const std::string& style, const std::string& target, float scale, int runs);
 
 }  // namespace flg::bench

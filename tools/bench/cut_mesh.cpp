@@ -28,7 +28,7 @@ uint64_t processor_ns(void*) {
 }  // namespace
 
 CutMesh::CutMesh(uint32_t triangle_count)
-    : host_(pool_.hooks(), FlgClock{nullptr, processor_ns}), mesh_(bumpy_torus(triangle_count)) {
+    : host_(pool_.hooks(), FlgClock{sizeof(FlgClock), nullptr, processor_ns}), mesh_(bumpy_torus(triangle_count)) {
     reset();
 }
 
@@ -36,7 +36,8 @@ void CutMesh::reset() {
     if (surface_.id != 0) check(flgSurfaceRelease(host_.context(), surface_));
     FlgColumn column;
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh = mesh_.view(column);
+    const FlgMeshView input = mesh_.view(column);
+    desc.mesh = &input;
     FlgJob job = {};
     check(flgSurfaceCreate(host_.context(), &desc, &surface_, &job));
     host_.run();
@@ -45,13 +46,13 @@ void CutMesh::reset() {
 
 FlgField CutMesh::measure() {
     const uint32_t source = 0;
-    FlgGeodesicDesc desc = flgGeodesicDefaults();
+    FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
     desc.surface = surface_;
     desc.vertices = &source;
     desc.vertex_count = 1;
     FlgField field = {};
     FlgJob job = {};
-    check(flgGeodesic(host_.context(), &desc, &field, &job));
+    check(flgFieldCreateGeodesic(host_.context(), &desc, &field, &job));
     host_.run();
     host_.check_done(job);
     return field;
@@ -62,13 +63,13 @@ CutMesh::Times CutMesh::cut_isolines(uint32_t count) {
     FlgFieldView values = flgFieldViewDefaults();
     check(flgFieldGetView(host_.context(), field, &values));
     const float largest = *std::max_element(values.values, values.values + values.vertex_count);
-    FlgCutIsolinesDesc desc = flgCutIsolinesDefaults();
+    FlgSurfaceCutIsolinesDesc desc = flgSurfaceCutIsolinesDefaults();
     desc.field = field;
-    desc.levels.count = count;
-    desc.levels.every = largest / static_cast<float>(count + 1);
-    desc.levels.first = desc.levels.every;
+    desc.level_count = count;
+    desc.level_every = largest / static_cast<float>(count + 1);
+    desc.level_first = desc.level_every;
     FlgJob job = {};
-    check(flgCutIsolines(host_.context(), &desc, nullptr, &job));
+    check(flgSurfaceCutIsolines(host_.context(), &desc, nullptr, &job));
     host_.run();
     host_.check_done(job);
     FlgJobStatus status{};

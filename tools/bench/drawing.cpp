@@ -12,7 +12,7 @@
 #include "bench/groups.h"
 #include "bench/host.h"
 #include "bench/meshes.h"
-#include "bench/tube_mesh.h"
+#include "filigree/filigree_brush.h"
 #include "filigree_renderer/renderer.h"
 
 namespace flg::bench {
@@ -22,6 +22,48 @@ constexpr uint32_t kWidth = 1280, kHeight = 720;
 constexpr uint32_t kRibbonPoints = 369'400, kStrands = 2000, kTriangles = 2'000'000;
 constexpr uint32_t kTubePoints = 60'000, kTubeSides = 12;
 constexpr int kFrames = 5;  // steady: a frame is what it was before
+
+// A tube as triangles made on the processor: what the renderer's expansion in the vertex shader is measured against.
+struct TubeMesh {
+    std::vector<float> positions, normals;
+    std::vector<uint32_t> triangles;
+
+    TubeMesh(const FlgCurveSetView& curves, float radius) {
+        FlgBrushMeshDesc desc = flgBrushMeshDefaults();
+        desc.curves = &curves;
+        desc.sides = kTubeSides;
+        desc.default_radius = radius;
+        desc.start_cap = desc.end_cap = FLG_BRUSH_CAP_NONE;
+        desc.join = FLG_BRUSH_JOIN_NARROW;
+        FlgBrushMeshSizes sizes = flgBrushMeshSizesDefaults();
+        check(flgBrushMeshGetSizes(&desc, nullptr, &sizes));
+        positions.resize(3 * sizes.vertex_count);
+        normals.resize(3 * sizes.vertex_count);
+        triangles.resize(sizes.index_count);
+        const FlgVertexColumn columns[] = {
+            {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0},
+            {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, normals.data(), 0, 0}};
+        FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
+        output.columns = columns;
+        output.column_count = 2;
+        output.vertex_capacity = sizes.vertex_count;
+        output.indices = triangles.data();
+        output.index_capacity = sizes.index_count;
+        check(flgBrushMeshWrite(&desc, nullptr, &output, nullptr));
+    }
+
+    render::SurfaceId upload(render::Renderer& renderer, const render::SurfaceLook& look) const {
+        const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0},
+                                     {FLG_ATTRIBUTE_NORMAL, 3, normals.data(), 0, 0}};
+        FlgMeshView view = flgMeshViewDefaults();
+        view.vertex_count = static_cast<uint32_t>(positions.size() / 3);
+        view.triangle_count = static_cast<uint32_t>(triangles.size() / 3);
+        view.columns = columns;
+        view.column_count = 2;
+        view.triangles = triangles.data();
+        return renderer.upload(view, look);
+    }
+};
 
 double process_ms() {
     timespec now = {};
@@ -156,9 +198,6 @@ void tube_rows(std::vector<Row>& rows) {
     renderer.set_scene(scene);
     render::Target target(renderer, kWidth, kHeight);
     const scenes::Curve curve = scenes::make_target("thomas", kTubePoints);
-    std::vector<glm::vec3> points;
-    for (const scenes::Point& p : curve.points)
-        if (points.empty() || points.back() != glm::vec3(p.x, p.y, p.z)) points.emplace_back(p.x, p.y, p.z);
     render::CurveLook look;
     look.shape = render::Shape::tube;
     look.caps = render::Caps::none;
@@ -166,7 +205,8 @@ void tube_rows(std::vector<Row>& rows) {
     look.radius = 0.03f;
     look.color = look.color_end = {0.1f, 0.1f, 0.1f};
     Host host;
-    const render::CurvesId tubes = renderer.upload(host.view(host.add(curve)), look);
+    const FlgCurveSet tube = host.add(curve);
+    const render::CurvesId tubes = renderer.upload(host.view(tube), look);
     const render::Camera camera = frame_box(renderer.bounds(), {-1.0f, -0.5f, -1.0f}, target.aspect());
     const auto draw = [&] { renderer.draw(target, camera); };
     const double tubes_ms = frame_ms(renderer, draw);
@@ -174,10 +214,10 @@ void tube_rows(std::vector<Row>& rows) {
     const double tube_bytes = static_cast<double>(renderer.memory().curves);
     renderer.remove(tubes);
 
-    TubeMesh mesh(points, look.radius, kTubeSides);
+    const TubeMesh mesh(host.view(tube), look.radius);
     render::SurfaceLook surface_look;
     surface_look.material = {.color = look.color, .roughness = 0.6f};
-    const render::SurfaceId triangles = renderer.upload(mesh.view(), surface_look);
+    const render::SurfaceId triangles = mesh.upload(renderer, surface_look);
     const double triangles_ms = frame_ms(renderer, draw);
     const render::Image triangle_image = renderer.capture(target);
     const double triangle_bytes = static_cast<double>(renderer.memory().surfaces);

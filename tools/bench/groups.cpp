@@ -18,6 +18,7 @@ const std::vector<Group>& groups() {
 #endif
         {"stylization", "hair", run_hair},
         {"stylization", "ribbon", run_ribbon},
+        {"stylization", "brush_meshes", run_brush_meshes},
         {"runtime", "ticks", run_ticks},
         {"live strokes", "live", run_live},
         {"live strokes", "live_style", run_live_style},

@@ -18,14 +18,14 @@ int runs_for(uint32_t count) {
 }
 
 double stylize_us(Host& host, FlgStyle style, FlgCurveSet target, float scale) {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = style;
     desc.target = target;
     desc.scale = scale;
     FlgCurveSet result = {};
     FlgJob job = {};
     const double us = 1000.0 * time_ms([&] {
-                          check(flgStylize(host.context(), &desc, &result, &job));
+                          check(flgCurveSetStylize(host.context(), &desc, &result, &job));
                           host.run();
                       });
     host.check_done(job);

@@ -56,12 +56,12 @@ Hair prepare(Host& host) {
 }
 
 FlgCurveSet stylize(Host& host, const Hair& hair) {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = hair.style;
     desc.target = hair.strands;
     desc.scale = hair.scale;
     FlgCurveSet result = {};
-    check(flgStylize(host.context(), &desc, &result, nullptr));
+    check(flgCurveSetStylize(host.context(), &desc, &result, nullptr));
     host.run();
     return result;
 }
@@ -70,7 +70,7 @@ FlgCurveSet stylize(Host& host, const Hair& hair) {
 // many other programs want the cores.
 class WorkerTimes {
 public:
-    FlgClock hooks() { return {this, now_ns}; }
+    FlgClock hooks() { return {sizeof(FlgClock), this, now_ns}; }
 
     void clear() {
         const std::lock_guard lock(mutex_);
@@ -106,7 +106,7 @@ private:
 // What the busiest worker has to do, at best: other programs only make the shares less even.
 double busiest_ms(uint32_t workers) {
     WorkerTimes times;
-    Host host({}, times.hooks(), workers);
+    Host host(flgAllocatorDefaults(), times.hooks(), workers);
     const Hair hair = prepare(host);
     double least_ms = 1e30;
     for (int i = 0; i < kHairRuns; ++i) {

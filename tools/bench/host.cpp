@@ -13,14 +13,14 @@ constexpr uint32_t kWaitUs = 10'000;
 }  // namespace
 
 void check(FlgResult result) {
-    if (result != FLG_OK) throw std::runtime_error(std::string("bench: ") + flgLastError());
+    if (result != FLG_OK) throw std::runtime_error(std::string("bench: ") + flgErrorGetMessage());
 }
 
 Host::Host(const FlgAllocator& allocator, const FlgClock& clock, uint32_t workers) {
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = workers;
-    desc.allocator = allocator;
-    desc.clock = clock;
+    desc.allocator = &allocator;
+    desc.clock = &clock;
     check(flgContextCreate(&desc, &context_));
 }
 
@@ -63,7 +63,7 @@ void Host::run() {
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
     do {
-        check(flgTick(context_, 0, &report));
+        check(flgContextTick(context_, 0, &report));
         if (report.jobs_pending > 0) flgContextWait(context_, kWaitUs);
     } while (report.jobs_pending > 0);
 }

@@ -17,7 +17,8 @@ void check(FlgResult result);
 class Host {
 public:
     // The hooks must outlive it; without them, the C++ runtime's memory and the system's clock.
-    explicit Host(const FlgAllocator& allocator = {}, const FlgClock& clock = {}, uint32_t workers = 0);
+    explicit Host(const FlgAllocator& allocator = flgAllocatorDefaults(), const FlgClock& clock = flgClockDefaults(),
+                  uint32_t workers = 0);
     ~Host();
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
@@ -36,7 +37,7 @@ public:
     void check_done(FlgJob job);
 
 private:
-    FlgContext context_ = nullptr;
+    FlgContext context_{};
 };
 
 // The scale at which a target of this length gets `count` points from the style.

@@ -42,7 +42,7 @@ double stripped_mb(const char* path) {
 // By the wall, as workers start and end.
 double context_ms() {
     const auto start = std::chrono::steady_clock::now();
-    FlgContext context = nullptr;
+    FlgContext context{};
     check(flgContextCreate(nullptr, &context));
     check(flgContextDestroy(context));
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -3,8 +3,11 @@
 // evenly, densely, sparsely and with jumps, under the style at several sizes, with a pool as allocator that counts.
 // (Recordings themselves: filigree replay --fast.)
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
 #include "bench/groups.h"
 #include "bench/host.h"
@@ -29,6 +32,7 @@ constexpr double kP99BarUs = 20.0, kMaxBarUs = 100.0, kWholeShare = 0.99;
 // besides in some of them.
 constexpr int kRounds = 7;
 constexpr uint32_t kMaxPoints = 1u << 18;
+constexpr uint32_t kTickBudgetUs = 2000;
 
 using Samples = std::vector<FlgLiveSample>;
 
@@ -39,7 +43,7 @@ struct CountedPool {
     uint64_t allocations = 0;
 
     FlgAllocator hooks() {
-        return {this,
+        return {sizeof(FlgAllocator), this,
                 [](void* self, size_t size, size_t alignment) {
                     auto& counted = *static_cast<CountedPool*>(self);
                     ++counted.allocations;
@@ -147,6 +151,56 @@ Figures measure(Host& host, const CountedPool& pool, const FlgLiveStrokeDesc& de
     return figures;
 }
 
+// A pen on a thread of its own while the host's thread ticks at full load: by the wall's clock, since a push that waits
+// takes no processor time.
+Row beside_ticks() {
+    CountedPool pool;
+    Host host(pool.hooks());
+    FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
+    desc.style = host.prepare(host.add(scenes::make_style("loops")), 0);
+    desc.max_points = kMaxPoints;
+    check(flgStyleWarm(host.context(), desc.style, desc.temperature, nullptr, nullptr));
+    host.run();
+    FlgCurveSetResampleDesc load = flgCurveSetResampleDefaults();
+    load.curves = host.add(scenes::make_target("thomas", 40'000));
+    load.spacing = 0.001f;
+    const std::vector<Samples> strokes = scene(kHands[0]);
+    play(host, pool, desc, strokes);
+
+    std::vector<double> push_us;
+    uint64_t ticks = 0;
+    for (const Samples& samples : strokes) {
+        FlgLiveStroke stroke = {};
+        check(flgLiveStrokeBegin(host.context(), &desc, &stroke));
+        std::atomic<bool> done{false};
+        std::thread pen([&] {
+            for (const FlgLiveSample& sample : samples) {
+                FlgCurveSetView added = flgCurveSetViewDefaults();
+                const auto start = std::chrono::steady_clock::now();
+                check(flgLiveStrokePush(host.context(), stroke, &sample, 1, &added));
+                const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
+                push_us.push_back(taken.count());
+            }
+            done = true;
+        });
+        for (; !done; ++ticks) {
+            FlgFrameReport report = flgFrameReportDefaults();
+            check(flgContextTick(host.context(), kTickBudgetUs, &report));
+            if (report.jobs_pending > 0) continue;
+            FlgCurveSet out = {};
+            check(flgCurveSetResample(host.context(), &load, &out, nullptr));
+            check(flgCurveSetRelease(host.context(), out));
+        }
+        pen.join();
+        check(flgLiveStrokeRelease(host.context(), stroke));
+    }
+    char note[96];
+    std::snprintf(note, sizeof note, "%zu pushes during %llu ticks of %u us; longest %.0f us", push_us.size(),
+                  static_cast<unsigned long long>(ticks), kTickBudgetUs,
+                  *std::max_element(push_us.begin(), push_us.end()));
+    return below("live stroke beside ticks at full load, a push, p99", share(push_us), "us", kP99BarUs, note);
+}
+
 }  // namespace
 
 std::vector<Row> run_live() {
@@ -183,6 +237,7 @@ std::vector<Row> run_live() {
         rows.push_back(below(name, worst.longest_us, "us", kMaxBarUs, rounds));
     }
     rows.push_back(within("live stroke, allocations", static_cast<double>(allocations), "", 0.0, 0.0));
+    rows.push_back(beside_ticks());
     return rows;
 }
 

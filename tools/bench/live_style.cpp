@@ -73,7 +73,7 @@ double frames_until_ready(const Host& host, FlgLiveStroke stroke) {
     double frames = 0;
     while (!is_ready(host, style)) {
         std::this_thread::sleep_until(frame += std::chrono::microseconds(kFrameUs));
-        check(flgTick(host.context(), kFrameUs, nullptr));
+        check(flgContextTick(host.context(), kFrameUs, nullptr));
         ++frames;
     }
     check(flgStyleRelease(host.context(), style));
@@ -85,7 +85,7 @@ double ms_until_ready(const Host& host, FlgLiveStroke stroke) {
     const FlgStyle style = release(host, stroke);
     while (!is_ready(host, style)) {
         flgContextWait(host.context(), kPatienceUs);
-        check(flgTick(host.context(), kFrameUs, nullptr));
+        check(flgContextTick(host.context(), kFrameUs, nullptr));
     }
     const double wall_ms = Milliseconds(Clock::now() - before).count();
     check(flgStyleRelease(host.context(), style));

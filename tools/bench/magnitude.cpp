@@ -18,14 +18,14 @@ constexpr uint32_t kWidth = 320, kHeight = 180;  // whatever draws fastest: only
 
 FlgCurveSet stylize(Host& host) {
     const scenes::Curve target = scenes::make_target("thomas", kTargetPoints);
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = host.prepare(host.add(scenes::make_style("loops")), kStylePoints);
     host.run();
     desc.target = host.add(target);
     desc.scale = scale_for(host.info(desc.style), length_of(target), kTargetPoints);
     desc.keep_displacement = 1;
     FlgCurveSet result = {};
-    check(flgStylize(host.context(), &desc, &result, nullptr));
+    check(flgCurveSetStylize(host.context(), &desc, &result, nullptr));
     host.run();
     return result;
 }

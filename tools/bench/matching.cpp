@@ -10,13 +10,12 @@
 #include "scenes/scenes.h"
 #include "stylization/guide_flow.h"
 #include "stylization/guide_matching.h"
-#include "stylization/prepare_style.h"
 
 namespace flg::bench {
 namespace {
 
 constexpr uint32_t kPoints = 600;
-const double kBeta = StyleRequest{}.beta;
+constexpr double kBeta = 0.2;
 constexpr double kSpeedupBar = 20.0, kEnergyBar = 1.0;
 constexpr int kMatchingRuns = 9;
 

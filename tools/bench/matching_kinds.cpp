@@ -89,7 +89,7 @@ uint64_t processor_time_ns(void*) {
 }  // namespace
 
 std::vector<Row> run_matching_kinds() {
-    Host host({}, {nullptr, processor_time_ns});
+    Host host(flgAllocatorDefaults(), {sizeof(FlgClock), nullptr, processor_time_ns});
     std::vector<Row> rows;
     for (const uint32_t points : {300U, 600U}) {
         double energy = 0.0, speed = 1e30;

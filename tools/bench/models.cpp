@@ -69,13 +69,16 @@ constexpr double kDepths[] = {0, 0, 0.5, 0.55, 0.6, 0, 0, 0};
 
 class Animal {
 public:
-    explicit Animal(uint32_t workers = 0, const FlgClock& clock = {}) : host_({}, clock, workers) {}
+    explicit Animal(uint32_t workers = 0, const FlgClock& clock = flgClockDefaults())
+        : host_(flgAllocatorDefaults(), clock, workers) {}
 
     void add_parts() {
         for (size_t i = 0; i < outlines().size(); ++i) {
             FlgPartDesc desc = flgPartDefaults();
-            desc.contour.points = outlines()[i].data();
-            desc.contour.point_count = static_cast<uint32_t>(outlines()[i].size() / 2);
+            FlgContourView drawn = flgContourViewDefaults();
+            drawn.points = outlines()[i].data();
+            drawn.point_count = static_cast<uint32_t>(outlines()[i].size() / 2);
+            desc.contour = &drawn;
             FlgModelPart part = flgModelPartDefaults();
             check(flgPartCreate(host_.context(), &desc, &part.part, nullptr));
             part.placement[11] = kDepths[i];
@@ -183,7 +186,7 @@ uint64_t processor_ns(void*) {
 
 // Of the whole way from contours to the skin, in processor time: what else the machine does is left out.
 Chunk longest_chunk() {
-    Animal animal(0, {nullptr, processor_ns});
+    Animal animal(0, {sizeof(FlgClock), nullptr, processor_ns});
     animal.add_parts();
     FlgJob job{};
     animal.add_skin(animal.add_model(), job);
@@ -192,7 +195,7 @@ Chunk longest_chunk() {
     do {
         report = {};
         report.struct_size = sizeof report;
-        check(flgTick(animal.host().context(), kBudgetUs, &report));
+        check(flgContextTick(animal.host().context(), kBudgetUs, &report));
         if (report.longest_chunk_us > longest.us) longest = {report.longest_chunk_us, report.longest_chunk_stage};
     } while (report.jobs_pending > 0);
     animal.host().check_done(job);
@@ -213,7 +216,7 @@ Frames play_frames() {
         report = {};
         report.struct_size = sizeof report;
         const Clock::time_point tick = Clock::now();
-        check(flgTick(animal.host().context(), kBudgetUs, &report));
+        check(flgContextTick(animal.host().context(), kBudgetUs, &report));
         const double us = std::chrono::duration<double, std::micro>(Clock::now() - tick).count();
         frames.longest_tick_us = std::max(frames.longest_tick_us, us);
         std::this_thread::sleep_until(tick + std::chrono::duration<double, std::milli>(kFrameMs));

@@ -17,7 +17,7 @@ constexpr double kFrameMs = 1000.0 / 90, kRaysPerSecond = 1e6;
 constexpr uint32_t kTriangles = 2'000'000, kRays = 200'000;
 
 void check_pick(FlgResult result) {
-    if (result != FLG_OK) throw std::runtime_error(flgPickLastError());
+    if (result != FLG_OK) throw std::runtime_error(flgPickErrorGetMessage());
 }
 
 // From points around the torus towards points near its ring.
@@ -46,7 +46,7 @@ std::vector<Row> run_picking() {
     });
     const std::vector<FlgRay> rays = rays_at_torus();
     std::vector<FlgHit> hits(kRays);
-    const double before_ms = time_ms([&] { check_pick(flgPickRays(scene, rays.data(), kRays, hits.data())); });
+    const double before_ms = time_ms([&] { check_pick(flgPickSceneCastRays(scene, rays.data(), kRays, hits.data())); });
 
     cut.cut_isolines(1);
     view = cut.view();
@@ -55,9 +55,9 @@ std::vector<Row> run_picking() {
         const auto count = static_cast<uint32_t>(changes.size());
         check_pick(flgPickSceneSetSurface(scene, 0, &view, changes.data(), count));
         check_pick(flgPickSceneCommit(scene));
-        check_pick(flgPickRays(scene, rays.data(), 1, hits.data()));
+        check_pick(flgPickSceneCastRays(scene, rays.data(), 1, hits.data()));
     });
-    const double after_ms = time_ms([&] { check_pick(flgPickRays(scene, rays.data(), kRays, hits.data())); });
+    const double after_ms = time_ms([&] { check_pick(flgPickSceneCastRays(scene, rays.data(), kRays, hits.data())); });
     flgPickSceneDestroy(scene);
 
     char note[64];

@@ -20,7 +20,7 @@ public:
         for (const auto& [kind, memory] : free_) ::operator delete(memory, std::align_val_t(kind.second));
     }
 
-    FlgAllocator hooks() { return {this, allocate, release}; }
+    FlgAllocator hooks() { return {sizeof(FlgAllocator), this, allocate, release}; }
 
 private:
     using Kind = std::pair<size_t, size_t>;  // size, alignment

@@ -47,13 +47,13 @@ std::vector<Row> run_ribbon() {
     const FlgCurveSet target_set = host.add(target);
     const double elapsed_ms = median_ms(kRibbonRuns, [&] {
         // A style of its own each time: no path tree is known yet.
-        FlgStylizeDesc desc = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
         desc.style = prepare(host);
         desc.target = target_set;
         desc.scale = scale_for(host.info(desc.style), length, kTargetPoints);
         FlgCurveSet result = {};
         const double one_ms = time_ms([&] {
-            check(flgStylize(host.context(), &desc, &result, nullptr));
+            check(flgCurveSetStylize(host.context(), &desc, &result, nullptr));
             host.run();
         });
         host.view(result);

@@ -59,7 +59,8 @@ struct Frames {
 // it is done in ticks, whose budget is processor time then: what else the machine does is left out.
 Frames drag_frames(const MeshArrays& mesh, uint32_t workers) {
     using Clock = std::chrono::steady_clock;
-    SplineBench bench(mesh, workers, workers > 0 ? FlgClock{} : FlgClock{nullptr, processor_ns});
+    SplineBench bench(mesh, workers,
+                      workers > 0 ? flgClockDefaults() : FlgClock{sizeof(FlgClock), nullptr, processor_ns});
     bench.make_manifold();
     FlgContext context = bench.host().context();
     FlgSplineView view{};
@@ -76,7 +77,7 @@ Frames drag_frames(const MeshArrays& mesh, uint32_t workers) {
     for (uint32_t frame = 1; frame <= kFrames; ++frame) {
         const Clock::time_point begin = Clock::now();
         std::this_thread::sleep_until(begin + std::chrono::duration<double, std::milli>(kFrameMs));
-        const double us = 1000.0 * time_ms([&] { check(flgTick(context, kBudgetUs, nullptr)); });
+        const double us = 1000.0 * time_ms([&] { check(flgContextTick(context, kBudgetUs, nullptr)); });
         frames.longest_tick_us = std::max(frames.longest_tick_us, us);
         view = flgSplineViewDefaults();
         if (flgSplineGetView(context, asked, &view) != FLG_OK) {

@@ -34,7 +34,7 @@ std::vector<Row> spline_growth() {
         char name[64], note[96];
         std::snprintf(name, sizeof name, "spline on a torus, M = 1e%.0f, a node", std::log10(count));
         std::snprintf(note, sizeof note, "%.4g ms, %s%s", ms, rounds_note(view).c_str(),
-                      view.ending == FLG_SPLINE_CONVERGED ? "" : ", as near as rounding allows");
+                      view.ending == FLG_SPLINE_ENDING_CONVERGED ? "" : ", as near as rounding allows");
         rows.push_back(below(name, 1000 * ms / count, "us", kMostUs, note));
     }
     rows.push_back(below("growth of splines with M, 1e2 to 1e5", growth_exponent(counts, times), "", kExponent));

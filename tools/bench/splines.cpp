@@ -23,14 +23,14 @@ struct Chunk {
 
 // Of the manifold and a spline on it.
 Chunk longest_chunk(const MeshArrays& mesh) {
-    SplineBench bench(mesh, 0, {nullptr, processor_ns});
+    SplineBench bench(mesh, 0, {sizeof(FlgClock), nullptr, processor_ns});
     Chunk longest;
     const auto finish = [&] {
         FlgFrameReport report{};
         do {
             report = {};
             report.struct_size = sizeof report;
-            check(flgTick(bench.host().context(), 2000, &report));
+            check(flgContextTick(bench.host().context(), 2000, &report));
             if (report.longest_chunk_us > longest.us) longest = {report.longest_chunk_us, report.longest_chunk_stage};
         } while (report.jobs_pending > 0);
     };
@@ -86,18 +86,19 @@ std::string rounds_note(const FlgSplineView& view) {
     return text;
 }
 
-SplineBench::SplineBench(const MeshArrays& mesh, uint32_t workers, const FlgClock& clock) : host_({}, clock, workers) {
+SplineBench::SplineBench(const MeshArrays& mesh, uint32_t workers, const FlgClock& clock)
+    : host_(flgAllocatorDefaults(), clock, workers) {
     FlgColumn column;
     const FlgMeshView view = mesh.view(column);
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh = view;
+    desc.mesh = &view;
     check(flgSurfaceCreate(host_.context(), &desc, &surface_, nullptr));
     host_.run();
 }
 
 double SplineBench::make_manifold() {
     if (manifold_.id != 0) check(flgManifoldRelease(host_.context(), manifold_));
-    FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+    FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
     desc.surface = surface_;
     return time_ms([&] {
         check(flgManifoldCreateFromSurface(host_.context(), &desc, &manifold_, nullptr));

@@ -20,7 +20,7 @@ std::vector<double> winding_points(double aside = 0);
 // On the smooth surface of a mesh.
 class SplineBench {
 public:
-    explicit SplineBench(const MeshArrays& mesh, uint32_t workers = 0, const FlgClock& clock = {});
+    explicit SplineBench(const MeshArrays& mesh, uint32_t workers = 0, const FlgClock& clock = flgClockDefaults());
 
     Host& host() { return host_; }
     // Makes the manifold anew, which then remembers nothing; processor ms.

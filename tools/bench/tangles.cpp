@@ -25,7 +25,7 @@ constexpr double kTickUs = 2500, kVisibleMs = 200, kFrameMs = 1000.0 / 90;
 // Counts what is held; without workers, so without locks.
 class CountingMemory {
 public:
-    FlgAllocator hooks() { return {this, allocate, release}; }
+    FlgAllocator hooks() { return {sizeof(FlgAllocator), this, allocate, release}; }
     double held_mb() const { return static_cast<double>(held_) * 1e-6; }
 
 private:
@@ -47,14 +47,16 @@ uint64_t processor_ns(void*) {
 
 class Session {
 public:
-    explicit Session(const FlgAllocator& memory = {}, const FlgClock& clock = {}, uint32_t workers = 0)
+    explicit Session(const FlgAllocator& memory = flgAllocatorDefaults(), const FlgClock& clock = flgClockDefaults(),
+                     uint32_t workers = 0)
         : host_(memory, clock, workers) {
         const MeshArrays mesh = bumpy_torus(kTriangles);
         FlgColumn column;
         FlgSurfaceDesc desc = flgSurfaceDefaults();
-        desc.mesh = mesh.view(column);
+        const FlgMeshView input = mesh.view(column);
+        desc.mesh = &input;
         check(flgSurfaceCreate(host_.context(), &desc, &surface_, nullptr));
-        check(flgTangleCreate(host_.context(), surface_, &tangle_, nullptr));
+        check(flgTangleCreate(host_.context(), surface_, nullptr, &tangle_, nullptr));
         host_.run();
         solve_ms();  // builds what solvers need
     }
@@ -72,19 +74,19 @@ public:
     // One full solve from a point.
     double solve_ms() {
         const uint32_t source = 0;
-        FlgGeodesicDesc desc = flgGeodesicDefaults();
+        FlgFieldGeodesicDesc desc = flgFieldGeodesicDefaults();
         desc.surface = surface_;
         desc.vertices = &source;
         desc.vertex_count = 1;
         FlgField field{};
         FlgJob job{};
-        check(flgGeodesic(host_.context(), &desc, &field, &job));
+        check(flgFieldCreateGeodesic(host_.context(), &desc, &field, &job));
         const double ms = finish(job);
         check(flgFieldRelease(host_.context(), field));
         return ms;
     }
     double samples_ms(uint32_t count) {
-        FlgSamplingDesc desc = flgSamplingDefaults();
+        FlgSurfaceSampleDesc desc = flgSurfaceSampleDefaults();
         desc.surface = surface_;
         desc.radius = 1e-6f;
         desc.max_count = count;
@@ -101,7 +103,7 @@ public:
         desc.kind = kind;
         desc.regions = &region;
         desc.region_count = 1;
-        desc.a = seeds;
+        desc.a = &seeds;
         desc.delta = delta;
         desc.count = count;
         FlgJob job{};
@@ -124,7 +126,7 @@ public:
         report = {};
         report.struct_size = sizeof report;
         const auto begin = std::chrono::steady_clock::now();
-        check(flgTick(host_.context(), budget_us, &report));
+        check(flgContextTick(host_.context(), budget_us, &report));
         return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
     }
     void check_done(FlgJob job) { host_.check_done(job); }
@@ -138,9 +140,9 @@ public:
     }
 
 private:
-    double step(FlgResult (*go)(FlgContext, FlgTangle, FlgJob*)) {
+    double step(FlgResult (*go)(FlgContext, FlgTangle, const FlgJobOptions*, FlgJob*)) {
         FlgJob job{};
-        check(go(host_.context(), tangle_, &job));
+        check(go(host_.context(), tangle_, nullptr, &job));
         return finish(job);
     }
 
@@ -151,13 +153,13 @@ private:
 };
 
 FlgTangleSeeds borders(FlgTangleBorders which) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.borders = which;
     return seeds;
 }
 
 FlgTangleSeeds samples(float radius, uint32_t count) {
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds seeds = flgTangleSeedsDefaults();
     seeds.sample_radius = radius;
     seeds.sample_count = count;
     return seeds;
@@ -166,12 +168,12 @@ FlgTangleSeeds samples(float radius, uint32_t count) {
 // As a designer goes on: the cells, a band along each, then one region after the other.
 FlgJob begin_step(Session& session, uint32_t n) {
     constexpr uint32_t first = 1, cells = kCells;
-    if (n == 0) return session.divide(FLG_TANGLE_VORONOI, 0, samples(0.05f, kCells), 1, 1);
-    if (n == 1) return session.divide(FLG_TANGLE_CONTOUR, 0, borders(FLG_TANGLE_BORDERS_EACH), 0.02f, 1);
+    if (n == 0) return session.divide(FLG_TANGLE_OPERATOR_VORONOI, 0, samples(0.05f, kCells), 1, 1);
+    if (n == 1) return session.divide(FLG_TANGLE_OPERATOR_CONTOUR, 0, borders(FLG_TANGLE_BORDERS_EACH), 0.02f, 1);
     const uint32_t cell = first + n % cells;
-    if (n % 3 == 0) return session.divide(FLG_TANGLE_CONTOUR, cell, samples(0.05f, 12), 0.015f, 1);
+    if (n % 3 == 0) return session.divide(FLG_TANGLE_OPERATOR_CONTOUR, cell, samples(0.05f, 12), 0.015f, 1);
     const float delta = 0.03f + 0.002f * static_cast<float>(n);
-    return session.divide(FLG_TANGLE_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), delta, 2);
+    return session.divide(FLG_TANGLE_OPERATOR_CONTOUR, cell, borders(FLG_TANGLE_BORDERS_OUTER), delta, 2);
 }
 
 struct Frames {
@@ -217,7 +219,7 @@ double mean(const std::vector<double>& values) {
 std::vector<Row> run_tangles() {
     std::vector<Row> rows;
     CountingMemory memory;
-    Session session(memory.hooks(), {nullptr, processor_ns});
+    Session session(memory.hooks(), {sizeof(FlgClock), nullptr, processor_ns});
     const double solve = median_ms(3, [&] { return session.solve_ms(); });
     const double sampling = session.samples_ms(kCells);
     char note[160];

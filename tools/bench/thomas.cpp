@@ -17,14 +17,14 @@ constexpr int kThomasRuns = 7;
 
 // From submission to published result.
 double stylize_ms(Host& host, FlgStyle style, FlgCurveSet target, float scale, uint64_t seed) {
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = style;
     desc.target = target;
     desc.scale = scale;
     desc.seed = seed;
     FlgCurveSet result = {};
     const double elapsed_ms = time_ms([&] {
-        check(flgStylize(host.context(), &desc, &result, nullptr));
+        check(flgCurveSetStylize(host.context(), &desc, &result, nullptr));
         host.run();
     });
     FlgCurveSetView view = flgCurveSetViewDefaults();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames under load: flgTick with a budget of 2 ms and no workers, while styles are prepared, curves resampled and
-// attractors stylized. What a game sees of Filigree, with a pool as allocator.
+// Frames under load: flgContextTick with a budget of 2 ms and no workers, while styles are prepared, curves resampled
+// and attractors stylized. What a game sees of Filigree, with a pool as allocator.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -22,19 +22,19 @@ constexpr uint32_t kTargetPoints = 369'400, kLargeStylePoints = 4096;
 void submit(Host& host) {
     const FlgCurveSet thomas = host.add(scenes::make_target("thomas", kTargetPoints));
     const FlgCurveSet lorenz = host.add(scenes::make_target("lorenz", kTargetPoints));
-    FlgResampleDesc resample = flgResampleDefaults();
+    FlgCurveSetResampleDesc resample = flgCurveSetResampleDefaults();
     resample.curves = lorenz;
     resample.spacing = 0.002f;
     FlgCurveSet resampled = {};
-    check(flgResample(host.context(), &resample, &resampled, nullptr));
+    check(flgCurveSetResample(host.context(), &resample, &resampled, nullptr));
     for (const std::string& name : scenes::style_names()) {
-        FlgStylizeDesc stylize = flgStylizeDefaults();
+        FlgCurveSetStylizeDesc stylize = flgCurveSetStylizeDefaults();
         stylize.style = host.prepare(host.add(scenes::make_style(name)), 0);
         stylize.target = name.size() % 2 == 0 ? thomas : lorenz;
         stylize.temperature = 0.5f;
-        stylize.frame = name.size() % 2 == 0 ? FLG_FRAME_ROTATION_MINIMIZING : FLG_FRAME_FRENET;
+        stylize.frame = name.size() % 2 == 0 ? FLG_FRAME_METHOD_ROTATION_MINIMIZING : FLG_FRAME_METHOD_FRENET;
         FlgCurveSet result = {};
-        check(flgStylize(host.context(), &stylize, &result, nullptr));
+        check(flgCurveSetStylize(host.context(), &stylize, &result, nullptr));
     }
     host.prepare(host.add(scenes::make_style("loops")), kLargeStylePoints);
 }
@@ -58,7 +58,7 @@ Frames play(Pool& pool, const FlgClock& clock) {
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
     do {
-        check(flgTick(host.context(), kBudgetUs, &report));
+        check(flgContextTick(host.context(), kBudgetUs, &report));
         frames.ticks_us.push_back(report.tick_us);
         if (report.longest_chunk_us > frames.longest_chunk_us) {
             frames.longest_chunk_us = report.longest_chunk_us;
@@ -73,7 +73,7 @@ struct Looks {
     std::vector<uint64_t> times_ns;
 
     FlgClock hook() {
-        return {this, [](void* self) {
+        return {sizeof(FlgClock), this, [](void* self) {
                     const auto now = std::chrono::steady_clock::now().time_since_epoch();
                     const auto now_ns = static_cast<uint64_t>(std::chrono::nanoseconds(now).count());
                     static_cast<Looks*>(self)->times_ns.push_back(now_ns);
@@ -92,7 +92,7 @@ std::vector<double> least_chunks_us(Pool& pool) {
         {
             Host host(pool.hooks(), looks.hook());
             submit(host);
-            check(flgTick(host.context(), 0, nullptr));
+            check(flgContextTick(host.context(), 0, nullptr));
         }
         const size_t count = looks.times_ns.size() - 1;
         if (round == 0) least_us.assign(count, HUGE_VAL);
@@ -114,18 +114,18 @@ uint64_t processor_time_ns(void*) {
 
 std::vector<Row> run_ticks() {
     Pool pool;
-    play(pool, {});  // fills the pool
+    play(pool, flgClockDefaults());  // fills the pool
     std::vector<double> ticks_us, own_ticks_us, chunks_us;
     std::string stage;
     for (int round = 0; round < kRounds; ++round) {
-        const Frames wall = play(pool, {});
+        const Frames wall = play(pool, flgClockDefaults());
         ticks_us.insert(ticks_us.end(), wall.ticks_us.begin(), wall.ticks_us.end());
         if (chunks_us.empty() || wall.longest_chunk_us < *std::min_element(chunks_us.begin(), chunks_us.end())) {
             stage = wall.longest_chunk_stage;
         }
         chunks_us.push_back(wall.longest_chunk_us);
         // Once more by the thread's own time, in which the machine's other work does not show.
-        const Frames own = play(pool, {nullptr, processor_time_ns});
+        const Frames own = play(pool, {sizeof(FlgClock), nullptr, processor_time_ns});
         own_ticks_us.insert(own_ticks_us.end(), own.ticks_us.begin(), own.ticks_us.end());
     }
     char note[160];
@@ -137,7 +137,7 @@ std::vector<Row> run_ticks() {
     std::snprintf(rounds, sizeof rounds,
                   "%zu chunks, each the least of %d rounds; longest of a round of frames: %s, median %.0f us",
                   least_us.size(), kRounds, stage.c_str(), median(chunks_us));
-    return {below("flgTick at 2 ms under load, p99", share(ticks_us), "us", kTickBarUs, note),
+    return {below("flgContextTick at 2 ms under load, p99", share(ticks_us), "us", kTickBarUs, note),
             below("longest kernel chunk under load", *std::max_element(least_us.begin(), least_us.end()), "us",
                   kChunkBarUs, rounds)};
 }

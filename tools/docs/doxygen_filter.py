@@ -16,8 +16,6 @@ import sys
 
 sys.dont_write_bytecode = True  # the sources' folder stays as it is
 
-import wrapper_comments  # noqa: E402
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 SECTION = re.compile(r"/\* -{3,} (.+?)(?: -{3,})?\s*(?:\n \* -{3,})?\s*(?:\n(?P<rest>.*?))?\*/", re.S)
@@ -194,9 +192,16 @@ def page(text):
     return re.sub(r"<!--.*?-->", "", text, flags=re.S)
 
 
+def wrapper(text):
+    """filigree.hpp has documentation's own comments; only their text is escaped, but for code, four spaces in."""
+    return re.sub(r"^( *///<? (?!    ))(.*)$|( ///< )(.*)$",
+                  lambda line: (line[1] or line[3]) + escaped(line[2] or line[4] or "").replace("\\@file", "@file"),
+                  text, flags=re.M)
+
+
 path = pathlib.Path(sys.argv[1])
 source = path.read_text(encoding="utf-8")
 if path.suffix == ".hpp":
-    sys.stdout.write(wrapper_comments.documented(source))
+    sys.stdout.write(wrapper(source))
 else:
     sys.stdout.write(page(source) if path.suffix == ".md" else header(path, source))

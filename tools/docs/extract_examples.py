@@ -22,12 +22,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```(c|cpp)\b ?(.*)$")
 KINDS = ("complete", "part", "inside")
 GIVEN = re.compile(r"<!-- given\s(.*?)-->\s*$", re.DOTALL)
-HEADERS = ("filigree", "filigree_live", "filigree_surface", "filigree_project", "filigree_tangle", "filigree_spline",
-           "filigree_motion", "filigree_skeleton", "filigree_model", "filigree_io", "filigree_pick")
 
 
 def preamble(language):
-    lines = [f"#include <filigree/{header}.h>" for header in HEADERS]
+    lines = ["#include <filigree/filigree_all.h>"]
     if language == "cpp":
         lines.append("#include <filigree/filigree.hpp>")
     standard = ["<stdio.h>", "<stdlib.h>", "<string.h>", "<math.h>"]

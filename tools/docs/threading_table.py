@@ -17,10 +17,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "sdk/docs/threading.md"
 BEGIN, END = "<!-- table: begin -->\n", "<!-- table: end -->\n"
 
-THREADS = {"any": "any", "FlgContext": "context", "FlgPickScene": "scene"}  # others are files
-GETTERS = re.compile(r"^flg\w*(Get\w+|Init)$|^flg(Version|LastError|IoLastError|PickLastError|ResultName|FormulaName|TangleOperatorName|TangleMacroName|CurveSetViewColumn|MeshViewColumn)$")
+THREADS = {"any": "any", "FlgContext": "context", "FlgPickScene": "scene", "FlgLiveStroke": "stroke"}  # others are files
+GETTERS = re.compile(r"^flg\w*(Get\w*|Init)$")
 SPECIAL = {
-    "flgTick": "its budget and a chunk (100 us) at most",
+    "flgContextTick": "its budget and a chunk (100 us) at most",
     "flgContextWait": "sleeps, up to its timeout",
     "flgContextRun": "ticks and sleeps, up to its seconds",
     "flgContextDestroy": "a chunk (100 us) at most, and freeing all it holds",

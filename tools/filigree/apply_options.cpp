@@ -9,8 +9,8 @@ namespace {
 constexpr int kBasisNumbers = 9;
 const std::string kAuto = "auto";
 
-const std::map<std::string, FlgStart> kStarts = {
-    {"auto", FLG_START_AUTO}, {"style", FLG_START_STYLE}, {"random", FLG_START_RANDOM}};
+const std::map<std::string, FlgStyleStart> kStarts = {
+    {"auto", FLG_STYLE_START_AUTO}, {"style", FLG_STYLE_START_STYLE}, {"random", FLG_STYLE_START_RANDOM}};
 
 }  // namespace
 

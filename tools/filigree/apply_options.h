@@ -24,7 +24,7 @@ public:
     // None: the target's curves decide (relative_size.h).
     std::optional<float> scale() const { return scale_; }
 
-    // Into FlgStylizeDesc or FlgLiveStrokeDesc; not the scale.
+    // Into FlgCurveSetStylizeDesc or FlgLiveStrokeDesc; not the scale.
     template <class Desc>
     void set(Desc& desc) const {
         desc.magnitude = magnitude_;
@@ -36,10 +36,10 @@ public:
 
 private:
     // The SDK's defaults are the commands'.
-    float magnitude_ = flgStylizeDefaults().magnitude, temperature_ = flgStylizeDefaults().temperature;
+    float magnitude_ = flgCurveSetStylizeDefaults().magnitude, temperature_ = flgCurveSetStylizeDefaults().temperature;
     std::optional<float> scale_;
-    FlgFrameMethod frame_ = flgStylizeDefaults().frame;
-    FlgStart start_ = flgStylizeDefaults().start;
+    FlgFrameMethod frame_ = flgCurveSetStylizeDefaults().frame;
+    FlgStyleStart start_ = flgCurveSetStylizeDefaults().start;
     std::vector<float> basis_;  // empty: the identity
     const std::map<std::string, FlgFrameMethod>* frames_ = nullptr;
 };

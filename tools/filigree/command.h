@@ -30,6 +30,7 @@ Command add_tangle(CLI::App& program, const CommonOptions& common);
 Command add_bench(CLI::App& program, const CommonOptions& common);
 #if defined(FLG_WITH_RENDERER)
 Command add_render(CLI::App& program, const CommonOptions& common);
+Command add_panels(CLI::App& program, const CommonOptions& common);
 #endif
 
 }  // namespace flg::cli

@@ -28,28 +28,28 @@ void require_levels(const Options& options, double furthest) {
                      " m, but the furthest vertex is at " + std::to_string(furthest) + " m");
 }
 
-FlgCurveSet trace(const Options& options, Session& session, FlgField field, const FlgLevels& levels, Report& report) {
-    FlgIsolinesDesc desc;
-    flgIsolinesDescInit(&desc, sizeof desc);
+FlgCurveSet trace(const Options& options, Session& session, FlgField field, Report& report) {
+    FlgFieldTraceIsolinesDesc desc;
+    flgFieldTraceIsolinesDescInit(&desc, sizeof desc);
     desc.field = field;
-    desc.levels = levels;
+    desc.level_first = desc.level_every = options.every;
     FlgSurfaceCurves isolines = {};
     FlgJob job = {};
     const std::string& mesh = options.distances.mesh;
-    check(flgTraceIsolines(session.context(), &desc, &isolines, &job), mesh);
+    check(flgFieldTraceIsolines(session.context(), &desc, &isolines, &job), mesh);
     session.finish({{{job, mesh}}}, report);
     report.counts["isolines"] = view_of(session.context(), isolines).curve_count;
     return lift(session, isolines, mesh, report);
 }
 
-void cut(const Options& options, Session& session, FlgField field, const FlgLevels& levels, Report& report) {
-    FlgCutIsolinesDesc desc;
-    flgCutIsolinesDescInit(&desc, sizeof desc);
+void cut(const Options& options, Session& session, FlgField field, Report& report) {
+    FlgSurfaceCutIsolinesDesc desc;
+    flgSurfaceCutIsolinesDescInit(&desc, sizeof desc);
     desc.field = field;
-    desc.levels = levels;
+    desc.level_first = desc.level_every = options.every;
     desc.first_label = 0;
     FlgJob job = {};
-    check(flgCutIsolines(session.context(), &desc, nullptr, &job), options.distances.mesh);
+    check(flgSurfaceCutIsolines(session.context(), &desc, nullptr, &job), options.distances.mesh);
     session.finish({{{job, options.distances.mesh}}}, report);
 }
 
@@ -89,10 +89,9 @@ void run_contour(const Options& options, const CommonOptions& common) {
     surface.warn_of_repairs(report);
     const FlgField field = options.distances.solve(session, surface, report);
     require_levels(options, report.quality["furthest"]);
-    const FlgLevels levels = {nullptr, 0, options.every, options.every};
-    const FlgCurveSet lines = options.curves.empty() ? FlgCurveSet{} : trace(options, session, field, levels, report);
-    cut(options, session, field, levels, report);
-    const FlgMeshView mesh = surface.view().mesh;
+    const FlgCurveSet lines = options.curves.empty() ? FlgCurveSet{} : trace(options, session, field, report);
+    cut(options, session, field, report);
+    const FlgMeshView& mesh = *surface.view().mesh;
     describe_regions(mesh, report);
     write_mesh(options.output, mesh);
     if (!options.curves.empty()) {

@@ -23,7 +23,7 @@ public:
         for (const auto& [kind, memory] : free_) ::operator delete(memory, std::align_val_t(kind.second));
     }
 
-    FlgAllocator hooks() { return {this, allocate, release}; }
+    FlgAllocator hooks() { return {sizeof(FlgAllocator), this, allocate, release}; }
     // By the thread that asks.
     uint64_t allocations() const {
         std::lock_guard lock(mutex_);

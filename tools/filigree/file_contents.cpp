@@ -19,6 +19,10 @@ FileContents read_contents(const std::string& name) {
     const bool both = extension == ".obj" || extension == ".gltf" || extension == ".glb";
     FileContents contents;
     std::string why_no_mesh;
+    if (is_builtin_mesh(name)) {
+        contents.mesh.emplace(name);
+        return contents;
+    }
     if (mesh_only || both) {
         try {
             contents.mesh.emplace(name);

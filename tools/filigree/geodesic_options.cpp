@@ -55,8 +55,8 @@ FlgField GeodesicOptions::solve(Session& session, const MeshSurface& surface, Re
             points.push_back(finder.point(source));
         }
     }
-    FlgGeodesicDesc desc;
-    flgGeodesicDescInit(&desc, sizeof desc);
+    FlgFieldGeodesicDesc desc;
+    flgFieldGeodesicDescInit(&desc, sizeof desc);
     desc.surface = surface.handle();
     desc.vertices = vertices.data();
     desc.vertex_count = static_cast<uint32_t>(vertices.size());
@@ -65,7 +65,7 @@ FlgField GeodesicOptions::solve(Session& session, const MeshSurface& surface, Re
     desc.max_distance = max_distance;
     FlgField field = {};
     FlgJob job = {};
-    check(flgGeodesic(session.context(), &desc, &field, &job), mesh);
+    check(flgFieldCreateGeodesic(session.context(), &desc, &field, &job), mesh);
     session.finish({{{job, mesh}}}, report);
 
     const FlgFieldView view = view_of(session.context(), field);

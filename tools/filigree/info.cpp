@@ -108,7 +108,7 @@ void describe_curves(const CurveSource& source, Report& report) {
     info.format = "built in";
     info.units = "metres";
     if (source.file() != nullptr && flgCurveFileGetInfo(source.file(), &info) != FLG_OK)
-        throw InputError(flgIoLastError());
+        throw InputError(flgIoErrorGetMessage());
 
     std::sort(m.lengths.begin(), m.lengths.end());
     const double median = m.lengths[m.lengths.size() / 2];
@@ -118,8 +118,9 @@ void describe_curves(const CurveSource& source, Report& report) {
               << "length: " << m.total_length << " m; a curve: " << m.lengths.front() << " to " << m.lengths.back()
               << " m, median " << median << " m\n"
               << "box: " << m.low[0] << " " << m.low[1] << " " << m.low[2] << " to " << m.high[0] << " " << m.high[1]
-              << " " << m.high[2] << " m\n"
-              << "columns:";
+              << " " << m.high[2] << " m\n";
+    describe_origin(view.origin, report);
+    std::cout << "columns:";
     nlohmann::ordered_json columns = nlohmann::ordered_json::array();
     for (uint32_t i = 0; i < view.column_count; ++i) {
         std::cout << " " << attribute_name(view.columns[i].attribute);

@@ -12,6 +12,9 @@ namespace flg::cli {
 
 std::string attribute_name(FlgAttribute attribute);
 
+// A line about what positions are relative to; none for 0.
+void describe_origin(const double (&origin)[3], Report& report);
+
 void describe_mesh(const MeshFile& mesh, Report& report);
 
 // Besides its mesh.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <sstream>
 
 #include "info.h"
 #include "support/curve_source.h"
@@ -41,6 +42,15 @@ Measures measure(const FlgMeshView& view) {
 
 }  // namespace
 
+void describe_origin(const double (&origin)[3], Report& report) {
+    if (origin[0] == 0 && origin[1] == 0 && origin[2] == 0) return;
+    std::ostringstream text;
+    text.precision(17);
+    text << origin[0] << " " << origin[1] << " " << origin[2];
+    std::cout << "origin: " << text.str() << " m; the box is relative to it\n";
+    report.quality["origin"] = {origin[0], origin[1], origin[2]};
+}
+
 void describe_mesh(const MeshFile& mesh, Report& report) {
     const FlgMeshView& view = mesh.view();
     const FlgMeshFileInfo& info = mesh.info();
@@ -51,8 +61,9 @@ void describe_mesh(const MeshFile& mesh, Report& report) {
               << ", triangles: " << info.triangle_count << ", regions: " << info.region_count << "\n"
               << "area: " << m.area << " m2; edges: " << m.shortest_edge << " to " << m.longest_edge << " m\n"
               << "box: " << low[0] << " " << low[1] << " " << low[2] << " to " << high[0] << " " << high[1] << " "
-              << high[2] << " m\n"
-              << "columns:";
+              << high[2] << " m\n";
+    describe_origin(view.origin, report);
+    std::cout << "columns:";
     nlohmann::ordered_json columns = nlohmann::ordered_json::array(), face_columns = nlohmann::ordered_json::array();
     for (uint32_t i = 0; i < view.column_count; ++i) {
         std::cout << " " << attribute_name(view.columns[i].attribute);

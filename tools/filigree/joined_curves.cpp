@@ -14,13 +14,17 @@ void JoinedCurves::add(const FlgCurveSetView& set, uint32_t curve) {
     if (columns_.empty()) {
         columns_.assign(set.columns, set.columns + set.column_count);
         values_.resize(columns_.size());
+        std::copy(std::begin(set.origin), std::end(set.origin), origin_.begin());
     }
     const uint32_t begin = set.curve_offsets[curve], end = set.curve_offsets[curve + 1];
     for (size_t k = 0; k < columns_.size(); ++k) {
         const FlgColumn& column = *find_column(set, columns_[k].attribute);
         for (uint32_t i = begin; i < end; ++i) {
             const float* value = value_at(column, i);
-            values_[k].insert(values_[k].end(), value, value + columns_[k].components);
+            for (uint32_t c = 0; c < columns_[k].components; ++c) {
+                const bool moves = columns_[k].attribute == FLG_ATTRIBUTE_POSITION && set.origin[c] != origin_[c];
+                values_[k].push_back(moves ? static_cast<float>(value[c] + (set.origin[c] - origin_[c])) : value[c]);
+            }
         }
     }
     offsets_.push_back(offsets_.back() + (end - begin));
@@ -53,6 +57,7 @@ FlgCurveSetView JoinedCurves::view() {
     view.curve_flags = flags_.data();
     view.columns = columns_.data();
     view.column_count = static_cast<uint32_t>(columns_.size());
+    std::copy(origin_.begin(), origin_.end(), view.origin);
     return view;
 }
 

@@ -2,6 +2,7 @@
 // Curves of several sets as one, in an order of the caller's.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace flg::cli {
 
 class JoinedCurves {
 public:
-    // Adds a curve of a set. The columns are those of the first curve; all must have them.
+    // Adds a curve of a set. Columns and origin are those of the first curve; all must have the columns.
     void add(const FlgCurveSetView& set, uint32_t curve);
     // One value for all points of the last curve: multiplies its radii, if it has any.
     void scale_radii(float factor);
@@ -28,6 +29,7 @@ private:
     std::vector<FlgColumn> columns_;
     std::vector<std::vector<float>> values_;
     std::vector<float> colors_;
+    std::array<double, 3> origin_ = {};
     std::vector<uint32_t> offsets_ = {0};
     std::vector<uint8_t> flags_;
 };

@@ -27,7 +27,7 @@ int complain(std::string sentence, int status) {
 }
 
 std::string version_text() {
-    const uint32_t version = flgVersion();
+    const uint32_t version = flgVersionGet();
     return "filigree " + std::to_string(version >> 22) + "." + std::to_string((version >> 12) & 0x3ff) + "." +
            std::to_string(version & 0xfff);
 }
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
         "Curves are read from .xyz, .obj, .gltf, .glb, .tilt and .svg files, or built in: builtin:NAME or\n"
         "builtin:NAME:POINTS (builtin:loops, builtin:thomas:369400, ...). Meshes are read from .ply, .obj, .off, .gltf "
         "and\n"
-        ".glb files.",
+        ".glb files, or built in: builtin:NAME (figure, scalp, vase, dish, ball, egg, cloth, torus).",
         "filigree");
     flg::cli::CommonOptions common;
     common.workers = std::clamp(std::thread::hardware_concurrency(), 1u, kMaxWorkers);
@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
     commands.push_back(flg::cli::add_tangle(program, common));
 #if defined(FLG_WITH_RENDERER)
     commands.push_back(flg::cli::add_render(program, common));
+    commands.push_back(flg::cli::add_panels(program, common));
 #endif
     commands.push_back(flg::cli::add_bench(program, common));
 

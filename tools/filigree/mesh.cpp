@@ -93,8 +93,8 @@ void run_refine(const Options& options, const CommonOptions& common) {
     const MeshSurface surface(session, options.mesh, options.weld, report);
     surface.warn_of_repairs(report);
 
-    FlgRefineDesc desc;
-    flgRefineDescInit(&desc, sizeof desc);
+    FlgSurfaceRefineDesc desc;
+    flgSurfaceRefineDescInit(&desc, sizeof desc);
     desc.surface = surface.handle();
     desc.levels = options.levels;
     desc.scheme = options.scheme;
@@ -109,7 +109,7 @@ void run_refine(const Options& options, const CommonOptions& common) {
     report.counts["refined_vertices"] = made.vertex_count;
     report.counts["refined_triangles"] = made.triangle_count;
     report.quality["refined_area"] = made.area;
-    write_as_stored(options.output, surface.file(), view_of(session.context(), refined).mesh, report);
+    write_as_stored(options.output, surface.file(), *view_of(session.context(), refined).mesh, report);
     report.write();
 }
 

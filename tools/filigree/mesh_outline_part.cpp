@@ -27,8 +27,8 @@ DrawnPart read_mesh_part(Session& session, const std::string& path, const std::a
     check(flgOutlineGetView(session.context(), outline, &view), path);
     DrawnPart part;
     part.name = std::filesystem::path(path).stem().string();
-    part.contour.points.assign(view.contour.points, view.contour.points + 2 * size_t{view.contour.point_count});
-    part.contour.offsets.assign(view.contour.ring_offsets, view.contour.ring_offsets + view.contour.ring_count + 1);
+    part.contour.points.assign(view.contour->points, view.contour->points + 2 * size_t{view.contour->point_count});
+    part.contour.offsets.assign(view.contour->ring_offsets, view.contour->ring_offsets + view.contour->ring_count + 1);
     std::copy(std::begin(view.placement), std::end(view.placement), part.placement.begin());
     return part;
 }

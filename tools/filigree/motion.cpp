@@ -102,8 +102,8 @@ void write_poses(const std::string& path, const FlgMotionView& view) {
 }
 
 void write_animation(const Options& options, const MotionFile& file, const MeshFile* mesh, const FlgMotionView& view) {
-    FlgMotionFileDesc desc = {};
-    flgMotionFileDescInit(&desc, sizeof desc);
+    FlgMotionFileWriteDesc desc = {};
+    flgMotionFileWriteDescInit(&desc, sizeof desc);
     // Players begin at 0.
     std::vector<double> times;
     const size_t count = size_t{view.position_count} + (view.closed != 0 ? 1 : 0);
@@ -116,8 +116,8 @@ void write_animation(const Options& options, const MotionFile& file, const MeshF
     const Box box = box_of(file);
     if (!mesh && desc.camera_fov_rad == 0) desc.mesh = &box.view;
     std::vector<FlgMeshMaterial> materials;
-    FlgMeshWriteDesc mesh_desc = {};
-    flgMeshWriteDescInit(&mesh_desc, sizeof mesh_desc);
+    FlgMeshFileWriteDesc mesh_desc = {};
+    flgMeshFileWriteDescInit(&mesh_desc, sizeof mesh_desc);
     if (mesh) {
         materials = mesh->materials();
         mesh_desc.split_regions = 1;
@@ -126,12 +126,12 @@ void write_animation(const Options& options, const MotionFile& file, const MeshF
         desc.mesh = &mesh->view();
         desc.mesh_desc = &mesh_desc;
     }
-    if (flgMotionFileWrite(options.output.c_str(), &desc) != FLG_OK) throw InputError(flgIoLastError());
+    if (flgMotionFileWrite(options.output.c_str(), &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 void describe(const MotionFile& file, const FlgMotionView& view, Report& report) {
     report.parameters["energy"] = energies[file.desc.energy];
-    if (file.desc.energy == FLG_SPLINE_ET) report.parameters["tension"] = file.desc.tension;
+    if (file.desc.energy == FLG_SPLINE_ENERGY_ET) report.parameters["tension"] = file.desc.tension;
     report.parameters["smoothing"] = file.desc.smoothing;
     report.parameters["closed"] = view.closed != 0;
     report.counts["keys"] = view.key_count;
@@ -177,7 +177,7 @@ void run_motion(const Options& options, const CommonOptions& common) {
     FlgMotionView view = flgMotionViewDefaults();
     check(flgMotionGetView(session.context(), motion, &view), options.keys);
     describe(file, view, report);
-    if (view.ending == FLG_SPLINE_ROUNDS) report.warn(options.keys + ": all rounds were used up");
+    if (view.ending == FLG_SPLINE_ENDING_ROUNDS) report.warn(options.keys + ": all rounds were used up");
     if (!options.poses.empty()) write_poses(options.poses, view);
     if (!options.output.empty()) {
         write_animation(options, file, mesh ? &*mesh : nullptr, view);

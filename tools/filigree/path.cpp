@@ -47,8 +47,8 @@ void run_path(const Options& options, const CommonOptions& common) {
     const std::array ends = {from.point(options.from), to.point(options.to)};
     const std::array<uint32_t, 2> offsets = {0, 2};
 
-    FlgPathsDesc desc;
-    flgPathsDescInit(&desc, sizeof desc);
+    FlgFieldTracePathsDesc desc;
+    flgFieldTracePathsDescInit(&desc, sizeof desc);
     desc.surface = surface.handle();
     desc.points = ends.data();
     desc.path_offsets = offsets.data();
@@ -56,7 +56,7 @@ void run_path(const Options& options, const CommonOptions& common) {
     FlgSurfaceCurves path = {};
     FlgJob job = {};
     const std::string subject = options.mesh + ": --from " + options.from.text + " --to " + options.to.text;
-    check(flgTracePaths(session.context(), &desc, &path, &job), subject);
+    check(flgFieldTracePaths(session.context(), &desc, &path, &job), subject);
     try {
         session.finish({{{job, subject}}}, report);
     } catch (const InputError& error) {

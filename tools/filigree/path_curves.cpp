@@ -23,12 +23,12 @@ FlgSurfaceCurvesView view_of(FlgContext context, FlgSurfaceCurves curves) {
 }
 
 FlgCurveSet lift(Session& session, FlgSurfaceCurves curves, const std::string& subject, Report& report) {
-    FlgLiftDesc desc;
-    flgLiftDescInit(&desc, sizeof desc);
+    FlgSurfaceCurvesLiftDesc desc;
+    flgSurfaceCurvesLiftDescInit(&desc, sizeof desc);
     desc.curves = curves;
     FlgCurveSet lifted = {};
     FlgJob job = {};
-    check(flgLiftCurves(session.context(), &desc, &lifted, &job), subject);
+    check(flgSurfaceCurvesLift(session.context(), &desc, &lifted, &job), subject);
     session.finish({{{job, subject}}}, report);
     return lifted;
 }
@@ -36,7 +36,7 @@ FlgCurveSet lift(Session& session, FlgSurfaceCurves curves, const std::string& s
 uint32_t write_curves(FlgContext context, FlgCurveSet curves, const std::string& path) {
     FlgCurveSetView view = flgCurveSetViewDefaults();
     check(flgCurveSetGetView(context, curves, &view), "curves");
-    if (flgCurveFileWrite(path.c_str(), &view, nullptr) != FLG_OK) throw InputError(flgIoLastError());
+    if (flgCurveFileWrite(path.c_str(), &view, nullptr) != FLG_OK) throw InputError(flgIoErrorGetMessage());
     return view.curve_offsets[view.curve_count];
 }
 

@@ -16,7 +16,7 @@
 namespace flg::cli {
 
 struct CurveSize {
-    float scale;      // FlgStylizeDesc::scale
+    float scale;      // FlgCurveSetStylizeDesc::scale
     float thickness;  // factor on the curve's radii: thinner than painted, so that the style's turns stay apart
 };
 

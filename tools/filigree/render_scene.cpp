@@ -83,6 +83,20 @@ render::Shape shape_of(Shapes shapes) {
 
 }  // namespace
 
+render::SurfaceLook look_of(const MeshFile& mesh) {
+    render::SurfaceLook look;
+    const std::vector<render::Material> materials = materials_of(mesh.materials());
+    if (mesh.info().region_count > 1 && materials.empty()) {
+        look.regions = region_materials();
+        look.border_width_px = kBorderWidthPx;
+    } else if (mesh.info().region_count > 1 && !(have_colors(mesh.view()) && look_alike(materials))) {
+        look.regions = materials;
+    } else if (!materials.empty()) {
+        look.material = materials[0];
+    }
+    return look;
+}
+
 RenderScene::RenderScene(const SceneOptions& options, Report& report) : options_(options) {
     uint64_t curves = 0, points = 0, vertices = 0, triangles = 0;
     for (const std::string& name : options.files) {
@@ -149,21 +163,6 @@ void RenderScene::read_field(Report& report) {
     if (span >= 0.0) report.quality["field"] = {{"low", low}, {"high", high}, {"every", spacing_}};
 }
 
-render::SurfaceLook RenderScene::look_of(const MeshFile& mesh) const {
-    render::SurfaceLook look;
-    const std::vector<render::Material> materials = materials_of(mesh.materials());
-    if (mesh.info().region_count > 1 && materials.empty()) {
-        look.regions = region_materials();
-        look.border_width_px = kBorderWidthPx;
-    } else if (mesh.info().region_count > 1 && !(have_colors(mesh.view()) && look_alike(materials))) {
-        look.regions = materials;
-    } else if (!materials.empty()) {
-        look.material = materials[0];
-    }
-    look.isoline_spacing = static_cast<float>(spacing_);
-    return look;
-}
-
 void RenderScene::upload_skins(render::Renderer& renderer) const {
     for (const Skin& skin : skins_) {
         render::SurfaceLook look;
@@ -194,18 +193,18 @@ void RenderScene::upload_curves(render::Renderer& renderer) const {
     std::vector<Part> parts;
     parts.reserve(2 * curves_.size());
     for (const samples::CurveSource& source : curves_) {
-        const std::vector<FlgGeometry> brushes = samples::shapes_of_strokes(source);
+        const std::vector<FlgCurveGeometry> brushes = samples::shapes_of_strokes(source);
         if (options_.as != Shapes::automatic || brushes.empty()) {
             parts.push_back({{}, source.view(), shape_of(options_.as)});
             continue;
         }
-        for (const FlgGeometry geometry : {FLG_GEOMETRY_RIBBON, FLG_GEOMETRY_TUBE}) {
+        for (const FlgCurveGeometry geometry : {FLG_CURVE_GEOMETRY_RIBBON, FLG_CURVE_GEOMETRY_TUBE}) {
             Part& part = parts.emplace_back();
             for (uint32_t c = 0; c < brushes.size(); ++c) {
                 if (brushes[c] == geometry) part.joined.add(source.view(), c);
             }
             part.view = part.joined.view();
-            part.shape = geometry == FLG_GEOMETRY_RIBBON ? render::Shape::ribbon : render::Shape::tube;
+            part.shape = geometry == FLG_CURVE_GEOMETRY_RIBBON ? render::Shape::ribbon : render::Shape::tube;
             if (part.joined.curve_count() == 0) parts.pop_back();
         }
     }
@@ -223,7 +222,11 @@ void RenderScene::upload_curves(render::Renderer& renderer) const {
 }
 
 void RenderScene::upload(render::Renderer& renderer) const {
-    for (const MeshFile& mesh : meshes_) renderer.upload(mesh.view(), look_of(mesh), field_);
+    for (const MeshFile& mesh : meshes_) {
+        render::SurfaceLook look = look_of(mesh);
+        look.isoline_spacing = static_cast<float>(spacing_);
+        renderer.upload(mesh.view(), look, field_);
+    }
     upload_skins(renderer);
     upload_curves(renderer);
 }

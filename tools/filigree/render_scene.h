@@ -24,6 +24,9 @@ struct SceneOptions {
     bool bones = false;         // whether joints and bones are drawn over them
 };
 
+// By the file's materials; where it has several regions and none, in colours of ours with lines between.
+render::SurfaceLook look_of(const MeshFile& mesh);
+
 class RenderScene {
 public:
     // Reads the files and notes in the report what is in them; throws InputError, UsageError, SourceError.
@@ -43,7 +46,6 @@ private:
     void read_field(Report& report);
     void upload_skins(render::Renderer& renderer) const;
     void upload_curves(render::Renderer& renderer) const;
-    render::SurfaceLook look_of(const MeshFile& mesh) const;
 
     const SceneOptions& options_;
     std::vector<samples::CurveSource> curves_;

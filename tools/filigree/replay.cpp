@@ -45,8 +45,8 @@ constexpr float kLightest = 0.1f;
 // Memory for so many times the points that a stroke's length asks for.
 constexpr double kPointsReserve = 2.0;
 
-const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_ROTATION_MINIMIZING},
-                                                       {"supplied", FLG_FRAME_SUPPLIED}};
+const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_METHOD_ROTATION_MINIMIZING},
+                                                       {"supplied", FLG_FRAME_METHOD_SUPPLIED}};
 
 struct Options {
     StyleOptions style;
@@ -209,7 +209,7 @@ private:
         check(flgLiveStrokeRelease(context_, stroke_), "stroke");
         results_.push_back(result);
         ++desc_.seed;
-        check(flgTick(context_, kTickUs, nullptr), "tick");
+        check(flgContextTick(context_, kTickUs, nullptr), "tick");
     }
 
     FlgContext context_;
@@ -291,13 +291,14 @@ void run_replay(Options options, const CommonOptions& common) {
     info.struct_size = sizeof info;
     check(flgStyleGetInfo(context, options.live.style, &info), options.style.subject());
     const FlgCurveSetView& view = strokes.view();
+    std::copy(std::begin(view.origin), std::end(view.origin), options.live.origin);
     const RelativeSize relative = relative_size_of(context, options.live.style);
     uint64_t retimed = 0;
     std::vector<Recording> recordings;
     for (uint32_t c = 0; c < view.curve_count; ++c) recordings.push_back(record(options, relative, view, c, retimed));
     reserve(view, recordings, info.spacing, options.live);
 
-    const std::vector<FlgGeometry> brushes = samples::shapes_of_strokes(strokes);
+    const std::vector<FlgCurveGeometry> brushes = samples::shapes_of_strokes(strokes);
     std::vector<uint32_t> drawn;  // the recording of each result
     Player player(context, pool, options.live, options.fast);
     for (uint32_t c = 0; c < recordings.size(); ++c) {
@@ -309,7 +310,7 @@ void run_replay(Options options, const CommonOptions& common) {
     FlgFrameReport frame = {};
     frame.struct_size = sizeof frame;
     do {
-        check(flgTick(context, common.budget_us, &frame), "tick");
+        check(flgContextTick(context, common.budget_us, &frame), "tick");
         if (frame.jobs_pending > 0) flgContextWait(context, kTickUs);
     } while (frame.jobs_pending > 0);
     if (player.results().empty()) throw InputError(options.strokes + ": no sample could be taken");
@@ -339,7 +340,7 @@ void run_replay(Options options, const CommonOptions& common) {
     }
     add_latencies(player.latencies(), report);
     JoinedCurves joined;
-    std::vector<FlgGeometry> shapes;
+    std::vector<FlgCurveGeometry> shapes;
     for (size_t i = 0; i < drawn.size(); ++i) {
         FlgCurveSetView stroke = flgCurveSetViewDefaults();
         check(flgCurveSetGetView(context, player.results()[i], &stroke), "stroke");

@@ -33,7 +33,7 @@ std::vector<FlgColumn> columns_with(const FlgMeshView& mesh, const std::vector<f
 
 }  // namespace
 
-SettledMesh::SettledMesh(Session& session, const MeshSurface& surface, Report& report) : view_(surface.view().mesh) {
+SettledMesh::SettledMesh(Session& session, const MeshSurface& surface, Report& report) : view_(*surface.view().mesh) {
     const FlgContext context = session.context();
     for (int round = 0; round < kMostRounds; ++round) {
         if (!separate()) {
@@ -44,12 +44,12 @@ SettledMesh::SettledMesh(Session& session, const MeshSurface& surface, Report& r
         // As a reader makes it.
         FlgSurfaceDesc desc;
         flgSurfaceDescInit(&desc, sizeof desc);
-        desc.mesh = view_;
+        desc.mesh = &view_;
         FlgSurface made = {};
         FlgJob job = {};
         check(flgSurfaceCreate(context, &desc, &made, &job), surface.name());
         session.finish({{{job, surface.name()}}}, report);
-        view_ = view_of(context, made).mesh;
+        view_ = *view_of(context, made).mesh;
     }
     throw InputError(surface.name() +
                      ": can't be repaired so that it needs no further repair: its sheets touch too often");

@@ -89,14 +89,14 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
         materials.push_back(part.material);
         materials.back().name = part.name.c_str();
     }
-    FlgSkinFileDesc file = {};
-    flgSkinFileDescInit(&file, sizeof file);
+    FlgSkinFileWriteDesc file = {};
+    flgSkinFileWriteDescInit(&file, sizeof file);
     file.skin = &view;
     file.animations = &animation;
     file.animation_count = 1;
     file.materials = materials.data();
     file.material_count = static_cast<uint32_t>(materials.size());
-    if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoLastError());
+    if (flgSkinFileWrite(options.output.c_str(), &file) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 void run_skeleton(const Options& options, const CommonOptions& common) {

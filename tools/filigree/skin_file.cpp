@@ -7,7 +7,7 @@ namespace flg::cli {
 namespace {
 
 void check_io(FlgResult result) {
-    if (result != FLG_OK) throw InputError(flgIoLastError());
+    if (result != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 FlgSkinAnimation find_animation(const SkinFile& skin, const std::string& wanted) {
@@ -38,10 +38,11 @@ std::optional<SkinFile> SkinFile::read(const std::string& name) {
 }
 
 std::vector<FlgSkinAnimation> SkinFile::animations() const {
-    const FlgSkinAnimation* animations = nullptr;
-    uint32_t count = 0;
-    check_io(flgSkinFileGetAnimations(file_.get(), &animations, &count));
-    return {animations, animations + count};
+    std::vector<FlgSkinAnimation> animations(info_.animation_count, flgSkinAnimationDefaults());
+    for (uint32_t i = 0; i < info_.animation_count; ++i) {
+        check_io(flgSkinFileGetAnimation(file_.get(), i, &animations[i]));
+    }
+    return animations;
 }
 
 std::vector<FlgMeshMaterial> SkinFile::materials() const {

@@ -20,7 +20,7 @@ namespace {
 
 struct Options {
     std::string surface, points, output, obstacles;
-    FlgSplineEnergy energy = FLG_SPLINE_E2;
+    FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
     double tension = 1, smoothing = 0, tolerance = 1e-6, feature = 0, layer = 0;
     float height = 0;
     uint32_t nodes = 0, rounds = 200;
@@ -30,7 +30,7 @@ struct Options {
 
 const std::map<std::string, FlgSplineEnergy>& energy_names() {
     static const std::map<std::string, FlgSplineEnergy> names = {
-        {"e1", FLG_SPLINE_E1}, {"e2", FLG_SPLINE_E2}, {"et", FLG_SPLINE_ET}};
+        {"e1", FLG_SPLINE_ENERGY_E1}, {"e2", FLG_SPLINE_ENERGY_E2}, {"et", FLG_SPLINE_ENERGY_ET}};
     return names;
 }
 const std::map<std::string, FlgSplineStart>& start_names() {
@@ -39,10 +39,10 @@ const std::map<std::string, FlgSplineStart>& start_names() {
     return names;
 }
 const char* ending_name(FlgSplineEnding ending) {
-    return ending == FLG_SPLINE_CONVERGED  ? "converged"
-           : ending == FLG_SPLINE_ROUNDING ? "rounding"
-           : ending == FLG_SPLINE_STALLED  ? "stalling"
-                                           : "rounds";
+    return ending == FLG_SPLINE_ENDING_CONVERGED  ? "converged"
+           : ending == FLG_SPLINE_ENDING_ROUNDING ? "rounding"
+           : ending == FLG_SPLINE_ENDING_STALLED  ? "stalling"
+                                                  : "rounds";
 }
 
 // One spline for each curve of the file.
@@ -59,11 +59,14 @@ Made make_one(Session& session, const Options& options, const SplineManifold& ma
     const uint32_t n = manifold.view.ambient;
     std::vector<double> points;
     for (uint32_t i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i) {
-        for (uint32_t c = 0; c < n; ++c) points.push_back(lines.positions[size_t{3} * i + c]);
+        // Only in space there are origins.
+        for (uint32_t c = 0; c < n; ++c)
+            points.push_back(lines.positions[size_t{3} * i + c] + (n == 3 ? 0 : lines.origin[c]));
     }
     FlgSplineDesc desc;
     flgSplineDescInit(&desc, sizeof desc);
     desc.manifold = manifold.handle;
+    if (n == 3) std::copy(lines.origin.begin(), lines.origin.end(), desc.origin);
     desc.points = points.data();
     desc.point_count = static_cast<uint32_t>(points.size() / n);
     desc.closed = options.closed || (lines.flags[line] & FLG_CURVE_CLOSED) != 0;
@@ -87,9 +90,12 @@ Made make_one(Session& session, const Options& options, const SplineManifold& ma
     return made;
 }
 
-void append_number(std::string& text, double value) {
+// Far from the world's origin to all its digits.
+void append_number(std::string& text, double value, double origin) {
     char number[32];
-    text.append(number, std::to_chars(number, number + sizeof number, value, std::chars_format::general, 9).ptr);
+    char* const end = number + sizeof number;
+    text.append(number, origin == 0 ? std::to_chars(number, end, value, std::chars_format::general, 9).ptr
+                                    : std::to_chars(number, end, value + origin).ptr);
 }
 
 // In double precision, not through a curve set's floats.
@@ -103,7 +109,7 @@ std::string xyz_text(const std::vector<Made>& all, float height) {
             for (uint32_t c = 0; c < 3; ++c) {
                 double value = c < view.ambient ? view.nodes[size_t{view.ambient} * i + c] : 0;
                 if (view.normals) value += height * view.normals[size_t{3} * i + c];
-                append_number(text, value);
+                append_number(text, value, view.origin[c]);
                 text += c == 2 ? '\n' : ' ';
             }
         }
@@ -115,6 +121,7 @@ void write_output(Session& session, const std::vector<Made>& all, const Options&
     if (options.output.ends_with(".xyz")) return write_text_file(options.output, xyz_text(all, options.height));
     SpaceLines lines;
     for (const Made& made : all) {
+        std::copy(std::begin(made.view.origin), std::end(made.view.origin), lines.origin.begin());
         for (uint32_t i = 0; i < made.view.node_count; ++i) {
             Vector place = {}, normal = {};
             for (uint32_t c = 0; c < made.view.ambient; ++c)
@@ -135,7 +142,7 @@ void describe(const Options& options, Report& report) {
     report.parameters["surface"] = options.surface;
     report.parameters["points"] = options.points;
     report.parameters["energy"] = name_of(energy_names(), options.energy);
-    if (options.energy == FLG_SPLINE_ET) report.parameters["tension"] = options.tension;
+    if (options.energy == FLG_SPLINE_ENERGY_ET) report.parameters["tension"] = options.tension;
     report.parameters["smoothing"] = options.smoothing;
     report.parameters["tolerance"] = options.tolerance;
     if (options.feature > 0) report.parameters["feature"] = options.feature;
@@ -172,7 +179,7 @@ void run_spline(const Options& options, const CommonOptions& common) {
             report.warn(all.back().subject + ": a point is " + std::to_string(view.largest_offset) +
                         " m off the surface, which is about " + std::to_string(manifold.view.size) + " m large");
         }
-        if (view.ending != FLG_SPLINE_CONVERGED) {
+        if (view.ending != FLG_SPLINE_ENDING_CONVERGED) {
             report.warn(all.back().subject + ": ended by " + ending_name(view.ending) + ", with a residual of " +
                         std::to_string(view.residual));
         }

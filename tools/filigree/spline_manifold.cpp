@@ -30,13 +30,13 @@ std::vector<double> numbers_after(const std::string& text, size_t colon) {
 
 std::string formula_names() {
     std::string names;
-    for (uint32_t i = 0; flgFormulaName(i); ++i) names += std::string(i == 0 ? "" : ", ") + flgFormulaName(i);
+    for (uint32_t i = 0; flgFormulaGetName(i); ++i) names += std::string(i == 0 ? "" : ", ") + flgFormulaGetName(i);
     return names;
 }
 
 // Whether the text is a shape; then its description.
-bool read_shape(const std::string& text, bool among_obstacles, FlgShapeDesc& desc, std::string& formula) {
-    flgShapeDescInit(&desc, sizeof desc);
+bool read_shape(const std::string& text, bool among_obstacles, FlgManifoldShapeDesc& desc, std::string& formula) {
+    flgManifoldShapeDescInit(&desc, sizeof desc);
     const size_t colon = text.find(':');
     const std::string kind = text.substr(0, colon);
     const auto need = [&](size_t count, const char* form) {
@@ -46,23 +46,23 @@ bool read_shape(const std::string& text, bool among_obstacles, FlgShapeDesc& des
         return numbers;
     };
     if (kind == "sphere") {
-        desc.shape = FLG_SHAPE_SPHERE;
+        desc.shape = FLG_MANIFOLD_SHAPE_SPHERE;
         desc.radius = need(1, "sphere:R")[0];
     } else if (kind == "torus") {
-        desc.shape = FLG_SHAPE_TORUS;
+        desc.shape = FLG_MANIFOLD_SHAPE_TORUS;
         const std::vector<double> radii = need(2, "torus:R,r");
         desc.radius = radii[0];
         desc.tube_radius = radii[1];
     } else if (text == "plane") {
-        desc.shape = among_obstacles ? FLG_SHAPE_SPACE : FLG_SHAPE_PLANE;
+        desc.shape = among_obstacles ? FLG_MANIFOLD_SHAPE_SPACE : FLG_MANIFOLD_SHAPE_PLANE;
         if (among_obstacles) desc.ambient = 2;
     } else if (text == "space") {
-        desc.shape = FLG_SHAPE_SPACE;
+        desc.shape = FLG_MANIFOLD_SHAPE_SPACE;
     } else if (kind == "implicit" && colon != std::string::npos) {
-        desc.shape = FLG_SHAPE_FORMULA;
+        desc.shape = FLG_MANIFOLD_SHAPE_FORMULA;
         formula = text.substr(colon + 1);
         bool known = false;
-        for (uint32_t i = 0; flgFormulaName(i); ++i) known = known || formula == flgFormulaName(i);
+        for (uint32_t i = 0; flgFormulaGetName(i); ++i) known = known || formula == flgFormulaGetName(i);
         if (!known) throw UsageError("SURFACE: implicit:" + formula + " is none of " + formula_names());
         desc.name = formula.c_str();
     } else {
@@ -78,9 +78,10 @@ bool is_cloud(const std::string& file) {
 
 void make_cloud(Session& session, const std::string& file, SplineManifold& out, Report& report) {
     const SpaceLines lines = read_lines(file, report);
-    FlgCloudManifoldDesc desc;
-    flgCloudManifoldDescInit(&desc, sizeof desc);
+    FlgManifoldFromPointsDesc desc;
+    flgManifoldFromPointsDescInit(&desc, sizeof desc);
     desc.points = lines.positions.data();
+    std::copy(lines.origin.begin(), lines.origin.end(), desc.origin);
     desc.point_count = lines.offsets.back();
     report.counts["cloud_points"] = desc.point_count;
     FlgJob job = {};
@@ -91,8 +92,8 @@ void make_cloud(Session& session, const std::string& file, SplineManifold& out, 
 void make_mesh(Session& session, const std::string& file, SplineManifold& out, Report& report) {
     out.mesh = std::make_unique<MeshSurface>(session, file, 0.0f, report);
     out.mesh->warn_of_repairs(report);
-    FlgMeshManifoldDesc desc;
-    flgMeshManifoldDescInit(&desc, sizeof desc);
+    FlgManifoldFromSurfaceDesc desc;
+    flgManifoldFromSurfaceDescInit(&desc, sizeof desc);
     desc.surface = out.mesh->handle();
     FlgJob job = {};
     check(flgManifoldCreateFromSurface(session.context(), &desc, &out.handle, &job), file);
@@ -105,12 +106,12 @@ SplineManifold make_spline_manifold(Session& session, const std::string& text, b
                                     Report& report) {
     SplineManifold out;
     out.name = text;
-    FlgShapeDesc shape;
+    FlgManifoldShapeDesc shape;
     std::string formula;
     if (read_shape(text, among_obstacles, shape, formula)) {
-        out.is_space = shape.shape == FLG_SHAPE_SPACE;
+        out.is_space = shape.shape == FLG_MANIFOLD_SHAPE_SPACE;
         if (flgManifoldCreateShape(session.context(), &shape, &out.handle) != FLG_OK) {
-            throw UsageError("SURFACE: " + text + ": " + flgLastError());
+            throw UsageError("SURFACE: " + text + ": " + flgErrorGetMessage());
         }
     } else if (among_obstacles) {
         throw UsageError("--obstacles: SURFACE must be plane or space, not " + text);

@@ -20,17 +20,16 @@ void read_place(const JsonPlace& place, uint32_t dimension, double* out) {
 }
 
 FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, std::deque<std::vector<double>>& polygons) {
-    FlgObstacle out;
-    flgObstacleInit(&out);
+    FlgObstacle out = flgObstacleDefaults();
     place.allow({"ball", "box", "capsule", "polygon"});
     if (const auto ball = place.find("ball")) {
         ball->allow({"centre", "radius"});
-        out.kind = FLG_OBSTACLE_BALL;
+        out.kind = FLG_OBSTACLE_KIND_BALL;
         read_place(ball->at("centre"), dimension, out.centre);
         out.radius = ball->at("radius").number(0, most);
     } else if (const auto box = place.find("box")) {
         box->allow({"centre", "half", "axes"});
-        out.kind = FLG_OBSTACLE_BOX;
+        out.kind = FLG_OBSTACLE_KIND_BOX;
         read_place(box->at("centre"), dimension, out.centre);
         read_place(box->at("half"), dimension, out.half);
         if (const auto axes = box->find("axes")) {
@@ -40,12 +39,12 @@ FlgObstacle read_obstacle(const JsonPlace& place, uint32_t dimension, std::deque
         }
     } else if (const auto capsule = place.find("capsule")) {
         capsule->allow({"from", "to", "radius"});
-        out.kind = FLG_OBSTACLE_CAPSULE;
+        out.kind = FLG_OBSTACLE_KIND_CAPSULE;
         read_place(capsule->at("from"), dimension, out.centre);
         read_place(capsule->at("to"), dimension, out.to);
         out.radius = capsule->at("radius").number(0, most);
     } else if (const auto polygon = place.find("polygon")) {
-        out.kind = FLG_OBSTACLE_POLYGON;
+        out.kind = FLG_OBSTACLE_KIND_POLYGON;
         std::vector<double>& points = polygons.emplace_back();
         for (const JsonPlace& point : polygon->items()) {
             double xy[3] = {};
@@ -96,7 +95,7 @@ SplineObstacles keep_inside(Session& session, const SplineManifold& manifold, do
     if (!manifold.mesh) throw UsageError("--inside: SURFACE must be a mesh, not " + manifold.name);
     constexpr double cells_in_a_layer = 6;
     FlgObstacle layer = flgObstacleDefaults();
-    layer.kind = thickness > 0 ? FLG_OBSTACLE_LAYER : FLG_OBSTACLE_BORDER;
+    layer.kind = thickness > 0 ? FLG_OBSTACLE_KIND_LAYER : FLG_OBSTACLE_KIND_BORDER;
     layer.surface = manifold.mesh->handle();
     if (thickness > 0) {
         layer.radius = thickness;

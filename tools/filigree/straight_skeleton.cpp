@@ -24,10 +24,12 @@ FlgStraightSkeleton make_skeleton(const Options& options, Session& session, cons
                                   Report& report) {
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
     desc.repair = options.repair ? 1 : 0;
-    desc.contour.points = contour.points.data();
-    desc.contour.point_count = static_cast<uint32_t>(contour.points.size() / 2);
-    desc.contour.ring_offsets = contour.offsets.data();
-    desc.contour.ring_count = static_cast<uint32_t>(contour.offsets.size()) - 1;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = contour.points.data();
+    drawn.point_count = static_cast<uint32_t>(contour.points.size() / 2);
+    drawn.ring_offsets = contour.offsets.data();
+    drawn.ring_count = static_cast<uint32_t>(contour.offsets.size()) - 1;
+    desc.contour = &drawn;
     FlgStraightSkeleton skeleton = {};
     FlgJob job = {};
     check(flgStraightSkeletonCreate(session.context(), &desc, &skeleton, &job), options.contour);

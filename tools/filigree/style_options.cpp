@@ -109,6 +109,8 @@ void StyleOptions::add_to(CLI::App& app) {
     add(app.add_option("--patch", desc_.patch, "p, points each way that are compared before a jump, 1 to 1024")
             ->capture_default_str()
             ->check(CLI::Range(1u, kMostPatch).description("")));
+    add(app.add_option("--points", desc_.point_count, "Points of the style, 0: as many as its curves ask for")
+            ->capture_default_str());
     add(app.add_option_function<std::vector<std::string>>(
                "--multiresolution", [this](const auto& words) { parse_patch_sizes(words); },
                "Several patch sizes instead, at most 8, each with its weight")
@@ -191,6 +193,7 @@ void StyleOptions::describe(Report& report) const {
     if (style_.empty()) return;
     if (!guide_.empty()) report.parameters["guide"] = guide_;
     report.parameters["patch"] = desc_.patch;
+    if (desc_.point_count != 0) report.parameters["points"] = desc_.point_count;
     for (const FlgPatchSize& size : patch_sizes_) {
         report.parameters["multiresolution"].push_back({size.patch, as_written(size.weight)});
     }

@@ -63,7 +63,7 @@ void describe_scales(const std::vector<CurveSize>& sizes, Report& report) {
     report.quality["scale"] = {{"min", scales.front()}, {"median", scales[scales.size() / 2]}, {"max", scales.back()}};
 }
 
-StyledCurves style_by_size(Session& session, FlgStylizeDesc desc, const FlgCurveSetView& target,
+StyledCurves style_by_size(Session& session, FlgCurveSetStylizeDesc desc, const FlgCurveSetView& target,
                            const std::string& target_name, Report& report) {
     FlgContext context = session.context();
     const RelativeSize relative = relative_size_of(context, desc.style);
@@ -73,7 +73,7 @@ StyledCurves style_by_size(Session& session, FlgStylizeDesc desc, const FlgCurve
     const std::vector<ScaleGroup> groups = group_by_scale(sizes);
 
     // What a lone curve is, the whole target decides, not a group.
-    if (desc.start == FLG_START_AUTO && target.curve_count > 1) desc.start = FLG_START_RANDOM;
+    if (desc.start == FLG_STYLE_START_AUTO && target.curve_count > 1) desc.start = FLG_STYLE_START_RANDOM;
     const uint64_t seed = desc.seed;
     std::vector<FlgCurveSet> results(groups.size());
     std::vector<Session::Pending> jobs;
@@ -85,7 +85,7 @@ StyledCurves style_by_size(Session& session, FlgStylizeDesc desc, const FlgCurve
         desc.scale = groups[g].scale;
         desc.seed = seed_of(seed, g);
         FlgJob job = {};
-        check(flgStylize(context, &desc, &results[g], &job), target_name);
+        check(flgCurveSetStylize(context, &desc, &results[g], &job), target_name);
         jobs.push_back({job, target_name});
     }
     session.finish(jobs, report);

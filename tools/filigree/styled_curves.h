@@ -15,7 +15,7 @@ struct StyledCurves {
 };
 
 // `desc` with its style, which is ready, but without target and scale. Waits for the jobs.
-StyledCurves style_by_size(Session& session, FlgStylizeDesc desc, const FlgCurveSetView& target,
+StyledCurves style_by_size(Session& session, FlgCurveSetStylizeDesc desc, const FlgCurveSetView& target,
                            const std::string& target_name, Report& report);
 
 // The style's sizes; it must be ready.

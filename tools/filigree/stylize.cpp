@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "apply_options.h"
@@ -26,27 +27,38 @@ using samples::CurveSource;
 struct Options {
     StyleOptions style;
     ApplyOptions apply;
+    std::optional<float> displacement;
     std::string target, output;
-    uint32_t strokes = flgStylizeDefaults().strokes, max_points = flgStylizeDefaults().max_points;
+    uint32_t strokes = flgCurveSetStylizeDefaults().strokes, max_points = flgCurveSetStylizeDefaults().max_points;
     bool closed = false, network = false, columns = false;
     SurfaceOptions surface;
     std::string save_guide, save_matching, save_path;
 };
 
 constexpr uint32_t kMostStrokes = 1024;
+constexpr float kStraight = 1e-9f;  // metres: a style with less has no displacement
 
-const std::map<std::string, FlgFrameMethod> kFrames = {
-    {"rmf", FLG_FRAME_ROTATION_MINIMIZING}, {"frenet", FLG_FRAME_FRENET}, {"supplied", FLG_FRAME_SUPPLIED}};
+const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_METHOD_ROTATION_MINIMIZING},
+                                                       {"frenet", FLG_FRAME_METHOD_FRENET},
+                                                       {"supplied", FLG_FRAME_METHOD_SUPPLIED}};
 
 void describe(const Options& options, Report& report) {
     options.style.describe(report);
     report.parameters["target"] = options.target;
     options.apply.describe(report);
+    if (options.displacement) report.parameters["displacement"] = as_written(*options.displacement);
     report.parameters["closed"] = options.closed;
     report.parameters["network"] = options.network;
     report.parameters["strokes"] = options.strokes;
     report.parameters["columns"] = options.columns;
     options.surface.describe(report);
+}
+
+FlgStyleInfo style_info(FlgContext context, FlgStyle style) {
+    FlgStyleInfo info = {};
+    info.struct_size = sizeof info;
+    check(flgStyleGetInfo(context, style, &info), "style");
+    return info;
 }
 
 void run_stylize(const Options& options, const CommonOptions& common) {
@@ -61,7 +73,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     Session session(common);
     FlgContext context = session.context();
     FlgJob style_job = {};
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     options.apply.set(desc);
     desc.strokes = options.strokes;
     desc.max_points = options.max_points;
@@ -80,14 +92,21 @@ void run_stylize(const Options& options, const CommonOptions& common) {
 
     std::vector<Session::Pending> jobs;
     if (style_job.id != 0) jobs.push_back({style_job, options.style.subject()});
-    std::vector<FlgGeometry> shapes;
-    for (const FlgGeometry shape : samples::shapes_of_strokes(target)) shapes.insert(shapes.end(), desc.strokes, shape);
-    if (options.apply.scale()) {
-        desc.scale = *options.apply.scale();
+    std::vector<FlgCurveGeometry> shapes;
+    for (const FlgCurveGeometry shape : samples::shapes_of_strokes(target))
+        shapes.insert(shapes.end(), desc.strokes, shape);
+    std::optional<float> scale = options.apply.scale();
+    if (options.displacement) {
+        session.finish(jobs, report);
+        jobs.clear();
+        scale = *options.displacement / std::max(style_info(context, desc.style).displacement_rms, kStraight);
+    }
+    if (scale) {
+        desc.scale = *scale;
         check(flgCurveSetCreate(context, &target_view, &desc.target), options.target);
         FlgCurveSet result = {};
         FlgJob stylize_job = {};
-        check(flgStylize(context, &desc, &result, &stylize_job), options.target);
+        check(flgCurveSetStylize(context, &desc, &result, &stylize_job), options.target);
         jobs.push_back({stylize_job, options.target});
         session.finish(jobs, report);
         options.style.save(context, desc.style, report);
@@ -115,6 +134,12 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
         *app, kFrames,
         "Moving frame: rotation-minimizing, Frenet, or the target's own normals (columns nx ny nz of an .xyz file, "
         "NORMAL of a .glb)");
+    app->add_option("--displacement", o->displacement,
+                    "In place of --scale: the size at which the style's displacement (root mean square) is D metres, "
+                    "> 0")
+        ->type_name("D")
+        ->excludes("--scale")
+        ->check(above_zero());
     app->add_flag("--closed", o->closed, "Take all target curves as closed, their last point joined to the first");
     app->add_flag("--network", o->network, "Ends stay where they are, so that curves that meet still meet");
     app->add_option("--strokes", o->strokes, "Stylized copies of each curve, 1 to 1024")

@@ -119,8 +119,8 @@ void StylizeOutput::write(FlgContext context, FlgStyle style, const StylizedCurv
     report.quality["temperature_unit"] = info.temperature_unit;
     add_runs(result.view, report);
 
-    FlgCurveWriteDesc desc = {};
-    flgCurveWriteDescInit(&desc, sizeof desc);
+    FlgCurveFileWriteDesc desc = {};
+    flgCurveFileWriteDescInit(&desc, sizeof desc);
     desc.all_columns = all_columns;
     const float diagonal = diagonal_of(result.view);
     const float usual = diagonal > 0.0f ? diagonal * kDefaultRadiusShare : kDefaultRadiusShare;
@@ -130,7 +130,7 @@ void StylizeOutput::write(FlgContext context, FlgStyle style, const StylizedCurv
         check(flgStyleGetGuide(context, style, &set), "guide");
         FlgCurveSetView guide_view = flgCurveSetViewDefaults();
         check(flgCurveSetGetView(context, set, &guide_view), "guide");
-        if (flgCurveFileWrite(guide.c_str(), &guide_view, &desc) != FLG_OK) throw InputError(flgIoLastError());
+        if (flgCurveFileWrite(guide.c_str(), &guide_view, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
     }
     if (!matching.empty()) write_text_file(matching, matching_text(info));
     if (!path.empty()) write_text_file(path, path_text(result.view));

@@ -14,8 +14,8 @@ namespace flg::cli {
 
 struct StylizedCurves {
     FlgCurveSetView view;
-    std::vector<FlgGeometry> shapes;      // of the target's strokes, one a curve; empty: it says nothing of them
-    std::optional<float> default_radius;  // metres, of curves that have none; from the size of the whole if not given
+    std::vector<FlgCurveGeometry> shapes;  // of the target's strokes, one a curve; empty: it says nothing of them
+    std::optional<float> default_radius;   // metres, of curves that have none; from the size of the whole if not given
 };
 
 struct StylizeOutput {

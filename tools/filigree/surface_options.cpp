@@ -56,23 +56,23 @@ void SurfaceOptions::check_usage(const std::string& file, bool all_columns) cons
     if (lines && quantize_) throw UsageError("--quantize: " + file + " holds lines; it is for ribbons and tubes");
 }
 
-void SurfaceOptions::write(const std::string& file, const FlgCurveSetView& view, FlgCurveWriteDesc desc,
-                           const std::vector<FlgGeometry>& shapes, float diagonal, Report& report) const {
+void SurfaceOptions::write(const std::string& file, const FlgCurveSetView& view, FlgCurveFileWriteDesc desc,
+                           const std::vector<FlgCurveGeometry>& shapes, float diagonal, Report& report) const {
     desc.quantize = quantize_;
-    if (as_ == Shapes::ribbon) desc.geometry = FLG_GEOMETRY_RIBBON;
-    if (as_ == Shapes::tube) desc.geometry = FLG_GEOMETRY_TUBE;
+    if (as_ == Shapes::ribbon) desc.geometry = FLG_CURVE_GEOMETRY_RIBBON;
+    if (as_ == Shapes::tube) desc.geometry = FLG_CURVE_GEOMETRY_TUBE;
     const bool by_shapes = as_ == Shapes::automatic && desc.all_columns == 0 && file.ends_with(".glb");
     const std::vector<uint8_t> geometries(shapes.begin(), shapes.end());
     if (by_shapes && !geometries.empty()) desc.geometries = geometries.data();
     desc.tolerance = tolerance_.value_or(kToleranceShare * diagonal);
-    const bool surface = desc.geometries != nullptr || desc.geometry != FLG_GEOMETRY_LINES;
+    const bool surface = desc.geometries != nullptr || desc.geometry != FLG_CURVE_GEOMETRY_LINES;
     if (!surface && (tolerance_ || quantize_)) {
         throw UsageError(std::string(quantize_ ? "--quantize: " : "--tolerance: ") + file +
                          " would hold lines, as the target has no brushes; give --as ribbon or tube");
     }
     for (int round = 0;; ++round) {
         say_step("writing " + file);
-        if (flgCurveFileWrite(file.c_str(), &view, &desc) != FLG_OK) throw InputError(flgIoLastError());
+        if (flgCurveFileWrite(file.c_str(), &view, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
         if (!surface) return;
         const std::uintmax_t size = std::filesystem::file_size(file);
         if (tolerance_ || size <= kMostBytes || round == kMostRounds) break;

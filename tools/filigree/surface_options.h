@@ -25,8 +25,8 @@ public:
 
     // Writes the curves, as surfaces if so. `shapes`, those of painted strokes or empty, are one a curve; `diagonal` is
     // that of the whole. Throws InputError.
-    void write(const std::string& file, const FlgCurveSetView& view, FlgCurveWriteDesc desc,
-               const std::vector<FlgGeometry>& shapes, float diagonal, Report& report) const;
+    void write(const std::string& file, const FlgCurveSetView& view, FlgCurveFileWriteDesc desc,
+               const std::vector<FlgCurveGeometry>& shapes, float diagonal, Report& report) const;
 
 private:
     Shapes as_ = Shapes::automatic;

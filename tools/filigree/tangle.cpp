@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "command.h"
 #include "documents/failure.h"
@@ -17,6 +19,7 @@ namespace {
 
 struct Options {
     std::string mesh, script, output, document, masks, curves;
+    std::optional<uint32_t> first;  // operations of the script
 };
 
 // What each leaf is shown as: a group, one number after the other.
@@ -59,11 +62,40 @@ void write_result(const Options& options, FlgMeshView mesh, const TangleScript& 
 
 void write_masks(const Options& options, const FlgMeshView& mesh, const Groups& groups) {
     const FlgMeshFaceColumn column = {"group", groups.of_triangle.data()};
-    FlgMeshWriteDesc desc;
-    flgMeshWriteDescInit(&desc, sizeof desc);
+    FlgMeshFileWriteDesc desc;
+    flgMeshFileWriteDescInit(&desc, sizeof desc);
     desc.face_columns = &column;
     desc.face_column_count = 1;
     check(flgMeshFileWrite(options.masks.c_str(), &mesh, &desc), options.masks);
+}
+
+// Whether a selection names one of these.
+bool selects_any(const nlohmann::json& selection, const std::set<std::string>& names) {
+    if (selection.is_string()) {
+        const std::string text = selection;
+        return names.contains(text.substr(0, text.find('.')));
+    }
+    return selection.is_structured() &&
+           std::any_of(selection.begin(), selection.end(),
+                       [&](const nlohmann::json& part) { return selects_any(part, names); });
+}
+
+// A script's first operations, and the materials that need no others.
+nlohmann::json first_operations(nlohmann::json script, uint32_t count, const std::string& file) {
+    if (!script.contains("operations") || !script["operations"].is_array()) return script;  // refused when it is run
+    nlohmann::json& operations = script["operations"];
+    if (count > operations.size())
+        throw UsageError("--first: " + file + " has " + std::to_string(operations.size()) + " operations");
+    std::set<std::string> missing;
+    for (size_t i = count; i < operations.size(); ++i) missing.insert(operations[i].value("name", ""));
+    operations.erase(operations.begin() + count, operations.end());
+    for (const nlohmann::json& operation : operations) missing.erase(operation.value("name", ""));
+    nlohmann::json kept = nlohmann::json::array();
+    for (const nlohmann::json& material : script.value("materials", nlohmann::json::array())) {
+        if (!material.contains("on") || !selects_any(material["on"], missing)) kept.push_back(material);
+    }
+    if (script.contains("materials")) script["materials"] = kept;
+    return script;
 }
 
 // What is written must not take the place of what is read, or of something else that is written.
@@ -87,7 +119,7 @@ void require_distinct(const Options& options, const CommonOptions& common) {
 FlgCurveSet trace_borders(Session& session, const TangleScript& script, const Options& options, Report& report) {
     FlgSurfaceCurves borders = {};
     FlgJob job = {};
-    check(flgTangleBorders(session.context(), script.tangle(), &borders, &job), options.mesh);
+    check(flgTangleTraceBorders(session.context(), script.tangle(), nullptr, &borders, &job), options.mesh);
     session.finish({{{job, options.mesh}}}, report);
     if (view_of(session.context(), borders).curve_count == 0) {
         report.warn(options.curves + ": not written, no border is seen");
@@ -103,10 +135,13 @@ void run_tangle(const Options& options, const CommonOptions& common) {
     if (!options.curves.empty()) require_curve_output(options.curves);
     if (!options.document.empty()) require_writable(options.document);
     require_writable(common.report);
-    const nlohmann::json script = JsonPlace::read(options.script);
+    nlohmann::json script = JsonPlace::read(options.script);
+    if (options.first && is_document(script)) throw UsageError("--first: is for scripts, and this is a document");
+    if (options.first) script = first_operations(std::move(script), *options.first, options.script);
     Report report("tangle", common);
     report.parameters["mesh"] = options.mesh;
     report.parameters["script"] = options.script;
+    if (options.first) report.parameters["first"] = *options.first;
     Session session(common);
     const MeshSurface surface(session, options.mesh, 0.0f, report);
     surface.warn_of_repairs(report);
@@ -119,7 +154,7 @@ void run_tangle(const Options& options, const CommonOptions& common) {
 
     const FlgCurveSet borders =
         options.curves.empty() ? FlgCurveSet{} : trace_borders(session, tangle, options, report);
-    const FlgMeshView mesh = surface.view().mesh;
+    const FlgMeshView& mesh = *surface.view().mesh;
     const FlgTangleInfo info = tangle.info();
     const Groups groups = visible_groups(tangle, mesh);
     report.counts["regions"] = info.region_count;
@@ -144,7 +179,7 @@ void run_tangle(const Options& options, const CommonOptions& common) {
 Command add_tangle(CLI::App& program, const CommonOptions& common) {
     CLI::App* app = program.add_subcommand("tangle", "Cuts recursive ornament into a mesh, by a script");
     const auto o = std::make_shared<Options>();
-    app->add_option("MESH", o->mesh, "Mesh: .obj, .ply, .off, .gltf or .glb")->required();
+    app->add_option("MESH", o->mesh, "Mesh: .obj, .ply, .off, .gltf, .glb or builtin:NAME")->required();
     app->add_option(
            "SCRIPT", o->script,
            "Operations, JSON; sdk/tangles/README.md describes them. Or a document, to be made again on this mesh")
@@ -155,6 +190,8 @@ Command add_tangle(CLI::App& program, const CommonOptions& common) {
            "Result: .glb with a primitive a material, or a group where the script has no materials; .ply or .obj")
         ->required()
         ->type_name("OUT");
+    app->add_option("--first", o->first, "Run only the first N operations; materials of the others are left out")
+        ->type_name("N");
     app->add_option("--document", o->document, "Write all steps, to be made again on this mesh or on a finer one")
         ->type_name("D");
     app->add_option("--masks", o->masks, "Write the cut mesh with the face properties `region` and `group`")

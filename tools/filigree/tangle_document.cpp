@@ -11,7 +11,7 @@ namespace flg::cli {
 namespace {
 
 void check_io(FlgResult result) {
-    if (result != FLG_OK) throw InputError(flgIoLastError());
+    if (result != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ void replay_document(Session& session, FlgTangle tangle, const std::string& name
     history.struct_size = sizeof history;
     check_io(flgTangleFileGetHistory(file.get(), &history));
     FlgJob job = {};
-    check(flgTangleReplay(session.context(), tangle, &history, &job), name);
+    check(flgTangleReplay(session.context(), tangle, &history, nullptr, &job), name);
     session.finish({{{job, name}}}, report);
 }
 

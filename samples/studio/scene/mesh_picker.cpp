@@ -13,7 +13,7 @@ constexpr float kFarthest = 1e18f;  // what picking takes
 constexpr uint32_t kObject = 0;
 
 void check_pick(FlgResult result) {
-    if (result < 0) throw StudioError(flgPickLastError());
+    if (result < 0) throw StudioError(flgPickErrorGetMessage());
 }
 
 }  // namespace
@@ -67,14 +67,14 @@ std::optional<FlgHit> MeshPicker::hit(const glm::vec3& origin, const glm::vec3& 
     }
     shot.furthest = kFarthest;
     FlgHit hit{};
-    if (flgPickRays(scene_, &shot, 1, &hit) != FLG_OK || hit.object == FLG_NO_INDEX) return std::nullopt;
+    if (flgPickSceneCastRays(scene_, &shot, 1, &hit) != FLG_OK || hit.object == FLG_NO_INDEX) return std::nullopt;
     return hit;
 }
 
 std::optional<FlgHit> MeshPicker::nearest(const glm::vec3& place) const {
     FlgHit hit{};
     if (!is_set_ || building_.valid()) return std::nullopt;
-    if (flgPickNearest(scene_, glm::value_ptr(place), kFarthest, &hit) != FLG_OK || hit.object == FLG_NO_INDEX)
+    if (flgPickSceneFindNearest(scene_, glm::value_ptr(place), kFarthest, &hit) != FLG_OK || hit.object == FLG_NO_INDEX)
         return std::nullopt;
     return hit;
 }

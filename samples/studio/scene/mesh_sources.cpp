@@ -36,21 +36,22 @@ OpenedMesh open_builtin(filigree::Context& context, const std::string& source) {
     const scenes::Mesh mesh = make_builtin(name);
     const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &mesh.vertices[0].x, 0, 0};
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
-    desc.mesh.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
-    desc.mesh.columns = &column;
-    desc.mesh.column_count = 1;
-    desc.mesh.triangles = mesh.triangles[0].data();
+    FlgMeshView input = flgMeshViewDefaults();
+    input.vertex_count = static_cast<uint32_t>(mesh.vertices.size());
+    input.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
+    input.columns = &column;
+    input.column_count = 1;
+    input.triangles = mesh.triangles[0].data();
+    desc.mesh = &input;
     desc.weld_distance = name == "ball" ? scenes::kFaceSeam : 0.0f;
     OpenedMesh opened{{}, {}, name};
     opened.surface = context.surface(desc, &opened.job);
     if (name != "cat") return opened;
     // It is made of blocks: rounded off. The blocks' surface is kept by that job.
-    FlgRefineDesc refine = flgRefineDefaults();
-    refine.surface = opened.surface.get();
+    filigree::SurfaceRefineDesc refine;
     refine.scheme = FLG_SUBDIVISION_LOOP;
     refine.levels = kFigureLevels;
-    filigree::Surface round = context.refine(refine, &opened.job);
+    filigree::Surface round = opened.surface.refine(refine, &opened.job);
     opened.surface = std::move(round);
     return opened;
 }
@@ -63,14 +64,16 @@ std::future<MeshFile> read_mesh(const std::string& path) {
     if (!std::ifstream(path, std::ios::binary)) throw StudioError(path + " cannot be read: there is no such file.");
     return std::async(std::launch::async, [path] {
         FlgMeshFile read = nullptr;
-        if (flgMeshFileRead(path.c_str(), &read) != FLG_OK) return MeshFile{nullptr, flgIoLastError()};
+        if (flgMeshFileRead(path.c_str(), &read) != FLG_OK) return MeshFile{nullptr, flgIoErrorGetMessage()};
         return MeshFile{std::shared_ptr<FlgMeshFileT>(read, flgMeshFileRelease), {}};
     });
 }
 
 OpenedMesh open_file(filigree::Context& context, const MeshFile& file, const std::string& path) {
+    FlgMeshView read = flgMeshViewDefaults();
+    if (flgMeshFileGetView(file.file.get(), &read) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    if (flgMeshFileGetView(file.file.get(), &desc.mesh) != FLG_OK) throw StudioError(flgIoLastError());
+    desc.mesh = &read;
     OpenedMesh opened{{}, {}, std::filesystem::path(path).stem().string()};
     opened.surface = context.surface(desc, &opened.job);
     return opened;

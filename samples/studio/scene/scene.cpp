@@ -331,11 +331,12 @@ bool Scene::settled() const {
 
 bool Scene::prepare(SceneMesh& mesh, const FlgSurfaceView& view) {
     constexpr uint32_t kLarge = 200'000;  // triangles: beyond, it would be felt
-    if (mesh.was_shown || view.mesh.triangle_count < kLarge) return true;
+    if (mesh.was_shown || view.mesh->triangle_count < kLarge) return true;
     if (!mesh.preparing.valid()) {
         mesh.picker.begin(view);
-        mesh.preparing = std::async(
-            std::launch::async, [shown = view.mesh, look = mesh.look] { return render::PreparedSurface(shown, look); });
+        mesh.preparing = std::async(std::launch::async, [shown = *view.mesh, look = mesh.look] {
+            return render::PreparedSurface(shown, look);
+        });
     }
     if (mesh.preparing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
     if (!mesh.picker.is_built()) return false;
@@ -349,7 +350,7 @@ bool Scene::prepare(SceneMesh& mesh, const FlgSurfaceView& view) {
 }
 
 void Scene::show(SceneMesh& mesh, const FlgSurfaceView& view) {
-    const LabelledMesh labelled(mesh, view.mesh);
+    const LabelledMesh labelled(mesh, *view.mesh);
     const FlgMeshView& shown = labelled.view();
     mesh.is_shown_bent = false;
     mesh.bending = {};
@@ -366,7 +367,7 @@ void Scene::show(SceneMesh& mesh, const FlgSurfaceView& view) {
 void Scene::show_bent(SceneMesh& mesh, const FlgSurfaceView& view) {
     const bool is_current = mesh.is_shown_bent && !mesh.stale && view.revision == mesh.shown_revision;
     if (!is_current && !mesh.bending.valid()) {
-        const LabelledMesh labelled(mesh, view.mesh);
+        const LabelledMesh labelled(mesh, *view.mesh);
         mesh.bending = std::async(std::launch::async, [copy = MeshCopy(labelled.view(), mesh.look),
                                                        skin = mesh.bend.skin()] { return bend_mesh(copy, *skin); });
         mesh.shown_revision = view.revision;

@@ -17,7 +17,7 @@ void Jobs::update() {
     // What is added meanwhile comes at the end, and is looked at in this call too.
     for (auto it = running_.begin(); it != running_.end();) {
         const FlgJobStatus status = it->job.status();
-        if (status.state != FLG_JOB_FINISHED) {
+        if (status.state != FLG_JOB_STATE_FINISHED) {
             ++it;
             continue;
         }

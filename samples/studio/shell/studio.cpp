@@ -81,7 +81,7 @@ void show_cursor(GLFWwindow* window) {
 
 Studio::Studio(const StudioOptions& options)
     : options_(options),
-      context_(context_desc(options)),
+      context_(filigree::Context::create(context_desc(options))),
       renderer_(options.renderer),
       target_(make_target(renderer_, options, &window_)),
       scale_(options.scale > 0.0f ? options.scale

@@ -28,10 +28,12 @@ void ContourJobs::repair(const ContourPtr& contour, std::function<void(ContourPt
     }
     FlgStraightSkeletonDesc desc = flgStraightSkeletonDefaults();
     desc.repair = 1;
-    desc.contour.points = points.data();
-    desc.contour.point_count = offsets.back();
-    desc.contour.ring_offsets = offsets.data();
-    desc.contour.ring_count = static_cast<uint32_t>(offsets.size()) - 1;
+    FlgContourView drawn = flgContourViewDefaults();
+    drawn.points = points.data();
+    drawn.point_count = offsets.back();
+    drawn.ring_offsets = offsets.data();
+    drawn.ring_count = static_cast<uint32_t>(offsets.size()) - 1;
+    desc.contour = &drawn;
     filigree::Job job;
     repairs_.push_back({context_.straight_skeleton(desc, &job), std::move(done)});
     jobs_.add("Repairing the line", std::move(job));
@@ -76,9 +78,9 @@ void ContourJobs::update() {
         if (result != FLG_OK) continue;
         std::array<double, 12> placement;
         std::copy_n(view.placement, 12, placement.begin());
-        const uint32_t whole[] = {0, view.contour.point_count};
-        const uint32_t* offsets = view.contour.ring_offsets ? view.contour.ring_offsets : whole;
-        ended.front().done(contour_of(view.contour.points, offsets, view.contour.ring_count), placement);
+        const uint32_t whole[] = {0, view.contour->point_count};
+        const uint32_t* offsets = view.contour->ring_offsets ? view.contour->ring_offsets : whole;
+        ended.front().done(contour_of(view.contour->points, offsets, view.contour->ring_count), placement);
     }
 }
 

@@ -182,8 +182,11 @@ Drawing drawing_of_document(const nlohmann::json& document) {
         if (document.contains("drawing"))
             drawing = drawing_of(cli::model_drawing_of(document.at("drawing"), "skeletons", {}));
         else if (document.contains("thresholds"))
-            drawing.thresholds = {document["thresholds"].at("simplify"), document["thresholds"].at("merge"),
-                                  document["thresholds"].at("prune"), document["thresholds"].at("collapse")};
+            drawing.thresholds = {.struct_size = sizeof(FlgBoneThresholds),
+                                  .simplify = document["thresholds"].at("simplify"),
+                                  .merge = document["thresholds"].at("merge"),
+                                  .prune = document["thresholds"].at("prune"),
+                                  .collapse = document["thresholds"].at("collapse")};
         const nlohmann::json none = nlohmann::json::object();
         const nlohmann::json &branches = document.contains("branches") ? document["branches"] : none,
                              &hidden = document.contains("hidden") ? document["hidden"] : none;

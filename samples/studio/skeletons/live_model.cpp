@@ -14,7 +14,11 @@ std::array<float, 4> array_of(const FlgBoneThresholds& from) {
 }
 
 FlgBoneThresholds thresholds_of(const std::array<float, 4>& from) {
-    return {from[0], from[1], from[2], from[3]};
+    return {.struct_size = sizeof(FlgBoneThresholds),
+            .simplify = from[0],
+            .merge = from[1],
+            .prune = from[2],
+            .collapse = from[3]};
 }
 
 }  // namespace
@@ -53,6 +57,8 @@ void LiveModel::clear() {
 void LiveModel::make_parts(const Drawing& drawing) {
     // First, so that none is taken for another at the same place in memory.
     std::erase_if(parts_, [](const auto& entry) { return entry.second.contour.expired(); });
+    FlgJobOptions urgent = flgJobOptionsDefaults();
+    urgent.priority = FLG_PRIORITY_HIGH;
     for (const DrawnPart& part : drawing.parts) {
         if (parts_.contains(part.contour.get())) continue;
         PartMade& made = parts_[part.contour.get()];
@@ -64,16 +70,18 @@ void LiveModel::make_parts(const Drawing& drawing) {
             offsets.push_back(static_cast<uint32_t>(points.size() / 2));
         }
         FlgPartDesc desc = flgPartDefaults();
-        desc.contour.points = points.data();
-        desc.contour.point_count = offsets.back();
-        desc.contour.ring_offsets = offsets.data();
-        desc.contour.ring_count = static_cast<uint32_t>(offsets.size()) - 1;
-        desc.job.priority = FLG_PRIORITY_HIGH;
+        FlgContourView drawn = flgContourViewDefaults();
+        drawn.points = points.data();
+        drawn.point_count = offsets.back();
+        drawn.ring_offsets = offsets.data();
+        drawn.ring_count = static_cast<uint32_t>(offsets.size()) - 1;
+        desc.contour = &drawn;
+        desc.job = &urgent;
         FlgPart handle{};
         if (flgPartCreate(context_.get(), &desc, &handle, nullptr) == FLG_OK)
             made.part = PartOwner(context_.get(), handle);
         else
-            made.state.fault = flgLastError();
+            made.state.fault = flgErrorGetMessage();
     }
 }
 
@@ -83,7 +91,7 @@ void LiveModel::look_at_parts() {
         const FlgResult result = flgPartGetView(context_.get(), made.part.get(), &made.view);
         made.state.ready = result == FLG_OK;
         if (result >= 0) continue;
-        made.state.fault = flgLastError();
+        made.state.fault = flgErrorGetMessage();
         made.state.crossings = crossings_of(*contour, kMostCrossings);
     }
 }
@@ -137,13 +145,16 @@ void LiveModel::start_model(const Drawing& drawing) {
     FlgModelDesc desc = flgModelDefaults();
     desc.parts = parts.data();
     desc.part_count = static_cast<uint32_t>(parts.size());
-    desc.thresholds = thresholds_of(recipe.thresholds);
-    desc.job.priority = FLG_PRIORITY_HIGH;
+    const FlgBoneThresholds of_all = thresholds_of(recipe.thresholds);
+    desc.thresholds = &of_all;
+    FlgJobOptions urgent = flgJobOptionsDefaults();
+    urgent.priority = FLG_PRIORITY_HIGH;
+    desc.job = &urgent;
     std::copy(recipe.mirror.begin(), recipe.mirror.end(), desc.mirror);
     FlgModel handle{};
     if (flgModelCreate(context_.get(), &desc, &handle, nullptr) != FLG_OK) {
         model_failed_ = true;
-        notices_.add(Weight::error, std::string("The bones cannot be built: ") + flgLastError());
+        notices_.add(Weight::error, std::string("The bones cannot be built: ") + flgErrorGetMessage());
         return;
     }
     coming_model_ = ModelOwner(context_.get(), handle);
@@ -160,7 +171,7 @@ void LiveModel::take_model() {
         // A part that failed says so itself, and is left out the next time.
         if (result == FLG_ERROR_DEPENDENCY || coming_recipe_ != wanted_) return;
         model_failed_ = true;
-        notices_.add(Weight::error, std::string("The bones cannot be built: ") + flgLastError());
+        notices_.add(Weight::error, std::string("The bones cannot be built: ") + flgErrorGetMessage());
         return;
     }
     model_ = std::move(coming_model_);
@@ -184,7 +195,7 @@ void LiveModel::start_skin(uint32_t vertices) {
     FlgJob job{};
     if (flgSkinCreate(context_.get(), &desc, &handle, &job) != FLG_OK) {
         skin_failed_ = true;
-        notices_.add(Weight::error, std::string("The body cannot be built: ") + flgLastError());
+        notices_.add(Weight::error, std::string("The body cannot be built: ") + flgErrorGetMessage());
         return;
     }
     coming_skin_ = SkinOwner(context_.get(), handle);

@@ -142,11 +142,13 @@ void Skeletons::give_surface() {
     const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, view.positions, 0, 0},
                                  {FLG_ATTRIBUTE_COLOR, 4, color_of.data(), 0, 0}};
     FlgSurfaceDesc desc = flgSurfaceDefaults();
-    desc.mesh.vertex_count = view.vertex_count;
-    desc.mesh.triangle_count = view.triangle_count;
-    desc.mesh.columns = columns;
-    desc.mesh.column_count = 2;
-    desc.mesh.triangles = view.triangles;
+    FlgMeshView input = flgMeshViewDefaults();
+    input.vertex_count = view.vertex_count;
+    input.triangle_count = view.triangle_count;
+    input.columns = columns;
+    input.column_count = 2;
+    input.triangles = view.triangles;
+    desc.mesh = &input;
     filigree::Job job;
     filigree::Surface surface = app_.context.surface(desc, &job);
     app_.scene.supply(*mesh, std::move(surface), std::move(job));

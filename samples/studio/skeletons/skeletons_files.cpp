@@ -125,14 +125,14 @@ void Skeletons::write(const Export& what, const std::string& path) {
         material.roughness = shown.roughness;
     }
     for (size_t m = 0; m < materials.size(); ++m) materials[m].name = names[m].c_str();
-    FlgSkinFileDesc desc{};
-    if (flgSkinFileDescInit(&desc, sizeof desc) != FLG_OK) throw StudioError(flgIoLastError());
+    FlgSkinFileWriteDesc desc{};
+    if (flgSkinFileWriteDescInit(&desc, sizeof desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
     desc.skin = &skin->view;
     desc.animations = animations.data();
     desc.animation_count = static_cast<uint32_t>(animations.size());
     desc.materials = materials.data();
     desc.material_count = static_cast<uint32_t>(materials.size());
-    if (flgSkinFileWrite(path.c_str(), &desc) != FLG_OK) throw StudioError(flgIoLastError());
+    if (flgSkinFileWrite(path.c_str(), &desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
 }
 
 }  // namespace flg::studio

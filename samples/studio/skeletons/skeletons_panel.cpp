@@ -11,8 +11,16 @@ namespace flg::studio {
 namespace {
 
 // Fig. 10 of the paper, for toys.
-constexpr FlgBoneThresholds kFineBones = {.simplify = 0.002f, .merge = 0.008f, .prune = 0.015f, .collapse = 0.004f},
-                            kCoarseBones = {.simplify = 0.03f, .merge = 0.07f, .prune = 0.10f, .collapse = 0.06f};
+constexpr FlgBoneThresholds kFineBones = {.struct_size = sizeof(FlgBoneThresholds),
+                                          .simplify = 0.002f,
+                                          .merge = 0.008f,
+                                          .prune = 0.015f,
+                                          .collapse = 0.004f},
+                            kCoarseBones = {.struct_size = sizeof(FlgBoneThresholds),
+                                            .simplify = 0.03f,
+                                            .merge = 0.07f,
+                                            .prune = 0.10f,
+                                            .collapse = 0.06f};
 
 // How far parts may be moved by sliders.
 float reach_of(const Drawing& drawing) {

@@ -61,7 +61,7 @@ CurveProblem problem_of(const Curve& curve, const SurfaceLookup::Surface& surfac
     problem.points = curve.points;
     problem.closed = curve.closed && curve.points.size() > 2;
     problem.energy = curve.energy;
-    if (curve.energy == FLG_SPLINE_ET) problem.tension = curve.tension;
+    if (curve.energy == FLG_SPLINE_ENERGY_ET) problem.tension = curve.tension;
     problem.smoothing = smoothing_of(curve);
     problem.density = curve.density;
     if (!problem.closed) {
@@ -102,7 +102,7 @@ filigree::Obstacles CurveSolver::obstacles_of(const CurveProblem& problem) {
     std::vector<FlgObstacle> solids = solids_of(problem.obstacles, problem.is_shape, problem.placement);
     if (problem.border != 0) {
         FlgObstacle& border = solids.emplace_back(flgObstacleDefaults());
-        border.kind = FLG_OBSTACLE_BORDER;
+        border.kind = FLG_OBSTACLE_KIND_BORDER;
         border.surface.id = problem.border;
     }
     if (solids.empty()) return {};
@@ -135,8 +135,10 @@ void CurveSolver::submit() {
     desc.smoothing = problem.smoothing;
     const auto spans = desc.point_count - (problem.closed ? 0 : 1);
     desc.node_count = spans * static_cast<uint32_t>(problem.density) + (problem.closed ? 0 : 1);
-    desc.job.partial_results = 1;
-    desc.job.priority = FLG_PRIORITY_HIGH;
+    FlgJobOptions watched = flgJobOptionsDefaults();
+    watched.partial_results = 1;
+    watched.priority = FLG_PRIORITY_HIGH;
+    desc.job = &watched;
     if (result_ && solved_ && solved_->manifold == problem.manifold && solved_->closed == problem.closed &&
         solved_->points.size() == points.size())
         desc.warm_start = result_.get();

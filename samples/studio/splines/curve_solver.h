@@ -18,7 +18,7 @@ namespace flg::studio::splines {
 struct CurveProblem {
     std::vector<glm::dvec3> points;
     bool closed = false;
-    FlgSplineEnergy energy = FLG_SPLINE_E2;
+    FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
     double tension = 1.0, smoothing = 0.0;
     int density = 32;
     std::optional<glm::dvec3> begin_slope, end_slope;
@@ -40,7 +40,7 @@ struct FoundCurve {
     std::vector<uint32_t> point_nodes;      // a node a point
     bool closed = false;
     bool final = false;
-    FlgSplineEnding ending = FLG_SPLINE_RUNNING;
+    FlgSplineEnding ending = FLG_SPLINE_ENDING_RUNNING;
     uint32_t rounds = 0;
     double energy = 0.0, length = 0.0, largest_offset = 0.0;
     float busy_ms = 0.0f;

@@ -15,10 +15,10 @@ constexpr const char* kForms[] = {"Tube", "Ribbon", "Line"};
 
 const char* ending_words(FlgSplineEnding ending) {
     switch (ending) {
-        case FLG_SPLINE_RUNNING: return "computing";
-        case FLG_SPLINE_CONVERGED: return "done";
-        case FLG_SPLINE_ROUNDING: return "done, at the limit of precision";
-        case FLG_SPLINE_ROUNDS: return "not finished: all iterations used";
+        case FLG_SPLINE_ENDING_RUNNING: return "computing";
+        case FLG_SPLINE_ENDING_CONVERGED: return "done";
+        case FLG_SPLINE_ENDING_ROUNDING: return "done, at the limit of precision";
+        case FLG_SPLINE_ENDING_ROUNDS: return "not finished: all iterations used";
         default: return "stuck: the surface is too sharp, or obstacles block the way";
     }
 }
@@ -71,7 +71,7 @@ void shape_widgets(SplineEditor& editor, Curve& curve) {
                    "between the two."))
         curve.energy = static_cast<FlgSplineEnergy>(energy);
     const double size = editor.size();
-    if (curve.energy == FLG_SPLINE_ET) {
+    if (curve.energy == FLG_SPLINE_ENERGY_ET) {
         auto tension = static_cast<float>(curve.tension);
         if (ui::slider("Tension", &tension, static_cast<float>(1.0 / (size * size)),
                        static_cast<float>(1e5 / (size * size)), "%.3g /m\xc2\xb2",

@@ -36,17 +36,17 @@ Obstacle read_obstacle(const JsonPlace& item, bool* flat) {
     out.half = glm::dvec3(1.0);
     out.radius = 1.0;
     if (const auto ball = item.find("ball")) {
-        out.kind = FLG_OBSTACLE_BALL;
+        out.kind = FLG_OBSTACLE_KIND_BALL;
         out.centre = out.to = place(ball->at("centre"), flat);
         out.radius = ball->at("radius").real(1e-9, kFar);
     } else if (const auto box = item.find("box")) {
         if (box->find("axes")) box->fail("is turned: here boxes stand straight");
-        out.kind = FLG_OBSTACLE_BOX;
+        out.kind = FLG_OBSTACLE_KIND_BOX;
         out.centre = out.to = place(box->at("centre"), flat);
         out.half = glm::abs(place(box->at("half"), flat));
         if (*flat) out.half.y = 0.1;
     } else if (const auto capsule = item.find("capsule")) {
-        out.kind = FLG_OBSTACLE_CAPSULE;
+        out.kind = FLG_OBSTACLE_KIND_CAPSULE;
         out.centre = place(capsule->at("from"), flat);
         out.to = place(capsule->at("to"), flat);
         out.radius = capsule->at("radius").real(1e-9, kFar);
@@ -170,10 +170,10 @@ void write_curves(const SplineEditor& editor, const std::string& path) {
     view.curve_flags = all.flags.data();
     view.columns = columns;
     view.column_count = 3;
-    FlgCurveWriteDesc desc = {};
-    flgCurveWriteDescInit(&desc, sizeof desc);
-    desc.geometry = FLG_GEOMETRY_TUBE;
-    if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw StudioError(flgIoLastError());
+    FlgCurveFileWriteDesc desc = {};
+    flgCurveFileWriteDescInit(&desc, sizeof desc);
+    desc.geometry = FLG_CURVE_GEOMETRY_TUBE;
+    if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
 }
 
 void write_motion(const SplineEditor& editor, const std::string& path) {
@@ -188,15 +188,15 @@ void write_motion(const SplineEditor& editor, const std::string& path) {
     // Players begin at 0.
     std::vector<double> times;
     for (const double time : found.times) times.push_back(time - found.begin());
-    FlgMotionFileDesc desc = {};
-    flgMotionFileDescInit(&desc, sizeof desc);
+    FlgMotionFileWriteDesc desc = {};
+    flgMotionFileWriteDescInit(&desc, sizeof desc);
     desc.position_count = static_cast<uint32_t>(found.poses.size());
     desc.times = times.data();
     desc.poses = found.rows.data();
     desc.end_time = found.closed ? times.back() : 0.0;
     desc.mesh = &mesh;
     desc.name = motion->name.c_str();
-    if (flgMotionFileWrite(path.c_str(), &desc) != FLG_OK) throw StudioError(flgIoLastError());
+    if (flgMotionFileWrite(path.c_str(), &desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
 }
 
 }  // namespace flg::studio::splines

@@ -33,12 +33,12 @@ float away(const SplineEditor& editor, const glm::dvec3& place, glm::vec2 px) {
 }
 
 double clearance(const Obstacle& obstacle, const glm::dvec3& p) {
-    if (obstacle.kind == FLG_OBSTACLE_BOX) {
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BOX) {
         const glm::dvec3 beyond = glm::abs(p - obstacle.centre) - obstacle.half;
         return glm::length(glm::max(beyond, 0.0)) + std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0);
     }
     glm::dvec3 middle = obstacle.centre;
-    if (obstacle.kind == FLG_OBSTACLE_CAPSULE) {
+    if (obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE) {
         const glm::dvec3 axis = obstacle.to - obstacle.centre;
         const double square = glm::dot(axis, axis);
         if (square > 0.0) middle += std::clamp(glm::dot(p - middle, axis) / square, 0.0, 1.0) * axis;
@@ -150,15 +150,15 @@ std::vector<glm::dvec3> ring_of(const Motion& motion, const Key& key, int axis) 
 }
 
 double reach_of(const Obstacle& obstacle) {
-    if (obstacle.kind == FLG_OBSTACLE_BOX) return glm::length(obstacle.half);
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BOX) return glm::length(obstacle.half);
     return obstacle.radius +
-           (obstacle.kind == FLG_OBSTACLE_CAPSULE ? glm::distance(obstacle.centre, obstacle.to) : 0.0);
+           (obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE ? glm::distance(obstacle.centre, obstacle.to) : 0.0);
 }
 
 glm::dvec3 size_handle(const SplineEditor& editor, const Obstacle& obstacle) {
     const render::Camera& camera = editor.app.view.orbit.camera;
     const glm::dvec3 right = glm::normalize(glm::cross(camera.target - camera.eye, camera.up));
-    const double far = obstacle.kind == FLG_OBSTACLE_BOX ? reach_of(obstacle) : obstacle.radius;
+    const double far = obstacle.kind == FLG_OBSTACLE_KIND_BOX ? reach_of(obstacle) : obstacle.radius;
     return obstacle.centre + far * right;
 }
 
@@ -187,7 +187,7 @@ Handle find_handle(const SplineEditor& editor, glm::vec2 px) {
     if (const Obstacle* const obstacle = editor.chosen_obstacle(); obstacle && editor.tool == Tool::obstacles) {
         nearest.offer({HandleKind::solid_size, obstacle->id, 0}, away(editor, size_handle(editor, *obstacle), px),
                       reach);
-        if (obstacle->kind == FLG_OBSTACLE_CAPSULE)
+        if (obstacle->kind == FLG_OBSTACLE_KIND_CAPSULE)
             nearest.offer({HandleKind::solid_end, obstacle->id, 0}, away(editor, obstacle->to, px), reach);
     }
     if (editor.tool == Tool::curves) {

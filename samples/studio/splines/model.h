@@ -48,7 +48,7 @@ struct Curve {
     SurfaceRef ground;
     std::vector<glm::dvec3> points;
     bool closed = false;
-    FlgSplineEnergy energy = FLG_SPLINE_E2;
+    FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
     double tension = 0.0;  // 1 / square metre
     double waves = 0.0;    // metres: shorter waves are smoothed away; 0: through the points
     int density = 32;      // nodes from point to point
@@ -63,7 +63,7 @@ struct Curve {
 struct Obstacle {
     uint32_t id = 0;
     std::string name;
-    FlgObstacleKind kind = FLG_OBSTACLE_BALL;  // or box, or capsule
+    FlgObstacleKind kind = FLG_OBSTACLE_KIND_BALL;  // or box, or capsule
     glm::dvec3 centre{0.0};
     glm::dvec3 half{0.0};  // of a box
     glm::dvec3 to{0.0};    // of a capsule
@@ -89,7 +89,7 @@ struct Motion {
     double size = 0.0;
     std::vector<Key> keys;
     bool closed = false;
-    FlgSplineEnergy energy = FLG_SPLINE_E2;
+    FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
     double tension = 1.0;  // 1 / square second
     Inertia inertia = Inertia::body;
     bool avoid = true;

@@ -20,7 +20,7 @@ MotionProblem problem_of(const Motion& motion, const std::vector<Obstacle>& obst
     problem.keys = motion.keys;
     problem.closed = motion.closed && motion.keys.size() > 2;
     problem.energy = motion.energy;
-    if (motion.energy == FLG_SPLINE_ET) problem.tension = motion.tension;
+    if (motion.energy == FLG_SPLINE_ENERGY_ET) problem.tension = motion.tension;
     problem.inertia = motion.inertia;
     problem.body = motion.body;
     problem.size = motion.size;
@@ -85,7 +85,9 @@ void MotionSolver::submit() {
         desc.body_box[0] = problem.size;
         desc.body_box[1] = desc.body_box[2] = across * problem.size;
     }
-    desc.job.priority = FLG_PRIORITY_HIGH;
+    FlgJobOptions urgent = flgJobOptionsDefaults();
+    urgent.priority = FLG_PRIORITY_HIGH;
+    desc.job = &urgent;
     try {
         filigree::Obstacles obstacles;
         if (!problem.obstacles.empty()) {

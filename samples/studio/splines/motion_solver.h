@@ -16,7 +16,7 @@ namespace flg::studio::splines {
 struct MotionProblem {
     std::vector<Key> keys;
     bool closed = false;
-    FlgSplineEnergy energy = FLG_SPLINE_E2;
+    FlgSplineEnergy energy = FLG_SPLINE_ENERGY_E2;
     double tension = 1.0;
     Inertia inertia = Inertia::body;
     int body = 0;
@@ -40,7 +40,7 @@ struct FoundMotion {
     std::vector<Pose> poses;
     std::vector<double> rows;  // 12 a pose, as given
     bool closed = false;
-    FlgSplineEnding ending = FLG_SPLINE_RUNNING;
+    FlgSplineEnding ending = FLG_SPLINE_ENDING_RUNNING;
     uint32_t rounds = 0;
     double energy = 0.0;
     float busy_ms = 0.0f;

@@ -87,7 +87,7 @@ void shape_widgets(SplineEditor& editor, Motion& motion) {
     if (ui::choice("Path", &energy, kEnergies,
                    "Smooth paths turn evenly. Straight paths turn at the keys. Taut paths lie between the two."))
         motion.energy = static_cast<FlgSplineEnergy>(energy);
-    if (motion.energy == FLG_SPLINE_ET) {
+    if (motion.energy == FLG_SPLINE_ENERGY_ET) {
         auto tension = static_cast<float>(motion.tension);
         if (ui::slider("Tension", &tension, 0.1f, 1e4f, "%.3g /s\xc2\xb2",
                        "Pull on the motion. More makes it straighter between keys.", true))

@@ -219,7 +219,7 @@ void MouseTool::drag_solid(const Ray& ray, Obstacle& obstacle) {
         return;
     }
     const double far = std::max(glm::distance(glm::dvec3(*at), obstacle.centre), least);
-    if (obstacle.kind == FLG_OBSTACLE_BOX)
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BOX)
         obstacle.half = glm::max(held_solid_.half * (far / reach_of(held_solid_)), glm::dvec3(least));
     else
         obstacle.radius = far;

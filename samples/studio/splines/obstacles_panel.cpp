@@ -9,9 +9,10 @@ struct Kind {
     FlgObstacleKind kind;
     const char *label, *tip;
 };
-constexpr Kind kKinds[] = {{FLG_OBSTACLE_BALL, "Ball", "The next click adds a ball."},
-                           {FLG_OBSTACLE_BOX, "Box", "The next click adds a box."},
-                           {FLG_OBSTACLE_CAPSULE, "Capsule", "The next click adds a capsule, a post with round ends."}};
+constexpr Kind kKinds[] = {
+    {FLG_OBSTACLE_KIND_BALL, "Ball", "The next click adds a ball."},
+    {FLG_OBSTACLE_KIND_BOX, "Box", "The next click adds a box."},
+    {FLG_OBSTACLE_KIND_CAPSULE, "Capsule", "The next click adds a capsule, a post with round ends."}};
 
 void size_slider(const char* label, double* value, double size, const char* tip) {
     auto shown = static_cast<float>(*value);
@@ -41,7 +42,7 @@ void obstacles_panel(SplineEditor& editor) {
     ui::heading("Obstacle");
     ui::text("Name", &chosen->name, "Name of the obstacle in the list.");
     const double size = editor.size();
-    if (chosen->kind == FLG_OBSTACLE_BOX) {
+    if (chosen->kind == FLG_OBSTACLE_KIND_BOX) {
         size_slider("Half width", &chosen->half.x, size, "Distance from the centre to the sides.");
         size_slider("Half height", &chosen->half.y, size, "Distance from the centre to top and bottom.");
         size_slider("Half depth", &chosen->half.z, size, "Distance from the centre to front and back.");

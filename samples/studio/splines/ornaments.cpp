@@ -26,7 +26,7 @@ const filigree::Style* StyleCache::find(const std::string& name) {
         if (std::find(std::begin(kStyles), std::end(kStyles), name) == std::end(kStyles))
             throw StudioError("There is no style " + name + ".");
         const samples::CurveSource source("builtin:" + name);
-        const filigree::CurveSet example = app_.context.curves(source.view());
+        const filigree::CurveSet example = app_.context.curve_set(source.view());
         FlgStyleDesc desc = flgStyleDefaults();
         desc.style = example.get();
         filigree::Job job;
@@ -60,13 +60,13 @@ void Decorator::update(const FoundCurve& found, uint64_t version, const Ornament
     submitted_ = wanted;
     wants_ = false;
     const NodeArrays nodes(found, height);
-    const filigree::CurveSet target = app_.context.curves(nodes.view());
-    FlgStylizeDesc desc = flgStylizeDefaults();
+    const filigree::CurveSet target = app_.context.curve_set(nodes.view());
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.style = style->get();
     desc.target = target.get();
     desc.magnitude = ornament.magnitude;
     desc.scale = ornament.size / std::max(style->info().displacement_rms, 1e-9f);
-    desc.frame = found.normals.empty() ? FLG_FRAME_ROTATION_MINIMIZING : FLG_FRAME_SUPPLIED;
+    desc.frame = found.normals.empty() ? FLG_FRAME_METHOD_ROTATION_MINIMIZING : FLG_FRAME_METHOD_SUPPLIED;
     if (ornament.flat) std::copy(std::begin(kFlat), std::end(kFlat), desc.basis);
     desc.max_points = kMostPoints;
     filigree::Job job;

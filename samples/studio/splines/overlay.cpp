@@ -131,17 +131,17 @@ void Drawing::obstacles() {
         ui::mark(obstacle.name, {*at - 3.0f, *at + 3.0f});
         if (handle == hot_ || (chosen && editor_.tool == Tool::obstacles)) {
             const float r = static_cast<float>(reach_of(obstacle)) / editor_.app.view.metres_per_px(obstacle.centre);
-            const glm::vec2 middle = obstacle.kind == FLG_OBSTACLE_CAPSULE
+            const glm::vec2 middle = obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE
                                          ? editor_.app.view.project(0.5 * (obstacle.centre + obstacle.to)).value_or(*at)
                                          : *at;
-            const bool capsule = obstacle.kind == FLG_OBSTACLE_CAPSULE;
+            const bool capsule = obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE;
             list_.AddCircle(im(middle), capsule ? 0.6f * r : r, color(kWarm, handle == hot_ ? 0.9f : 0.45f), 48,
                             1.5f * scale_);
         }
         if (!chosen || editor_.tool != Tool::obstacles) continue;
         dot(size_handle(editor_, obstacle), {HandleKind::solid_size, obstacle.id, 0}, kWarm, "obstacle size", false,
             4.5f);
-        if (obstacle.kind == FLG_OBSTACLE_CAPSULE)
+        if (obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE)
             dot(obstacle.to, {HandleKind::solid_end, obstacle.id, 0}, kWhite, "capsule end", false, 4.5f);
     }
 }

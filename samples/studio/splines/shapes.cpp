@@ -44,9 +44,9 @@ double tangle_cube(double x, double y, double z) {
     return along(x) + along(y) + along(z) + 11.8;
 }
 
-FlgShapeDesc formula(const char* name) {
-    FlgShapeDesc desc = flgShapeDefaults();
-    desc.shape = FLG_SHAPE_FORMULA;
+FlgManifoldShapeDesc formula(const char* name) {
+    FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
+    desc.shape = FLG_MANIFOLD_SHAPE_FORMULA;
     desc.name = name;
     return desc;
 }
@@ -54,21 +54,21 @@ FlgShapeDesc formula(const char* name) {
 constexpr Shape kShapes[] = {
     {"plane", "A plane", 1.0, plane,
      [] {
-         FlgShapeDesc desc = flgShapeDefaults();
-         desc.shape = FLG_SHAPE_PLANE;
+         FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
+         desc.shape = FLG_MANIFOLD_SHAPE_PLANE;
          return desc;
      }},
     {"sphere", "A sphere", 0.65, sphere,
      [] {
-         FlgShapeDesc desc = flgShapeDefaults();
-         desc.shape = FLG_SHAPE_SPHERE;
+         FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
+         desc.shape = FLG_MANIFOLD_SHAPE_SPHERE;
          desc.radius = kSphere;
          return desc;
      }},
     {"torus", "A torus", 0.9, torus,
      [] {
-         FlgShapeDesc desc = flgShapeDefaults();
-         desc.shape = FLG_SHAPE_TORUS;
+         FlgManifoldShapeDesc desc = flgManifoldShapeDefaults();
+         desc.shape = FLG_MANIFOLD_SHAPE_TORUS;
          desc.radius = kTorus;
          desc.tube_radius = kTorusTube;
          return desc;

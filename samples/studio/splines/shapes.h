@@ -19,7 +19,7 @@ struct Shape {
     const char* title;                              // "Tangle cube"
     double half;                                    // of a cube with all of it, metres
     double (*value)(double x, double y, double z);  // negative inside, in the shape's own coordinates
-    FlgShapeDesc (*desc)();
+    FlgManifoldShapeDesc (*desc)();
 };
 
 std::span<const Shape> shapes();

@@ -63,8 +63,8 @@ SolidMesh box(const glm::dvec3& centre, const glm::dvec3& half) {
 }  // namespace
 
 SolidMesh mesh_of(const Obstacle& obstacle) {
-    if (obstacle.kind == FLG_OBSTACLE_BOX) return box(obstacle.centre, obstacle.half);
-    return capsule(obstacle.centre, obstacle.kind == FLG_OBSTACLE_CAPSULE ? obstacle.to : obstacle.centre,
+    if (obstacle.kind == FLG_OBSTACLE_KIND_BOX) return box(obstacle.centre, obstacle.half);
+    return capsule(obstacle.centre, obstacle.kind == FLG_OBSTACLE_KIND_CAPSULE ? obstacle.to : obstacle.centre,
                    obstacle.radius);
 }
 

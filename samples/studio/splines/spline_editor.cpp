@@ -116,14 +116,14 @@ Obstacle& SplineEditor::add_obstacle(FlgObstacleKind of, const glm::dvec3& at) {
     if (document.obstacles.size() >= kMostObstacles)
         throw StudioError("There are " + std::to_string(kMostObstacles) + " obstacles already, the most there can be.");
     const double r = kSolid * size();
-    const char* const word = of == FLG_OBSTACLE_BALL ? "Ball" : of == FLG_OBSTACLE_BOX ? "Box" : "Capsule";
+    const char* const word = of == FLG_OBSTACLE_KIND_BALL ? "Ball" : of == FLG_OBSTACLE_KIND_BOX ? "Box" : "Capsule";
     Obstacle added;
     added.id = ++document.last_id;
     added.name = next_name(word, static_cast<uint32_t>(document.obstacles.size()) + 1);
     added.kind = of;
     added.centre = at;
     added.half = glm::dvec3(0.8 * r);
-    added.radius = of == FLG_OBSTACLE_CAPSULE ? 0.5 * r : r;
+    added.radius = of == FLG_OBSTACLE_KIND_CAPSULE ? 0.5 * r : r;
     added.to = at + glm::dvec3(0.0, 2.0 * r, 0.0);
     obstacle = added.id;
     return document.obstacles.emplace_back(std::move(added));

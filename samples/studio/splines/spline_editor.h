@@ -32,7 +32,7 @@ public:
     int point = -1, key = -1;
     uint32_t drawing = 0;     // the curve that clicks go on with
     bool begins_new = false;  // the panel is for the next curve, not for the chosen one
-    FlgObstacleKind kind = FLG_OBSTACLE_BALL;
+    FlgObstacleKind kind = FLG_OBSTACLE_KIND_BALL;
     bool dragging = false;  // something in the picture: no step of undo is taken
     bool editing = false;   // a widget is being used: likewise
     bool in_front = false;

@@ -194,7 +194,7 @@ double Splines::count(const std::string& name) const {
     if (name == "keys") return motion != nullptr ? static_cast<double>(motion->keys.size()) : 0.0;
     if (name == "nodes") return live != nullptr ? static_cast<double>(live->found().nodes.size()) : 0.0;
     if (name == "length") return live != nullptr ? live->found().length : 0.0;
-    if (name == "settled") return live != nullptr && live->found().ending == FLG_SPLINE_CONVERGED ? 1.0 : 0.0;
+    if (name == "settled") return live != nullptr && live->found().ending == FLG_SPLINE_ENDING_CONVERGED ? 1.0 : 0.0;
     if (name == "decorated") return live != nullptr && curve != nullptr && live->decorated(*curve) ? 1.0 : 0.0;
     if (name == "positions") return flight != nullptr ? static_cast<double>(flight->found().poses.size()) : 0.0;
     if (name == "seconds") return editor_.seconds;

@@ -110,7 +110,8 @@ std::optional<SurfaceLookup::Surface> SurfaceLookup::surface(const SurfaceRef& g
     if (ground.kind != "mesh") {
         const Shape* const shape = find_shape(ground.kind);
         filigree::Manifold& manifold = shapes_[ground.kind];
-        if (!manifold) manifold = app_.context.manifold(shape != nullptr ? shape->desc() : flgShapeDefaults());
+        if (!manifold)
+            manifold = app_.context.manifold_shape(shape != nullptr ? shape->desc() : flgManifoldShapeDefaults());
         out.manifold = manifold.get();
         out.is_shape = shape != nullptr;
         out.is_space = shape == nullptr;
@@ -127,13 +128,13 @@ std::optional<SurfaceLookup::Surface> SurfaceLookup::surface(const SurfaceRef& g
         return std::nullopt;
     Smooth& smooth = meshes_[mesh->id];
     if (!smooth.manifold || smooth.revision != view.revision || smooth.generation != mesh->generation) {
-        FlgMeshManifoldDesc desc = flgMeshManifoldDefaults();
+        FlgManifoldFromSurfaceDesc desc = flgManifoldFromSurfaceDefaults();
         desc.surface = mesh->surface.get();
         filigree::Job job;
-        smooth.manifold = app_.context.manifold(desc, &job);
+        smooth.manifold = app_.context.manifold_from_surface(desc, &job);
         smooth.revision = view.revision;
         smooth.generation = mesh->generation;
-        smooth.is_inside_out = is_inside_out(view.mesh);
+        smooth.is_inside_out = is_inside_out(*view.mesh);
         app_.jobs.add("Smoothing " + mesh->name, std::move(job));
     }
     out.manifold = smooth.manifold.get();

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "support/curve_source.h"
+
 namespace flg::studio {
 namespace {
 
@@ -28,6 +30,7 @@ void LivePen::begin(const StrokeDocument& document, const Stroke& like) {
     render::CurveLook look = look_of(settings);
     if (like.drawn != nullptr && like.own_color && like.drawn->color) look.color = look.color_end = *like.drawn->color;
     drawn_ = app_.renderer.begin_growing(look, desc.max_points);
+    final_points_ = 0;
 }
 
 void LivePen::add(const StrokeSample& sample) {
@@ -38,7 +41,19 @@ void LivePen::add(const StrokeSample& sample) {
     FlgCurveSetView made = flgCurveSetViewDefaults();
     // A stroke that is full ends here on the screen; what is recorded goes on.
     if (flgLiveStrokePush(app_.context.get(), live_.get(), &live, 1, &made) != FLG_OK) return;
-    if (made.curve_count > 0 && drawn_.value != 0) app_.renderer.append(drawn_, made);
+    if (drawn_.value != 0) show(made);
+}
+
+void LivePen::show(const FlgCurveSetView& made) {
+    app_.renderer.truncate(drawn_, final_points_);
+    if (made.curve_count > 0) {
+        app_.renderer.append(drawn_, made);
+        final_points_ += made.curve_offsets[1];
+    }
+    const FlgCurveSetView tip = live_.tip();
+    if (tip.curve_count == 0) return;
+    const samples::PointRange provisional(tip, final_points_ > 0 ? 1 : 0);  // it begins with the last point that stays
+    app_.renderer.append(drawn_, provisional.view());
 }
 
 void LivePen::stand_on(uint32_t mesh, const render::Placement& placement) {

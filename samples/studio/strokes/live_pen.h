@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pen while it is down: samples go to a live stroke, and the points that each makes to the renderer, which uploads
-// only these.
+// only these. Behind them is the stroke's tip, until the next sample, so that the line ends at the pen.
 #pragma once
 
 #include "strokes/stroke_layers.h"
@@ -31,11 +31,14 @@ public:
     void device_lost() { drawn_ = {}; }
 
 private:
+    void show(const FlgCurveSetView& made);
+
     AppContext& app_;
     StyleCache& style_cache_;
     DrawnStroke stroke_;
     filigree::LiveStroke live_;
     render::CurvesId drawn_{};
+    uint32_t final_points_ = 0;  // on the screen; behind them is the tip
     bool down_ = false;
 };
 

@@ -65,7 +65,7 @@ FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms, float siz
     desc.smoothing = kHandSmoothing_s;
     desc.max_jump = kAnyJump_m;
     desc.max_points = kMostPoints;
-    desc.frame = FLG_FRAME_SUPPLIED;
+    desc.frame = FLG_FRAME_METHOD_SUPPLIED;
     if (!settings.upright) {
         // The style's first normal becomes the second one, which lies in the surface.
         constexpr float kLying[] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};

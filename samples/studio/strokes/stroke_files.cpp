@@ -137,7 +137,7 @@ bool import_strokes(StrokeDocument& document, StrokeSettings& next, const FindPl
         next.scale_cm = 100.0f * kScalePerThickness * radius;
         next.radius_mm = 1000.0f * radius / kThickness;
     }
-    const std::vector<FlgGeometry> shapes = samples::shapes_of_strokes(*source);
+    const std::vector<FlgCurveGeometry> shapes = samples::shapes_of_strokes(*source);
     StrokeSettings settings = next;
     settings.styled = shapes.empty();
     StrokeLayer& layer = document.add_layer(std::filesystem::path(path).stem().string());
@@ -145,7 +145,7 @@ bool import_strokes(StrokeDocument& document, StrokeSettings& next, const FindPl
     std::map<std::pair<StrokeShape, float>, uint32_t> number;  // of the next of this look and size
     for (uint32_t c = 0; c < view.curve_count; ++c) {
         if (!shapes.empty())
-            settings.shape = shapes[c] == FLG_GEOMETRY_RIBBON ? StrokeShape::ribbon : StrokeShape::tube;
+            settings.shape = shapes[c] == FLG_CURVE_GEOMETRY_RIBBON ? StrokeShape::ribbon : StrokeShape::tube;
         SettingsPtr& look = looks[settings.shape];
         if (look == nullptr) look = std::make_shared<StrokeSettings>(settings);
         const uint32_t nth = number[{settings.shape, drawn[c]->size}]++;
@@ -157,21 +157,21 @@ bool import_strokes(StrokeDocument& document, StrokeSettings& next, const FindPl
 void export_strokes(const StrokeDocument& document, const StrokeLayers& layers, const Scene& scene,
                     const std::string& path) {
     StandingCurves standing(scene);
-    FlgGeometry geometry = FLG_GEOMETRY_TUBE;
+    FlgCurveGeometry geometry = FLG_CURVE_GEOMETRY_TUBE;
     for (const StrokeLayer& layer : document.layers) {
         if (!layer.visible) continue;
         layers.visit(layer.id, [&](const FlgCurveSetView& view, std::span<const Stroke> strokes) {
             for (const Stroke& stroke : strokes)
-                if (stroke.settings->shape == StrokeShape::ribbon) geometry = FLG_GEOMETRY_RIBBON;
+                if (stroke.settings->shape == StrokeShape::ribbon) geometry = FLG_CURVE_GEOMETRY_RIBBON;
             standing.add(view, strokes);
         });
     }
     if (standing.empty()) throw StudioError("There are no strokes to export. Draw one first.");
     const FlgCurveSetView view = standing.view(true);
-    FlgCurveWriteDesc desc{};
-    flgCurveWriteDescInit(&desc, sizeof desc);
+    FlgCurveFileWriteDesc desc{};
+    flgCurveFileWriteDescInit(&desc, sizeof desc);
     desc.geometry = geometry;
-    if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw StudioError(flgIoLastError());
+    if (flgCurveFileWrite(path.c_str(), &view, &desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
 }
 
 }  // namespace flg::studio

@@ -147,7 +147,7 @@ void StrokeLayers::start(const StrokeDocument& document, const StrokeLayer& laye
     const float rms = style_cache_.info(*style).displacement_rms;
     if (!(rms > 0.0f)) return;  // the style is on its way
     const StrokeArrays arrays(shown.wanted);
-    const filigree::CurveSet samples = app_.context.curves(arrays.view());
+    const filigree::CurveSet samples = app_.context.curve_set(arrays.view());
     FlgLiveStrokeDesc desc = live_desc(*first.settings, rms, first.drawn->size);
     desc.style = style->get();
     desc.seed += first.number;

@@ -105,7 +105,7 @@ const filigree::Style* StyleCache::get(const StrokeDocument& document, const std
     view.curve_offsets = offsets;
     view.columns = &column;
     view.column_count = 1;
-    const filigree::CurveSet example = app_.context.curves(view);
+    const filigree::CurveSet example = app_.context.curve_set(view);
     FlgStyleDesc desc = flgStyleDefaults();
     desc.style = example.get();
     desc.patch = static_cast<uint32_t>(patch);
@@ -127,7 +127,7 @@ bool StyleCache::warm(const filigree::Style& style, float temperature) {
     if (warm_.contains(key)) return true;
     if (!warming_.insert(key).second) return false;
     app_.jobs.add(
-        "Preparing the pen", app_.context.warm(style, temperature),
+        "Preparing the pen", style.warm(temperature),
         [this, key](const FlgJobStatus& status) {
             warming_.erase(key);
             if (status.result != FLG_OK) return;

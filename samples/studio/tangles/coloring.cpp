@@ -22,9 +22,9 @@ uint32_t own_color(const RegionList& regions, uint32_t region, const std::vector
         return (row + r.part) % 2 == 1 ? below : accent(number - 1, below);
     }
     switch (made_by.grouping) {
-        case FLG_TANGLE_GROUP_ONE: return accent(number, around);
-        case FLG_TANGLE_GROUP_EACH: return accent(number + r.part, around);
-        case FLG_TANGLE_GROUP_CYCLE: {
+        case FLG_TANGLE_GROUPING_ONE: return accent(number, around);
+        case FLG_TANGLE_GROUPING_EACH: return accent(number + r.part, around);
+        case FLG_TANGLE_GROUPING_CYCLE: {
             const uint32_t kind = r.part % std::max(made_by.cycle, 1u);
             return kind == 1 ? around : accent(number + (kind > 1 ? kind - 1 : 0), around);
         }

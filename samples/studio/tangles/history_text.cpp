@@ -77,7 +77,7 @@ std::string decode(const std::string& text) {
 }
 
 void check_io(FlgResult result) {
-    if (result != FLG_OK) throw StudioError(flgIoLastError());
+    if (result != FLG_OK) throw StudioError(flgIoErrorGetMessage());
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ void TanglesWorkspace::draw_chance(Ornament& ornament) {
     constexpr const char* kGroupings[] = {"Two, alternating", "One", "One per part", "Several, in turn"};
     ui::choice("Groups##of the step", &r.grouping, kGroupings,
                "Which parts form a group and start with the same colour.");
-    if (r.grouping == FLG_TANGLE_GROUP_CYCLE)
+    if (r.grouping == FLG_TANGLE_GROUPING_CYCLE)
         ui::slider("Group count", &r.cycle, 2, 8, "%d groups", "Parts join this many groups in turn.");
     ui::toggle("Scaffold", &r.scaffold, "Hides the lines of this step. Its regions only help to place others.");
 }

@@ -34,7 +34,7 @@ glm::vec2 nearest_weights(const glm::vec3& p, const glm::vec3& a, const glm::vec
 
 MeshBefore copy_mesh(const FlgSurfaceView& surface, const Regions& leaves) {
     MeshBefore copy;
-    const FlgMeshView& mesh = surface.mesh;
+    const FlgMeshView& mesh = *surface.mesh;
     copy.positions.resize(mesh.vertex_count);
     for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
         const float* p = mesh.columns[0].data + size_t{3} * v;
@@ -93,7 +93,7 @@ void Ornament::run(const std::string& name, filigree::Job job, const Owner& owne
 void Ornament::make(const Owner& owner) {
     FlgTangle made{};
     FlgJob job{};
-    filigree::check(flgTangleCreate(app_.context.get(), mesh()->surface.get(), &made, &job));
+    filigree::check(flgTangleCreate(app_.context.get(), mesh()->surface.get(), nullptr, &made, &job));
     tangle = {app_.context.get(), made};
     run("Preparing " + mesh()->name, {app_.context.get(), job}, owner, Jobs::Shown::quiet,
         [this](const FlgJobStatus& status) { failed_ = status.result != FLG_OK; });
@@ -133,12 +133,10 @@ void Ornament::try_again(const Owner& owner) {
         live->is_made = false;
         return;
     }
-    run(name, start(live->recipe, app_.context.get(), tangle), owner, Jobs::Shown::listed,
-        [this](const FlgJobStatus& status) {
-            if (!live || status.result == FLG_OK) return;
-            live->error =
-                status.result == FLG_ERROR_CANCELLED ? "Cancelled. Move a slider to try again." : status.error;
-        });
+    run(name, start(live->recipe, tangle), owner, Jobs::Shown::listed, [this](const FlgJobStatus& status) {
+        if (!live || status.result == FLG_OK) return;
+        live->error = status.result == FLG_ERROR_CANCELLED ? "Cancelled. Move a slider to try again." : status.error;
+    });
 }
 
 Regions Ornament::new_parts() const {

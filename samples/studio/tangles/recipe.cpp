@@ -26,7 +26,7 @@ constexpr ActionInfo kActions[kActionCount] = {
 struct SeedArrays {
     std::vector<FlgSurfacePoint> points;
     std::vector<FlgBorderStretch> stretches;
-    FlgTangleSeeds view{};
+    FlgTangleSeeds view = flgTangleSeedsDefaults();
 
     explicit SeedArrays(const SeedChoice& choice) {
         switch (choice.kind) {
@@ -49,15 +49,15 @@ struct SeedArrays {
     }
 };
 
-filigree::Job start_operator(const Recipe& recipe, filigree::Tangle& tangle) {
+filigree::Job start_operator(const Recipe& recipe, const filigree::Tangle& tangle) {
     const SeedArrays from(recipe.from), towards(recipe.towards);
     FlgTangleDivideDesc desc = flgTangleDivideDefaults();
     desc.kind = static_cast<FlgTangleOperator>(recipe.action);
     desc.regions = recipe.regions.data();
     desc.region_count = static_cast<uint32_t>(recipe.regions.size());
     desc.count = static_cast<uint32_t>(recipe.count);
-    desc.a = from.view;
-    if (recipe.action == Action::contour || recipe.action == Action::stream) desc.b = towards.view;
+    desc.a = &from.view;
+    if (recipe.action == Action::contour || recipe.action == Action::stream) desc.b = &towards.view;
     const bool blends = recipe.action == Action::contour && recipe.towards.kind != SeedKind::none;
     desc.delta = blends ? recipe.share : recipe.delta;
     desc.grouping = static_cast<FlgTangleGrouping>(recipe.grouping);
@@ -104,7 +104,7 @@ Recipe default_recipe(Action action, const Regions& regions, const Outline& outl
         case Action::voronoi:
             recipe.from.kind = SeedKind::samples;
             recipe.from.radius = std::min(0.6f * breadth, 0.16f * size);
-            recipe.grouping = FLG_TANGLE_GROUP_CYCLE;
+            recipe.grouping = FLG_TANGLE_GROUPING_CYCLE;
             recipe.cycle = 4;
             break;
         case Action::polyline:
@@ -155,7 +155,7 @@ std::string missing(const Recipe& recipe) {
     return {};
 }
 
-filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& tangle) {
+filigree::Job start(const Recipe& recipe, const filigree::Tangle& tangle) {
     if (is_operator(recipe.action)) return start_operator(recipe, tangle);
     if (recipe.action == Action::displace) {
         FlgTangleDisplaceDesc desc = flgTangleDisplaceDefaults();
@@ -167,9 +167,7 @@ filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& 
         desc.reach = recipe.reach;
         return tangle.displace(desc);
     }
-    FlgTangleMacroDesc desc{};
-    filigree::check(flgTangleMacroDescInit(&desc, sizeof desc));
-    desc.tangle = tangle.get();
+    filigree::TangleApplyMacroDesc desc;
     desc.kind = static_cast<FlgTangleMacro>(static_cast<int>(recipe.action) - static_cast<int>(Action::sunburst));
     desc.regions = recipe.regions.data();
     desc.region_count = static_cast<uint32_t>(recipe.regions.size());
@@ -177,9 +175,7 @@ filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& 
     desc.size = recipe.size;
     desc.spacing = recipe.spacing;
     desc.seed = static_cast<uint64_t>(recipe.seed);
-    FlgJob job{};
-    filigree::check(flgTangleApplyMacro(context, &desc, &job));
-    return {context, job};
+    return tangle.apply_macro(desc);
 }
 
 }  // namespace flg::studio

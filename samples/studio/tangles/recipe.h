@@ -69,7 +69,7 @@ struct Recipe {
     // Metres, but for shares of a blend.
     float delta = 0.1f, share = 0.25f;
     int count = 1;
-    int grouping = FLG_TANGLE_GROUP_TWO, cycle = 3;
+    int grouping = FLG_TANGLE_GROUPING_TWO, cycle = 3;
     bool scaffold = false, closed = true;
     float perturbation = 0.0f, frequency = 1.0f;
     int seed = 1;
@@ -84,6 +84,6 @@ Recipe default_recipe(Action action, const Regions& regions, const Outline& outl
 std::string missing(const Recipe& recipe);
 
 // Starts it. Throws filigree::Error.
-filigree::Job start(const Recipe& recipe, FlgContext context, filigree::Tangle& tangle);
+filigree::Job start(const Recipe& recipe, const filigree::Tangle& tangle);
 
 }  // namespace flg::studio

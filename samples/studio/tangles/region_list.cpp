@@ -26,18 +26,18 @@ void RegionList::refresh(const filigree::Tangle& tangle) {
     operations_.assign(operations + 1, {});
     const FlgTangleHistory history = tangle.history();
     for (uint32_t s = 0; s < history.made_count; ++s) {
-        const FlgTangleStep& step = history.steps[s];
-        const bool divides = step.kind == FLG_TANGLE_STEP_DIVIDE || step.kind == FLG_TANGLE_STEP_MACRO;
+        const FlgTangleStep& step = *history.steps[s];
+        const bool divides = step.kind == FLG_TANGLE_STEP_KIND_DIVIDE || step.kind == FLG_TANGLE_STEP_KIND_MACRO;
         if (!divides || step.made_count == 0 || step.first_region >= info.region_count) continue;
         const uint32_t number = regions_[step.first_region].operation;
-        if (step.kind == FLG_TANGLE_STEP_DIVIDE) {
+        if (step.kind == FLG_TANGLE_STEP_KIND_DIVIDE) {
             operations_[number] = {kOperators[step.divide->kind], step.divide->grouping, step.divide->cycle};
             continue;
         }
         operations_[number].name = kMacros[step.macro->kind];
-        if (step.macro->kind != FLG_TANGLE_GRID || number == operations) continue;
+        if (step.macro->kind != FLG_TANGLE_MACRO_GRID || number == operations) continue;
         operations_[number].name = "row";
-        operations_[number + 1] = {.name = kMacros[FLG_TANGLE_GRID], .is_chequer = true};
+        operations_[number + 1] = {.name = kMacros[FLG_TANGLE_MACRO_GRID], .is_chequer = true};
     }
 }
 

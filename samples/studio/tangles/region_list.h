@@ -16,7 +16,7 @@ using Regions = std::vector<uint32_t>;
 // What an operation made of the regions it divided, for their names and colours.
 struct Operation {
     std::string name;
-    FlgTangleGrouping grouping = FLG_TANGLE_GROUP_TWO;
+    FlgTangleGrouping grouping = FLG_TANGLE_GROUPING_TWO;
     uint32_t cycle = 3;
     bool is_chequer = false;  // the second of a grid
 };

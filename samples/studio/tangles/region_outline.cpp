@@ -22,16 +22,16 @@ public:
         for (const uint32_t leaf : leaves) inside_[leaf] = 1;
     }
     bool is_inside(uint32_t triangle) const {
-        const uint32_t label = surface_.mesh.regions != nullptr ? surface_.mesh.regions[triangle] : 0;
+        const uint32_t label = surface_.mesh->regions != nullptr ? surface_.mesh->regions[triangle] : 0;
         return label < inside_.size() && inside_[label] != 0;
     }
     bool is_border(Side side) const {
         const uint32_t across = surface_.neighbours[side];
         return across == FLG_NO_INDEX || !is_inside(across);
     }
-    uint32_t vertex(Side side) const { return surface_.mesh.triangles[side]; }
+    uint32_t vertex(Side side) const { return surface_.mesh->triangles[side]; }
     glm::vec3 place(Side side) const {
-        const float* p = surface_.mesh.columns[0].data + size_t{3} * vertex(side);
+        const float* p = surface_.mesh->columns[0].data + size_t{3} * vertex(side);
         return {p[0], p[1], p[2]};
     }
     // The border's next side: about the side's end, within the regions.
@@ -90,7 +90,7 @@ Outline trace_outline(const FlgSurfaceView& surface, const Regions& leaves) {
     const Walk walk(surface, leaves);
     std::unordered_set<Side> passed;
     bool is_first = true;
-    for (uint32_t t = 0; t < surface.mesh.triangle_count; ++t) {
+    for (uint32_t t = 0; t < surface.mesh->triangle_count; ++t) {
         if (!walk.is_inside(t)) continue;
         outline.area += glm::length(walk.area_vector(t));
         for (Side side = 3 * t; side < 3 * t + 3; ++side) {

@@ -164,7 +164,7 @@ void TanglesWorkspace::write(const Export& what, const std::string& path) {
     if (!ornament->idle()) throw StudioError("A step is still running. Export again when it is done.");
     if (std::string(what.extension) == ".json") {
         const FlgTangleHistory history = ornament->tangle.history();
-        if (flgTangleFileWrite(path.c_str(), &history) != FLG_OK) throw StudioError(flgIoLastError());
+        if (flgTangleFileWrite(path.c_str(), &history) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
         return;
     }
     FlgMeshView mesh = ornament->mesh()->surface.view().mesh;
@@ -182,12 +182,12 @@ void TanglesWorkspace::write(const Export& what, const std::string& path) {
                          .border_width_px = m.border_px > 0.0f ? m.border_px : palette_.border_px,
                          .reserved = 0});
     }
-    FlgMeshWriteDesc desc{};
-    if (flgMeshWriteDescInit(&desc, sizeof desc) != FLG_OK) throw StudioError(flgIoLastError());
+    FlgMeshFileWriteDesc desc{};
+    if (flgMeshFileWriteDescInit(&desc, sizeof desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
     desc.split_regions = 1;
     desc.materials = table.data();
     desc.material_count = static_cast<uint32_t>(table.size());
-    if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw StudioError(flgIoLastError());
+    if (flgMeshFileWrite(path.c_str(), &mesh, &desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
 }
 
 }  // namespace flg::studio

@@ -101,19 +101,15 @@ void TanglesWorkspace::draw_deeds() {
     if (ui::row_button("Raise", 4, info_of(Action::displace).what)) try_action(Action::displace);
     ui::same_row();
     if (ui::row_button("Join", 4, "Merges the selected regions. They must touch each other.", {.enabled = any}))
-        change_regions("Join", [](Ornament& o, FlgContext, const Regions& regions) { return o.tangle.join(regions); });
+        change_regions("Join", [](Ornament& o, const Regions& regions) { return o.tangle.join(regions); });
     ui::same_row();
     if (ui::row_button("Group##regions", 4, "Groups the selected regions. A click then selects all of them.",
                        {.enabled = any}))
-        change_regions("Group",
-                       [](Ornament& o, FlgContext, const Regions& regions) { return o.tangle.group(regions); });
+        change_regions("Group", [](Ornament& o, const Regions& regions) { return o.tangle.group(regions); });
     ui::same_row();
     if (ui::row_button("Ungroup", 4, "Splits the group of the selected regions into single regions.", {.enabled = any}))
-        change_regions("Ungroup", [](Ornament& o, FlgContext context, const Regions& regions) {
-            FlgJob job{};
-            filigree::check(flgTangleUngroup(context, o.tangle.get(),
-                                             o.regions[o.regions.leaves_below(regions).at(0)].group, &job));
-            return filigree::Job(context, job);
+        change_regions("Ungroup", [](Ornament& o, const Regions& regions) {
+            return o.tangle.ungroup(o.regions[o.regions.leaves_below(regions).at(0)].group);
         });
 }
 

@@ -246,14 +246,14 @@ void TanglesWorkspace::need_visible(const Ornament& ornament) const {
         throw StudioError(ornament.mesh()->name + " is hidden. Show it in the scene's list to divide it.");
 }
 
-void TanglesWorkspace::change_regions(const char* name, filigree::Job (*begin)(Ornament&, FlgContext, const Regions&)) {
+void TanglesWorkspace::change_regions(const char* name, filigree::Job (*begin)(Ornament&, const Regions&)) {
     later([this] { keep(); });
     later([this, name, begin] {
         Ornament* ornament = active();
         if (ornament == nullptr || selected_.empty()) throw StudioError("Select regions of the mesh first.");
         need_visible(*ornament);
         undo_steps_.forget_undone();
-        ornament->run(name, begin(*ornament, app_.context.get(), selected_), owner(), Jobs::Shown::listed,
+        ornament->run(name, begin(*ornament, selected_), owner(), Jobs::Shown::listed,
                       [this, mesh = ornament->mesh_id()](const FlgJobStatus& status) {
                           if (status.result == FLG_OK) did({.kind = UndoStep::Kind::step, .mesh = mesh});
                       });

@@ -64,7 +64,7 @@ private:
     void discard();
     // Throws StudioError if nobody could see what is done to it.
     void need_visible(const Ornament& ornament) const;
-    void change_regions(const char* name, filigree::Job (*begin)(Ornament&, FlgContext, const Regions&));
+    void change_regions(const char* name, filigree::Job (*begin)(Ornament&, const Regions&));
     void paint(uint32_t material, Regions on);
     // Paints the selection; while a step is tried, only what that makes.
     void choose_material(uint32_t material);

@@ -5,16 +5,21 @@
  *
  * Grammar      flg + noun + verb (flgCurveSetCreate); types Flg...; constants FLG_....
  * Conventions  Right-handed, y up, metres, seconds, radians. Colours are linear RGBA. Strings are UTF-8.
- * Descriptors  Start with `struct_size`. Take one from its defaults function (flgStylizeDefaults()), then change what
- *              you need. Structs grow only at the end, so old hosts run with new libraries.
+ * Descriptors  Start with `struct_size`. Take one from its defaults function (flgCurveSetStylizeDefaults()), then
+ *              change what you need. Structs grow only at the end, so old hosts run with new libraries.
  * Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: using a released handle
  *              returns FLG_ERROR_INVALID_HANDLE and never crashes. A handle belongs to the context that made it.
- * Results      Every function returns an FlgResult. flgLastError() gives the reason in one sentence that names the
- *              argument and its value. No exception, abort or print crosses this interface. Output arguments are
+ * Results      Every function returns an FlgResult. flgErrorGetMessage() gives the reason in one sentence that names
+ *              the argument and its value. No exception, abort or print crosses this interface. Output arguments are
  *              written on every path; on failure they hold null handles and zeros.
- * Threads      Calls on one context must not overlap, unless a function is marked [any thread]. Contexts are
+ * Threads      Calls on one context must not overlap, unless a function is marked [any thread]; functions marked [any
+ *              thread, one per stroke] must not overlap only with calls for the same stroke. Contexts are
  *              independent. Nothing the host can observe changes outside its own calls: jobs run on workers, but
- *              flgTick publishes their results, finished ones in order of submission.
+ *              flgContextTick publishes their results, finished ones in order of submission.
+ * Large worlds Positions are floats relative to an `origin` in doubles, metres, that inputs name (FlgCurveSetView,
+ *              FlgMeshView, ...; default 0; magnitude at most 1e30). Choose one near the object: results do not depend
+ *              on it, to the bit. They have their input's origin, and their views name it. Where inputs of different
+ *              origins meet, their difference is applied in doubles.
  * Waiting      No function waits for a job, except flgContextWait. Each states its cost.
  * Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
  */
@@ -54,14 +59,14 @@ extern "C" {
 
 /* [any thread] The version of the loaded library. flgContextCreate compares it with the header's: the major versions
  * must match, and while the major version is 0 the minor versions too. */
-FLG_API uint32_t flgVersion(void);
+FLG_API uint32_t flgVersionGet(void);
 
 /* ---- Results ------------------------------------------------------------------------------------------------- */
 
 /* How a call or a job ended; negative values are failures. */
 typedef enum FlgResult {
     FLG_OK = 0,                      /* done; from a function that starts a job: started */
-    FLG_NOT_READY = 1,               /* asked too early: flgTick has not published the job yet */
+    FLG_NOT_READY = 1,               /* asked too early: flgContextTick has not published the job yet */
     FLG_ERROR_INVALID_ARGUMENT = -1, /* a null, a value out of range, unusable data */
     FLG_ERROR_INVALID_HANDLE = -2,   /* null, released, of another kind or from another context */
     FLG_ERROR_OUT_OF_MEMORY = -3,    /* the allocator hook returned null */
@@ -77,10 +82,10 @@ typedef enum FlgResult {
 
 /* [any thread] Why the last failing call on this thread failed: one sentence, never null, valid until the next failing
  * call on this thread. Successful calls leave it unchanged. */
-FLG_API const char* flgLastError(void);
+FLG_API const char* flgErrorGetMessage(void);
 
 /* [any thread] The name of a result, such as "FLG_ERROR_LIMIT"; "FLG_RESULT_UNKNOWN" for other values. */
-FLG_API const char* flgResultName(FlgResult result);
+FLG_API const char* flgResultGetName(FlgResult result);
 
 /* ---- Handles ------------------------------------------------------------------------------------------------- */
 
@@ -97,8 +102,8 @@ FLG_HANDLE(FlgCurveSet);
 /* A prepared style: guide, displacement and patch graph. Never changes once ready. */
 FLG_HANDLE(FlgStyle);
 
-/* A context owns everything else. The only raw pointer in this interface: do not use it after flgContextDestroy. */
-typedef struct FlgContextT* FlgContext;
+/* A context owns everything else. At most 1024 exist at a time in a process. */
+FLG_HANDLE(FlgContext);
 
 /* ---- Host hooks ---------------------------------------------------------------------------------------------- */
 
@@ -107,6 +112,7 @@ typedef struct FlgContextT* FlgContext;
  * runtime's aligned new and delete. Not included: memory the C++ runtime itself takes for threads and for the
  * exceptions that stop a failing job. */
 typedef struct FlgAllocator {
+    uint32_t struct_size;
     void* user_data; /* passed to both */
     /* Returns `size` bytes aligned to `alignment`, a power of two, or null. */
     void* (*allocate)(void* user_data, size_t size, size_t alignment);
@@ -114,47 +120,61 @@ typedef struct FlgAllocator {
     void (*free)(void* user_data, void* memory, size_t size, size_t alignment);
 } FlgAllocator;
 
+FLG_API FlgResult flgAllocatorInit(FlgAllocator* allocator, uint32_t struct_size);
+
 /* The host's own job system. With `submit` set the SDK starts no threads: it hands over tasks, and the host calls
  * run(task) once for each, on any thread, at any time, in any order. A task never blocks and ends after about 500 us.
- * At most `concurrency` (1 to 256) tasks are handed over at a time. flgTick, calls that start jobs, and tasks
+ * At most `concurrency` (1 to 256) tasks are handed over at a time. flgContextTick, calls that start jobs, and tasks
  * themselves call `submit`. It must not call run(task) before it returns, and must not fail. */
 typedef struct FlgJobSystem {
+    uint32_t struct_size;
+    uint32_t concurrency; /* tasks at a time. Default 1 */
     void* user_data;      /* passed to `submit` */
-    uint32_t concurrency; /* tasks at a time */
     /* Null: the SDK uses its own threads, or none. */
     void (*submit)(void* user_data, void (*run)(void* task), void* task);
 } FlgJobSystem;
 
+FLG_API FlgResult flgJobSystemInit(FlgJobSystem* system, uint32_t struct_size);
+
 /* How much a message matters. */
 typedef enum FlgLogLevel {
-    FLG_LOG_INFO = 0,    /* worth knowing */
-    FLG_LOG_WARNING = 1, /* unusual, but work continues */
-    FLG_LOG_ERROR = 2,   /* something failed */
-    FLG_LOG_FORCE_32BIT = 0x7fffffff
+    FLG_LOG_LEVEL_INFO = 0,    /* worth knowing */
+    FLG_LOG_LEVEL_WARNING = 1, /* unusual, but work continues */
+    FLG_LOG_LEVEL_ERROR = 2,   /* something failed */
+    FLG_LOG_LEVEL_FORCE_32BIT = 0x7fffffff
 } FlgLogLevel;
 
 /* Messages for the host's log: one sentence, no line break. Called on the host's thread, from inside its calls. Null:
  * silence. */
 typedef struct FlgLog {
+    uint32_t struct_size;
     void* user_data; /* passed to `write` */
     /* `message` is valid during the call. */
     void (*write)(void* user_data, FlgLogLevel level, const char* message);
 } FlgLog;
 
+FLG_API FlgResult flgLogInit(FlgLog* log, uint32_t struct_size);
+
 /* Monotonic nanoseconds, callable from any thread. Null: the system's steady clock. Measures budgets; results never
  * depend on it. */
 typedef struct FlgClock {
+    uint32_t struct_size;
     void* user_data;                     /* passed to `now_ns` */
     uint64_t (*now_ns)(void* user_data); /* never decreasing */
 } FlgClock;
 
+FLG_API FlgResult flgClockInit(FlgClock* clock, uint32_t struct_size);
+
 /* Named zones for a profiler such as Tracy or the engine's own. Called on the thread that does the work, properly
  * nested; names are string literals. Null: none. */
 typedef struct FlgProfiler {
+    uint32_t struct_size;
     void* user_data;                                  /* passed to both */
     void (*begin)(void* user_data, const char* name); /* both or neither */
     void (*end)(void* user_data);                     /* ends the zone most recently begun on this thread */
 } FlgProfiler;
+
+FLG_API FlgResult flgProfilerInit(FlgProfiler* profiler, uint32_t struct_size);
 
 /* ---- Context ------------------------------------------------------------------------------------------------- */
 
@@ -163,17 +183,19 @@ typedef struct FlgContextDesc {
     uint32_t struct_size;
     /* FLG_VERSION of the header the host was compiled with. Set by flgContextDefaults. */
     uint32_t version;
-    /* Threads the context starts, 0 to 256. 0: none; flgTick itself advances jobs. Ignored with a job system. Default
-     * 1. */
+    /* Threads the context starts, 0 to 256. 0: none; flgContextTick itself advances jobs. Ignored with a job system.
+     * Default 1. */
     uint32_t worker_count;
-    /* Microseconds each worker may work between two calls of flgTick; 0 = no limit. Unused without workers. A worker
-     * stops at the first pause after its budget: at most one chunk (100 us) later. Default 0. */
+    /* Microseconds each worker may work between two calls of flgContextTick; 0 = no limit. Unused without workers. A
+     * worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0. */
     uint32_t worker_budget_us;
-    FlgAllocator allocator;
-    FlgJobSystem job_system;
-    FlgLog log;
-    FlgClock clock;
-    FlgProfiler profiler;
+    /* The host's hooks. Each may be null: the library's own. The structs are copied; their functions and user_data must
+     * live until the context is destroyed. */
+    const FlgAllocator* allocator;
+    const FlgJobSystem* job_system;
+    const FlgLog* log;
+    const FlgClock* clock;
+    const FlgProfiler* profiler;
 } FlgContextDesc;
 
 FLG_API FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size);
@@ -187,68 +209,73 @@ FLG_API FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_c
  * the cancelled jobs do not run. Null is allowed and does nothing. */
 FLG_API FlgResult flgContextDestroy(FlgContext context);
 
-/* What one flgTick did, and what the workers did since the previous one. */
+/* What one flgContextTick did, and what the workers did since the previous one. */
 typedef struct FlgFrameReport {
     uint32_t struct_size;
-    uint32_t jobs_finished;         /* jobs published by this tick */
-    uint64_t frame;                 /* counts calls of flgTick, from 1 */
-    uint32_t jobs_pending;          /* unfinished jobs, including those waiting for others */
-    float tick_us;                  /* wall time of this call */
-    float work_us;                  /* part of it spent advancing jobs (0 with workers) */
-    float callback_us;              /* part of it spent in the host's callbacks */
-    float worker_us;                /* time all workers spent on jobs since the last tick */
-    float longest_chunk_us;         /* longest uninterrupted kernel chunk since the last tick, on any thread */
+    uint32_t jobs_finished;          /* jobs published by this tick */
+    uint64_t frame;                  /* counts calls of flgContextTick, from 1 */
+    uint32_t jobs_pending;           /* unfinished jobs, including those waiting for others */
+    float tick_us;                   /* wall time of this call */
+    float work_us;                   /* part of it spent advancing jobs (0 with workers) */
+    float callback_us;               /* part of it spent in the host's callbacks */
+    float worker_us;                 /* time all workers spent on jobs since the last tick */
+    float longest_chunk_us;          /* longest uninterrupted kernel chunk since the last tick, on any thread */
     const char* longest_chunk_stage; /* its stage, a string literal; "start" before a job's first, "" without a chunk */
-    FlgJob longest_chunk_job;       /* its job; may have been released since */
+    FlgJob longest_chunk_job;        /* its job; may have been released since */
 } FlgFrameReport;
+
+FLG_API FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_size);
 
 /* Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks, and,
  * in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a context
  * without workers then runs all its jobs to the end. Ends at most one kernel chunk after its budget. `report` may be
  * null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was done, at
  * the cost of their release. */
-FLG_API FlgResult flgTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
+FLG_API FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
 
-/* For tools and loading screens: sleeps until flgTick has something to publish, no job is left, or the timeout passes.
- * Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise. Returns at once in a
- * context without workers, where flgTick does the work. */
+/* For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the
+ * timeout passes. Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise.
+ * Returns at once in a context without workers, where flgContextTick does the work. */
 FLG_API FlgResult flgContextWait(FlgContext context, uint32_t timeout_us);
 
 /* ---- Jobs ---------------------------------------------------------------------------------------------------- */
 
 /* Which ready job runs first. */
 typedef enum FlgPriority {
-    FLG_PRIORITY_LOW = 0,    /* when nothing else is ready */
-    FLG_PRIORITY_NORMAL = 1, /* the default */
-    FLG_PRIORITY_HIGH = 2,   /* before all others, such as results the user waits for */
+    FLG_PRIORITY_LOW = -1,   /* when nothing else is ready */
+    FLG_PRIORITY_NORMAL = 0, /* the default */
+    FLG_PRIORITY_HIGH = 1,   /* before all others, such as results the user waits for */
     FLG_PRIORITY_FORCE_32BIT = 0x7fffffff
 } FlgPriority;
 
-/* How a job runs; part of every descriptor that starts one. A job waits for inputs that another job still makes; they
- * need not be listed here. */
+/* How a job runs. Every descriptor of a job points to one as `job`; functions without a descriptor take it as an
+ * argument. Null: defaults. Read during the call. A job waits for inputs that another job still makes; they need not be
+ * listed here. */
 typedef struct FlgJobOptions {
+    uint32_t struct_size;
     /* Ready jobs of higher priority run first; equals run in order of submission. Default FLG_PRIORITY_NORMAL. */
     FlgPriority priority;
-    /* Further jobs to wait for. If one fails, this job fails with FLG_ERROR_DEPENDENCY. Copied. */
-    uint32_t dependency_count;
-    const FlgJob* dependencies;
-    /* Called once, inside flgTick, when the job is published, whatever its result. It may call any function of this
-     * header on the context except flgTick, flgContextWait and flgContextDestroy. It must not throw. `job` is null if
-     * no handle was requested. Null: none. */
-    void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
-    void* user_data;
     /* Nonzero: the complete part of a result can be viewed before the job finishes (flgCurveSetGetView then shows the
      * leading finished curves). Default 0. */
     uint32_t partial_results;
-    uint32_t reserved;
+    /* Further jobs to wait for. If one fails, this job fails with FLG_ERROR_DEPENDENCY. Copied. */
+    uint32_t dependency_count;
+    const FlgJob* dependencies;
+    /* Called once, inside flgContextTick, when the job is published, whatever its result. It may call any function
+     * of this header on the context except flgContextTick, flgContextWait and flgContextDestroy. It must not throw.
+     * `job` is null if no handle was requested. Null: none. */
+    void (*on_finished)(void* user_data, FlgJob job, FlgResult result);
+    void* user_data;
 } FlgJobOptions;
 
-/* Where a job is, as of the last flgTick. */
+FLG_API FlgResult flgJobOptionsInit(FlgJobOptions* options, uint32_t struct_size);
+
+/* Where a job is, as of the last flgContextTick. */
 typedef enum FlgJobState {
-    FLG_JOB_WAITING = 0,  /* for its dependencies or its turn */
-    FLG_JOB_RUNNING = 1,  /* begun, not published */
-    FLG_JOB_FINISHED = 2, /* published; `result` says how it ended */
-    FLG_JOB_FORCE_32BIT = 0x7fffffff
+    FLG_JOB_STATE_WAITING = 0,  /* for its dependencies or its turn */
+    FLG_JOB_STATE_RUNNING = 1,  /* begun, not published */
+    FLG_JOB_STATE_FINISHED = 2, /* published; `result` says how it ended */
+    FLG_JOB_STATE_FORCE_32BIT = 0x7fffffff
 } FlgJobState;
 
 typedef struct FlgJobStatus {
@@ -262,7 +289,9 @@ typedef struct FlgJobStatus {
     float longest_chunk_us; /* its longest uninterrupted kernel chunk so far */
 } FlgJobStatus;
 
-/* The job's state as of the last flgTick. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size);
+
+/* The job's state as of the last flgContextTick. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
 
 /* How long a stage of a job took. */
@@ -277,9 +306,9 @@ typedef struct FlgStageTime {
 FLG_API FlgResult flgJobGetStages(FlgContext context, FlgJob job, FlgStageTime* out_stages, uint32_t capacity,
                                   uint32_t* out_count);
 
-/* Requests cancellation. A later flgTick publishes the job with FLG_ERROR_CANCELLED, or with its result if it had
- * already finished or begun to change a surface; such a change always completes. What the job held is freed, and jobs
- * that depend on it fail. Cancelling a finished job does nothing. Cost: tens of nanoseconds. */
+/* Requests cancellation. A later flgContextTick publishes the job with FLG_ERROR_CANCELLED, or with its result if it
+ * had already finished or begun to change a surface; such a change always completes. What the job held is freed, and
+ * jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgJobCancel(FlgContext context, FlgJob job);
 
 /* Releases the handle; the job continues, and its callback still runs. Functions that start a job accept a null
@@ -288,7 +317,7 @@ FLG_API FlgResult flgJobRelease(FlgContext context, FlgJob job);
 
 /* For tools, tests and loading screens: ticks and sleeps until `jobs` are finished, or with a count of 0 until the
  * context has no job left, or until `seconds` (0 to 1e9, by the wall) are over. Returns FLG_OK, the result of the first
- * of `jobs` that failed, or FLG_NOT_READY when the time is over. Callbacks of jobs run as in flgTick. Not from
+ * of `jobs` that failed, or FLG_NOT_READY when the time is over. Callbacks of jobs run as in flgContextTick. Not from
  * callbacks. */
 FLG_API FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t count, double seconds);
 
@@ -296,23 +325,23 @@ FLG_API FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t
 
 /* What a column of a curve set means, and its number of floats per point: */
 typedef enum FlgAttribute {
-    FLG_ATTRIBUTE_POSITION = 0,    /* 3, metres; required. Finite, magnitude at most 1e30 */
-    FLG_ATTRIBUTE_RADIUS = 1,      /* 1, metres, >= 0; of a tube, or half the width of a ribbon */
-    FLG_ATTRIBUTE_COLOR = 2,       /* 4, linear RGBA */
-    FLG_ATTRIBUTE_TANGENT = 3,     /* 3, unit length */
-    FLG_ATTRIBUTE_NORMAL = 4,      /* 3, unit length, across the tangent: the first normal of the moving frame; a
-                                      ribbon's width lies along the second, tangent x normal */
-    FLG_ATTRIBUTE_TIME = 5,        /* 1, seconds since the first point of the curve; may run backwards in real data */
-    FLG_ATTRIBUTE_PRESSURE = 6,    /* 1, 0 to 1 */
-    FLG_ATTRIBUTE_ORIENTATION = 7, /* 4, unit quaternion x y z w of the controller that drew it */
-    FLG_ATTRIBUTE_STYLE_INDEX = 8, /* 1, index of the style point that a stylized point copies; whole numbers */
-    FLG_ATTRIBUTE_RADII = 9,       /* 3: half axes along the first and second normal, metres, >= 0, and the angle that
-                                      turns them about the tangent, radians: an elliptic cross-section */
-    FLG_ATTRIBUTE_ANGLE = 10,      /* 1, radians: turns a ribbon about the tangent, from first to second normal */
-    FLG_ATTRIBUTE_WIDTH = 11,      /* 1, metres, >= 0: of a ribbon */
-    FLG_ATTRIBUTE_SPEED = 12,      /* 1, metres a second, > 0: of a motion along the curve */
+    FLG_ATTRIBUTE_POSITION = 0,      /* 3, metres; required. Finite, magnitude at most 1e30 */
+    FLG_ATTRIBUTE_RADIUS = 1,        /* 1, metres, >= 0; of a tube, or half the width of a ribbon */
+    FLG_ATTRIBUTE_COLOR = 2,         /* 4, linear RGBA */
+    FLG_ATTRIBUTE_TANGENT = 3,       /* 3, unit length */
+    FLG_ATTRIBUTE_NORMAL = 4,        /* 3, unit length, across the tangent: the first normal of the moving frame; a
+                                        ribbon's width lies along the second, tangent x normal */
+    FLG_ATTRIBUTE_TIME = 5,          /* 1, seconds since the first point of the curve; may run backwards in real data */
+    FLG_ATTRIBUTE_PRESSURE = 6,      /* 1, 0 to 1 */
+    FLG_ATTRIBUTE_ORIENTATION = 7,   /* 4, unit quaternion x y z w of the controller that drew it */
+    FLG_ATTRIBUTE_STYLE_INDEX = 8,   /* 1, index of the style point that a stylized point copies; whole numbers */
+    FLG_ATTRIBUTE_RADII = 9,         /* 3: half axes along the first and second normal, metres, >= 0, and the angle
+                                        that turns them about the tangent, radians: an elliptic cross-section */
+    FLG_ATTRIBUTE_ANGLE = 10,        /* 1, radians: turns a ribbon about the tangent, from first to second normal */
+    FLG_ATTRIBUTE_WIDTH = 11,        /* 1, metres, >= 0: of a ribbon */
+    FLG_ATTRIBUTE_SPEED = 12,        /* 1, metres a second, > 0: of a motion along the curve */
     FLG_ATTRIBUTE_DISPLACEMENT = 13, /* 3, metres: what the style adds at magnitude 1 */
-    FLG_ATTRIBUTE_USER = 64,       /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
+    FLG_ATTRIBUTE_USER = 64,         /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
     FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgAttribute;
 
@@ -339,12 +368,13 @@ typedef struct FlgCurveSetView {
     const FlgColumn* columns;      /* POSITION first in results */
     uint32_t column_count;         /* 1 to 16, each attribute at most once */
     uint32_t reserved;
+    double origin[3];              /* metres: what positions are relative to. Default 0 */
 } FlgCurveSetView;
 
 FLG_API FlgResult flgCurveSetViewInit(FlgCurveSetView* view, uint32_t struct_size);
 
 /* [any thread] The view's column of an attribute, null if there is none. */
-FLG_API const FlgColumn* flgCurveSetViewColumn(const FlgCurveSetView* view, FlgAttribute attribute);
+FLG_API const FlgColumn* flgCurveSetViewGetColumn(const FlgCurveSetView* view, FlgAttribute attribute);
 
 /* Copies curves into the context. Every curve needs at least one point; magnitudes must not exceed 1e30. Accepts
  * repeated points and zero-length curves unchanged; each function documents how it treats them. Cost: one pass over the
@@ -358,7 +388,7 @@ FLG_API FlgResult flgCurveSetCreateFromPoints(FlgContext context, const float* p
 
 /* The set's arrays. They neither move nor change until the set is released, even while jobs read it. FLG_NOT_READY
  * while the job that makes the set is unpublished; with partial_results, shows the leading curves complete at the last
- * flgTick instead. Returns the job's error if it failed. Cost: tens of nanoseconds. */
+ * flgContextTick instead. Returns the job's error if it failed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view);
 
 /* Releases the handle and its views. Jobs that read the set keep its memory until they finish. A job that makes it
@@ -368,37 +398,38 @@ FLG_API FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set);
 
 /* Which moving frame to carry along a curve. */
 typedef enum FlgFrameMethod {
-    FLG_FRAME_ROTATION_MINIMIZING = 0, /* double reflection (Wang et al. 2008); spreads the twist of closed curves
-                                          evenly. Defined everywhere */
-    FLG_FRAME_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the last point
-                                          where it did not, around closed curves. Flips at inflections, as Frenet frames
-                                          do */
-    FLG_FRAME_SUPPLIED = 2,            /* the curves' NORMAL column, interpolated and made perpendicular to the tangent;
-                                          where it is parallel to the tangent or vanishes, carried on from the last
-                                          point where it was not, around closed curves. Without that column the job
-                                          fails */
-    FLG_FRAME_FORCE_32BIT = 0x7fffffff
+    FLG_FRAME_METHOD_ROTATION_MINIMIZING = 0, /* double reflection (Wang et al. 2008); spreads the twist of closed
+                                                 curves evenly. Defined everywhere */
+    FLG_FRAME_METHOD_FRENET = 1,              /* principal normal; where the curvature vanishes, carried on from the
+                                                 last point where it did not, around closed curves. Flips at
+                                                 inflections, as Frenet frames do */
+    /* the curves' NORMAL column, interpolated and made perpendicular to the tangent; where it is parallel to the
+     * tangent or vanishes, carried on from the last point where it was not, around closed curves. Without that
+     * column the job fails */
+    FLG_FRAME_METHOD_SUPPLIED = 2,
+    FLG_FRAME_METHOD_FORCE_32BIT = 0x7fffffff
 } FlgFrameMethod;
 
-typedef struct FlgResampleDesc {
+typedef struct FlgCurveSetResampleDesc {
     uint32_t struct_size;
     uint32_t reserved;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgCurveSet curves;
     /* Desired distance between neighbouring points along the curve, metres, > 0. Each curve gets the nearest whole
      * number of equal steps, at least 1 (closed: 3). No default. */
     float spacing;
     /* Frame written to the result's TANGENT and NORMAL columns. */
     FlgFrameMethod frame;
-} FlgResampleDesc;
+} FlgCurveSetResampleDesc;
 
-FLG_API FlgResult flgResampleDescInit(FlgResampleDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgCurveSetResampleDescInit(FlgCurveSetResampleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that redistributes points evenly by arc length along a smooth curve through the given points and carries
  * a moving frame along. The curve is a G1 cubic that keeps straight runs straight, circles round to fourth order, and
  * turns of more than 50 degrees as corners. Other columns are interpolated linearly; orientations are normalized.
  * Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 100 ns a point. */
-FLG_API FlgResult flgResample(FlgContext context, const FlgResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+FLG_API FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set,
+                                      FlgJob* out_job);
 
 /* ---- Styles -------------------------------------------------------------------------------------------------- */
 
@@ -438,7 +469,7 @@ typedef struct FlgStyleDesc {
     /* Points the style is resampled to, 16 to 16384; 0 = chosen from the input: at least its number of points, enough
      * that the curve turns by less than 7 degrees between points, and between 256 and 2048. */
     uint32_t point_count;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     /* The example: 1 to 256 open curves of non-zero length. Their guides share the points by length, so that all have
      * one spacing, and one patch graph leads from any to any other (Fig. 3). Curves too short for a patch are never
      * jumped to; at least one must be long enough. */
@@ -470,7 +501,7 @@ typedef struct FlgStyleDesc {
 FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
- * flgStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points. */
+ * flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points. */
 FLG_API FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
 
 typedef struct FlgStyleInfo {
@@ -484,18 +515,20 @@ typedef struct FlgStyleInfo {
                                   its target */
     float displacement_rms;    /* metres */
     float matching_energy;     /* E' of sec. 4.2, square metres, mean over the points */
-    float temperature_unit;    /* metres: what temperature 1 means, see FlgStylizeDesc */
+    float temperature_unit;    /* metres: what temperature 1 means, see FlgCurveSetStylizeDesc */
     uint32_t flow_steps;       /* of the guide flow; 0 with a guide given */
     uint32_t reserved;
     const float* matching;     /* point_count arc lengths on the style's curves, metres; lives until the style is
                                   released */
 } FlgStyleInfo;
 
+FLG_API FlgResult flgStyleInfoInit(FlgStyleInfo* info, uint32_t struct_size);
+
 /* FLG_NOT_READY until the style is prepared; its job's error if that failed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info);
 
-/* The guide as a curve set with as many curves as the style and with TANGENT and NORMAL columns. The caller releases
- * it. Cost: one copy. */
+/* The guide as a curve set with as many curves as the style and with TANGENT and NORMAL columns, relative to the
+ * example's origin (of a loaded style 0). The caller releases it. Cost: one copy. */
 FLG_API FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide);
 
 /* Serializes the prepared style for a file or an asset; the same style gives the same bytes. Writes their number to
@@ -514,18 +547,18 @@ FLG_API FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
 /* ---- Stylization --------------------------------------------------------------------------------------------- */
 
 /* Where on the style a target curve begins. */
-typedef enum FlgStart {
-    FLG_START_AUTO = 0,   /* a lone target curve as FLG_START_STYLE, several as FLG_START_RANDOM */
-    FLG_START_STYLE = 1,  /* at the style's own start; the first run goes to its end: a target as long as the guide gets
-                             the whole style once */
-    FLG_START_RANDOM = 2, /* at a random point, chosen by seed and curve index */
-    FLG_START_FORCE_32BIT = 0x7fffffff
-} FlgStart;
+typedef enum FlgStyleStart {
+    FLG_STYLE_START_AUTO = 0,   /* a lone target curve as FLG_STYLE_START_STYLE, several as FLG_STYLE_START_RANDOM */
+    FLG_STYLE_START_STYLE = 1,  /* at the style's own start; the first run goes to its end: a target as long as the
+                                   guide gets the whole style once */
+    FLG_STYLE_START_RANDOM = 2, /* at a random point, chosen by seed and curve index */
+    FLG_STYLE_START_FORCE_32BIT = 0x7fffffff
+} FlgStyleStart;
 
-typedef struct FlgStylizeDesc {
+typedef struct FlgCurveSetStylizeDesc {
     uint32_t struct_size;
-    FlgStart start;
-    FlgJobOptions job;
+    FlgStyleStart start;
+    const FlgJobOptions* job;
     FlgStyle style;
     /* The curves to stylize. Results keep their other columns, except the attributes the style has. */
     FlgCurveSet target;
@@ -536,7 +569,7 @@ typedef struct FlgStylizeDesc {
      * runs of the style, at 1 a dozen points at a time; at 10 and above it jumps nearly always. In units of
      * FlgStyleInfo::temperature_unit (a tenth of the median distance between a patch and the one most like it), so it
      * does not depend on the style's size. Displacements and attributes blend over p points between runs (see
-     * flgStylize): this shrinks shorter runs, at high temperatures. Default 0. */
+     * flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0. */
     float temperature;
     /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1. */
     float scale;
@@ -562,9 +595,9 @@ typedef struct FlgStylizeDesc {
     /* Maximum points in the result, at most 2^31: guards against a scale far too small for the target. A larger result
      * fails with FLG_ERROR_LIMIT before memory is taken for it. 0: 2^31. Default 0. */
     uint32_t max_points;
-} FlgStylizeDesc;
+} FlgCurveSetStylizeDesc;
 
-FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint32_t struct_size);
 
 /* Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has each target curve once per
  * stroke, resampled to the style's spacing times scale. Columns: POSITION, TANGENT and NORMAL (the target's frame),
@@ -584,10 +617,65 @@ FLG_API FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint32_t struct_size)
  * step takes its length divided by the mean speed of its ends. Results obey the limits of curve sets: if a
  * coordinate, a length or a time would exceed 1e30, the job fails with FLG_ERROR_INVALID_ARGUMENT and names it.
  * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
-FLG_API FlgResult flgStylize(FlgContext context, const FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+FLG_API FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set,
+                                     FlgJob* out_job);
 
 /* ---- Defaults by value --------------------------------------------------------------------------------------- */
 /* The struct is filled in the host's code, at the host's size: safe with any library version. */
+
+static inline FlgStyleInfo flgStyleInfoDefaults(void) {
+    FlgStyleInfo info;
+    flgStyleInfoInit(&info, (uint32_t)sizeof info);
+    return info;
+}
+
+static inline FlgJobStatus flgJobStatusDefaults(void) {
+    FlgJobStatus status;
+    flgJobStatusInit(&status, (uint32_t)sizeof status);
+    return status;
+}
+
+static inline FlgFrameReport flgFrameReportDefaults(void) {
+    FlgFrameReport report;
+    flgFrameReportInit(&report, (uint32_t)sizeof report);
+    return report;
+}
+
+static inline FlgAllocator flgAllocatorDefaults(void) {
+    FlgAllocator allocator;
+    flgAllocatorInit(&allocator, (uint32_t)sizeof allocator);
+    return allocator;
+}
+
+static inline FlgJobSystem flgJobSystemDefaults(void) {
+    FlgJobSystem system;
+    flgJobSystemInit(&system, (uint32_t)sizeof system);
+    return system;
+}
+
+static inline FlgLog flgLogDefaults(void) {
+    FlgLog log;
+    flgLogInit(&log, (uint32_t)sizeof log);
+    return log;
+}
+
+static inline FlgClock flgClockDefaults(void) {
+    FlgClock clock;
+    flgClockInit(&clock, (uint32_t)sizeof clock);
+    return clock;
+}
+
+static inline FlgProfiler flgProfilerDefaults(void) {
+    FlgProfiler profiler;
+    flgProfilerInit(&profiler, (uint32_t)sizeof profiler);
+    return profiler;
+}
+
+static inline FlgJobOptions flgJobOptionsDefaults(void) {
+    FlgJobOptions options;
+    flgJobOptionsInit(&options, (uint32_t)sizeof options);
+    return options;
+}
 
 static inline FlgContextDesc flgContextDefaults(void) {
     FlgContextDesc desc;
@@ -601,9 +689,9 @@ static inline FlgCurveSetView flgCurveSetViewDefaults(void) {
     return view;
 }
 
-static inline FlgResampleDesc flgResampleDefaults(void) {
-    FlgResampleDesc desc;
-    flgResampleDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgCurveSetResampleDesc flgCurveSetResampleDefaults(void) {
+    FlgCurveSetResampleDesc desc;
+    flgCurveSetResampleDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
@@ -613,9 +701,9 @@ static inline FlgStyleDesc flgStyleDefaults(void) {
     return desc;
 }
 
-static inline FlgStylizeDesc flgStylizeDefaults(void) {
-    FlgStylizeDesc desc;
-    flgStylizeDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgCurveSetStylizeDesc flgCurveSetStylizeDefaults(void) {
+    FlgCurveSetStylizeDesc desc;
+    flgCurveSetStylizeDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -32,6 +32,10 @@
  *   .gltf .glb    TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN with COLOR_0, placed by the scene's nodes; regions are
  *                 materials, numbered from 0 in order of first use; their factors are read, textures skipped. Reads
  *                 KHR_mesh_quantization. Writes .glb. Limits as for curves
+ * Large worlds: .obj, .off, .xyz and .ply (doubles and text) are read to all their digits, .gltf and .glb as precisely
+ * as their nodes place them. Where most edges are shorter than 64 times the spacing of floats there, views get an
+ * origin: the middle of all, or the first node's place, in whole metres. Boxes in infos are relative to it. Views with
+ * an origin are written to text with more digits, to .ply in doubles, to .glb below a node at the origin.
  * Column names in .ply and .xyz: x y z; nx ny nz; red green blue alpha; radius, time, pressure, style_index, angle,
  * width, speed; tangent_0 to _2, orientation_0 to _3, radii_0 to _2, displacement_0 to _2; FLG_ATTRIBUTE_USER + N:
  * userN, or userN_0, userN_1, ... with several components. For meshes the other formats hold positions, colours (not
@@ -52,10 +56,10 @@ extern "C" {
 /* Curves read from a file, with their memory. */
 typedef struct FlgCurveFileT* FlgCurveFile;
 
-/* [any thread] As flgLastError, for the functions of this header. Sentences start with FILE:PLACE, where PLACE is a
- * line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE alone if the whole
- * file is meant, such as when it cannot be opened. */
-FLG_API const char* flgIoLastError(void);
+/* [any thread] As flgErrorGetMessage, for the functions of this header. Sentences start with FILE:PLACE, where PLACE
+ * is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE alone if the
+ * whole file is meant, such as when it cannot be opened. */
+FLG_API const char* flgIoErrorGetMessage(void);
 
 /* Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere oddities become
  * warnings (flgCurveFileGetInfo). Limits: 2 GiB a file (unpacked too), 2^31 points.
@@ -78,6 +82,8 @@ typedef struct FlgCurveFileInfo {
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgCurveFileInfo;
 
+FLG_API FlgResult flgCurveFileInfoInit(FlgCurveFileInfo* info, uint32_t struct_size);
+
 /* The file's contents and warnings. Set struct_size. */
 FLG_API FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info);
 
@@ -97,31 +103,31 @@ FLG_API FlgResult flgCurveFileGetStrokes(FlgCurveFile file, const FlgStroke** ou
 FLG_API void flgCurveFileRelease(FlgCurveFile file);
 
 /* Geometry of curves in .glb. */
-typedef enum FlgGeometry {
-    FLG_GEOMETRY_LINES = 0,  /* no surface */
-    FLG_GEOMETRY_RIBBON = 1, /* flat, across the frame's second normal */
-    FLG_GEOMETRY_TUBE = 2,   /* round, with `tube_sides` sides */
-    FLG_GEOMETRY_FORCE_32BIT = 0x7fffffff
-} FlgGeometry;
+typedef enum FlgCurveGeometry {
+    FLG_CURVE_GEOMETRY_LINES = 0,  /* no surface */
+    FLG_CURVE_GEOMETRY_RIBBON = 1, /* flat, across the frame's second normal */
+    FLG_CURVE_GEOMETRY_TUBE = 2,   /* round, with `tube_sides` sides */
+    FLG_CURVE_GEOMETRY_FORCE_32BIT = 0x7fffffff
+} FlgCurveGeometry;
 
-typedef struct FlgCurveWriteDesc {
+typedef struct FlgCurveFileWriteDesc {
     uint32_t struct_size;
-    FlgGeometry geometry;   /* for .glb; the text formats hold lines. Default FLG_GEOMETRY_LINES */
-    float default_radius;   /* metres, > 0, for curves without a RADIUS column. Default 0.005 */
-    uint32_t tube_sides;    /* 3 to 64. Default 8 */
-    uint32_t all_columns;   /* nonzero: .xyz and lines in .glb hold all columns of the view (.glb except TANGENT and
-                               ORIENTATION), else positions, radii and, in .glb, colours. Default 0 */
+    FlgCurveGeometry geometry; /* for .glb; the text formats hold lines. Default FLG_CURVE_GEOMETRY_LINES */
+    float default_radius;      /* metres, > 0, for curves without a RADIUS column. Default 0.005 */
+    uint32_t tube_sides;       /* 3 to 64. Default 8 */
+    uint32_t all_columns;      /* nonzero: .xyz and lines in .glb hold all columns of the view (.glb except TANGENT
+                                  and ORIENTATION), else positions, radii and, in .glb, colours. Default 0 */
     uint32_t reserved;
-    float tolerance;        /* metres, >= 0: how far ribbons and tubes may deviate from those with all points and
-                               `tube_sides` sides. Makes the file smaller. Default 0: every point, every side */
-    uint32_t quantize;      /* nonzero: ribbons and tubes use integers (KHR_mesh_quantization): positions in 65535ths of
-                               their piece's extent, if that is within the tolerance, normals and colours in 8 bits.
-                               Halves the size. Not all programs read it. Default 0 */
-    const uint8_t* geometries; /* for .glb: FLG_GEOMETRY_RIBBON or FLG_GEOMETRY_TUBE for each curve, in place of
-                                  `geometry`. Default null */
-} FlgCurveWriteDesc;
+    float tolerance;           /* metres, >= 0: how far ribbons and tubes may deviate from those with all points and
+                                  `tube_sides` sides. Makes the file smaller. Default 0: every point, every side */
+    uint32_t quantize;         /* nonzero: ribbons and tubes use integers (KHR_mesh_quantization): positions in
+                                  65535ths of their piece's extent, if that is within the tolerance, normals and
+                                  colours in 8 bits. Halves the size. Not all programs read it. Default 0 */
+    const uint8_t* geometries; /* for .glb: FLG_CURVE_GEOMETRY_RIBBON or FLG_CURVE_GEOMETRY_TUBE for each curve, in
+                                  place of `geometry`. Default null */
+} FlgCurveFileWriteDesc;
 
-FLG_API FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when complete.
  * `desc` may be null. Curves without a NORMAL column get frames by double reflection. Colours in .glb are clamped to
@@ -129,7 +135,7 @@ FLG_API FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint32_t struct
  * ribbons and tubes omit zero-length curves.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension,
  * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
-FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveWriteDesc* desc);
+FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc);
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
 
@@ -189,13 +195,15 @@ typedef struct FlgMeshFileInfo {
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgMeshFileInfo;
 
+FLG_API FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint32_t struct_size);
+
 /* The file's contents and warnings. Set struct_size. */
 FLG_API FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info);
 
 /* Null is allowed. */
 FLG_API void flgMeshFileRelease(FlgMeshFile file);
 
-typedef struct FlgMeshWriteDesc {
+typedef struct FlgMeshFileWriteDesc {
     uint32_t struct_size;
     uint32_t face_column_count;            /* 0 to 16. Default 0 */
     const FlgMeshFaceColumn* face_columns; /* written to .ply, under distinct names; the other formats cannot hold
@@ -204,15 +212,15 @@ typedef struct FlgMeshWriteDesc {
     uint32_t material_count;               /* with split_regions: above all regions' labels. Default 0: named, without
                                               colour */
     const FlgMeshMaterial* materials;      /* for .glb, by label; materials without a region are omitted */
-} FlgMeshWriteDesc;
+} FlgMeshFileWriteDesc;
 
-FLG_API FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null. .ply
  * and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else area-weighted ones.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
  * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: 0.2 to 0.5 us a triangle. */
-FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshWriteDesc* desc);
+FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc);
 
 /* ---- Skinned models ------------------------------------------------------------------------------------------ */
 
@@ -235,9 +243,9 @@ FLG_API FlgResult flgSkinFileRead(const char* path, FlgSkinFile* out_file);
 /* The skin; lives until the file is released. */
 FLG_API FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
 
-/* The animations in the file's order; null and 0 if there are none. They live until the file is released. */
-FLG_API FlgResult flgSkinFileGetAnimations(FlgSkinFile file, const FlgSkinAnimation** out_animations,
-                                           uint32_t* out_count);
+/* An animation, 0 to the info's animation_count - 1, in the file's order. Its arrays live until the file is
+ * released. */
+FLG_API FlgResult flgSkinFileGetAnimation(FlgSkinFile file, uint32_t animation, FlgSkinAnimation* out_animation);
 
 /* The materials, one per part, or one for all, if at least one has a colour; else null and 0. As
  * flgMeshFileGetMaterials. */
@@ -248,9 +256,11 @@ typedef struct FlgSkinFileInfo {
     uint32_t part_count;          /* the view's highest part index plus one */
     float box_min[3], box_max[3]; /* of the positions at rest, metres */
     uint32_t warning_count;
-    uint32_t reserved;
+    uint32_t animation_count;
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgSkinFileInfo;
+
+FLG_API FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint32_t struct_size);
 
 /* The file's contents and warnings. Set struct_size. */
 FLG_API FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info);
@@ -258,7 +268,7 @@ FLG_API FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info
 /* Null is allowed. */
 FLG_API void flgSkinFileRelease(FlgSkinFile file);
 
-typedef struct FlgSkinFileDesc {
+typedef struct FlgSkinFileWriteDesc {
     uint32_t struct_size;
     uint32_t animation_count;           /* default 0 */
     const FlgSkinView* skin;
@@ -269,9 +279,9 @@ typedef struct FlgSkinFileDesc {
     uint32_t reserved;
     const FlgMeshMaterial* materials;   /* by part. A triangle belongs to the part of two of its corners, else of its
                                            first corner */
-} FlgSkinFileDesc;
+} FlgSkinFileWriteDesc;
 
-FLG_API FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the mesh, a
  * node above all roots, which the skin names as its skeleton, and one node per joint. Vertices have POSITION, NORMAL,
@@ -280,26 +290,28 @@ FLG_API FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint32_t struct_siz
  * not of length 1 within 0.001, times that do not rise, values that are not finite, parents that do not come first.
  * Cost: about 0.8 us a vertex. Errors: FLG_ERROR_INVALID_ARGUMENT, FLG_ERROR_FORMAT for another extension,
  * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
-FLG_API FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileDesc* desc);
+FLG_API FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileWriteDesc* desc);
 
 /* ---- Motions of rigid bodies ----------------------------------------------------------------------------------- */
 
-typedef struct FlgMotionFileDesc {
+typedef struct FlgMotionFileWriteDesc {
     uint32_t struct_size;
-    uint32_t position_count;           /* at least 1 */
-    const double* times;               /* seconds, starting at 0 or later; strictly ascending as floats */
-    const double* poses;               /* 12 per position: three rows of four, the rotation and the position, metres.
-                                          Point p of the body is at rotation p + position */
-    double end_time;                   /* when the first pose recurs, after the last time; 0: never. Default 0 */
-    const FlgMeshView* mesh;           /* moves with the body; null: none */
-    const FlgMeshWriteDesc* mesh_desc; /* its materials, as for flgMeshFileWrite; null: defaults */
-    float camera_fov_rad;              /* above 0 and below pi: the vertical field of view of a camera that looks along
-                                          the body's -z, with y up. Default 0: no camera */
+    uint32_t position_count;               /* at least 1 */
+    const double* times;                   /* seconds, starting at 0 or later; strictly ascending as floats */
+    const double* poses;                   /* 12 per position: three rows of four, the rotation and the position,
+                                              metres. Point p of the body is at rotation p + position */
+    double end_time;                       /* when the first pose recurs, after the last time; 0: never. Default 0 */
+    const FlgMeshView* mesh;               /* moves with the body; null: none */
+    const FlgMeshFileWriteDesc* mesh_desc; /* its materials, as for flgMeshFileWrite; null: defaults */
+    float camera_fov_rad;                  /* above 0 and below pi: the vertical field of view of a camera that looks
+                                              along the body's -z, with y up. Default 0: no camera */
     uint32_t reserved;
     const char* name;                  /* of the body, UTF-8, at most 255 bytes; null: "motion" */
-} FlgMotionFileDesc;
+    double origin[3];                  /* metres: what the poses are relative to: a node above the body's is there.
+                                          Default 0 */
+} FlgMotionFileWriteDesc;
 
-FLG_API FlgResult flgMotionFileDescInit(FlgMotionFileDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgMotionFileWriteDescInit(FlgMotionFileWriteDesc* desc, uint32_t struct_size);
 
 /* Writes a motion to .glb, completely or not at all, as flgCurveFileWrite: one node, with the mesh and the camera if
  * given, and an animation with one translation and rotation per position; both interpolate linearly in between
@@ -307,16 +319,16 @@ FLG_API FlgResult flgMotionFileDescInit(FlgMotionFileDesc* desc, uint32_t struct
  * have length 1, to float precision, and consecutive ones are in the same hemisphere. Cost: about 1 us a position, and
  * what the mesh takes. Errors: FLG_ERROR_INVALID_ARGUMENT (also for poses that are no rotations), FLG_ERROR_FORMAT for
  * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). */
-FLG_API FlgResult flgMotionFileWrite(const char* path, const FlgMotionFileDesc* desc);
+FLG_API FlgResult flgMotionFileWrite(const char* path, const FlgMotionFileWriteDesc* desc);
 
 /* ---- Documents of tangles ------------------------------------------------------------------------------------- */
 
 /* [any thread] The name of a tangle operator in documents and scripts, such as "contour", by FlgTangleOperator value.
  * Null beyond the last one. A static string. Cost: nanoseconds. */
-FLG_API const char* flgTangleOperatorName(uint32_t number);
+FLG_API const char* flgTangleOperatorGetName(uint32_t number);
 
 /* [any thread] Likewise for a macro, such as "sunburst", by FlgTangleMacro value. Cost: nanoseconds. */
-FLG_API const char* flgTangleMacroName(uint32_t number);
+FLG_API const char* flgTangleMacroGetName(uint32_t number);
 
 /* A history read from a file, with its memory. */
 typedef struct FlgTangleFileT* FlgTangleFile;
@@ -340,6 +352,50 @@ FLG_API FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* 
 
 /* Null is allowed. */
 FLG_API void flgTangleFileRelease(FlgTangleFile file);
+
+/* ---- Defaults by value ------------------------------------------------------------------------------------------- */
+
+static inline FlgCurveFileInfo flgCurveFileInfoDefaults(void) {
+    FlgCurveFileInfo info;
+    flgCurveFileInfoInit(&info, (uint32_t)sizeof info);
+    return info;
+}
+
+static inline FlgCurveFileWriteDesc flgCurveFileWriteDefaults(void) {
+    FlgCurveFileWriteDesc desc;
+    flgCurveFileWriteDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgMeshFileInfo flgMeshFileInfoDefaults(void) {
+    FlgMeshFileInfo info;
+    flgMeshFileInfoInit(&info, (uint32_t)sizeof info);
+    return info;
+}
+
+static inline FlgMeshFileWriteDesc flgMeshFileWriteDefaults(void) {
+    FlgMeshFileWriteDesc desc;
+    flgMeshFileWriteDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSkinFileInfo flgSkinFileInfoDefaults(void) {
+    FlgSkinFileInfo info;
+    flgSkinFileInfoInit(&info, (uint32_t)sizeof info);
+    return info;
+}
+
+static inline FlgSkinFileWriteDesc flgSkinFileWriteDefaults(void) {
+    FlgSkinFileWriteDesc desc;
+    flgSkinFileWriteDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgMotionFileWriteDesc flgMotionFileWriteDefaults(void) {
+    FlgMotionFileWriteDesc desc;
+    flgMotionFileWriteDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
 
 #ifdef __cplusplus
 }

@@ -6,16 +6,19 @@
  *     flgStyleWarm(context, style, 0, NULL, &job);            once for each style and temperature, ahead of time
  *     flgLiveStrokeBegin(context, &desc, &stroke);            trigger pressed
  *     flgLiveStrokePush(context, stroke, samples, n, &view);  each frame: `view` shows what is new, append it to a mesh
+ *     flgLiveStrokeGetTip(context, stroke, &tip);             each frame: what to draw behind the points so far
  *     flgLiveStrokeEnd(context, stroke, NULL, &stylized, &samples, &job);  trigger released
  *
- * The curve        flgResample's smooth curve through the samples. A sample's direction depends on the next sample.
- *                  Points are therefore made only up to the last but one distinct sample: the geometry lags one sample
- *                  behind (11 ms at 90 Hz), plus `smoothing` seconds if set.
+ * The curve        flgCurveSetResample's smooth curve through the samples. A sample's direction depends on the next
+ *                  sample. Points are therefore made only up to the last but one distinct sample: final geometry lags
+ *                  one sample behind (11 ms at 90 Hz), plus `smoothing` seconds if set. flgLiveStrokeGetTip gives the
+ *                  rest, up to the last sample, for this frame.
  * The points       At even steps of arc length along the curve, FlgStyleInfo::spacing * scale, whatever the sample
  *                  rate. Points never move. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
- *                  style's attributes except RADIUS, all as flgStylize gives them. One difference: flgStylize knows a
- *                  curve's length and takes the nearest whole number of steps, so its last point is the curve's end.
- *                  Here the step is exact, and the last point lies up to one step before the end.
+ *                  style's attributes except RADIUS, all as flgCurveSetStylize gives them. One difference:
+ *                  flgCurveSetStylize knows a curve's length and takes the nearest whole number of steps, so its
+ *                  last point is the curve's end. Here the step is exact, and the last point lies up to one step
+ *                  before the end.
  * Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, multiplied
  *                  by that attribute relative to its mean over the style.
  * Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
@@ -34,6 +37,12 @@
  *                  points come one sample late while the hand moves at most 64 steps a sample on average: with steps of
  *                  1 mm, 5 m/s at 90 Hz. Beyond that the points fall behind, then catch up by 64 steps a sample
  *                  (FlgLiveStrokeInfo::waiting_samples counts the samples behind).
+ * Threads          Functions marked [any thread, one per stroke] may run while another thread is inside any other call
+ *                  of the context, flgContextTick included: an input thread pushes and never waits for a tick. They
+ * take no
+ *                  lock. Only calls that take the same stroke must not overlap each other, and flgContextDestroy must
+ *                  not overlap anything. So hand a stroke to the input thread after flgLiveStrokeBegin, and take it
+ *                  back before flgLiveStrokeEnd, Resume, Split or Release.
  * Style by stroke  Pass flgLiveStrokeEnd's samples to flgStyleCreate as the style. It is ready in the next frame at 90
  *                  Hz (11 ms, one worker) for strokes of up to about 600 samples; 1,200 take about 4 frames, 2,400 take
  *                  6. Preparation time grows faster than the number of style points, which stops at 2,048 by default.
@@ -53,18 +62,18 @@ extern "C" {
 FLG_HANDLE(FlgLiveStroke);
 
 /* Starts a job that computes all path trees of a style at a temperature. Live strokes need them and never compute one.
- * The style keeps those of the last four temperatures requested, including by flgStylize and flgLiveStrokeBegin.
- * `temperature` as in FlgStylizeDesc; `options` may be null: defaults. Cost: 0.1 ms of work for each of up to 256
- * trees. */
-FLG_API FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, const FlgJobOptions* options,
+ * The style keeps those of the last four temperatures requested, including by flgCurveSetStylize and
+ * flgLiveStrokeBegin. `temperature` as in FlgCurveSetStylizeDesc; `job` may be null: defaults. Cost: 0.1 ms of
+ * work for each of up to 256 trees. */
+FLG_API FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, const FlgJobOptions* job,
                                FlgJob* out_job);
 
 typedef struct FlgLiveStrokeDesc {
     uint32_t struct_size;
-    /* FLG_START_AUTO is FLG_START_STYLE here. */
-    FlgStart start;
+    /* FLG_STYLE_START_AUTO is FLG_STYLE_START_STYLE here. */
+    FlgStyleStart start;
     FlgStyle style;
-    /* As in FlgStylizeDesc. */
+    /* As in FlgCurveSetStylizeDesc. */
     float magnitude;
     float temperature; /* the style must be warm at this temperature */
     float scale;       /* > 0 */
@@ -76,25 +85,27 @@ typedef struct FlgLiveStrokeDesc {
     /* Maximum distance between consecutive samples, metres, > 0; longer jumps are refused. Default 1. */
     float max_jump;
     /* Capacity in samples (1 to 2^20) and points (1 to 2^24): about 270 bytes a sample, 44 a point and 4 for each
-     * component of the style's attributes. Default 16,384 and 65,536. */
+     * component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536. */
     uint32_t max_samples;
     uint32_t max_points; /* points beyond this are cut off, see FlgLiveStrokeInfo */
-    /* FLG_FRAME_ROTATION_MINIMIZING or FLG_FRAME_SUPPLIED (by the controller, see above). FLG_FRAME_FRENET is refused:
-     * its normal needs a point's next neighbour, which is not drawn yet. */
+    /* FLG_FRAME_METHOD_ROTATION_MINIMIZING or FLG_FRAME_METHOD_SUPPLIED (by the controller, see above).
+     * FLG_FRAME_METHOD_FRENET is refused: its normal needs a point's next neighbour, which is not drawn yet. */
     FlgFrameMethod frame;
     /* Key for all random choices. Default 1. */
     uint64_t seed;
-    /* As in FlgStylizeDesc. Default: identity. */
+    /* As in FlgCurveSetStylizeDesc. Default: identity. */
     float basis[9];
     uint32_t reserved;
+    double origin[3]; /* metres: what samples and points are relative to. flgLiveStrokeReplay takes its samples'
+                         instead. Default 0 */
 } FlgLiveStrokeDesc;
 
 FLG_API FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct_size);
 
 /* Begins a stroke. FLG_NOT_READY while the style is not prepared, or not warm at this temperature (flgStyleWarm);
- * flgLastError() says which. Returns the error of the style's job if that failed. Cost: the allocation of its memory,
- * which it does not touch. (An allocator that returns pages touched before spares pushes the system's cost of first
- * touches.) */
+ * flgErrorGetMessage() says which. Returns the error of the style's job if that failed. Cost: the allocation of its
+ * memory, which it does not touch. (An allocator that returns pages touched before spares pushes the system's cost
+ * of first touches.) */
 FLG_API FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
 /* One sample of the controller. */
@@ -105,8 +116,8 @@ typedef struct FlgLiveSample {
     double time;          /* seconds on any clock; never decreasing */
 } FlgLiveSample;
 
-/* Adds samples; out_new (may be null) shows the points this call made. Checks all samples first: if one is invalid,
- * none is added, and the stroke stays unchanged and can continue:
+/* [any thread, one per stroke] Adds samples; out_new (may be null) shows the points this call made. Checks all
+ * samples first: if one is invalid, none is added, and the stroke stays unchanged and can continue:
  *   FLG_ERROR_INVALID_ARGUMENT  a number that is not finite or out of range, or a time before the previous sample's
  *   FLG_ERROR_LIMIT             a jump beyond max_jump (end the stroke there and begin another), more than max_samples,
  *                               or the stroke is cut at max_points (FlgLiveStrokeInfo::cut): it can still be ended, and
@@ -118,9 +129,19 @@ typedef struct FlgLiveSample {
 FLG_API FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSample* samples,
                                     uint32_t count, FlgCurveSetView* out_new);
 
-/* All points so far; lives as long as flgLiveStrokePush's view. Once the job of flgLiveStrokeEnd is published: the
- * whole stroke. Cost: tens of nanoseconds. */
+/* [any thread, one per stroke] All points so far; lives as long as flgLiveStrokePush's view. Once the job of
+ * flgLiveStrokeEnd is published: the whole stroke. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgLiveStrokeGetPoints(FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view);
+
+/* [any thread, one per stroke] Where the stroke would be if it ended now, so that what is drawn is not a sample behind
+ * the hand: a curve of the last point so far, if there is one, and the points that flgLiveStrokeEnd would add, bit for
+ * bit. All columns of flgLiveStrokeGetPoints. curve_count is 0 if the end would add nothing. Draw it for a frame, then
+ * drop it: the next sample bends it, and these points never become part of the stroke. The call changes no other
+ * result. It looks ahead by at most 256 points, fewer only where samples wait (4 less for each sample read); beyond
+ * that the tip stops short of the hand. Allocates nothing. The view and its arrays live until the next call of this
+ * function for this stroke, or the stroke's release. Works after flgLiveStrokeEnd too, until its job is published: then
+ * there is no tip any more. Cost: about 0.5 us, and 0.1 us a point. */
+FLG_API FlgResult flgLiveStrokeGetTip(FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_tip);
 
 /* Progress of a stroke. */
 typedef struct FlgLiveStrokeInfo {
@@ -135,26 +156,27 @@ typedef struct FlgLiveStrokeInfo {
                                  samples do */
 } FlgLiveStrokeInfo;
 
-/* The stroke's progress; set struct_size. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgLiveStrokeInfoInit(FlgLiveStrokeInfo* info, uint32_t struct_size);
+
+/* [any thread, one per stroke] The stroke's progress; set struct_size. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
 
-/* Removes the last `count` samples and the points they made: restores the stroke as it was before they were pushed, to
- * the bit. out_point_count (may be null): points left. Refused for an ended stroke: resume it first. Cost: that of
- * pushing up to 5 samples. */
+/* [any thread, one per stroke] Removes the last `count` samples and the points they made: restores the stroke as it
+ * was before they were pushed, to the bit. out_point_count (may be null): points left. Refused for an ended stroke:
+ * resume it first. Cost: that of pushing up to 5 samples. */
 FLG_API FlgResult flgLiveStrokeUndo(FlgContext context, FlgLiveStroke stroke, uint32_t count,
                                     uint32_t* out_point_count);
 
 /* Ends a stroke: starts a job that follows the curve to its last sample. The job copies the stylized points into one
  * set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME in seconds since the first sample). Both
- * can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target of flgStylize. The
- * last point lies up to one step before the last sample. A zero-length stroke is one point, not displaced. Either
- * set may be null if not needed; `options` may be null. The handle stays valid, for flgLiveStrokeResume, until it is
- * released; if the job fails, the stroke continues as if it had not been ended. Refused for a stroke without
- * samples.
- * A stroke that reaches max_points is cut there, and the job succeeds with the points made so far; once the job is
- * published, FlgLiveStrokeInfo::cut is set. `out_samples` has all samples, so the whole stroke can be stylized from
- * it. Cost: about 6 ns a point. */
-FLG_API FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* options,
+ * can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target of
+ * flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is one point,
+ * not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid, for
+ * flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been ended.
+ * Refused for a stroke without samples. A stroke that reaches max_points is cut there, and the job succeeds with the
+ * points made so far; once the job is published, FlgLiveStrokeInfo::cut is set. `out_samples` has all samples, so
+ * the whole stroke can be stylized from it. Cost: about 6 ns a point. */
+FLG_API FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJobOptions* job,
                                    FlgCurveSet* out_stylized, FlgCurveSet* out_samples, FlgJob* out_job);
 
 /* Resumes an ended stroke, as if it had never been ended: removes the points its end added without knowing the next
@@ -165,7 +187,7 @@ FLG_API FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 /* Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the last.
  * FLG_NOT_READY until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point. */
 FLG_API FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t point,
-                                     const FlgJobOptions* options, FlgCurveSet* out_first, FlgCurveSet* out_second,
+                                     const FlgJobOptions* job, FlgCurveSet* out_first, FlgCurveSet* out_second,
                                      FlgJob* out_job);
 
 /* Ends the stroke without results. Jobs that read the stroke keep its memory until they finish. */
@@ -176,10 +198,16 @@ FLG_API FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke)
  * Missing columns mean: no orientation, pressure 1, all times 0 s; without TIME, `smoothing` must be 0. Values that
  * flgLiveStrokePush would refuse fail the job with the same result. So does a curve of more than max_points points:
  * FLG_ERROR_LIMIT, before memory is taken (for the points needed, not for max_points). max_samples does not apply.
- * Closed curves are drawn open. The style need not be ready or warm. `options` may be null. Cost: about 0.3 us a
+ * Closed curves are drawn open. The style need not be ready or warm. `job` may be null. Cost: about 0.3 us a
  * point. */
 FLG_API FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
-                                      const FlgJobOptions* options, FlgCurveSet* out_set, FlgJob* out_job);
+                                      const FlgJobOptions* job, FlgCurveSet* out_set, FlgJob* out_job);
+
+static inline FlgLiveStrokeInfo flgLiveStrokeInfoDefaults(void) {
+    FlgLiveStrokeInfo info;
+    flgLiveStrokeInfoInit(&info, (uint32_t)sizeof info);
+    return info;
+}
 
 static inline FlgLiveStrokeDesc flgLiveStrokeDefaults(void) {
     FlgLiveStrokeDesc desc;

@@ -38,7 +38,7 @@ FLG_HANDLE(FlgSkin);
 typedef struct FlgOutlineDesc {
     uint32_t struct_size;
     uint32_t region_count;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     const uint32_t* regions; /* labels of the surface; null: the whole surface. Copied */
     float direction[3];      /* towards the viewer, of any length; 0 0 0: the average normal of the triangles, which
@@ -59,9 +59,10 @@ FLG_API FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* des
 typedef struct FlgOutlineView {
     uint32_t struct_size;
     uint32_t reserved;
-    FlgContourView contour; /* metres, in the plane through the middle of the triangles; y points up as far as
-                               possible */
-    double placement[12];   /* maps the contour back to the surface */
+    const FlgContourView* contour; /* metres, in the plane through the middle of the triangles; y points up as far as
+                                      possible */
+    double placement[12];          /* maps the contour back to the surface */
+    double origin[3];              /* metres: what the placement's positions are relative to: the surface's origin */
 } FlgOutlineView;
 
 FLG_API FlgResult flgOutlineViewInit(FlgOutlineView* view, uint32_t struct_size);
@@ -79,8 +80,8 @@ FLG_API FlgResult flgOutlineRelease(FlgContext context, FlgOutline outline);
 typedef struct FlgPartDesc {
     uint32_t struct_size;
     uint32_t repair;  /* nonzero: the contour may cross and touch itself, see FlgStraightSkeletonDesc. Default 0 */
-    FlgJobOptions job;
-    FlgContourView contour;
+    const FlgJobOptions* job;
+    const FlgContourView* contour; /* copied */
     double spacing;   /* distance between resampled points of the drawn line, a fraction: 0.0005 to 0.1, default 0.005;
                          0: as drawn */
     double tolerance; /* how far the axis' outline may deviate from the line, a fraction: 0 to 0.1, default 0.0015 */
@@ -133,7 +134,7 @@ FLG_API FlgResult flgPartRelease(FlgContext context, FlgPart part);
 typedef struct FlgPartMeshDesc {
     uint32_t struct_size;
     float thickness; /* 0.01 to 100, default 1: a disc becomes a ball, a long strip a tube 1.4 times as deep as wide */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgPart part;
     double spacing;  /* edge length, in units of the drawing, 1e-4 to 1 of the part's length; 0: automatic, for 500 to
                         3,000 vertices. Default 0 */
@@ -169,45 +170,49 @@ FLG_API FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh);
 /* Resolution of the bones. Fractions are of the model's size, the largest length among its placed parts; the defaults
  * equal the paper's pixels for a size of 2,000 pixels. 0 to 10 each. */
 typedef struct FlgBoneThresholds {
+    uint32_t struct_size;
     float simplify; /* how far joints along a branch may deviate from axis and shape; default 0.0025 */
     float merge;    /* merges junctions closer than this along the bones; default 0.015 */
     float prune;    /* removes shorter branches that lead to an end; default 0.015 */
     float collapse; /* removes bones shorter than this with bones at both ends; default 0.005 */
 } FlgBoneThresholds;
 
+FLG_API FlgResult flgBoneThresholdsInit(FlgBoneThresholds* thresholds, uint32_t struct_size);
+
 /* A part, its place in a model, and its refinement there. */
 typedef struct FlgModelPart {
-    FlgPart part;       /* may be used more than once; its job may still run */
-    const char* name;   /* UTF-8, 1 to 63 bytes, unique; null: "part" and its number */
+    uint32_t struct_size; /* the same of all parts of a model */
+    uint32_t branch_count; /* the part's count, if branch_simplify is given */
+    FlgPart part;         /* may be used more than once; its job may still run */
+    const char* name;     /* UTF-8, 1 to 63 bytes, unique; null: "part" and its number */
     double placement[12]; /* rows of a 3 x 4 matrix that maps (x, y, 0, 1) to the model's space: rotation, uniform
                              scale, translation, optional mirroring. Default: as drawn */
-    float thickness;    /* depth of the part relative to the paper's inflation: 0.01 to 100, default 1; a disc becomes a
-                           ball */
+    float thickness;      /* depth of the part relative to the paper's inflation: 0.01 to 100, default 1; a disc
+                             becomes a ball */
     /* Overlapping parts become one piece, and their weights blend: keep legs that should move separately apart. */
-    uint32_t mirrored;  /* nonzero: adds a copy mirrored at desc.mirror; names end with .L and .R, .L on the side of the
-                           plane's normal. Default 0 */
+    uint32_t mirrored;                   /* nonzero: adds a copy mirrored at desc.mirror; names end with .L and .R,
+                                            .L on the side of the plane's normal. Default 0 */
     const FlgBoneThresholds* thresholds; /* null: the model's */
     const float* branch_simplify;        /* one per branch of the part; negative: the part's value; null: the part's
                                             value for all */
-    uint32_t branch_count;               /* the part's count, if branch_simplify is given */
-    uint32_t reserved;
 } FlgModelPart;
 
 typedef struct FlgModelDesc {
     uint32_t struct_size;
     uint32_t part_count;       /* 1 to 4096 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     const FlgModelPart* parts; /* in modelling order: a part attaches to an earlier one */
-    FlgBoneThresholds thresholds;
+    const FlgBoneThresholds* thresholds; /* null: the defaults */
     float shape_weight;        /* weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to
                                   100, default 0.25 */
     /* A plane a x + b y + c z = d. Its normal may have any length above 0 and points to the model's left (0 0 -1 for a
      * model that looks along +x, y up). A part across the plane is doubled in place. Default 1 0 0 0 */
     float mirror[4];
     uint32_t reserved;
+    double origin[3]; /* metres: what placements and `mirror` are relative to. Default 0 */
 } FlgModelDesc;
 
-FLG_API FlgResult flgModelPartInit(FlgModelPart* part);
+FLG_API FlgResult flgModelPartInit(FlgModelPart* part, uint32_t struct_size);
 FLG_API FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one skeleton from the parts, sec. 3.1 (BoundedDP), 3.2 and 3.3 of the paper: it places joints
@@ -217,9 +222,9 @@ FLG_API FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, F
 
 /* How a part was attached to the model. */
 typedef enum FlgPartEvent {
-    FLG_PART_ROOT = 0,          /* meets no earlier part */
-    FLG_PART_BONE_SPLIT = 1,    /* a new joint on a bone of its parent part */
-    FLG_PART_JOINT_CONNECT = 2, /* a bone from one of its parent part's joints */
+    FLG_PART_EVENT_ROOT = 0,          /* meets no earlier part */
+    FLG_PART_EVENT_BONE_SPLIT = 1,    /* a new joint on a bone of its parent part */
+    FLG_PART_EVENT_JOINT_CONNECT = 2, /* a bone from one of its parent part's joints */
     FLG_PART_EVENT_FORCE_32BIT = 0x7fffffff
 } FlgPartEvent;
 
@@ -237,15 +242,16 @@ typedef struct FlgModelPartInfo {
 /* Joints, parents first. The bone to a joint turns with its parent. */
 typedef struct FlgModelView {
     uint32_t struct_size;
-    uint32_t joint_count;          /* at least 1 */
-    const float* joint_positions;  /* 3 per joint, metres */
-    const float* joint_radii;      /* radius of the shape around the joint, metres */
-    const uint32_t* joint_parents; /* FLG_NO_INDEX: a root */
-    const uint32_t* joint_parts;   /* the part each joint lies in */
+    uint32_t joint_count;           /* at least 1 */
+    const float* joint_positions;   /* 3 per joint, metres */
+    const float* joint_radii;       /* radius of the shape around the joint, metres */
+    const uint32_t* joint_parents;  /* FLG_NO_INDEX: a root */
+    const uint32_t* joint_parts;    /* the part each joint lies in */
     const char* const* joint_names; /* the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ... */
-    const FlgModelPartInfo* parts; /* including mirror images, each after its original */
+    const FlgModelPartInfo* parts;  /* including mirror images, each after its original */
     uint32_t part_count;
     float size;                    /* the size that thresholds are fractions of, metres */
+    double origin[3];              /* metres: what positions are relative to */
 } FlgModelView;
 
 FLG_API FlgResult flgModelViewInit(FlgModelView* view, uint32_t struct_size);
@@ -263,23 +269,24 @@ typedef struct FlgSkinView {
     uint32_t struct_size;
     uint32_t vertex_count;
     uint32_t triangle_count;
-    uint32_t joint_count;          /* 1 to 65535 */
-    const float* positions;        /* 3 per vertex, metres */
-    const float* normals;          /* 3 per vertex, of length 1 */
-    const uint32_t* triangles;     /* 3 per triangle, counter-clockwise seen from outside */
-    const uint16_t* vertex_joints; /* 4 per vertex: joints that move it, largest weight first; unused ones are 0 */
-    const float* vertex_weights;   /* 4 per vertex: 0 to 1, with sum 1; unused ones are 0 */
-    const uint32_t* vertex_parts;  /* one per vertex: the part it lies on */
-    const float* joint_positions;  /* 3 per joint, metres, in the model's space */
-    const uint32_t* joint_parents; /* one per joint, lower than its own index; FLG_NO_INDEX: a root */
+    uint32_t joint_count;           /* 1 to 65535 */
+    const float* positions;         /* 3 per vertex, metres */
+    const float* normals;           /* 3 per vertex, of length 1 */
+    const uint32_t* triangles;      /* 3 per triangle, counter-clockwise seen from outside */
+    const uint16_t* vertex_joints;  /* 4 per vertex: joints that move it, largest weight first; unused ones are 0 */
+    const float* vertex_weights;    /* 4 per vertex: 0 to 1, with sum 1; unused ones are 0 */
+    const uint32_t* vertex_parts;   /* one per vertex: the part it lies on */
+    const float* joint_positions;   /* 3 per joint, metres, in the model's space */
+    const uint32_t* joint_parents;  /* one per joint, lower than its own index; FLG_NO_INDEX: a root */
     const char* const* joint_names; /* one per joint, UTF-8, unique; null in input: none */
+    double origin[3];               /* metres: what positions are relative to. Default 0 */
 } FlgSkinView;
 
 typedef struct FlgSkinDesc {
     uint32_t struct_size;
     uint32_t vertex_count;      /* approximate count, within 15 %, if no part is too thin: 100 to most_vertices, default
                                    10000 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgModel model;
     uint32_t most_vertices;     /* upper limit where thin parts need more: 100 to 4194304, default 200000 */
     float blend;                /* rounds edges where parts cross over this length: metres, up to 1e30; below 0:
@@ -418,8 +425,14 @@ static inline FlgSkinDesc flgSkinDefaults(void) {
 
 static inline FlgModelPart flgModelPartDefaults(void) {
     FlgModelPart part;
-    flgModelPartInit(&part);
+    flgModelPartInit(&part, (uint32_t)sizeof part);
     return part;
+}
+
+static inline FlgBoneThresholds flgBoneThresholdsDefaults(void) {
+    FlgBoneThresholds thresholds;
+    flgBoneThresholdsInit(&thresholds, (uint32_t)sizeof thresholds);
+    return thresholds;
 }
 
 static inline FlgModelDesc flgModelDefaults(void) {

@@ -24,20 +24,20 @@ FLG_HANDLE(FlgMotion);
 
 typedef struct FlgMotionDesc {
     uint32_t struct_size;
-    uint32_t key_count;        /* 2 to FLG_MOTION_MAX_KEYS */
-    FlgJobOptions job;         /* partial_results: every round is visible */
-    const double* times;       /* one per key, seconds, ascending */
-    const double* poses;       /* 12 per key: three rows of four, the rotation and the position. Point p of the body is
-                                  then at rotation p + position. Both arrays are read during the call */
-    uint32_t closed;           /* nonzero: the last key leads back to the first. Default 0 */
-    FlgSplineEnergy energy;    /* summed over the body's points. E2: smooth throughout; E1: free flight between keys,
-                                  with kicks at keys; ET: between the two. Default FLG_SPLINE_E2 */
-    double end_time;           /* for closed motions: when the first key recurs, seconds. Default 0: one average key
-                                  interval after the last key */
-    double tension;            /* for FLG_SPLINE_ET: w, 1 / square second, above 0 to 1e12. Default 1 */
-    double smoothing;          /* 0: passes through the keys. Above: passes near them, minimizing the energy plus the
-                                  squared distances of the body's points over this; seconds to the third (E1: seconds),
-                                  to 1e9. Default 0 */
+    uint32_t key_count;       /* 2 to FLG_MOTION_MAX_KEYS */
+    const FlgJobOptions* job; /* partial_results: every round is visible */
+    const double* times;      /* one per key, seconds, ascending */
+    const double* poses;      /* 12 per key: three rows of four, the rotation and the position. Point p of the body
+                                 is then at rotation p + position. Both arrays are read during the call */
+    uint32_t closed;          /* nonzero: the last key leads back to the first. Default 0 */
+    FlgSplineEnergy energy;   /* summed over the body's points. E2: smooth throughout; E1: free flight between keys,
+                                 with kicks at keys; ET: between the two. Default FLG_SPLINE_ENERGY_E2 */
+    double end_time;          /* for closed motions: when the first key recurs, seconds. Default 0: one average key
+                                 interval after the last key */
+    double tension;           /* for FLG_SPLINE_ENERGY_ET: w, 1 / square second, above 0 to 1e12. Default 1 */
+    double smoothing;         /* 0: passes through the keys. Above: passes near them, minimizing the energy plus the
+                                 squared distances of the body's points over this; seconds to the third (E1:
+                                 seconds), to 1e9. Default 0 */
     /* The body; only its barycentre and inertia matter. Points with masses or, without points, a solid box. */
     const double* body_points; /* 3 per point, in the body's coordinates: a few feature points, or a mesh's vertices;
                                   read during the call. Default null: the box */
@@ -59,6 +59,7 @@ typedef struct FlgMotionDesc {
     uint32_t side_count;          /* default 0 */
     uint32_t reserved2;
     double obstacle_radius;       /* 1e-5 to 0.1, see FlgSplineDesc. Default 1e-3 */
+    double origin[3];             /* metres: what the poses' positions are relative to. Default 0 */
 } FlgMotionDesc;
 
 FLG_API FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size);
@@ -97,12 +98,13 @@ typedef struct FlgMotionView {
     double barycentre_energy;      /* the barycentre's share: mass times its path's energy */
     double rotation_energy;        /* the rest: that of the rotations */
     double residual;               /* of the rotations, see FlgSplineView */
+    double origin[3];              /* as in the descriptor */
 } FlgMotionView;
 
 FLG_API FlgResult flgMotionViewInit(FlgMotionView* view, uint32_t struct_size);
 
-/* The arrays live until the motion is released; while it runs, until the next flgTick. FLG_NOT_READY until its job is
- * published (with partial_results: until its first round), the job's error if it failed. */
+/* The arrays live until the motion is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
+ * its job is published (with partial_results: until its first round), the job's error if it failed. */
 FLG_API FlgResult flgMotionGetView(FlgContext context, FlgMotion motion, FlgMotionView* out_view);
 
 FLG_API FlgResult flgMotionRelease(FlgContext context, FlgMotion motion);

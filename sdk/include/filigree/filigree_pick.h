@@ -6,8 +6,8 @@
  *
  * Threads   A function that changes a scene must not overlap with any other call on it, and no query may run between a
  *           change and the commit after it; queries may run in parallel on any threads.
- * Brushes   The area within a geodesic radius of a hit is a field: flgGeodesic from the hit's triangle, u and v, with
- *           max_distance.
+ * Brushes   The area within a geodesic radius of a hit is a field: flgFieldCreateGeodesic from the hit's triangle, u
+ *           and v, with max_distance.
  * Waiting   Setting up a surface of 2 million triangles takes seconds: do it where your engine loads assets. Updating
  *           after a cut adds only the changes: well below a millisecond per thousand changed triangles.
  */
@@ -23,12 +23,14 @@ extern "C" {
 /* Embree's acceleration structures over copies of surfaces and curves. */
 typedef struct FlgPickSceneT* FlgPickScene;
 
-/* [any thread] As flgLastError, for the functions of this header. */
-FLG_API const char* flgPickLastError(void);
+/* [any thread] As flgErrorGetMessage, for the functions of this header. */
+FLG_API const char* flgPickErrorGetMessage(void);
 
 typedef struct FlgPickSceneDesc {
     uint32_t struct_size;
     uint32_t threads; /* for Embree's builds; 0: one per core. Default 1: the calling thread */
+    /* Metres: what rays, points and hits are relative to. Objects near it are picked most precisely. Default 0 */
+    double origin[3];
 } FlgPickSceneDesc;
 
 FLG_API FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint32_t struct_size);
@@ -82,11 +84,20 @@ typedef struct FlgHit {
 /* [any thread] The first hit of each ray, on both sides of surfaces. FLG_ERROR_INVALID_ARGUMENT names the first invalid
  * ray; no ray is then shot. Cost, with 2 million triangles: about a microsecond a ray, half of that for 10,000 rays or
  * more at a time. */
-FLG_API FlgResult flgPickRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits);
+FLG_API FlgResult flgPickSceneCastRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits);
 
 /* [any thread] The nearest point within `max_distance` (metres, > 0, may be infinite). Cost: some us, tens if it is
  * far. */
-FLG_API FlgResult flgPickNearest(FlgPickScene scene, const float point[3], float max_distance, FlgHit* out_hit);
+FLG_API FlgResult flgPickSceneFindNearest(FlgPickScene scene, const float point[3], float max_distance,
+                                          FlgHit* out_hit);
+
+/* ---- Defaults by value ------------------------------------------------------------------------------------------- */
+
+static inline FlgPickSceneDesc flgPickSceneDefaults(void) {
+    FlgPickSceneDesc desc;
+    flgPickSceneDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
 
 #ifdef __cplusplus
 }

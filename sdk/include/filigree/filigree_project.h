@@ -13,27 +13,27 @@
 extern "C" {
 #endif
 
-typedef struct FlgProjectDesc {
+typedef struct FlgCurveSetProjectDesc {
     uint32_t struct_size;
     uint32_t reserved;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     FlgCurveSet curves; /* open and closed; only their POSITION is used */
-} FlgProjectDesc;
+} FlgCurveSetProjectDesc;
 
-FLG_API FlgResult flgProjectDescInit(FlgProjectDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgCurveSetProjectDescInit(FlgCurveSetProjectDesc* desc, uint32_t struct_size);
 
 /* Starts a job that projects curves in space onto a surface, ready to be cut along: each point snaps to the nearest
  * point of the surface. Between two points the curve follows the plane through both and the surface's normal there or,
  * if that leads nowhere, a shortest path. curve_values are lengths. Curves that collapse to a single point are omitted.
  * Fails if consecutive points fall on disconnected parts of the surface. Cost: 0.1 us a triangle of the surface, some
  * us a point near it (more the farther off) and 0.1 us a triangle passed. */
-FLG_API FlgResult flgProjectCurves(FlgContext context, const FlgProjectDesc* desc, FlgSurfaceCurves* out_curves,
-                                   FlgJob* out_job);
+FLG_API FlgResult flgCurveSetProject(FlgContext context, const FlgCurveSetProjectDesc* desc,
+                                     FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-static inline FlgProjectDesc flgProjectDefaults(void) {
-    FlgProjectDesc desc;
-    flgProjectDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgCurveSetProjectDesc flgCurveSetProjectDefaults(void) {
+    FlgCurveSetProjectDesc desc;
+    flgCurveSetProjectDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -36,8 +36,8 @@ FLG_API FlgResult flgContourViewInit(FlgContourView* view, uint32_t struct_size)
 typedef struct FlgStraightSkeletonDesc {
     uint32_t struct_size;
     uint32_t repair; /* nonzero: the contour may cross and touch itself, see below. Default 0 */
-    FlgJobOptions job;
-    FlgContourView contour;
+    const FlgJobOptions* job;
+    const FlgContourView* contour; /* copied */
 } FlgStraightSkeletonDesc;
 
 FLG_API FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uint32_t struct_size);

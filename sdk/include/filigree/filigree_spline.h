@@ -27,83 +27,89 @@ FLG_HANDLE(FlgSpline);
 /* ---- Manifolds --------------------------------------------------------------------------------------------------- */
 
 /* Manifolds that need no data. */
-typedef enum FlgShape {
-    FLG_SHAPE_SPACE = 0,  /* R^ambient itself: no restriction */
-    FLG_SHAPE_PLANE = 1,  /* z = 0 in R^3 */
-    FLG_SHAPE_SPHERE = 2, /* centred at the origin of R^3, of `radius` */
-    FLG_SHAPE_TORUS = 3,  /* around the z-axis: the circle of `radius` in the plane z = 0, thickened by `tube_radius` */
-    FLG_SHAPE_FORMULA = 4, /* the zero set of a smooth formula, by `name`: see flgFormulaName */
-    FLG_SHAPE_FORCE_32BIT = 0x7fffffff
-} FlgShape;
+typedef enum FlgManifoldShape {
+    FLG_MANIFOLD_SHAPE_SPACE = 0,   /* R^ambient itself: no restriction */
+    FLG_MANIFOLD_SHAPE_PLANE = 1,   /* z = 0 in R^3 */
+    FLG_MANIFOLD_SHAPE_SPHERE = 2,  /* centred at the origin of R^3, of `radius` */
+    FLG_MANIFOLD_SHAPE_TORUS = 3,   /* around the z-axis: the circle of `radius` in the plane z = 0, thickened by
+                                       `tube_radius` */
+    FLG_MANIFOLD_SHAPE_FORMULA = 4, /* the zero set of a smooth formula, by `name`: see flgFormulaGetName */
+    FLG_MANIFOLD_SHAPE_FORCE_32BIT = 0x7fffffff
+} FlgManifoldShape;
 
-typedef struct FlgShapeDesc {
+typedef struct FlgManifoldShapeDesc {
     uint32_t struct_size;
-    FlgShape shape;     /* default FLG_SHAPE_SPACE */
-    uint32_t ambient;   /* for FLG_SHAPE_SPACE: 2 to 12. Default 3 */
+    FlgManifoldShape shape; /* default FLG_MANIFOLD_SHAPE_SPACE */
+    uint32_t ambient;       /* for FLG_MANIFOLD_SHAPE_SPACE: 2 to 12. Default 3 */
     uint32_t reserved;
     double radius;      /* metres, 1e-6 to 1e6. Default 1 */
     double tube_radius; /* metres, 1e-6 to below radius. Default 0.25 */
-    double size;        /* metres, for FLG_SHAPE_SPACE and FLG_SHAPE_PLANE: approximate extent of the scene.
-                           Default 1 */
-    const char* name;   /* for FLG_SHAPE_FORMULA */
-} FlgShapeDesc;
+    double size;        /* metres, for FLG_MANIFOLD_SHAPE_SPACE and FLG_MANIFOLD_SHAPE_PLANE: approximate extent of
+                           the scene. Default 1 */
+    const char* name;   /* for FLG_MANIFOLD_SHAPE_FORMULA */
+    double origin[3];   /* metres, in R^3: where the shape is; its coordinates are relative to this. Must be 0 for
+                           FLG_MANIFOLD_SHAPE_SPACE, which is everywhere. Default 0 */
+} FlgManifoldShapeDesc;
 
-FLG_API FlgResult flgShapeDescInit(FlgShapeDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgManifoldShapeDescInit(FlgManifoldShapeDesc* desc, uint32_t struct_size);
 
 /* Makes a manifold at once. Cost: 0.1 ms at most. */
-FLG_API FlgResult flgManifoldCreateShape(FlgContext context, const FlgShapeDesc* desc, FlgManifold* out_manifold);
+FLG_API FlgResult flgManifoldCreateShape(FlgContext context, const FlgManifoldShapeDesc* desc,
+                                         FlgManifold* out_manifold);
 
 /* The names of formulas, from index 0 on; null beyond the last one. Static strings. */
-FLG_API const char* flgFormulaName(uint32_t number);
+FLG_API const char* flgFormulaGetName(uint32_t number);
 
-typedef struct FlgMeshManifoldDesc {
+typedef struct FlgManifoldFromSurfaceDesc {
     uint32_t struct_size;
     uint32_t reserved;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface; /* kept by the manifold; later cuts do not change the manifold */
-} FlgMeshManifoldDesc;
+} FlgManifoldFromSurfaceDesc;
 
-FLG_API FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgManifoldFromSurfaceDescInit(FlgManifoldFromSurfaceDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their normals and
  * curvatures. Its error on smooth parts is quadratic in edge length; creases are rounded off. The manifold's view gives
  * the deviation of its vertices. Opposite sides of thin solids stay apart; two sheets that face the same way blend
  * where they are closer than an edge length. Tangents jump across edges sharper than about 114 degrees, where curves
- * may stall. The surface continues a little beyond open borders: FLG_OBSTACLE_BORDER keeps curves from there.
+ * may stall. The surface continues a little beyond open borders: FLG_OBSTACLE_KIND_BORDER keeps curves from there.
  * Cost: about 1 us a triangle. */
-FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgMeshManifoldDesc* desc,
+FLG_API FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFromSurfaceDesc* desc,
                                                FlgManifold* out_manifold, FlgJob* out_job);
 
-typedef struct FlgCloudManifoldDesc {
+typedef struct FlgManifoldFromPointsDesc {
     uint32_t struct_size;
     uint32_t point_count; /* 4 to 2^24 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     const float* points;  /* 3 per point, metres; read during the call */
     const float* normals; /* 3 per point, not 0; null: computed, and oriented consistently along the cloud */
     uint32_t neighbours;  /* points in each neighbourhood, 6 to 32: more smooth more. Default 16 */
     uint32_t reserved;
-} FlgCloudManifoldDesc;
+    double origin[3];     /* metres: what points are relative to. Default 0 */
+} FlgManifoldFromPointsDesc;
 
-FLG_API FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgManifoldFromPointsDescInit(FlgManifoldFromPointsDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes the smooth surface of a point cloud by moving least squares (sec. 3.2). Cost: some us a
  * point. */
-FLG_API FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgCloudManifoldDesc* desc,
+FLG_API FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgManifoldFromPointsDesc* desc,
                                               FlgManifold* out_manifold, FlgJob* out_job);
 
-typedef struct FlgGridManifoldDesc {
+typedef struct FlgManifoldFromGridDesc {
     uint32_t struct_size;
     uint32_t counts[3];  /* samples along x, y, z: 2 to 65536 each, 2^31 in total */
-    FlgJobOptions job;
-    double origin[3];    /* position of the first sample, metres */
+    const FlgJobOptions* job;
+    double corner[3];    /* position of the first sample, metres */
     double spacing;      /* metres, above 0 */
     const float* values; /* x fastest: a function that is negative inside and nowhere flat at 0; read during the call */
-} FlgGridManifoldDesc;
+    double origin[3];    /* metres: what `corner` is relative to. Default 0 */
+} FlgManifoldFromGridDesc;
 
-FLG_API FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgManifoldFromGridDescInit(FlgManifoldFromGridDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes the zero set of a sampled function, such as signed distances. Cost: about 20 ns a sample. */
-FLG_API FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgGridManifoldDesc* desc,
+FLG_API FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgManifoldFromGridDesc* desc,
                                             FlgManifold* out_manifold, FlgJob* out_job);
 
 /* The image manifold of a surface's normals (sec. 6, Fig. 17): (x, weight * normal) in R^6. Curves on it avoid crossing
@@ -129,6 +135,7 @@ typedef struct FlgManifoldFunctions {
      * computed from differences of projections. */
     void (*second_form)(void* user_data, const double* point, double* memory, const double* basis, const double* force,
                         double* form);
+    double origin[3]; /* metres: what the functions' coordinates are relative to; 0 unless in R^3. Default 0 */
 } FlgManifoldFunctions;
 
 FLG_API FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint32_t struct_size);
@@ -153,6 +160,7 @@ typedef struct FlgPatchFunctions {
      * product points outwards. Called from worker threads, several at a time; must not throw or call the SDK; 100 ns at
      * most. */
     void (*evaluate)(void* user_data, double u, double v, double* out);
+    double origin[3]; /* metres: what the function's points are relative to. Default 0 */
 } FlgPatchFunctions;
 
 FLG_API FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint32_t struct_size);
@@ -170,15 +178,16 @@ typedef struct FlgManifoldView {
     double size;              /* metres */
     double largest_deviation; /* metres: of the source data (vertices, points) from it; 0 where it is exact */
     double mean_deviation;    /* root mean square of the same deviation */
+    double origin[3];         /* metres: what the manifold's points are relative to */
 } FlgManifoldView;
 
 FLG_API FlgResult flgManifoldViewInit(FlgManifoldView* view, uint32_t struct_size);
 /* FLG_NOT_READY until the manifold's job is published, the job's error if it failed. */
 FLG_API FlgResult flgManifoldGetView(FlgContext context, FlgManifold manifold, FlgManifoldView* out_view);
 
-/* Projects up to 64 points onto a manifold at once, such as a cursor's. out_distances (metres) may be null; a point
- * that cannot be projected stays unchanged and gets HUGE_VAL. FLG_NOT_READY until the manifold's job is published.
- * Cost: some us a point. */
+/* Projects up to 64 points, relative to the manifold's origin, onto it at once, such as a cursor's. out_distances
+ * (metres) may be null; a point that cannot be projected stays unchanged and gets HUGE_VAL. FLG_NOT_READY until the
+ * manifold's job is published. Cost: some us a point. */
 FLG_API FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* points, uint32_t point_count,
                                      double* out_distances);
 
@@ -191,28 +200,28 @@ FLG_HANDLE(FlgObstacles);
 
 /* The kind of an obstacle; it determines which fields apply. */
 typedef enum FlgObstacleKind {
-    FLG_OBSTACLE_BALL = 0,     /* centre, radius */
-    FLG_OBSTACLE_BOX = 1,      /* centre, half, axes */
-    FLG_OBSTACLE_CAPSULE = 2,  /* everything within `radius` of the segment from centre to `to` */
-    FLG_OBSTACLE_POLYGON = 3,  /* plane only: points */
-    FLG_OBSTACLE_FUNCTION = 4, /* defined by the host */
-    FLG_OBSTACLE_MESH = 5,     /* space only: a closed surface, to half a cell of a grid of `cells` */
-    FLG_OBSTACLE_LAYER = 6,    /* space only: everything farther than `radius` from an open surface: curves stay in a
-                                  thin layer around it, and so between its borders (sec. 5) */
-    FLG_OBSTACLE_BORDER = 7,   /* space only: the region beyond a surface's open borders, for curves on its manifold.
-                                  Needs no grid, so it is faster and closer than a layer. Rounds border corners by about
-                                  an edge */
+    FLG_OBSTACLE_KIND_BALL = 0,     /* centre, radius */
+    FLG_OBSTACLE_KIND_BOX = 1,      /* centre, half, axes */
+    FLG_OBSTACLE_KIND_CAPSULE = 2,  /* everything within `radius` of the segment from centre to `to` */
+    FLG_OBSTACLE_KIND_POLYGON = 3,  /* plane only: points */
+    FLG_OBSTACLE_KIND_FUNCTION = 4, /* defined by the host */
+    FLG_OBSTACLE_KIND_MESH = 5,     /* space only: a closed surface, to half a cell of a grid of `cells` */
+    FLG_OBSTACLE_KIND_LAYER = 6,    /* space only: everything farther than `radius` from an open surface: curves stay
+                                       in a thin layer around it, and so between its borders (sec. 5) */
+    FLG_OBSTACLE_KIND_BORDER = 7,   /* space only: the region beyond a surface's open borders, for curves on its
+                                       manifold. Needs no grid, so it is faster and closer than a layer. Rounds
+                                       border corners by about an edge */
     FLG_OBSTACLE_KIND_FORCE_32BIT = 0x7fffffff
 } FlgObstacleKind;
 
 /* In the plane only x and y are used. Metres. */
 typedef struct FlgObstacle {
+    uint32_t struct_size; /* the same of all obstacles of a set */
     FlgObstacleKind kind;
-    uint32_t point_count; /* 3 to 256 */
     FlgSurface surface;
     uint32_t cells;       /* grid cells along the longest side, 8 to 192; a layer is at least 4 of them thick.
                              Default 64 */
-    uint32_t reserved;
+    uint32_t point_count; /* 3 to 256 */
     double centre[3];     /* of balls, boxes, capsules, and the box around a function */
     double half[3];       /* half the box's sides, above 0 */
     double axes[9];       /* rows: the box's axes, orthonormal to 1e-6; in the plane the first two numbers of the first
@@ -220,25 +229,27 @@ typedef struct FlgObstacle {
     double to[3];         /* a capsule's other end */
     double radius;        /* above 0 */
     const double* points; /* 2 per point: a simple polygon, in either orientation; read during the call */
-    /* For FLG_OBSTACLE_FUNCTION, called from any thread. Returns a value that is positive outside and never exceeds the
-     * distance, and writes its gradient, which must not be 0 within half a `half` of the zero set. centre and half: a
-     * box that contains the whole solid. */
+    /* For FLG_OBSTACLE_KIND_FUNCTION, called from any thread. Returns a value that is positive outside and never
+     * exceeds the distance, and writes its gradient, which must not be 0 within half a `half` of the zero set.
+     * centre and half: a box that contains the whole solid. */
     double (*value)(void* user_data, const double* x, double* gradient);
     void* user_data;      /* must live until the obstacles and all splines among them are released */
 } FlgObstacle;
 
 /* A ball of radius 1 at the origin; a box with sides of 2. */
-FLG_API void flgObstacleInit(FlgObstacle* obstacle);
+FLG_API FlgResult flgObstacleInit(FlgObstacle* obstacle, uint32_t struct_size);
 
 typedef struct FlgObstaclesDesc {
     uint32_t struct_size;
     uint32_t dimension;      /* 2 or 3. Default 3 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     const FlgObstacle* obstacles; /* copied, except the data at user_data */
-    uint32_t obstacle_count; /* 1 to 256 */
+    uint32_t obstacle_count;      /* 1 to 256 */
     uint32_t reserved;
     double clearance;        /* metres, at least 0: distance that curves keep, such as the radius of a body whose centre
                                 they carry. Default 0 */
+    double origin[3];        /* metres: what the obstacles' places are relative to; surfaces keep their own. 0 in the
+                                plane. Default 0 */
 } FlgObstaclesDesc;
 
 FLG_API FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint32_t struct_size);
@@ -264,9 +275,9 @@ typedef struct FlgObstacleSide {
 
 /* The energy a curve minimizes. */
 typedef enum FlgSplineEnergy {
-    FLG_SPLINE_E2 = 0, /* squared second derivative: cubic splines. Wide, even turns */
-    FLG_SPLINE_E1 = 1, /* squared first derivative: geodesics, with corners at the points */
-    FLG_SPLINE_ET = 2, /* E2 + tension * E1: between the two */
+    FLG_SPLINE_ENERGY_E2 = 0, /* squared second derivative: cubic splines. Wide, even turns */
+    FLG_SPLINE_ENERGY_E1 = 1, /* squared first derivative: geodesics, with corners at the points */
+    FLG_SPLINE_ENERGY_ET = 2, /* E2 + tension * E1: between the two */
     FLG_SPLINE_ENERGY_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnergy;
 
@@ -279,8 +290,8 @@ typedef enum FlgSplineStart {
 
 typedef struct FlgSplineDesc {
     uint32_t struct_size;
-    uint32_t point_count;      /* 2 to 65536, closed: at least 3 (1 and 2 less with a `curve`) */
-    FlgJobOptions job;         /* partial_results: every round is visible */
+    uint32_t point_count;     /* 2 to 65536, closed: at least 3 (1 and 2 less with a `curve`) */
+    const FlgJobOptions* job; /* partial_results: every round is visible */
     FlgManifold manifold;
     const double* points;      /* ambient numbers per point: interpolated in this order, read during the call. Points
                                   off the manifold are projected (the view has the distances); two consecutive points
@@ -288,8 +299,8 @@ typedef struct FlgSplineDesc {
     const double* parameters;  /* one per point, closed: one more, for the return to the first point; ascending. Null:
                                   lengths of the curve */
     uint32_t closed;           /* nonzero: the last point connects back to the first. Default 0 */
-    FlgSplineEnergy energy;    /* default FLG_SPLINE_E2 */
-    double tension;            /* for FLG_SPLINE_ET: w, 1 / square metre, above 0 to 1e12. Default 1 */
+    FlgSplineEnergy energy;    /* default FLG_SPLINE_ENERGY_E2 */
+    double tension;            /* for FLG_SPLINE_ENERGY_ET: w, 1 / square metre, above 0 to 1e12. Default 1 */
     double smoothing;          /* 0: interpolates the points. Above: minimizes the energy plus the squared distances to
                                   the points over this; metres to the third with E2 and lengths. Default 0 */
     double first_tension;      /* initial tension, divided by 4 each round (sec. 3.2, homotopy). Default 0: none */
@@ -312,19 +323,21 @@ typedef struct FlgSplineDesc {
      * warm_start are then ignored. Default null */
     const double* curve;
     const uint32_t* curve_knots; /* one per given point: its node */
-    uint32_t curve_count;      /* nodes of `curve`, 2 (closed: 3) to 2^20 */
-    uint32_t subdivisions;     /* rounds of variational subdivision (Remark 6) afterwards: each inserts a node between
-                                  every two, and optimizes all but the given points again. 0 to 8. Default 0 */
-    /* The curve avoids these (sec. 5). The manifold must be a FLG_SHAPE_SPACE of the same dimension, or a surface in
-     * R^3. The result is the limit of splines on barriers around them, as the barriers' radius shrinks to
+    uint32_t curve_count;        /* nodes of `curve`, 2 (closed: 3) to 2^20 */
+    uint32_t subdivisions;       /* rounds of variational subdivision (Remark 6) afterwards: each inserts a node
+                                    between every two, and optimizes all but the given points again. 0 to 8. Default
+                                    0 */
+    /* The curve avoids these (sec. 5). The manifold must be a FLG_MANIFOLD_SHAPE_SPACE of the same dimension, or a
+     * surface in R^3. The result is the limit of splines on barriers around them, as the barriers' radius shrinks to
      * `obstacle_radius` of the scene's size; it may touch them along a stretch. A given point inside an obstacle is
-     * refused. Nodes stay outside obstacles; the pieces between them do too, except for their sagitta. Up to 16 times
-     * as many nodes are used where pieces would pass through. In space the initial curve goes around the obstacles; on
-     * a surface the initial curve ignores them, and `sides` has no effect. `start`, `warm_start`, slopes and
-     * subdivisions are ignored; `curve` is refused. Default none */
+     * refused. Nodes stay outside obstacles; the pieces between them do too, except for their sagitta. Up to 16
+     * times as many nodes are used where pieces would pass through. In space the initial curve goes around the
+     * obstacles; on a surface the initial curve ignores them, and `sides` has no effect. `start`, `warm_start`,
+     * slopes and subdivisions are ignored; `curve` is refused. Default none */
     FlgObstacles obstacles;
     const FlgObstacleSide* sides; /* how the initial curve passes; default null: the shortest way */
-    double obstacle_radius;    /* 1e-5 to 0.1. Default 1e-3 */
+    double obstacle_radius;       /* 1e-5 to 0.1. Default 1e-3 */
+    double origin[3];             /* metres: what `points` and `curve` are relative to; 0 unless in R^3. Default 0 */
 } FlgSplineDesc;
 
 FLG_API FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size);
@@ -340,13 +353,14 @@ FLG_API FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc,
 
 /* Why the optimization ended. A curve is available in each case. */
 typedef enum FlgSplineEnding {
-    FLG_SPLINE_RUNNING = 0,   /* still running: the view shows one round's result */
-    FLG_SPLINE_CONVERGED = 1, /* the residual is at most the tolerance */
-    FLG_SPLINE_ROUNDING = 2,  /* as close as rounding allows: with thousands of nodes between points, differences
-                                 cancel */
-    FLG_SPLINE_ROUNDS = 3,    /* max_rounds was reached */
-    FLG_SPLINE_STALLED = 4,   /* no step lowers the energy: the surface is not smooth there (sharp creases, rims), or
-                                 obstacles block the way. The curve is the best found; see the residual */
+    FLG_SPLINE_ENDING_RUNNING = 0,   /* still running: the view shows one round's result */
+    FLG_SPLINE_ENDING_CONVERGED = 1, /* the residual is at most the tolerance */
+    FLG_SPLINE_ENDING_ROUNDING = 2,  /* as close as rounding allows: with thousands of nodes between points,
+                                        differences cancel */
+    FLG_SPLINE_ENDING_ROUNDS = 3,    /* max_rounds was reached */
+    FLG_SPLINE_ENDING_STALLED = 4,   /* no step lowers the energy: the surface is not smooth there (sharp creases,
+                                        rims), or obstacles block the way. The curve is the best found; see the
+                                        residual */
     FLG_SPLINE_ENDING_FORCE_32BIT = 0x7fffffff
 } FlgSplineEnding;
 
@@ -357,71 +371,73 @@ typedef struct FlgSplineView {
     uint32_t point_count;
     uint32_t closed; /* as in the descriptor */
     FlgSplineEnding ending;
-    const double* nodes;      /* n per node */
-    const double* parameters; /* one per node, closed: one more */
-    const float* normals;     /* 3 per node, unit: the surface's, outwards; null if it is not a surface in R^3, and
-                                 while running */
+    const double* nodes;         /* n per node */
+    const double* parameters;    /* one per node, closed: one more */
+    const float* normals;        /* 3 per node, unit: the surface's, outwards; null if it is not a surface in R^3,
+                                    and while running */
     const uint32_t* point_nodes; /* one per given point: its node */
-    const double* offsets;    /* one per given point, metres: its distance from the manifold */
-    double largest_offset;    /* the largest of these, metres */
-    uint32_t rounds;          /* of the optimization */
-    uint32_t projections;     /* projections of all nodes onto the manifold */
-    double energy;            /* with all weights */
-    double bending;           /* E2: exact for the spline of R^n through the nodes */
-    double stretching;        /* E1 of the chain */
-    double length;            /* metres, of the chain */
+    const double* offsets;       /* one per given point, metres: its distance from the manifold */
+    double largest_offset;       /* the largest of these, metres */
+    uint32_t rounds;             /* of the optimization */
+    uint32_t projections;        /* projections of all nodes onto the manifold */
+    double energy;               /* with all weights */
+    double bending;              /* E2: exact for the spline of R^n through the nodes */
+    double stretching;           /* E1 of the chain */
+    double length;               /* metres, of the chain */
     /* Tangential part of the fourth derivative (with tension minus w times the second; for E1 the second) at free
      * nodes, root mean square, divided by the mean of all elastic forces along the curve, including those at the given
      * points. */
     double residual;
+    double origin[3]; /* metres: what the nodes are relative to: the manifold's origin; on FLG_MANIFOLD_SHAPE_SPACE the
+                         descriptor's */
 } FlgSplineView;
 
 FLG_API FlgResult flgSplineViewInit(FlgSplineView* view, uint32_t struct_size);
 
-/* The arrays live until the spline is released; while it runs, until the next flgTick. FLG_NOT_READY until its job is
- * published (with partial_results: until its first round), the job's error if it failed. */
+/* The arrays live until the spline is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
+ * its job is published (with partial_results: until its first round), the job's error if it failed. */
 FLG_API FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
 
-typedef struct FlgSplineCurvesDesc {
+typedef struct FlgSplineSampleDesc {
     uint32_t struct_size;
     float height;      /* metres above the surface, along its normals. Default 0 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSpline spline;  /* in R^3 */
-} FlgSplineCurvesDesc;
+} FlgSplineSampleDesc;
 
-FLG_API FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3,
- * NORMAL. Stylize it in the surface's frame (FLG_FRAME_SUPPLIED), draw it, project it, or cut along it. Cost: about 3
- * ns a node. */
-FLG_API FlgResult flgSplineCurves(FlgContext context, const FlgSplineCurvesDesc* desc, FlgCurveSet* out_set,
+ * NORMAL. Stylize it in the surface's frame (FLG_FRAME_METHOD_SUPPLIED), draw it, project it, or cut along it. Cost:
+ * about 3 ns a node. */
+FLG_API FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, FlgCurveSet* out_set,
                                   FlgJob* out_job);
 
 FLG_API FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
 
 /* ---- Defaults by value ------------------------------------------------------------------------------------------- */
 
-static inline FlgShapeDesc flgShapeDefaults(void) {
-    FlgShapeDesc desc;
-    flgShapeDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgManifoldShapeDesc flgManifoldShapeDefaults(void) {
+    FlgManifoldShapeDesc desc;
+    flgManifoldShapeDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgMeshManifoldDesc flgMeshManifoldDefaults(void) {
-    FlgMeshManifoldDesc desc;
-    flgMeshManifoldDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgManifoldFromSurfaceDesc flgManifoldFromSurfaceDefaults(void) {
+    FlgManifoldFromSurfaceDesc desc;
+    flgManifoldFromSurfaceDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgCloudManifoldDesc flgCloudManifoldDefaults(void) {
-    FlgCloudManifoldDesc desc;
-    flgCloudManifoldDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgManifoldFromPointsDesc flgManifoldFromPointsDefaults(void) {
+    FlgManifoldFromPointsDesc desc;
+    flgManifoldFromPointsDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgGridManifoldDesc flgGridManifoldDefaults(void) {
-    FlgGridManifoldDesc desc;
-    flgGridManifoldDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgManifoldFromGridDesc flgManifoldFromGridDefaults(void) {
+    FlgManifoldFromGridDesc desc;
+    flgManifoldFromGridDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
@@ -461,15 +477,15 @@ static inline FlgSplineView flgSplineViewDefaults(void) {
     return view;
 }
 
-static inline FlgSplineCurvesDesc flgSplineCurvesDefaults(void) {
-    FlgSplineCurvesDesc desc;
-    flgSplineCurvesDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSplineSampleDesc flgSplineSampleDefaults(void) {
+    FlgSplineSampleDesc desc;
+    flgSplineSampleDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
 static inline FlgObstacle flgObstacleDefaults(void) {
     FlgObstacle obstacle;
-    flgObstacleInit(&obstacle);
+    flgObstacleInit(&obstacle, (uint32_t)sizeof obstacle);
     return obstacle;
 }
 

@@ -46,27 +46,30 @@ typedef struct FlgMeshView {
     const FlgColumn* columns;   /* one value per vertex; POSITION is required, others are carried along */
     const uint32_t* triangles;  /* 3 vertices per triangle, counter-clockwise seen from outside */
     const uint32_t* regions;    /* one label per triangle; null: all 0 */
+    double origin[3];           /* metres: what positions are relative to. Default 0 */
 } FlgMeshView;
 
 FLG_API FlgResult flgMeshViewInit(FlgMeshView* view, uint32_t struct_size);
 
 /* [any thread] The view's column of an attribute, null if there is none. */
-FLG_API const FlgColumn* flgMeshViewColumn(const FlgMeshView* view, FlgAttribute attribute);
+FLG_API const FlgColumn* flgMeshViewGetColumn(const FlgMeshView* view, FlgAttribute attribute);
 
 typedef struct FlgSurfaceDesc {
     uint32_t struct_size;
     /* Vertices up to this distance apart are merged, metres, >= 0; 0: only vertices at the same place, to the bit.
      * Below 0: none. Default 0. */
     float weld_distance;
-    FlgJobOptions job;
-    FlgMeshView mesh;
+    const FlgJobOptions* job;
+    const FlgMeshView* mesh; /* copied */
 } FlgSurfaceDesc;
 
 FLG_API FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes a manifold surface from any triangles; flgSurfaceGetReport reports its repairs. This call
  * copies the arrays: about 10 ms for 2 million triangles. The job fails with FLG_ERROR_INVALID_ARGUMENT if an index is
- * out of range, a position is not finite, or no triangle is left. Cost: about 0.3 us a triangle. */
+ * out of range, a position is not finite, or no triangle is left; also if the mesh lies so far from its origin that
+ * floats cannot hold its shape: if most edges are shorter than 8 times the spacing of floats at their ends. Cost: about
+ * 0.3 us a triangle. */
 FLG_API FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSurface* out_surface,
                                    FlgJob* out_job);
 
@@ -74,7 +77,7 @@ FLG_API FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* des
  * flgSurfaceCreate. */
 FLG_API FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positions, uint32_t vertex_count,
                                                 const uint32_t* triangles, uint32_t triangle_count,
-                                                FlgSurface* out_surface, FlgJob* out_job);
+                                                const FlgJobOptions* job, FlgSurface* out_surface, FlgJob* out_job);
 
 /* Defects found in the input, their repairs, and properties of the surface. */
 typedef struct FlgSurfaceReport {
@@ -97,13 +100,16 @@ typedef struct FlgSurfaceReport {
     uint32_t genus;                   /* handles, over all components */
     int64_t euler_number;             /* vertices - edges + triangles */
     double area;                      /* square metres */
-    float box_min[3], box_max[3];     /* of the positions, metres */
+    float box_min[3], box_max[3];     /* of the positions, metres, relative to `origin` */
     const uint32_t* vertex_of_input;  /* one per input vertex: its index in the surface, FLG_NO_INDEX if dropped (for a
                                          split vertex, that of its first fan); null if no index changed. Lives until the
                                          surface is released */
     uint32_t input_vertex_count;
     uint32_t reserved;
+    double origin[3];                 /* the input mesh's */
 } FlgSurfaceReport;
+
+FLG_API FlgResult flgSurfaceReportInit(FlgSurfaceReport* report, uint32_t struct_size);
 
 /* The report of the job that made the surface; FLG_NOT_READY until it is published, the job's error if it failed. Cuts
  * do not change it. Cost: tens of nanoseconds. */
@@ -112,7 +118,7 @@ FLG_API FlgResult flgSurfaceGetReport(FlgContext context, FlgSurface surface, Fl
 typedef struct FlgSurfaceView {
     uint32_t struct_size;
     uint32_t revision;          /* changes so far */
-    FlgMeshView mesh;
+    const FlgMeshView* mesh;    /* never null; lives as long as its arrays */
     const uint32_t* neighbours; /* 3 per triangle: across the edges from corner k to corner k + 1; FLG_NO_INDEX at a
                                    border */
 } FlgSurfaceView;
@@ -140,21 +146,21 @@ typedef enum FlgSubdivision {
     FLG_SUBDIVISION_FORCE_32BIT = 0x7fffffff
 } FlgSubdivision;
 
-typedef struct FlgRefineDesc {
+typedef struct FlgSurfaceRefineDesc {
     uint32_t struct_size;
     FlgSubdivision scheme; /* default FLG_SUBDIVISION_MIDPOINT */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     uint32_t levels; /* 1 to 8; default 1 */
     uint32_t reserved;
-} FlgRefineDesc;
+} FlgSurfaceRefineDesc;
 
-FLG_API FlgResult flgRefineDescInit(FlgRefineDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSurfaceRefineDescInit(FlgSurfaceRefineDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes a finer surface: splits each triangle into four, `levels` times, and keeps regions and
  * columns. Fails with FLG_ERROR_LIMIT above 2^30 triangles. Vertices keep their indices; new ones follow. Cost: about
  * 0.12 us a triangle that is made. */
-FLG_API FlgResult flgSurfaceRefine(FlgContext context, const FlgRefineDesc* desc, FlgSurface* out_surface,
+FLG_API FlgResult flgSurfaceRefine(FlgContext context, const FlgSurfaceRefineDesc* desc, FlgSurface* out_surface,
                                    FlgJob* out_job);
 
 /* ---- Points and curves on a surface ---------------------------------------------------------------------------- */
@@ -185,27 +191,28 @@ FLG_API FlgResult flgSurfaceCurvesGetView(FlgContext context, FlgSurfaceCurves c
 
 FLG_API FlgResult flgSurfaceCurvesRelease(FlgContext context, FlgSurfaceCurves curves);
 
-typedef struct FlgLiftDesc {
+typedef struct FlgSurfaceCurvesLiftDesc {
     uint32_t struct_size;
     float height; /* metres above the surface along its normal; any finite number, default 0 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurfaceCurves curves;
-} FlgLiftDesc;
+} FlgSurfaceCurvesLiftDesc;
 
-FLG_API FlgResult flgLiftDescInit(FlgLiftDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSurfaceCurvesLiftDescInit(FlgSurfaceCurvesLiftDesc* desc, uint32_t struct_size);
 
 /* Starts a job that lifts surface curves into space, with POSITION and, from the surface's smooth normals, NORMAL:
- * flgStylize with FLG_FRAME_SUPPLIED then decorates them in the surface's frame. Fails if there are no curves.
- * Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a point. */
-FLG_API FlgResult flgLiftCurves(FlgContext context, const FlgLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+ * flgCurveSetStylize with FLG_FRAME_METHOD_SUPPLIED then decorates them in the surface's frame. Fails if there are
+ * no curves. Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a point. */
+FLG_API FlgResult flgSurfaceCurvesLift(FlgContext context, const FlgSurfaceCurvesLiftDesc* desc, FlgCurveSet* out_set,
+                                       FlgJob* out_job);
 
 /* ---- Geodesic distances ------------------------------------------------------------------------------------------ */
 
-typedef struct FlgGeodesicDesc {
+typedef struct FlgFieldGeodesicDesc {
     uint32_t struct_size;
     /* Nonzero: the field has labels, the indices of the nearest sources. Default 0. */
     uint32_t labels;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     /* Sources: any combination of these, at least one. All arrays are copied. */
     const uint32_t* vertices;
@@ -229,23 +236,24 @@ typedef struct FlgGeodesicDesc {
     /* Waves of that noise per metre, > 0; default 1. */
     float frequency;
     uint64_t seed; /* of the noise; default 1 */
-} FlgGeodesicDesc;
+} FlgFieldGeodesicDesc;
 
-FLG_API FlgResult flgGeodesicDescInit(FlgGeodesicDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgFieldGeodesicDescInit(FlgFieldGeodesicDesc* desc, uint32_t struct_size);
 
 /* Starts a job that computes distances along the surface from the nearest source to every vertex. It unfolds fronts
  * over triangles; the error is below 0.2 % (RMS) on natural meshes. The first job on a surface also builds the solver's
  * data (about 0.15 us a triangle; kept, and updated by cuts). Cost then: about 40 ns a triangle within the limits and
  * below 1 ns for each other one, as every vertex has a value. If sources lie outside the regions, all distances are
  * infinite. FLG_ERROR_OUT_OF_MEMORY also if memory runs out while building that data. */
-FLG_API FlgResult flgGeodesic(FlgContext context, const FlgGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job);
+FLG_API FlgResult flgFieldCreateGeodesic(FlgContext context, const FlgFieldGeodesicDesc* desc, FlgField* out_field,
+                                         FlgJob* out_job);
 
 typedef struct FlgFieldView {
     uint32_t struct_size;
     uint32_t vertex_count;
-    const float* values;    /* one per vertex; for distances: metres, infinite where no path leads within the limits */
-    const uint32_t* labels; /* index of the nearest source: vertices, then points, then curves, then border regions, in
-                               the descriptor's order; FLG_NO_INDEX where infinite. Null if the field has none */
+    const float* values;     /* one per vertex; for distances: metres, infinite where no path leads within the limits */
+    const uint32_t* labels;  /* index of the nearest source: vertices, then points, then curves, then border regions,
+                                in the descriptor's order; FLG_NO_INDEX where infinite. Null if the field has none */
     const uint32_t* samples; /* for a sampling: its vertices, in the order chosen */
     uint32_t sample_count;
     uint32_t revision;      /* of the surface */
@@ -264,110 +272,108 @@ FLG_API FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const f
 
 FLG_API FlgResult flgFieldRelease(FlgContext context, FlgField field);
 
-typedef struct FlgBlendDesc {
+typedef struct FlgFieldBlendDesc {
     uint32_t struct_size;
     uint32_t reserved;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgField from; /* the blend is 0 there */
     FlgField to;   /* the blend is 1 there */
-} FlgBlendDesc;
+} FlgFieldBlendDesc;
 
-FLG_API FlgResult flgBlendDescInit(FlgBlendDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgFieldBlendDescInit(FlgFieldBlendDesc* desc, uint32_t struct_size);
 
 /* Starts a job that blends two distance fields of one surface: from / (from + to), sec. 3.2. 0.5 where both are 0;
  * infinite where both are infinite. Cost: about 5 ns a vertex. */
-FLG_API FlgResult flgFieldBlend(FlgContext context, const FlgBlendDesc* desc, FlgField* out_field, FlgJob* out_job);
+FLG_API FlgResult flgFieldBlend(FlgContext context, const FlgFieldBlendDesc* desc, FlgField* out_field,
+                                FlgJob* out_job);
 
 /* ---- Sampling ---------------------------------------------------------------------------------------------------- */
 
-typedef struct FlgSamplingDesc {
+typedef struct FlgSurfaceSampleDesc {
     uint32_t struct_size;
     uint32_t max_count; /* maximum points; 0 (default): as many as fit */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     float radius; /* minimum distance between points along the surface, metres, > 0 */
     uint32_t region_count;
     const uint32_t* regions; /* labels; null: the whole surface */
-    uint64_t seed; /* for the first point; default 1 */
-} FlgSamplingDesc;
+    uint64_t seed;           /* for the first point; default 1 */
+} FlgSurfaceSampleDesc;
 
-FLG_API FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSurfaceSampleDescInit(FlgSurfaceSampleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that spreads points over the surface, each as far as possible from those before it: Poisson-disk samples
  * in the geodesic metric (sec. 4.2), at vertices. (Above 16,384 vertices, most are chosen by distance in space.) The
  * field: distances to the nearest sample; labels: its cell. Cost: some 3 to 4 fields for 130 points. */
-FLG_API FlgResult flgSurfaceSample(FlgContext context, const FlgSamplingDesc* desc, FlgField* out_field,
+FLG_API FlgResult flgSurfaceSample(FlgContext context, const FlgSurfaceSampleDesc* desc, FlgField* out_field,
                                    FlgJob* out_job);
 
-typedef struct FlgBorderSamplingDesc {
+typedef struct FlgSurfaceSampleBordersDesc {
     uint32_t struct_size;
     float spacing; /* desired distance along the border, metres, > 0; each border gets a whole number of equal steps */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     uint32_t region; /* the region with the borders, including surface borders */
     uint32_t reserved;
-} FlgBorderSamplingDesc;
+} FlgSurfaceSampleBordersDesc;
 
-FLG_API FlgResult flgBorderSamplingDescInit(FlgBorderSamplingDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSurfaceSampleBordersDescInit(FlgSurfaceSampleBordersDesc* desc, uint32_t struct_size);
 
 /* Starts a job that places points evenly along the borders of a region: one closed curve per border. Such a curve is
  * not straight in triangles between its points and cannot be cut in. Cost: about 8 ns a triangle. */
-FLG_API FlgResult flgBorderSample(FlgContext context, const FlgBorderSamplingDesc* desc, FlgSurfaceCurves* out_curves,
-                                  FlgJob* out_job);
+FLG_API FlgResult flgSurfaceSampleBorders(FlgContext context, const FlgSurfaceSampleBordersDesc* desc,
+                                          FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
 /* ---- Tracing ----------------------------------------------------------------------------------------------------- */
 
-/* Levels of a field: either `values`, or first + k * every for k = 0 to count - 1. */
-typedef struct FlgLevels {
-    const float* values; /* ascending, at most 65534; null: evenly spaced levels */
-    uint32_t count;      /* 0 with every > 0: as many as the field has, starting at the first k not below its smallest
-                            value; at most 65534 */
-    float first, every;  /* used without `values`; `every` > 0 */
-} FlgLevels;
-
-typedef struct FlgIsolinesDesc {
+typedef struct FlgFieldTraceIsolinesDesc {
     uint32_t struct_size;
     uint32_t region_count;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgField field;
-    const uint32_t* regions; /* labels; null: the whole surface */
-    FlgLevels levels;
-} FlgIsolinesDesc;
+    const uint32_t* regions;        /* labels; null: the whole surface */
+    const float* levels;            /* values of the field, ascending, copied; null: level_first + k * level_every */
+    uint32_t level_count;           /* at most 65534; 0 without `levels`: as many as the field has, starting at the
+                                       first k not below its smallest value */
+    float level_first, level_every; /* used without `levels`; level_every > 0 */
+    uint32_t reserved;
+} FlgFieldTraceIsolinesDesc;
 
-FLG_API FlgResult flgIsolinesDescInit(FlgIsolinesDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgFieldTraceIsolinesDescInit(FlgFieldTraceIsolinesDesc* desc, uint32_t struct_size);
 
 /* Starts a job that traces isolines: closed ones, and open ones from border to border. Higher values lie to their left.
  * Open isolines come first, then closed ones, each kind ordered by the triangle it begins in; curve_values are their
  * levels. Cost: about 9 ns a triangle and 0.2 us a point. */
-FLG_API FlgResult flgTraceIsolines(FlgContext context, const FlgIsolinesDesc* desc, FlgSurfaceCurves* out_curves,
-                                   FlgJob* out_job);
+FLG_API FlgResult flgFieldTraceIsolines(FlgContext context, const FlgFieldTraceIsolinesDesc* desc,
+                                        FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-typedef struct FlgStreamsDesc {
+typedef struct FlgFieldTraceStreamsDesc {
     uint32_t struct_size;
     uint32_t downhill; /* nonzero: against the gradient. Default 0 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgField field;
     const FlgSurfacePoint* starts;    /* one curve each; copied */
     uint32_t start_count;
     uint32_t region_count;
-    FlgSurfaceCurves border_samples;  /* further starts: the points of flgBorderSample, whose job may still run */
-    const uint32_t* regions;          /* the curves end where these regions end */
-    float end_value;                  /* they end where the field reaches this; default: infinity, of either sign */
+    FlgSurfaceCurves border_samples; /* further starts: the points of flgSurfaceSampleBorders, whose job may still
+                                        run */
+    const uint32_t* regions;         /* the curves end where these regions end */
+    float end_value;                 /* they end where the field reaches this; default: infinity, of either sign */
     uint32_t reserved;
-} FlgStreamsDesc;
+} FlgFieldTraceStreamsDesc;
 
-FLG_API FlgResult flgStreamsDescInit(FlgStreamsDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgFieldTraceStreamsDescInit(FlgFieldTraceStreamsDesc* desc, uint32_t struct_size);
 
 /* Starts a job that traces integral curves of a field's gradient. The field rises (falls) strictly along them. Each
  * ends at the border, at `end_value` or at an extremum of the field. A start outside the regions gives no curve.
  * Cost: about 0.25 us a point. */
-FLG_API FlgResult flgTraceStreams(FlgContext context, const FlgStreamsDesc* desc, FlgSurfaceCurves* out_curves,
-                                  FlgJob* out_job);
+FLG_API FlgResult flgFieldTraceStreams(FlgContext context, const FlgFieldTraceStreamsDesc* desc,
+                                       FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-typedef struct FlgPathsDesc {
+typedef struct FlgFieldTracePathsDesc {
     uint32_t struct_size;
     uint32_t closed; /* nonzero: each path's last point joins its first. Default 0 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurface surface;
     const FlgSurfacePoint* points;  /* the points of all paths, copied */
     const uint32_t* path_offsets;   /* path_count + 1 values: path p passes through points offsets[p] to offsets[p + 1]
@@ -375,57 +381,64 @@ typedef struct FlgPathsDesc {
     uint32_t path_count;
     uint32_t region_count;
     const uint32_t* regions;        /* the initial guess stays on these */
-} FlgPathsDesc;
+} FlgFieldTracePathsDesc;
 
-FLG_API FlgResult flgPathsDescInit(FlgPathsDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgFieldTracePathsDescInit(FlgFieldTracePathsDesc* desc, uint32_t struct_size);
 
 /* Starts a job that joins points by locally shortest paths: straight across edges, and at vertices no shorter on either
  * side (to 1e-6). The job fails if no path joins two points; zero-length paths are omitted. Cost: a field for each two
  * points, up to where they meet, and its copy. */
-FLG_API FlgResult flgTracePaths(FlgContext context, const FlgPathsDesc* desc, FlgSurfaceCurves* out_curves,
-                                FlgJob* out_job);
+FLG_API FlgResult flgFieldTracePaths(FlgContext context, const FlgFieldTracePathsDesc* desc,
+                                     FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
 /* ---- Cutting ----------------------------------------------------------------------------------------------------- */
 
-typedef struct FlgCutIsolinesDesc {
+typedef struct FlgSurfaceCutIsolinesDesc {
     uint32_t struct_size;
     uint32_t region_count;
-    FlgJobOptions job;
-    FlgField field; /* its surface is cut */
-    const uint32_t* regions; /* labels; null: the whole surface */
-    FlgLevels levels;
+    const FlgJobOptions* job;
+    FlgField field;                 /* its surface is cut */
+    const uint32_t* regions;        /* labels; null: the whole surface */
+    const float* levels;            /* as in FlgFieldTraceIsolinesDesc, but at most 256 levels */
+    uint32_t level_count;
+    float level_first, level_every; /* likewise */
     /* Triangles of regions[i] above k of n levels get the label first_label + i * (n + 1) + k; with `regions` null all
-     * get first_label + k. Default FLG_NO_INDEX: labels do not change. At most 256 levels. */
+     * get first_label + k. Default FLG_NO_INDEX: labels do not change. */
     uint32_t first_label;
-    uint32_t reserved;
-} FlgCutIsolinesDesc;
+} FlgSurfaceCutIsolinesDesc;
 
-FLG_API FlgResult flgCutIsolinesDescInit(FlgCutIsolinesDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSurfaceCutIsolinesDescInit(FlgSurfaceCutIsolinesDesc* desc, uint32_t struct_size);
 
 /* Starts a job that cuts a surface along isolines, all levels in one pass: they become chains of edges. Crossings
  * nearer to a vertex than 1/100 of their edge move to it, to avoid slivers. Nothing else moves; the surface keeps its
  * area and topology. New vertices and triangles are appended, with interpolated columns. `out_field` (may be null): the
  * field on the cut surface. Cost: about 10 ns a triangle of the surface and 0.5 us a triangle cut. */
-FLG_API FlgResult flgCutIsolines(FlgContext context, const FlgCutIsolinesDesc* desc, FlgField* out_field,
+FLG_API FlgResult flgSurfaceCutIsolines(FlgContext context, const FlgSurfaceCutIsolinesDesc* desc, FlgField* out_field,
                                  FlgJob* out_job);
 
-typedef struct FlgCutCurvesDesc {
+typedef struct FlgSurfaceCutCurvesDesc {
     uint32_t struct_size;
     /* If a region falls apart, its parts get labels from here on, in the order in which the curves meet them; other
      * regions keep their labels. Default FLG_NO_INDEX: labels do not change. */
     uint32_t first_label;
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgSurfaceCurves curves; /* their surface is cut */
-} FlgCutCurvesDesc;
+} FlgSurfaceCutCurvesDesc;
 
-FLG_API FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgSurfaceCutCurvesDescInit(FlgSurfaceCutCurvesDesc* desc, uint32_t struct_size);
 
 /* Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. The job first works out how
  * to divide triangles, which takes longest; until then the surface does not change and the job can be cancelled.
- * Cost: as flgCutIsolines; n curves that cross each other in one triangle take about n * n us there. */
-FLG_API FlgResult flgCutCurves(FlgContext context, const FlgCutCurvesDesc* desc, FlgJob* out_job);
+ * Cost: as flgSurfaceCutIsolines; n curves that cross each other in one triangle take about n * n us there. */
+FLG_API FlgResult flgSurfaceCutCurves(FlgContext context, const FlgSurfaceCutCurvesDesc* desc, FlgJob* out_job);
 
 /* ---- Defaults by value --------------------------------------------------------------------------------------- */
+
+static inline FlgSurfaceReport flgSurfaceReportDefaults(void) {
+    FlgSurfaceReport report;
+    flgSurfaceReportInit(&report, (uint32_t)sizeof report);
+    return report;
+}
 
 static inline FlgMeshView flgMeshViewDefaults(void) {
     FlgMeshView view;
@@ -445,9 +458,9 @@ static inline FlgSurfaceView flgSurfaceViewDefaults(void) {
     return view;
 }
 
-static inline FlgRefineDesc flgRefineDefaults(void) {
-    FlgRefineDesc desc;
-    flgRefineDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSurfaceRefineDesc flgSurfaceRefineDefaults(void) {
+    FlgSurfaceRefineDesc desc;
+    flgSurfaceRefineDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
@@ -457,15 +470,15 @@ static inline FlgSurfaceCurvesView flgSurfaceCurvesViewDefaults(void) {
     return view;
 }
 
-static inline FlgLiftDesc flgLiftDefaults(void) {
-    FlgLiftDesc desc;
-    flgLiftDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSurfaceCurvesLiftDesc flgSurfaceCurvesLiftDefaults(void) {
+    FlgSurfaceCurvesLiftDesc desc;
+    flgSurfaceCurvesLiftDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgGeodesicDesc flgGeodesicDefaults(void) {
-    FlgGeodesicDesc desc;
-    flgGeodesicDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgFieldGeodesicDesc flgFieldGeodesicDefaults(void) {
+    FlgFieldGeodesicDesc desc;
+    flgFieldGeodesicDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
@@ -475,51 +488,51 @@ static inline FlgFieldView flgFieldViewDefaults(void) {
     return view;
 }
 
-static inline FlgBlendDesc flgBlendDefaults(void) {
-    FlgBlendDesc desc;
-    flgBlendDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgFieldBlendDesc flgFieldBlendDefaults(void) {
+    FlgFieldBlendDesc desc;
+    flgFieldBlendDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgSamplingDesc flgSamplingDefaults(void) {
-    FlgSamplingDesc desc;
-    flgSamplingDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSurfaceSampleDesc flgSurfaceSampleDefaults(void) {
+    FlgSurfaceSampleDesc desc;
+    flgSurfaceSampleDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgBorderSamplingDesc flgBorderSamplingDefaults(void) {
-    FlgBorderSamplingDesc desc;
-    flgBorderSamplingDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSurfaceSampleBordersDesc flgSurfaceSampleBordersDefaults(void) {
+    FlgSurfaceSampleBordersDesc desc;
+    flgSurfaceSampleBordersDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgIsolinesDesc flgIsolinesDefaults(void) {
-    FlgIsolinesDesc desc;
-    flgIsolinesDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgFieldTraceIsolinesDesc flgFieldTraceIsolinesDefaults(void) {
+    FlgFieldTraceIsolinesDesc desc;
+    flgFieldTraceIsolinesDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgStreamsDesc flgStreamsDefaults(void) {
-    FlgStreamsDesc desc;
-    flgStreamsDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgFieldTraceStreamsDesc flgFieldTraceStreamsDefaults(void) {
+    FlgFieldTraceStreamsDesc desc;
+    flgFieldTraceStreamsDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgPathsDesc flgPathsDefaults(void) {
-    FlgPathsDesc desc;
-    flgPathsDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgFieldTracePathsDesc flgFieldTracePathsDefaults(void) {
+    FlgFieldTracePathsDesc desc;
+    flgFieldTracePathsDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgCutIsolinesDesc flgCutIsolinesDefaults(void) {
-    FlgCutIsolinesDesc desc;
-    flgCutIsolinesDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSurfaceCutIsolinesDesc flgSurfaceCutIsolinesDefaults(void) {
+    FlgSurfaceCutIsolinesDesc desc;
+    flgSurfaceCutIsolinesDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgCutCurvesDesc flgCutCurvesDefaults(void) {
-    FlgCutCurvesDesc desc;
-    flgCutCurvesDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgSurfaceCutCurvesDesc flgSurfaceCutCurvesDefaults(void) {
+    FlgSurfaceCutCurvesDesc desc;
+    flgSurfaceCutCurvesDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

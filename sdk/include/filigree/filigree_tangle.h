@@ -35,7 +35,8 @@ FLG_HANDLE(FlgTangle);
 
 /* Starts a job that makes a whole surface the root of a tangle: all labels become 0. The surface's own job may still
  * run. Cost: about 5 ns a triangle. */
-FLG_API FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, FlgTangle* out_tangle, FlgJob* out_job);
+FLG_API FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, const FlgJobOptions* job,
+                                 FlgTangle* out_tangle, FlgJob* out_job);
 
 /* Releases the handle; the surface does not change. */
 FLG_API FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle);
@@ -43,12 +44,12 @@ FLG_API FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle);
 /* ---- Regions --------------------------------------------------------------------------------------------------- */
 
 /* Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders. They
- * are ordered by their least edges, as flgBorderSample gives them. `begin` and `end` are fractions of the loop's length
- * from its first vertex. */
+ * are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of the
+ * loop's length from its first vertex. */
 typedef struct FlgBorderStretch {
     uint32_t loop; /* its index */
-    float begin; /* in [0, 1) */
-    float end;   /* in (begin, begin + 1] */
+    float begin;   /* in [0, 1) */
+    float end;     /* in (begin, begin + 1] */
 } FlgBorderStretch;
 
 /* The borders an operator starts from. */
@@ -61,6 +62,7 @@ typedef enum FlgTangleBorders {
 
 /* Where an operator starts: everything named here, combined. Empty by default. Arrays are copied. */
 typedef struct FlgTangleSeeds {
+    uint32_t struct_size;
     FlgTangleBorders borders;
     uint32_t stretch_count;
     const FlgBorderStretch* stretches; /* parts of the outer borders */
@@ -72,26 +74,28 @@ typedef struct FlgTangleSeeds {
     FlgSurfaceCurves curves; /* lines on the current surface; null: none */
     const uint32_t* regions; /* regions that supply the borders and samples; null: the operator's */
     uint32_t region_count;
-    uint32_t reserved;
 } FlgTangleSeeds;
+
+FLG_API FlgResult flgTangleSeedsInit(FlgTangleSeeds* seeds, uint32_t struct_size);
 
 /* How an operator divides regions, sec. 3.3 of the paper. */
 typedef enum FlgTangleOperator {
-    FLG_TANGLE_CONTOUR = 0,  /* cuts along isolines of the field of a, or of the blend between a and b */
-    FLG_TANGLE_STREAM = 1,   /* cuts along integral curves that start evenly spaced on a, which must be lines or
-                                borders */
-    FLG_TANGLE_VORONOI = 2,  /* cells of the points and samples of a */
-    FLG_TANGLE_POLYLINE = 3, /* cuts along shortest paths between consecutive points of a, and along its curves */
+    FLG_TANGLE_OPERATOR_CONTOUR = 0,  /* cuts along isolines of the field of a, or of the blend between a and b */
+    FLG_TANGLE_OPERATOR_STREAM = 1,   /* cuts along integral curves that start evenly spaced on a, which must be
+                                         lines or borders */
+    FLG_TANGLE_OPERATOR_VORONOI = 2,  /* cells of the points and samples of a */
+    FLG_TANGLE_OPERATOR_POLYLINE = 3, /* cuts along shortest paths between consecutive points of a, and along its
+                                         curves */
     FLG_TANGLE_OPERATOR_FORCE_32BIT = 0x7fffffff
 } FlgTangleOperator;
 
 /* How an operator groups the regions it makes. */
 typedef enum FlgTangleGrouping {
-    FLG_TANGLE_GROUP_TWO = 0,   /* foreground (even parts) and background (odd parts) */
-    FLG_TANGLE_GROUP_ONE = 1,   /* all in one group */
-    FLG_TANGLE_GROUP_EACH = 2,  /* each region in its own group */
-    FLG_TANGLE_GROUP_CYCLE = 3, /* by part modulo `cycle` */
-    FLG_TANGLE_GROUP_FORCE_32BIT = 0x7fffffff
+    FLG_TANGLE_GROUPING_TWO = 0,   /* foreground (even parts) and background (odd parts) */
+    FLG_TANGLE_GROUPING_ONE = 1,   /* all in one group */
+    FLG_TANGLE_GROUPING_EACH = 2,  /* each region in its own group */
+    FLG_TANGLE_GROUPING_CYCLE = 3, /* by part modulo `cycle` */
+    FLG_TANGLE_GROUPING_FORCE_32BIT = 0x7fffffff
 } FlgTangleGrouping;
 
 /* An operator. It numbers parts as follows. Between isolines: outwards from the seeds. Between streams: along a. For a
@@ -99,20 +103,22 @@ typedef enum FlgTangleGrouping {
  * triangles. */
 typedef struct FlgTangleDivideDesc {
     uint32_t struct_size;
-    FlgTangleOperator kind; /* default FLG_TANGLE_CONTOUR */
-    FlgJobOptions job;
+    FlgTangleOperator kind; /* default FLG_TANGLE_OPERATOR_CONTOUR */
+    const FlgJobOptions* job;
     FlgTangle tangle;
     const uint32_t* regions; /* divided together, as one piece; copied */
     uint32_t region_count;   /* at least 1 */
     /* Maximum isolines, at delta, 2 delta, ...: up to 256; 0: as many as the field has. Default 1. */
     uint32_t count;
-    FlgTangleSeeds a, b; /* with b, the field is blended: 0 at a and 1 at b; b is empty by default */
-    float delta; /* > 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along a. Default 0.1 */
-    FlgTangleGrouping grouping; /* default FLG_TANGLE_GROUP_TWO */
-    uint32_t cycle;             /* group count for FLG_TANGLE_GROUP_CYCLE, 1 to 65536; default 3 */
+    const FlgTangleSeeds* a;    /* where the operator starts */
+    const FlgTangleSeeds* b;    /* the field is blended: 0 at a and 1 at b; null: it is not */
+    float delta;                /* > 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along
+                                   a. Default 0.1 */
+    FlgTangleGrouping grouping; /* default FLG_TANGLE_GROUPING_TWO */
+    uint32_t cycle;             /* group count for FLG_TANGLE_GROUPING_CYCLE, 1 to 65536; default 3 */
     uint32_t scaffold;          /* nonzero: the borders are invisible. Default 0 */
     uint32_t closed;            /* nonzero: a polyline returns to its first point. Default 0 */
-    /* As in FlgGeodesicDesc: Perlin noise on the metric, for an organic look. */
+    /* As in FlgFieldGeodesicDesc: Perlin noise on the metric, for an organic look. */
     float perturbation; /* metres, >= 0; default 0 */
     float frequency;    /* 1 / metre, > 0; default 1 */
     uint32_t reserved;
@@ -124,29 +130,29 @@ FLG_API FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint32_t st
 /* Starts a job that divides regions by an operator. If it leaves them whole (delta beyond the field, no room for
  * samples, a line that does not separate), the step changes nothing. Fails if a region does not exist, if requested
  * borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost: a field (40 ns a
- * triangle of the regions; with b two, with samples two more), the cut (flgCutIsolines), and several passes over the
- * surface (2 million triangles: 40 to 60 ms, however small the regions). */
+ * triangle of the regions; with b two, with samples two more), the cut (flgSurfaceCutIsolines), and several passes
+ * over the surface (2 million triangles: 40 to 60 ms, however small the regions). */
 FLG_API FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, FlgJob* out_job);
 
 /* Common combinations of operators. */
 typedef enum FlgTangleMacro {
-    FLG_TANGLE_SUNBURST = 0,   /* strips from the first border to the others: a stream of the blend */
-    FLG_TANGLE_POLKA_DOTS = 1, /* discs around samples: a contour */
-    FLG_TANGLE_FRAMES = 2,     /* bands along the outer borders: contours */
-    FLG_TANGLE_FLOWER = 3,     /* petals between the outer borders and samples: contours of the blend */
-    FLG_TANGLE_GRID =
+    FLG_TANGLE_MACRO_SUNBURST = 0,   /* strips from the first border to the others: a stream of the blend */
+    FLG_TANGLE_MACRO_POLKA_DOTS = 1, /* discs around samples: a contour */
+    FLG_TANGLE_MACRO_FRAMES = 2,     /* bands along the outer borders: contours */
+    FLG_TANGLE_MACRO_FLOWER = 3,     /* petals between the outer borders and samples: contours of the blend */
+    FLG_TANGLE_MACRO_GRID =
         4, /* a chequerboard between the first border and the others: contours of the blend, then a stream */
-    FLG_TANGLE_OUTLINE = 5, /* a band along every border: a contour */
-    FLG_TANGLE_LACE = 6,    /* scallops: a contour of points along the outer borders */
-    FLG_TANGLE_CELLS = 7,   /* Voronoi cells of samples */
+    FLG_TANGLE_MACRO_OUTLINE = 5, /* a band along every border: a contour */
+    FLG_TANGLE_MACRO_LACE = 6,    /* scallops: a contour of points along the outer borders */
+    FLG_TANGLE_MACRO_CELLS = 7,   /* Voronoi cells of samples */
     FLG_TANGLE_MACRO_FORCE_32BIT = 0x7fffffff
 } FlgTangleMacro;
 
 /* Common combinations of operators, sec. 3.4 and Fig. 13. */
-typedef struct FlgTangleMacroDesc {
+typedef struct FlgTangleApplyMacroDesc {
     uint32_t struct_size;
-    FlgTangleMacro kind; /* default FLG_TANGLE_SUNBURST */
-    FlgJobOptions job;
+    FlgTangleMacro kind; /* default FLG_TANGLE_MACRO_SUNBURST */
+    const FlgJobOptions* job;
     FlgTangle tangle;
     const uint32_t* regions; /* as for an operator; copied */
     uint32_t region_count;   /* at least 1 */
@@ -157,14 +163,14 @@ typedef struct FlgTangleMacroDesc {
     /* Minimum distance between samples, or between scallops; metres, > 0; default 0.3. */
     float spacing;
     uint64_t seed; /* for samples; default 1 */
-} FlgTangleMacroDesc;
+} FlgTangleApplyMacroDesc;
 
-FLG_API FlgResult flgTangleMacroDescInit(FlgTangleMacroDesc* desc, uint32_t struct_size);
+FLG_API FlgResult flgTangleApplyMacroDescInit(FlgTangleApplyMacroDesc* desc, uint32_t struct_size);
 
-/* Starts a job that applies a macro as one step, undone as a whole. Parts are grouped as by FLG_TANGLE_GROUP_TWO. Fails
- * as its operators do; sunbursts and grids also fail if the regions together have fewer than two borders. Cost: its
- * operators'. */
-FLG_API FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleMacroDesc* desc, FlgJob* out_job);
+/* Starts a job that applies a macro as one step, undone as a whole. Parts are grouped as by FLG_TANGLE_GROUPING_TWO.
+ * Fails as its operators do; sunbursts and grids also fail if the regions together have fewer than two borders.
+ * Cost: its operators'. */
+FLG_API FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleApplyMacroDesc* desc, FlgJob* out_job);
 
 /* Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount` at
  * the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In between, the
@@ -173,13 +179,14 @@ FLG_API FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleMacroDe
 typedef struct FlgTangleDisplaceDesc {
     uint32_t struct_size;
     float amount; /* metres, any finite number; default 0.1 */
-    FlgJobOptions job;
+    const FlgJobOptions* job;
     FlgTangle tangle;
     const uint32_t* regions; /* their leaves are displaced; copied */
     uint32_t region_count;   /* at least 1 */
     float bias;              /* in (0, 1): below 0.5 spikes, above it domes; default 0.5: neither */
-    float gain;  /* in (0, 1): below 0.5 steep at half height, above it a terrace there; default 0.5: neither */
-    float reach; /* metres, >= 0; default 0: each leaf's own largest distance */
+    float gain;              /* in (0, 1): below 0.5 steep at half height, above it a terrace there; default 0.5:
+                                neither */
+    float reach;             /* metres, >= 0; default 0: each leaf's own largest distance */
 } FlgTangleDisplaceDesc;
 
 FLG_API FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint32_t struct_size);
@@ -191,72 +198,76 @@ FLG_API FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceD
 /* Starts a job that puts these regions into one new group, sec. 3.4 and appendix A, as a step. Regions may be leaves or
  * not; fails if one does not exist. Cost: tens of nanoseconds a region. */
 FLG_API FlgResult flgTangleGroup(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
-                                 FlgJob* out_job);
+                                 const FlgJobOptions* job, FlgJob* out_job);
 
 /* Starts a job that gives each region of the group its own new group, as a step. Fails if there is no such group.
  * Cost: tens of nanoseconds a region of the tangle. */
-FLG_API FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group, FlgJob* out_job);
+FLG_API FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group, const FlgJobOptions* job,
+                                  FlgJob* out_job);
 
 /* Starts a job that joins the leaves of these regions into one region, with their lowest identifier, as a step. Fails
  * if they are not connected. Cost: about 20 ns a triangle of the surface. */
 FLG_API FlgResult flgTangleJoin(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
-                                FlgJob* out_job);
+                                const FlgJobOptions* job, FlgJob* out_job);
 
 /* Starts a job that returns the visible borders as curves on the surface, chains of its edges. Lift them into space
- * (flgLiftCurves), stylize them, or draw them as ribbons and tubes. Open curves, from junction to junction, come
+ * (flgSurfaceCurvesLift), stylize them, or draw them as ribbons and tubes. Open curves, from junction to junction, come
  * first, then closed ones; curve_values are lengths. There are none if all looks are the same. Cost: about 30 ns a
  * triangle. */
-FLG_API FlgResult flgTangleBorders(FlgContext context, FlgTangle tangle, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+FLG_API FlgResult flgTangleTraceBorders(FlgContext context, FlgTangle tangle, const FlgJobOptions* job,
+                                        FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
 /* ---- History ----------------------------------------------------------------------------------------------------- */
 
 /* Starts a job that undoes the last step; fails if there is none. (A failed job makes no step.) Cost: that of what the
  * step changed. */
-FLG_API FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
+FLG_API FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job);
 
 /* Starts a job that redoes the last undone step. A new step discards undone steps. Cost: that of what the step
  * changes. */
-FLG_API FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
+FLG_API FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job);
 
 /* ---- Documents --------------------------------------------------------------------------------------------------- */
 
 /* The function that made a step. */
 typedef enum FlgTangleStepKind {
-    FLG_TANGLE_STEP_DIVIDE = 0,   /* flgTangleDivide */
-    FLG_TANGLE_STEP_MACRO = 1,    /* flgTangleApplyMacro */
-    FLG_TANGLE_STEP_DISPLACE = 2, /* flgTangleDisplace */
-    FLG_TANGLE_STEP_GROUP = 3,    /* flgTangleGroup */
-    FLG_TANGLE_STEP_UNGROUP = 4,  /* flgTangleUngroup */
-    FLG_TANGLE_STEP_JOIN = 5,     /* flgTangleJoin */
-    FLG_TANGLE_STEP_FORCE_32BIT = 0x7fffffff
+    FLG_TANGLE_STEP_KIND_DIVIDE = 0,   /* flgTangleDivide */
+    FLG_TANGLE_STEP_KIND_MACRO = 1,    /* flgTangleApplyMacro */
+    FLG_TANGLE_STEP_KIND_DISPLACE = 2, /* flgTangleDisplace */
+    FLG_TANGLE_STEP_KIND_GROUP = 3,    /* flgTangleGroup */
+    FLG_TANGLE_STEP_KIND_UNGROUP = 4,  /* flgTangleUngroup */
+    FLG_TANGLE_STEP_KIND_JOIN = 5,     /* flgTangleJoin */
+    FLG_TANGLE_STEP_KIND_FORCE_32BIT = 0x7fffffff
 } FlgTangleStepKind;
 
 /* Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z in
  * metres. */
 typedef struct FlgTangleSeedPlaces {
+    uint32_t struct_size;
     uint32_t point_count;  /* the seeds' points, all or none */
     uint32_t loop_count;   /* first vertices of the outer borders, in order; 0: no borders were requested */
     uint32_t sample_count; /* the samples, in the order chosen */
-    uint32_t reserved;
     const float* points;         /* 3 per point */
     const float* loops;          /* 3 per loop */
     const float* samples;        /* 3 per sample */
-    FlgSurfaceCurvesView curves; /* the seeds' lines, in place of a handle; no curves: none */
-    const float* curve_points;   /* 3 for each of the curves' points; null: none */
+    const FlgSurfaceCurvesView* curves; /* the seeds' lines, in place of a handle; null: none */
+    const float* curve_points;          /* 3 for each of the curves' points; null: none */
 } FlgTangleSeedPlaces;
+
+FLG_API FlgResult flgTangleSeedPlacesInit(FlgTangleSeedPlaces* places, uint32_t struct_size);
 
 /* The arguments of a step, and the data needed to repeat it. */
 typedef struct FlgTangleStep {
     uint32_t struct_size;
     FlgTangleStepKind kind;
-    const FlgTangleDivideDesc* divide;     /* for FLG_TANGLE_STEP_DIVIDE; its handles and job options are null */
-    const FlgTangleMacroDesc* macro;       /* for FLG_TANGLE_STEP_MACRO, likewise */
-    const FlgTangleDisplaceDesc* displace; /* for FLG_TANGLE_STEP_DISPLACE, likewise */
+    const FlgTangleDivideDesc* divide;     /* for FLG_TANGLE_STEP_KIND_DIVIDE; its handles and job options are null */
+    const FlgTangleApplyMacroDesc* macro;  /* for FLG_TANGLE_STEP_KIND_MACRO, likewise */
+    const FlgTangleDisplaceDesc* displace; /* for FLG_TANGLE_STEP_KIND_DISPLACE, likewise */
     const uint32_t* regions;               /* grouped or joined */
     uint32_t region_count;
     uint32_t group; /* the group that was ungrouped */
     /* For the operator's a and b, or for each of the macro's operators. Null and 0: unknown. */
-    const FlgTangleSeedPlaces* places;
+    const FlgTangleSeedPlaces* const* places;
     uint32_t place_count;
     /* The regions it made have identifiers from first_region on; `made` has a point inside each: x, y, z in metres.
      * When ungrouping, first_region is one of the group's regions, or FLG_NO_INDEX. */
@@ -267,16 +278,22 @@ typedef struct FlgTangleStep {
     const float* made; /* 3 per region */
 } FlgTangleStep;
 
+FLG_API FlgResult flgTangleStepInit(FlgTangleStep* step, uint32_t struct_size);
+
 /* All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h). */
 typedef struct FlgTangleHistory {
     uint32_t struct_size;
     uint32_t step_count; /* including undone steps */
     uint32_t made_count; /* steps not undone */
     uint32_t reserved;
-    const FlgTangleStep* steps; /* oldest first */
-    uint64_t base; /* identifies the mesh: from the tangle's initial positions and triangles, to the bit */
-    float box_min[3], box_max[3]; /* box of those positions */
+    const FlgTangleStep* const* steps; /* oldest first */
+    uint64_t base;                /* identifies the mesh: from the tangle's initial positions and triangles, to the
+                                     bit */
+    float box_min[3], box_max[3]; /* box of those positions, relative to the surface's origin, as all positions are:
+                                     a history does not depend on where its mesh is */
 } FlgTangleHistory;
+
+FLG_API FlgResult flgTangleHistoryInit(FlgTangleHistory* history, uint32_t struct_size);
 
 /* The arrays live until a job that changes the tangle is started, the function is called again for it, or the tangle is
  * released. FLG_NOT_READY while the info is not ready. Cost: about 1 us a step and some ns a point. */
@@ -290,19 +307,21 @@ FLG_API FlgResult flgTangleGetHistory(FlgContext context, FlgTangle tangle, FlgT
  * Also refuses whatever flgTangleDivide and the other functions would refuse. Cost: that of the steps; on another mesh
  * also about 0.2 us a triangle for each step that has points or made regions. */
 FLG_API FlgResult flgTangleReplay(FlgContext context, FlgTangle tangle, const FlgTangleHistory* history,
-                                  FlgJob* out_job);
+                                  const FlgJobOptions* job, FlgJob* out_job);
 
 /* ---- What a tangle is like --------------------------------------------------------------------------------------- */
 
 typedef struct FlgTangleInfo {
     uint32_t struct_size;
-    uint32_t region_count; /* identifiers are below this */
-    uint32_t group_count;  /* likewise */
-    uint32_t leaf_count;   /* undivided regions */
+    uint32_t region_count;           /* identifiers are below this */
+    uint32_t group_count;            /* likewise */
+    uint32_t leaf_count;             /* undivided regions */
     uint32_t undo_count, redo_count; /* steps that can be undone and redone */
     uint32_t depth;                  /* of the deepest leaf; the root's is 0 */
     uint32_t reserved;
 } FlgTangleInfo;
+
+FLG_API FlgResult flgTangleInfoInit(FlgTangleInfo* info, uint32_t struct_size);
 
 /* FLG_NOT_READY until a job that changes the tangle is published; the surface's error if that failed. Cost: tens of
  * nanoseconds a region. */
@@ -310,19 +329,21 @@ FLG_API FlgResult flgTangleGetInfo(FlgContext context, FlgTangle tangle, FlgTang
 
 typedef struct FlgTangleRegion {
     uint32_t struct_size;
-    uint32_t parent; /* FLG_NO_INDEX: the root */
-    uint32_t group;  /* its group */
-    uint32_t look; /* visible borders lie where looks differ */
-    uint32_t operation; /* index of the operator that made it, from 1; each operator of a macro counts; the root: 0 */
-    uint32_t part; /* its part of that operator */
+    uint32_t parent;      /* FLG_NO_INDEX: the root */
+    uint32_t group;       /* its group */
+    uint32_t look;        /* visible borders lie where looks differ */
+    uint32_t operation;   /* index of the operator that made it, from 1; each operator of a macro counts; the root: 0 */
+    uint32_t part;        /* its part of that operator */
     uint32_t first_child; /* children have consecutive identifiers */
     uint32_t child_count;
-    uint32_t joined_into; /* the region it was joined into; FLG_NO_INDEX: none */
-    uint32_t scaffold;    /* nonzero: its borders are invisible */
+    uint32_t joined_into;   /* the region it was joined into; FLG_NO_INDEX: none */
+    uint32_t scaffold;      /* nonzero: its borders are invisible */
     uint32_t visible_group; /* the group of the nearest enclosing region, itself included, that does not belong to a
                                scaffold */
     uint32_t depth;         /* in the tree; the root's is 0 */
 } FlgTangleRegion;
+
+FLG_API FlgResult flgTangleRegionInit(FlgTangleRegion* region, uint32_t struct_size);
 
 /* FLG_NOT_READY while the info is not ready. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgTangleGetRegion(FlgContext context, FlgTangle tangle, uint32_t region,
@@ -330,15 +351,51 @@ FLG_API FlgResult flgTangleGetRegion(FlgContext context, FlgTangle tangle, uint3
 
 /* ---- Defaults by value ------------------------------------------------------------------------------------------- */
 
+static inline FlgTangleSeedPlaces flgTangleSeedPlacesDefaults(void) {
+    FlgTangleSeedPlaces places;
+    flgTangleSeedPlacesInit(&places, (uint32_t)sizeof places);
+    return places;
+}
+
+static inline FlgTangleStep flgTangleStepDefaults(void) {
+    FlgTangleStep step;
+    flgTangleStepInit(&step, (uint32_t)sizeof step);
+    return step;
+}
+
+static inline FlgTangleHistory flgTangleHistoryDefaults(void) {
+    FlgTangleHistory history;
+    flgTangleHistoryInit(&history, (uint32_t)sizeof history);
+    return history;
+}
+
+static inline FlgTangleRegion flgTangleRegionDefaults(void) {
+    FlgTangleRegion region;
+    flgTangleRegionInit(&region, (uint32_t)sizeof region);
+    return region;
+}
+
+static inline FlgTangleInfo flgTangleInfoDefaults(void) {
+    FlgTangleInfo info;
+    flgTangleInfoInit(&info, (uint32_t)sizeof info);
+    return info;
+}
+
+static inline FlgTangleSeeds flgTangleSeedsDefaults(void) {
+    FlgTangleSeeds seeds;
+    flgTangleSeedsInit(&seeds, (uint32_t)sizeof seeds);
+    return seeds;
+}
+
 static inline FlgTangleDivideDesc flgTangleDivideDefaults(void) {
     FlgTangleDivideDesc desc;
     flgTangleDivideDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 
-static inline FlgTangleMacroDesc flgTangleMacroDefaults(void) {
-    FlgTangleMacroDesc desc;
-    flgTangleMacroDescInit(&desc, (uint32_t)sizeof desc);
+static inline FlgTangleApplyMacroDesc flgTangleApplyMacroDefaults(void) {
+    FlgTangleApplyMacroDesc desc;
+    flgTangleApplyMacroDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

@@ -106,13 +106,17 @@ void CheckedColumns::check(uint32_t index, size_t point_count) const {
     }
 }
 
-CheckedView::CheckedView(const FlgCurveSetView* view) {
-    if (!view) fail(FLG_ERROR_INVALID_ARGUMENT, "view", "is null");
-    if (view->struct_size < sizeof(FlgCurveSetView)) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, "view.struct_size", "is %u; FlgCurveSetView has %zu bytes", view->struct_size,
-             sizeof(FlgCurveSetView));
+void check_origin(const double (&origin)[3], const char* name) {
+    for (size_t k = 0; k < 3; ++k) {
+        if (std::abs(origin[k]) <= double{max_coordinate}) continue;
+        fail(FLG_ERROR_INVALID_ARGUMENT, std::string(name) + "[" + std::to_string(k) + "]",
+             "is %g, must be finite and at most 1e30 in size", origin[k]);
     }
-    std::memcpy(&view_, view, sizeof view_);
+}
+
+CheckedView::CheckedView(const FlgCurveSetView* view) {
+    view_ = read_given(view, "view");
+    check_origin(view_.origin, "view.origin");
     check_curves();
     const CheckedColumns columns(view_.columns, view_.column_count, point_count());
     position = columns.find(FLG_ATTRIBUTE_POSITION);
@@ -138,12 +142,6 @@ void CheckedView::check_curves() const {
     }
 }
 
-FlgMeshWriteDesc mesh_write_defaults() {
-    FlgMeshWriteDesc desc = {};
-    desc.struct_size = sizeof desc;
-    return desc;
-}
-
 void check_material(const FlgMeshMaterial& material, const std::string& place) {
     constexpr size_t longest_name = 255;
     constexpr float widest_border_px = 64;
@@ -161,14 +159,10 @@ void check_material(const FlgMeshMaterial& material, const std::string& place) {
     check_in(material.border_width_px, widest_border_px, "border_width_px");
 }
 
-CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshWriteDesc* desc) {
-    check_argument(view, "view");
-    check_size<FlgMeshView>(view->struct_size, "view");
-    std::memcpy(&view_, view, sizeof view_);
-    if (desc) {
-        check_size<FlgMeshWriteDesc>(desc->struct_size, "desc");
-        std::memcpy(&desc_, desc, sizeof desc_);
-    }
+CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* desc) {
+    view_ = read_given(view, "view");
+    if (desc) desc_ = read_given(desc, "desc");
+    check_origin(view_.origin, "view.origin");
     const CheckedColumns columns(view_.columns, view_.column_count, view_.vertex_count);
     position = columns.find(FLG_ATTRIBUTE_POSITION);
     color = columns.find(FLG_ATTRIBUTE_COLOR);
@@ -260,25 +254,20 @@ void check_name(const char* name, const std::string& place) {
 
 }  // namespace
 
-FlgSkinFileDesc skin_file_defaults() {
-    FlgSkinFileDesc desc = {};
-    desc.struct_size = sizeof desc;
-    return desc;
-}
-
-CheckedSkin::CheckedSkin(const FlgSkinFileDesc* desc) {
-    check_argument(desc, "desc");
-    check_size<FlgSkinFileDesc>(desc->struct_size, "desc");
-    std::memcpy(&desc_, desc, sizeof desc_);
-    check_argument(desc_.skin, "desc.skin");
-    check_size<FlgSkinView>(desc_.skin->struct_size, "desc.skin");
-    std::memcpy(&skin_, desc_.skin, sizeof skin_);
+CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
+    desc_ = read_given(desc, "desc");
+    skin_ = read_given(desc_.skin, "desc.skin");
+    check_origin(skin_.origin, "desc.skin.origin");
     check_name(desc_.name, "desc.name");
     check_joints();
     check_vertices();
     check_triangles();
     if (desc_.animation_count != 0) check_argument(desc_.animations, "desc.animations");
-    for (uint32_t i = 0; i < desc_.animation_count; ++i) check_animation(i);
+    for (uint32_t i = 0; i < desc_.animation_count; ++i) {
+        const std::string place = at("desc.animations", i);
+        animations_.push_back(read_element<Longer::cut>(desc_.animations, i, sized<FlgSkinAnimation>(), place.c_str()));
+        check_animation(animations_.back(), place);
+    }
     check_materials();
 }
 
@@ -353,10 +342,7 @@ void CheckedSkin::check_triangles() const {
     }
 }
 
-void CheckedSkin::check_animation(uint32_t index) const {
-    const std::string place = at("desc.animations", index);
-    const FlgSkinAnimation& animation = desc_.animations[index];
-    check_size<FlgSkinAnimation>(animation.struct_size, place.c_str());
+void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const std::string& place) const {
     check_name(animation.name, place + ".name");
     if (animation.key_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".key_count", "is 0, must be at least 1");
     check_floats(animation.times, animation.key_count, place + ".times");

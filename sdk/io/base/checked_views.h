@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/origin.h"
 #include "filigree/filigree.h"
 #include "filigree/filigree_io.h"
 
@@ -44,6 +45,9 @@ Column resolved(const FlgColumn& column);
 // The values of a column back to back.
 std::vector<float> packed(const Column& column, size_t point_count, uint32_t components);
 
+// Refuses what no object can be relative to.
+void check_origin(const double (&origin)[3], const char* name);
+
 class CheckedView {
 public:
     // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
@@ -54,6 +58,7 @@ public:
     size_t begin(uint32_t curve) const { return view_.curve_offsets[curve]; }
     size_t end(uint32_t curve) const { return view_.curve_offsets[curve + 1]; }
     std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
+    Origin origin() const { return {view_.origin[0], view_.origin[1], view_.origin[2]}; }
     bool closed(uint32_t curve) const { return view_.curve_flags && (view_.curve_flags[curve] & FLG_CURVE_CLOSED); }
 
     Column position, radius, color, normal;
@@ -64,15 +69,13 @@ private:
     FlgCurveSetView view_ = {};
 };
 
-FlgMeshWriteDesc mesh_write_defaults();
-
 // Refuses what no material can be; `place` names it, and ends with a dot.
 void check_material(const FlgMeshMaterial& material, const std::string& place);
 
 class CheckedMesh {
 public:
     // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
-    CheckedMesh(const FlgMeshView* view, const FlgMeshWriteDesc* desc);
+    CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* desc);
 
     size_t vertex_count() const { return view_.vertex_count; }
     size_t triangle_count() const { return view_.triangle_count; }
@@ -81,6 +84,7 @@ public:
     uint32_t region(size_t triangle) const { return view_.regions ? view_.regions[triangle] : 0; }
     std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
     std::span<const FlgMeshFaceColumn> face_columns() const { return {desc_.face_columns, desc_.face_column_count}; }
+    Origin origin() const { return {view_.origin[0], view_.origin[1], view_.origin[2]}; }
     bool split_regions() const { return desc_.split_regions != 0; }
     // By label; empty: none are given.
     std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
@@ -93,21 +97,20 @@ private:
     void check_labels() const;
 
     FlgMeshView view_ = {};
-    FlgMeshWriteDesc desc_ = mesh_write_defaults();
+    FlgMeshFileWriteDesc desc_ = {};
 };
-
-FlgSkinFileDesc skin_file_defaults();
 
 class CheckedSkin {
 public:
     // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
-    explicit CheckedSkin(const FlgSkinFileDesc* desc);
+    explicit CheckedSkin(const FlgSkinFileWriteDesc* desc);
 
     const FlgSkinView& skin() const { return skin_; }
     size_t vertex_count() const { return skin_.vertex_count; }
     size_t joint_count() const { return skin_.joint_count; }
-    std::span<const FlgSkinAnimation> animations() const { return {desc_.animations, desc_.animation_count}; }
+    const std::vector<FlgSkinAnimation>& animations() const { return animations_; }
     std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
+    Origin origin() const { return {skin_.origin[0], skin_.origin[1], skin_.origin[2]}; }
     std::string name() const { return desc_.name ? desc_.name : "model"; }
     uint32_t part(size_t vertex) const { return skin_.vertex_parts ? skin_.vertex_parts[vertex] : 0; }
 
@@ -116,11 +119,12 @@ private:
     void check_binding(size_t vertex) const;
     void check_triangles() const;
     void check_joints() const;
-    void check_animation(uint32_t index) const;
+    void check_animation(const FlgSkinAnimation& animation, const std::string& place) const;
     void check_materials() const;
 
-    FlgSkinFileDesc desc_ = skin_file_defaults();
+    FlgSkinFileWriteDesc desc_ = {};
     FlgSkinView skin_ = {};
+    std::vector<FlgSkinAnimation> animations_;
 };
 
 }  // namespace flg::io

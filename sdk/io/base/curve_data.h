@@ -8,6 +8,7 @@
 
 #include "filigree/filigree_io.h"
 #include "io/base/column_names.h"
+#include "io/base/placing.h"
 #include "io/base/tally.h"
 
 namespace flg::io {
@@ -19,6 +20,7 @@ struct CurveData {
     std::vector<uint8_t> flags;
     // Columns: empty, or of as many values as there are points.
     std::vector<float> positions;
+    Placing placing;
     std::vector<float> radii;
     std::vector<float> colors;
     std::vector<float> times;

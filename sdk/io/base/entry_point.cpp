@@ -3,7 +3,7 @@
 
 #include <cctype>
 #include <cstdio>
-#include <new>
+#include <cstring>
 #include <stdexcept>
 
 #include "filigree/filigree_io.h"
@@ -11,6 +11,8 @@
 namespace flg::io {
 
 namespace {
+
+constexpr const char* out_of_memory = "no memory is left";
 
 // Long enough for the longest path that Linux knows, and a sentence.
 thread_local char last_error[4096 + 1024] = "no error";
@@ -28,16 +30,14 @@ FlgResult take_exception(const char* file) noexcept {
         throw;
     } catch (const Failure& failure) {
         return set_last_error(failure.result(), file, failure.place(), failure.what());
-    } catch (const std::bad_alloc&) {
-        return set_last_error(FLG_ERROR_OUT_OF_MEMORY, file, {}, "no memory is left");
     } catch (const std::length_error&) {
-        return set_last_error(FLG_ERROR_OUT_OF_MEMORY, file, {}, "no memory is left");
+        return set_last_error(FLG_ERROR_OUT_OF_MEMORY, file, {}, out_of_memory);
     } catch (const std::filesystem::filesystem_error& error) {
         return set_last_error(FLG_ERROR_FILE, file, {}, error.code().message().c_str());
-    } catch (const std::exception& error) {
-        return set_last_error(FLG_ERROR_INTERNAL, file, {}, error.what());
     } catch (...) {
-        return set_last_error(FLG_ERROR_INTERNAL, file, {}, "unknown exception");
+        char sentence[512];
+        const FlgResult result = translate_exception(sentence, sizeof sentence, out_of_memory);
+        return set_last_error(result, file, {}, sentence);
     }
 }
 
@@ -56,8 +56,13 @@ std::string extension_of(const std::filesystem::path& path) {
     return extension;
 }
 
+void check_is_glb(const std::filesystem::path& target) {
+    const std::string extension = extension_of(target);
+    if (extension != ".glb") fail(FLG_ERROR_FORMAT, "", "can't be written: %s is not .glb", cited(extension).c_str());
+}
+
 }  // namespace flg::io
 
-extern "C" const char* flgIoLastError(void) {
+extern "C" const char* flgIoErrorGetMessage(void) {
     return flg::io::last_error;
 }

@@ -6,27 +6,22 @@
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <string_view>
 
-#include "filigree/filigree.h"
+#include "core/failure.h"
 
 namespace flg::io {
 
-class Failure : public std::exception {
+class Failure : public flg::Failure {
 public:
     // An empty `place` means the file as a whole.
-    Failure(FlgResult result, std::string place, std::string reason)
-        : result_(result), place_(std::move(place)), reason_(std::move(reason)) {}
-    FlgResult result() const { return result_; }
+    Failure(FlgResult result, std::string place, const char* reason)
+        : flg::Failure(result, "%s", reason), place_(std::move(place)) {}
     const std::string& place() const { return place_; }
-    const char* what() const noexcept override { return reason_.c_str(); }
 
 private:
-    FlgResult result_;
     std::string place_;
-    std::string reason_;
 };
 
 // Throws a Failure; `format` and what follows as for printf.

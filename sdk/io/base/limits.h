@@ -19,7 +19,7 @@ inline std::string size_text(uint64_t bytes) {
 }
 // Positions and radii, in size; beyond it squares overflow in float.
 constexpr float max_coordinate = 1e30f;
-// Metres; of curves that have no radius where others of the file have one, and of FlgCurveWriteDesc.
+// Metres; of curves that have no radius where others of the file have one, and of FlgCurveFileWriteDesc.
 constexpr float default_radius = 0.005f;
 
 }  // namespace flg::io

@@ -12,6 +12,7 @@
 #include "io/base/column_names.h"
 #include "io/base/failure.h"
 #include "io/base/limits.h"
+#include "io/base/placing.h"
 #include "io/base/tally.h"
 
 namespace flg::io {
@@ -41,6 +42,7 @@ struct PolygonFan {
 struct MeshData {
     const char* format = "";
     std::vector<float> positions;
+    Placing placing;
     std::vector<VertexColumn> columns;  // besides positions
     std::vector<uint32_t> triangles;    // three vertices each
     std::vector<uint32_t> regions;      // one a triangle, or empty

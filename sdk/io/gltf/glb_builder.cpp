@@ -106,8 +106,10 @@ size_t GlbBuilder::end_mesh() {
     return mesh_count_++;
 }
 
-std::string GlbBuilder::finish(const std::string& materials) const {
-    return finish_scene("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]," + materials, "");
+std::string GlbBuilder::finish(const std::string& materials, const Origin& origin) const {
+    return finish_scene("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0" + json_translation(origin) +
+                            "}]," + materials,
+                        "");
 }
 
 std::string GlbBuilder::finish_scene(const std::string& top, const std::string& mesh_name) const {

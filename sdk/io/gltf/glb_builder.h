@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/origin.h"
+
 namespace flg::io {
 
 constexpr uint32_t glb_float = 5126;  // component types
@@ -49,8 +51,8 @@ public:
     // The primitives since the last become a mesh; returns its index.
     size_t end_mesh();
 
-    // `materials` is empty or ends with a comma.
-    std::string finish(const std::string& materials) const;
+    // `materials` is empty or ends with a comma. The mesh's node is at the origin.
+    std::string finish(const std::string& materials, const Origin& origin) const;
     // The same, with nodes that show the meshes that were ended, or else mesh 0 of all primitives, if there are any:
     // `top` is JSON from `"scene":` on, and ends with a comma.
     std::string finish_scene(const std::string& top, const std::string& mesh_name) const;

@@ -157,12 +157,12 @@ constexpr uint64_t floats_per_point = 8;
 
 class GltfReader {
 public:
-    explicit GltfReader(const std::filesystem::path& path) : document_(path) {}
+    GltfReader(const std::filesystem::path& path, const Origin& origin) : document_(path), origin_(origin) {}
 
     CurveData read() {
         data_.format = "gltf";
         data_.units = "metres";
-        visit_primitives(document_, [this](const GltfPrimitive& primitive) { read_primitive(primitive); });
+        visit_primitives(document_, origin_, [this](const GltfPrimitive& primitive) { read_primitive(primitive); });
         data_.warn(surfaces_, "primitive", "of points or triangles, left out: only lines are read");
         if (data_.curve_count() == 0) fail(FLG_ERROR_FORMAT, "meshes", "the file shows no lines");
         data_.warn(partial_columns_, "curve", "other columns than the curves before, these left out");
@@ -187,6 +187,7 @@ private:
         const std::vector<GltfColumn> columns = read_columns(document_, primitive, vertices.positions.count);
         begin_columns(columns);
         const Polylines lines = read_polylines(primitive, vertices.positions);
+        if (!data_.placing.stored) data_.placing.stored = place_of(primitive);
         append(lines, vertices, radii, primitive.transform);
         append_columns(lines, columns, primitive.transform);
     }
@@ -274,6 +275,7 @@ private:
     }
 
     GltfDocument document_;
+    const Origin origin_;
     CurveData data_;
     bool has_color_ = false;
     bool has_radius_ = false;
@@ -284,8 +286,8 @@ private:
 
 }  // namespace
 
-CurveData read_gltf(const std::filesystem::path& path) {
-    return GltfReader(path).read();
+CurveData read_gltf(const std::filesystem::path& path, const Origin& origin) {
+    return GltfReader(path, origin).read();
 }
 
 namespace {
@@ -351,7 +353,7 @@ std::string write_lines(const CheckedView& view, bool all_columns) {
         }
         glb.add_primitive(attributes, view.closed(c) ? glb_line_loop : glb_line_strip, count == 1 ? lone_indices : "");
     }
-    return glb.finish("");
+    return glb.finish("", view.origin());
 }
 
 // Those of the pieces, tubes first. White, so that programs that give materials without a colour one of their own
@@ -359,16 +361,16 @@ std::string write_lines(const CheckedView& view, bool all_columns) {
 class SurfaceMaterials {
 public:
     explicit SurfaceMaterials(const std::vector<SweptPiece>& pieces) {
-        const auto has = [&](FlgGeometry geometry) {
+        const auto has = [&](FlgCurveGeometry geometry) {
             return std::any_of(pieces.begin(), pieces.end(),
                                [&](const SweptPiece& piece) { return piece.geometry == geometry; });
         };
-        has_tubes_ = has(FLG_GEOMETRY_TUBE);
+        has_tubes_ = has(FLG_CURVE_GEOMETRY_TUBE);
         constexpr const char* look =
             "\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,1,1,1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
         json_ = "\"materials\":[";
         if (has_tubes_) json_ += std::string("{\"name\":\"tube\",") + look;
-        if (has(FLG_GEOMETRY_RIBBON)) {
+        if (has(FLG_CURVE_GEOMETRY_RIBBON)) {
             if (has_tubes_) json_ += ',';
             json_ += std::string("{\"name\":\"ribbon\",\"doubleSided\":true,") + look;
         }
@@ -376,7 +378,9 @@ public:
     }
 
     const std::string& json() const { return json_; }
-    const char* index(FlgGeometry geometry) const { return geometry == FLG_GEOMETRY_RIBBON && has_tubes_ ? "1" : "0"; }
+    const char* index(FlgCurveGeometry geometry) const {
+        return geometry == FLG_CURVE_GEOMETRY_RIBBON && has_tubes_ ? "1" : "0";
+    }
 
 private:
     std::string json_;
@@ -478,20 +482,9 @@ void add_piece(GlbBuilder& glb, const SweptPiece& piece, const SurfaceMaterials&
     glb.add_primitive(attributes, glb_triangles, rest);
 }
 
-std::string triple(float x, float y, float z) {
-    std::string text = "[";
-    text += json_number(x);
-    text += ',';
-    text += json_number(y);
-    text += ',';
-    text += json_number(z);
-    text += ']';
-    return text;
-}
-
 // A mesh and a node for each piece: the node takes steps to metres. Pieces too wide for steps within the tolerance have
 // positions in floats.
-std::string write_quantized(const std::vector<SweptPiece>& pieces, float tolerance) {
+std::string write_quantized(const std::vector<SweptPiece>& pieces, const Origin& origin, float tolerance) {
     GlbBuilder glb;
     const SurfaceMaterials materials(pieces);
     std::string nodes, roots;
@@ -512,9 +505,12 @@ std::string write_quantized(const std::vector<SweptPiece>& pieces, float toleran
         nodes += mesh;
         if (fits) {
             nodes += ",\"translation\":";
-            nodes += triple(grid.corner[0], grid.corner[1], grid.corner[2]);
+            nodes += json_triple(double{grid.corner[0]} + origin[0], double{grid.corner[1]} + origin[1],
+                                 double{grid.corner[2]} + origin[2]);
             nodes += ",\"scale\":";
-            nodes += triple(grid.step, grid.step, grid.step);
+            nodes += json_triple(double{grid.step}, double{grid.step}, double{grid.step});
+        } else {
+            nodes += json_translation(origin);
         }
         nodes += '}';
     }
@@ -529,7 +525,7 @@ std::string write_quantized(const std::vector<SweptPiece>& pieces, float toleran
     return glb.finish_scene(top, "");
 }
 
-std::string write_surface(const CheckedView& view, const FlgCurveWriteDesc& desc) {
+std::string write_surface(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
     const std::vector<SweptPiece> pieces = sweep(view, desc);
     if (pieces.empty()) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "view", "has no curve with a length: there is no surface to write");
@@ -541,7 +537,7 @@ std::string write_surface(const CheckedView& view, const FlgCurveWriteDesc& desc
                 fail(FLG_ERROR_INVALID_ARGUMENT, "view", "has radii too large for its positions");
         }
     }
-    if (desc.quantize) return write_quantized(pieces, desc.tolerance);
+    if (desc.quantize) return write_quantized(pieces, view.origin(), desc.tolerance);
     GlbBuilder glb;
     const SurfaceMaterials materials(pieces);
     for (const SweptPiece& piece : pieces) {
@@ -549,13 +545,13 @@ std::string write_surface(const CheckedView& view, const FlgCurveWriteDesc& desc
         add_piece(glb, piece, materials, glb.add_positions(view_index, piece.positions, 0, piece.vertex_count()),
                   false);
     }
-    return glb.finish(materials.json());
+    return glb.finish(materials.json(), view.origin());
 }
 
 }  // namespace
 
-std::string write_glb(const CheckedView& view, const FlgCurveWriteDesc& desc) {
-    const bool lines = !desc.geometries && desc.geometry == FLG_GEOMETRY_LINES;
+std::string write_glb(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
+    const bool lines = !desc.geometries && desc.geometry == FLG_CURVE_GEOMETRY_LINES;
     return lines ? write_lines(view, desc.all_columns != 0) : write_surface(view, desc);
 }
 

@@ -27,11 +27,11 @@ constexpr uint64_t no_material = UINT64_MAX;
 
 class GltfMeshReader {
 public:
-    explicit GltfMeshReader(const std::filesystem::path& path) : document_(path) {}
+    GltfMeshReader(const std::filesystem::path& path, const Origin& origin) : document_(path), origin_(origin) {}
 
     MeshData read() {
         data_.format = "gltf";
-        visit_primitives(document_, [this](const GltfPrimitive& primitive) { read_primitive(primitive); });
+        visit_primitives(document_, origin_, [this](const GltfPrimitive& primitive) { read_primitive(primitive); });
         if (data_.triangles.empty()) fail(FLG_ERROR_FORMAT, "meshes", "the file shows no triangles");
         if (!colors_.empty()) {
             colors_.resize(4 * data_.vertex_count(), 1.0f);
@@ -67,7 +67,7 @@ private:
         data_.check_room(is_new ? vertex_count : 0, primitive.mode == gltf_triangles ? corner_count / 3 : corner_count,
                          primitive.place);
         const std::vector<uint32_t> indices = read_indices(values, vertex_count);
-        if (is_new) append_vertices(vertices, primitive.transform);
+        if (is_new) append_vertices(vertices, primitive.transform, place_of(primitive));
         shared_ = shared;
         append_triangles(primitive, indices);
 
@@ -83,7 +83,8 @@ private:
         }
     }
 
-    void append_vertices(const GltfVertices& vertices, const Transform& transform) {
+    void append_vertices(const GltfVertices& vertices, const Transform& transform, const Origin& place) {
+        if (!data_.placing.stored) data_.placing.stored = place;
         first_vertex_ = static_cast<uint32_t>(data_.vertex_count());
         const uint32_t count = static_cast<uint32_t>(vertices.positions.count);
         data_.positions.resize(3 * (size_t{first_vertex_} + count));
@@ -111,6 +112,7 @@ private:
     }
 
     GltfDocument document_;
+    const Origin origin_;
     MeshData data_;
     std::vector<float> colors_;  // of the vertices up to the last that has one
     SharedVertices shared_ = {};
@@ -122,8 +124,8 @@ private:
 
 }  // namespace
 
-MeshData read_gltf_mesh(const std::filesystem::path& path) {
-    return GltfMeshReader(path).read();
+MeshData read_gltf_mesh(const std::filesystem::path& path, const Origin& origin) {
+    return GltfMeshReader(path, origin).read();
 }
 
 namespace {
@@ -194,7 +196,7 @@ std::string add_mesh(GlbBuilder& glb, const CheckedMesh& mesh) {
 std::string write_glb_mesh(const CheckedMesh& mesh) {
     GlbBuilder glb;
     const std::string materials = add_mesh(glb, mesh);
-    return glb.finish(materials);
+    return glb.finish(materials, mesh.origin());
 }
 
 }  // namespace flg::io

@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <string>
 
+#include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/mesh_data.h"
 #include "io/gltf/glb_builder.h"
 
 namespace flg::io {
 
-MeshData read_gltf_mesh(const std::filesystem::path& path);
+MeshData read_gltf_mesh(const std::filesystem::path& path, const Origin& origin);
 
 // Adds the mesh's vertices and primitives; returns its materials, which finish() takes.
 std::string add_mesh(GlbBuilder& glb, const CheckedMesh& mesh);

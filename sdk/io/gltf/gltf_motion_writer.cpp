@@ -48,16 +48,8 @@ std::string numbers(const float* values, size_t count) {
 
 }  // namespace
 
-FlgMotionFileDesc motion_file_defaults() {
-    FlgMotionFileDesc desc = {};
-    desc.struct_size = sizeof desc;
-    return desc;
-}
-
-CheckedMotion::CheckedMotion(const FlgMotionFileDesc* desc) {
-    check_argument(desc, "desc");
-    check_size<FlgMotionFileDesc>(desc->struct_size, "desc");
-    std::memcpy(&desc_, desc, sizeof desc_);
+CheckedMotion::CheckedMotion(const FlgMotionFileWriteDesc* desc) {
+    desc_ = read_given(desc, "desc");
     if (desc_.position_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.position_count", "is 0, must be at least 1");
     check_argument(desc_.times, "desc.times");
     check_argument(desc_.poses, "desc.poses");
@@ -68,7 +60,11 @@ CheckedMotion::CheckedMotion(const FlgMotionFileDesc* desc) {
              double{desc_.camera_fov_rad});
     }
     check_positions();
-    if (desc_.mesh) mesh_.emplace(desc_.mesh, desc_.mesh_desc);
+    check_origin(desc_.origin, "desc.origin");
+    if (!desc_.mesh) return;
+    mesh_.emplace(desc_.mesh, desc_.mesh_desc);
+    if (mesh_->origin() != Origin{})
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.origin", "must be 0: the mesh's coordinates are the body's");
 }
 
 float CheckedMotion::time(size_t position) const {
@@ -122,11 +118,16 @@ std::string write_glb_motion(const CheckedMotion& motion) {
     };
     const std::string name = json_text(motion.name());
     const std::string samplers = sampler(translations, "VEC3") + "," + sampler(rotations, "VEC4");
-    std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":" + name;
+    const std::string translation = json_translation(motion.origin());
+    std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[";
+    top += translation.empty() ? "0" : "1";
+    top += "]}],\"nodes\":[{\"name\":" + name;
     if (motion.mesh()) top += ",\"mesh\":0";
     if (motion.camera_fov_rad() > 0) top += ",\"camera\":0";
     top +=
-        ",\"translation\":" + numbers(translations.data(), 3) + ",\"rotation\":" + numbers(rotations.data(), 4) + "}],";
+        ",\"translation\":" + numbers(translations.data(), 3) + ",\"rotation\":" + numbers(rotations.data(), 4) + "}";
+    if (!translation.empty()) top += ",{\"children\":[0]" + translation + "}";
+    top += "],";
     if (motion.camera_fov_rad() > 0) {
         top +=
             "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":" + json_number(motion.camera_fov_rad()) +

@@ -10,19 +10,18 @@
 
 namespace flg::io {
 
-FlgMotionFileDesc motion_file_defaults();
-
 // A motion from a host, checked whole before anything is made of it.
 class CheckedMotion {
 public:
     // Fails with FLG_ERROR_INVALID_ARGUMENT at the first thing that is wrong. The host's arrays must outlive this.
-    explicit CheckedMotion(const FlgMotionFileDesc* desc);
+    explicit CheckedMotion(const FlgMotionFileWriteDesc* desc);
 
     // Poses, one more where the first comes again.
     size_t position_count() const { return size_t{desc_.position_count} + (returns() ? 1 : 0); }
     float time(size_t position) const;
     const double* pose(size_t position) const { return desc_.poses + 12 * (position % desc_.position_count); }
     const std::optional<CheckedMesh>& mesh() const { return mesh_; }
+    Origin origin() const { return {desc_.origin[0], desc_.origin[1], desc_.origin[2]}; }
     float camera_fov_rad() const { return desc_.camera_fov_rad; }
     std::string name() const { return desc_.name ? desc_.name : "motion"; }
 
@@ -30,7 +29,7 @@ private:
     bool returns() const { return desc_.end_time != 0; }
     void check_positions() const;
 
-    FlgMotionFileDesc desc_ = motion_file_defaults();
+    FlgMotionFileWriteDesc desc_ = {};
     std::optional<CheckedMesh> mesh_;
 };
 

@@ -36,17 +36,20 @@ struct Visit {
 
 class SceneWalk {
 public:
-    SceneWalk(const GltfDocument& document, const std::function<void(const GltfPrimitive&)>& visit)
-        : document_(document), visit_(visit) {}
+    SceneWalk(const GltfDocument& document, const Origin& origin,
+              const std::function<void(const GltfPrimitive&)>& visit)
+        : document_(document), visit_(visit) {
+        for (size_t k = 0; k < 3; ++k) world_[9 + k] -= origin[k];
+    }
 
     void meshes() {
-        for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, identity_transform, "meshes");
+        for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, world_, "meshes");
     }
 
     void nodes(const std::vector<uint64_t>& roots) {
         std::vector<bool> seen(document_.size("nodes"));
         std::vector<Visit> stack;
-        for (size_t i = roots.size(); i-- > 0;) stack.push_back({roots[i], identity_transform});
+        for (size_t i = roots.size(); i-- > 0;) stack.push_back({roots[i], world_});
         while (!stack.empty()) {
             const Visit visit = stack.back();
             stack.pop_back();
@@ -82,6 +85,7 @@ private:
 
     const GltfDocument& document_;
     const std::function<void(const GltfPrimitive&)>& visit_;
+    Transform world_ = identity_transform;  // from the file's coordinates to those relative to the origin
     uint64_t placements_ = 0;
 };
 
@@ -169,8 +173,9 @@ std::vector<uint64_t> root_nodes(const GltfDocument& document) {
     return roots;
 }
 
-void visit_primitives(const GltfDocument& document, const std::function<void(const GltfPrimitive&)>& visit) {
-    SceneWalk walk(document, visit);
+void visit_primitives(const GltfDocument& document, const Origin& origin,
+                      const std::function<void(const GltfPrimitive&)>& visit) {
+    SceneWalk walk(document, origin, visit);
     if (document.size("nodes") == 0)
         walk.meshes();
     else

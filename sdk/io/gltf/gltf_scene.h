@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/origin.h"
 #include "io/gltf/gltf_document.h"
 
 namespace flg::io {
@@ -59,8 +60,15 @@ struct GltfPrimitive {
     std::string place;
 };
 
-// Calls `visit` for every primitive, in the order of the nodes; without nodes for those of all meshes, in place.
-void visit_primitives(const GltfDocument& document, const std::function<void(const GltfPrimitive&)>& visit);
+// Calls `visit` for every primitive, in the order of the nodes, placed relative to the origin; without nodes for those
+// of all meshes, in place.
+void visit_primitives(const GltfDocument& document, const Origin& origin,
+                      const std::function<void(const GltfPrimitive&)>& visit);
+
+// Where a primitive is placed.
+inline Origin place_of(const GltfPrimitive& primitive) {
+    return {primitive.transform[9], primitive.transform[10], primitive.transform[11]};
+}
 
 // What POSITION and COLOR_0 hold, checked: three floats a vertex, and colours for as many vertices.
 struct GltfVertices {

@@ -343,7 +343,8 @@ public:
         }
         const std::string name = checked_.name();
         add_item(nodes, "{\"name\":" + json_text(name) + ",\"mesh\":0,\"skin\":0}");
-        add_item(nodes, "{\"name\":" + json_text(name + " skeleton") + ",\"children\":[" + roots + "]}");
+        add_item(nodes, "{\"name\":" + json_text(name + " skeleton") + json_translation(checked_.origin()) +
+                            ",\"children\":[" + roots + "]}");
         for (size_t j = 0; j < checked_.joint_count(); ++j) add_item(nodes, joint_node(j, children[j]));
         std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[" + nodes +
                           "],\"skins\":[{\"name\":" + json_text(name) +

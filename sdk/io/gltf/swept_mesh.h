@@ -13,7 +13,7 @@ namespace flg::io {
 // Neighbouring curves of one geometry. At most 65,535 vertices, so that 16 bits number them, if it has more than one
 // curve.
 struct SweptPiece {
-    FlgGeometry geometry;
+    FlgCurveGeometry geometry;
     std::vector<float> positions;
     std::vector<float> normals;
     std::vector<float> colors;  // empty without a COLOR column
@@ -23,6 +23,6 @@ struct SweptPiece {
 };
 
 // Each curve is a RIBBON or a TUBE: desc.geometries, else desc.geometry. Curves without length leave nothing.
-std::vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveWriteDesc& desc);
+std::vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveFileWriteDesc& desc);
 
 }  // namespace flg::io

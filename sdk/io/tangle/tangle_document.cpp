@@ -7,6 +7,8 @@
 #include <cstring>
 #include <iterator>
 
+#include "core/sized_struct.h"
+
 namespace flg::io {
 
 namespace {
@@ -148,8 +150,8 @@ TangleDocument::TangleDocument(const JsonValue& document, Bytes bytes) {
     history_.made_count = static_cast<uint32_t>(document.at("made").count(steps.size()));
     for (size_t i = 0; i < steps.size(); ++i) read_step(steps[i], arrays);
     arrays.expect_end();
-    history_.steps = steps_.data();
-    history_.step_count = static_cast<uint32_t>(steps_.size());
+    history_.steps = shown_steps_.data();
+    history_.step_count = static_cast<uint32_t>(shown_steps_.size());
 }
 
 void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
@@ -171,10 +173,10 @@ void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
     } else if (word == first_change + displace_word) {
         read_displace(value, arrays, step);
     } else if (word == first_change + ungroup_word) {
-        step.kind = FLG_TANGLE_STEP_UNGROUP;
+        step.kind = FLG_TANGLE_STEP_KIND_UNGROUP;
         step.group = static_cast<uint32_t>(value.at("group").count(any_count));
     } else {
-        step.kind = word == first_change + group_word ? FLG_TANGLE_STEP_GROUP : FLG_TANGLE_STEP_JOIN;
+        step.kind = word == first_change + group_word ? FLG_TANGLE_STEP_KIND_GROUP : FLG_TANGLE_STEP_KIND_JOIN;
         const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
         step.regions = regions.data();
         step.region_count = static_cast<uint32_t>(regions.size());
@@ -187,12 +189,12 @@ void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
     }
     step.placed = read_flag(value, "placed");
     read_places(value, arrays, step);
-    steps_.push_back(step);
+    shown_steps_.push_back(&steps_.emplace_back(step));
 }
 
-FlgTangleSeeds TangleDocument::read_seeds(const JsonValue& value, Arrays& arrays) {
+const FlgTangleSeeds* TangleDocument::read_seeds(const JsonValue& value, Arrays& arrays) {
     value.allow({"borders", "stretches", "points", "samples", "spacing", "of"});
-    FlgTangleSeeds seeds{};
+    FlgTangleSeeds& seeds = seeds_.emplace_back(sized<FlgTangleSeeds>());
     if (const auto borders = value.find("borders")) {
         seeds.borders = static_cast<FlgTangleBorders>(borders->word(border_words));
     }
@@ -223,7 +225,7 @@ FlgTangleSeeds TangleDocument::read_seeds(const JsonValue& value, Arrays& arrays
         seeds.regions = regions.data();
         seeds.region_count = static_cast<uint32_t>(regions.size());
     }
-    return seeds;
+    return &seeds;
 }
 
 void TangleDocument::read_divide(const JsonValue& value, FlgTangleOperator kind, Arrays& arrays, FlgTangleStep& step) {
@@ -246,12 +248,12 @@ void TangleDocument::read_divide(const JsonValue& value, FlgTangleOperator kind,
     desc.perturbation = read_number(value, "perturbation", 0);
     desc.frequency = read_number(value, "frequency", 1);
     desc.seed = value.at("seed").count(UINT64_MAX);
-    step.kind = FLG_TANGLE_STEP_DIVIDE;
+    step.kind = FLG_TANGLE_STEP_KIND_DIVIDE;
     step.divide = &divides_.emplace_back(desc);
 }
 
 void TangleDocument::read_macro(const JsonValue& value, FlgTangleMacro kind, Arrays& arrays, FlgTangleStep& step) {
-    FlgTangleMacroDesc desc{};
+    FlgTangleApplyMacroDesc desc{};
     desc.struct_size = sizeof desc;
     desc.kind = kind;
     const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
@@ -261,7 +263,7 @@ void TangleDocument::read_macro(const JsonValue& value, FlgTangleMacro kind, Arr
     desc.size = value.at("size").number();
     desc.spacing = value.at("spacing").number();
     desc.seed = value.at("seed").count(UINT64_MAX);
-    step.kind = FLG_TANGLE_STEP_MACRO;
+    step.kind = FLG_TANGLE_STEP_KIND_MACRO;
     step.macro = &macros_.emplace_back(desc);
 }
 
@@ -275,22 +277,24 @@ void TangleDocument::read_displace(const JsonValue& value, Arrays& arrays, FlgTa
     desc.bias = read_number(value, "bias", 0.5f);
     desc.gain = read_number(value, "gain", 0.5f);
     desc.reach = read_number(value, "reach", 0);
-    step.kind = FLG_TANGLE_STEP_DISPLACE;
+    step.kind = FLG_TANGLE_STEP_KIND_DISPLACE;
     step.displace = &displaces_.emplace_back(desc);
 }
 
 void TangleDocument::read_places(const JsonValue& value, Arrays& arrays, FlgTangleStep& step) {
     const auto list = value.find("places");
     if (!list) return;
-    std::vector<FlgTangleSeedPlaces>& places = places_.emplace_back();
-    for (size_t i = 0; i < list->size(); ++i) places.push_back(read_places_of((*list)[i], arrays));
+    std::vector<const FlgTangleSeedPlaces*>& places = shown_places_.emplace_back();
+    for (size_t i = 0; i < list->size(); ++i) {
+        places.push_back(&places_.emplace_back(read_places_of((*list)[i], arrays)));
+    }
     step.places = places.data();
     step.place_count = static_cast<uint32_t>(places.size());
 }
 
 FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Arrays& arrays) {
     value.allow({"points", "loops", "samples", "curves"});
-    FlgTangleSeedPlaces places{};
+    auto places = sized<FlgTangleSeedPlaces>();
     const auto positions = [&](const char* key, const float*& out, uint32_t& count) {
         const auto found = value.find(key);
         if (!found) return;
@@ -317,12 +321,13 @@ FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Array
     }
     std::vector<uint8_t>& flags = flags_.emplace_back();
     for (const uint32_t word : words) flags.push_back(static_cast<uint8_t>(word & FLG_CURVE_CLOSED));
-    places.curves.struct_size = sizeof places.curves;
-    places.curves.curve_count = static_cast<uint32_t>(words.size());
-    places.curves.curve_offsets = offsets.data();
-    places.curves.curve_flags = flags.data();
-    places.curves.curve_values = values.data();
-    places.curves.points = points.data();
+    FlgSurfaceCurvesView& view = curves_.emplace_back(sized<FlgSurfaceCurvesView>());
+    view.curve_count = static_cast<uint32_t>(words.size());
+    view.curve_offsets = offsets.data();
+    view.curve_flags = flags.data();
+    view.curve_values = values.data();
+    view.points = points.data();
+    places.curves = &view;
     const std::vector<float>& at = floats_.emplace_back(arrays.floats(curves->at("places"), 3));
     if (at.size() != 3 * points.size()) curves->at("places").refuse("must be one a point");
     places.curve_points = at.data();
@@ -360,7 +365,7 @@ std::string hex(uint64_t number) {
 
 class Writer {
 public:
-    OrderedJson step(const FlgTangleStep& step, const std::string& place);
+    OrderedJson step(const FlgTangleStep* given, const std::string& place);
 
     std::string arrays;
 
@@ -409,11 +414,11 @@ private:
             return k == 0 ? OrderedJson(index) : number(weight, where);
         });
     }
-    OrderedJson seeds(const FlgTangleSeeds& seeds, const std::string& place);
-    OrderedJson places(const FlgTangleSeedPlaces& places, const std::string& place);
-    void divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const std::string& place);
-    void macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std::string& place);
-    void displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, const std::string& place);
+    OrderedJson seeds(const FlgTangleSeeds* given, const std::string& place);
+    OrderedJson places(const FlgTangleSeedPlaces* given, const std::string& place);
+    void divide(OrderedJson& json, const FlgTangleDivideDesc* given, const std::string& place);
+    void macro(OrderedJson& json, const FlgTangleApplyMacroDesc* given, const std::string& place);
+    void displace(OrderedJson& json, const FlgTangleDisplaceDesc* given, const std::string& place);
 };
 
 // What a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
@@ -438,8 +443,17 @@ const T& need(const T* pointer, const std::string& place) {
     return *pointer;
 }
 
-OrderedJson Writer::seeds(const FlgTangleSeeds& seeds, const std::string& place) {
+// A struct of the host's, as far as we know it; `place` says where it is.
+template <class T>
+T read_at(const T* given, const std::string& place) {
+    need(given, place);
+    return read_struct<Longer::cut>(given, sized<T>(), place.c_str());
+}
+
+OrderedJson Writer::seeds(const FlgTangleSeeds* given, const std::string& place) {
     OrderedJson json = OrderedJson::object();
+    if (!given) return json;
+    const FlgTangleSeeds seeds = read_at(given, place);
     if (number_of(seeds.borders) != FLG_TANGLE_BORDERS_NONE) {
         json["borders"] = word_of(border_words, number_of(seeds.borders), place + ".borders");
     }
@@ -459,14 +473,15 @@ OrderedJson Writer::seeds(const FlgTangleSeeds& seeds, const std::string& place)
     return json;
 }
 
-OrderedJson Writer::places(const FlgTangleSeedPlaces& places, const std::string& place) {
+OrderedJson Writer::places(const FlgTangleSeedPlaces* given, const std::string& place) {
+    const FlgTangleSeedPlaces places = read_at(given, place);
     OrderedJson json = OrderedJson::object();
     if (places.point_count > 0) json["points"] = floats(places.points, places.point_count, 3, place + ".points");
     if (places.loop_count > 0) json["loops"] = floats(places.loops, places.loop_count, 3, place + ".loops");
     if (places.sample_count > 0) json["samples"] = floats(places.samples, places.sample_count, 3, place + ".samples");
-    const FlgSurfaceCurvesView& curves = places.curves;
-    if (curves.curve_count == 0) return json;
+    if (!places.curves) return json;
     const std::string where = place + ".curves";
+    const FlgSurfaceCurvesView curves = read_at(places.curves, where);
     const uint32_t* const offsets = &need(curves.curve_offsets, where + ".curve_offsets");
     const uint8_t* const flags = &need(curves.curve_flags, where + ".curve_flags");
     const uint32_t count = offsets[curves.curve_count];
@@ -479,7 +494,8 @@ OrderedJson Writer::places(const FlgTangleSeedPlaces& places, const std::string&
     return json;
 }
 
-void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const std::string& place) {
+void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc* given, const std::string& place) {
+    const FlgTangleDivideDesc desc = read_at(given, place);
     json["op"] = word_of(operator_words, number_of(desc.kind), place + ".kind");
     json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
     json["from"] = seeds(desc.a, place + ".a");
@@ -488,7 +504,7 @@ void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const st
     json["delta"] = number(desc.delta, place + ".delta");
     json["count"] = desc.count;
     json["groups"] = word_of(grouping_words, number_of(desc.grouping), place + ".grouping");
-    if (number_of(desc.grouping) == FLG_TANGLE_GROUP_CYCLE) json["cycle"] = desc.cycle;
+    if (number_of(desc.grouping) == FLG_TANGLE_GROUPING_CYCLE) json["cycle"] = desc.cycle;
     if (desc.scaffold != 0) json["scaffold"] = true;
     if (desc.closed != 0) json["closed"] = true;
     if (desc.perturbation != 0) {
@@ -498,7 +514,8 @@ void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc& desc, const st
     json["seed"] = desc.seed;
 }
 
-void Writer::macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std::string& place) {
+void Writer::macro(OrderedJson& json, const FlgTangleApplyMacroDesc* given, const std::string& place) {
+    const FlgTangleApplyMacroDesc desc = read_at(given, place);
     json["op"] = word_of(macro_words, number_of(desc.kind), place + ".kind");
     json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
     json["count"] = desc.count;
@@ -507,7 +524,8 @@ void Writer::macro(OrderedJson& json, const FlgTangleMacroDesc& desc, const std:
     json["seed"] = desc.seed;
 }
 
-void Writer::displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, const std::string& place) {
+void Writer::displace(OrderedJson& json, const FlgTangleDisplaceDesc* given, const std::string& place) {
+    const FlgTangleDisplaceDesc desc = read_at(given, place);
     json["op"] = change_words[displace_word];
     json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
     json["amount"] = number(desc.amount, place + ".amount");
@@ -516,22 +534,21 @@ void Writer::displace(OrderedJson& json, const FlgTangleDisplaceDesc& desc, cons
     json["reach"] = number(desc.reach, place + ".reach");
 }
 
-OrderedJson Writer::step(const FlgTangleStep& step, const std::string& place) {
+OrderedJson Writer::step(const FlgTangleStep* given, const std::string& place) {
+    const FlgTangleStep step = read_at(given, place);
     OrderedJson json;
     const int32_t kind = number_of(step.kind);
     switch (kind) {
-        case FLG_TANGLE_STEP_DIVIDE: divide(json, need(step.divide, place + ".divide"), place + ".divide"); break;
-        case FLG_TANGLE_STEP_MACRO: macro(json, need(step.macro, place + ".macro"), place + ".macro"); break;
-        case FLG_TANGLE_STEP_DISPLACE:
-            displace(json, need(step.displace, place + ".displace"), place + ".displace");
-            break;
-        case FLG_TANGLE_STEP_UNGROUP:
+        case FLG_TANGLE_STEP_KIND_DIVIDE: divide(json, step.divide, place + ".divide"); break;
+        case FLG_TANGLE_STEP_KIND_MACRO: macro(json, step.macro, place + ".macro"); break;
+        case FLG_TANGLE_STEP_KIND_DISPLACE: displace(json, step.displace, place + ".displace"); break;
+        case FLG_TANGLE_STEP_KIND_UNGROUP:
             json["op"] = change_words[ungroup_word];
             json["group"] = step.group;
             break;
-        case FLG_TANGLE_STEP_GROUP:
-        case FLG_TANGLE_STEP_JOIN:
-            json["op"] = change_words[kind == FLG_TANGLE_STEP_GROUP ? group_word : join_word];
+        case FLG_TANGLE_STEP_KIND_GROUP:
+        case FLG_TANGLE_STEP_KIND_JOIN:
+            json["op"] = change_words[kind == FLG_TANGLE_STEP_KIND_GROUP ? group_word : join_word];
             json["on"] = integers(step.regions, step.region_count, place + ".regions");
             break;
         default: fail(FLG_ERROR_INVALID_ARGUMENT, place + ".kind", "is %d, which is none of its values", kind);
@@ -563,11 +580,7 @@ TangleText write_tangle(const FlgTangleHistory& history, const std::string& file
     std::string steps;
     for (uint32_t i = 0; i < history.step_count; ++i) {
         const std::string place = "history.steps[" + std::to_string(i) + "]";
-        const FlgTangleStep& step = (&need(history.steps, "history.steps"))[i];
-        if (step.struct_size < sizeof step) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, place, "has the struct_size %u, must be at least %zu", step.struct_size,
-                 sizeof step);
-        }
+        const FlgTangleStep* const step = (&need(history.steps, "history.steps"))[i];
         steps += (i == 0 ? "\n    " : ",\n    ") + writer.step(step, place).dump();
         if (steps.size() > max_tangle_json) fail(FLG_ERROR_LIMIT, place, "makes the document too large");
     }

@@ -65,7 +65,7 @@ private:
     class Arrays;
 
     void read_step(const JsonValue& value, Arrays& arrays);
-    FlgTangleSeeds read_seeds(const JsonValue& value, Arrays& arrays);
+    const FlgTangleSeeds* read_seeds(const JsonValue& value, Arrays& arrays);
     void read_divide(const JsonValue& value, FlgTangleOperator kind, Arrays& arrays, FlgTangleStep& step);
     void read_macro(const JsonValue& value, FlgTangleMacro kind, Arrays& arrays, FlgTangleStep& step);
     void read_displace(const JsonValue& value, Arrays& arrays, FlgTangleStep& step);
@@ -73,12 +73,16 @@ private:
     FlgTangleSeedPlaces read_places_of(const JsonValue& value, Arrays& arrays);
 
     FlgTangleHistory history_{};
-    std::vector<FlgTangleStep> steps_;
-    // Deques: what steps point to stays where it is.
+    std::vector<const FlgTangleStep*> shown_steps_;
+    // Deques: what is pointed to stays where it is.
+    std::deque<FlgTangleStep> steps_;
     std::deque<FlgTangleDivideDesc> divides_;
-    std::deque<FlgTangleMacroDesc> macros_;
+    std::deque<FlgTangleApplyMacroDesc> macros_;
     std::deque<FlgTangleDisplaceDesc> displaces_;
-    std::deque<std::vector<FlgTangleSeedPlaces>> places_;
+    std::deque<FlgTangleSeedPlaces> places_;
+    std::deque<std::vector<const FlgTangleSeedPlaces*>> shown_places_;
+    std::deque<FlgTangleSeeds> seeds_;
+    std::deque<FlgSurfaceCurvesView> curves_;
     std::deque<std::vector<FlgBorderStretch>> stretches_;
     std::deque<std::vector<FlgSurfacePoint>> points_;
     std::deque<std::vector<uint32_t>> numbers_;

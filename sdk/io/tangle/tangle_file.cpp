@@ -22,8 +22,8 @@ namespace {
 constexpr int most_levels = 16;
 
 // Where the JSON is: its side file is beside it, also when it is reached by a link.
-std::filesystem::path place_of(const char* path) {
-    return std::filesystem::weakly_canonical(to_path(path));
+std::filesystem::path place_of(const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(path);
 }
 
 // The side file of the document that is there now; empty if there is none that can be read.
@@ -78,44 +78,36 @@ using namespace flg::io;
 
 extern "C" {
 
-const char* flgTangleOperatorName(uint32_t number) {
+const char* flgTangleOperatorGetName(uint32_t number) {
     return number < std::size(operator_words) ? operator_words[number] : nullptr;
 }
 
-const char* flgTangleMacroName(uint32_t number) {
+const char* flgTangleMacroGetName(uint32_t number) {
     return number < std::size(macro_words) ? macro_words[number] : nullptr;
 }
 
 FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history) {
-    return guarded(path ? path : "flgTangleFileWrite", [&] {
-        check_argument(path, "path");
-        check_argument(history, "history");
-        check_size<FlgTangleHistory>(history->struct_size, "history");
-        const std::filesystem::path place = place_of(path);
-        save(place, write_tangle(*history, place.filename().string()));
+    return guarded_path("flgTangleFileWrite", path, [&](const std::filesystem::path& target) {
+        const FlgTangleHistory given = read_given(history, "history");
+        const std::filesystem::path place = place_of(target);
+        save(place, write_tangle(given, place.filename().string()));
     });
 }
 
 FlgResult flgTangleFileRead(const char* path, FlgTangleFile* out_file) {
-    if (out_file) *out_file = nullptr;
-    return guarded(path ? path : "flgTangleFileRead", [&] {
-        check_argument(path, "path");
-        check_argument(out_file, "out_file");
-        const std::filesystem::path place = place_of(path);
+    return read_into(out_file, "flgTangleFileRead", path, [](const std::filesystem::path& source) {
+        const std::filesystem::path place = place_of(source);
         const ByteBlock text = read_file(place, "", max_tangle_json);
         const JsonValue::Json json = JsonValue::parse(text.bytes(), most_levels);
         const JsonValue document(json, "");
         const ByteBlock arrays = read_arrays(place, read_side_file(document));
-        *out_file = std::make_unique<FlgTangleFileT>(document, arrays.bytes()).release();
+        return std::make_unique<FlgTangleFileT>(document, arrays.bytes());
     });
 }
 
 FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* out_history) {
-    return guarded("flgTangleFileGetHistory", [&] {
-        const uint32_t struct_size = open_out(out_history, "out_history");
-        check_argument(file, "file");
-        hand_out(file->document.history(), out_history, struct_size);
-    });
+    return show("flgTangleFileGetHistory", file, out_history, "out_history",
+                [](const FlgTangleFileT& shown) { return shown.document.history(); });
 }
 
 void flgTangleFileRelease(FlgTangleFile file) {

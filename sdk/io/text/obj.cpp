@@ -68,8 +68,12 @@ struct Statement {
     size_t begin;  // of its indices
 };
 
+constexpr const char* coordinates[] = {"x", "y", "z"};
+
 class ObjReader {
 public:
+    explicit ObjReader(const Origin& origin) : origin_(origin) {}
+
     CurveData read(std::string_view text) {
         data_.format = "obj";
         ObjStatements statements(text);
@@ -88,7 +92,7 @@ private:
         const std::string_view keyword = cursor.word();
         if (keyword == "v") {
             // A weight or a colour may follow.
-            for (const char* what : {"x", "y", "z"}) vertices_.push_back(cursor.number(what));
+            for (size_t k = 0; k < 3; ++k) vertices_.push_back(cursor.coordinate(coordinates[k], origin_[k]));
             if (vertices_.size() / 3 > max_points) fail(FLG_ERROR_LIMIT, line_place(line), "more than 2^31 vertices");
         } else if (keyword == "f") {
             faces_.add(line);
@@ -139,6 +143,7 @@ private:
                    [](uint32_t a, uint32_t b) { return a == b; }, lines);
     }
 
+    const Origin origin_;
     CurveData data_;
     std::vector<float> vertices_;
     std::vector<uint32_t> indices_;
@@ -148,8 +153,8 @@ private:
 
 }  // namespace
 
-CurveData read_obj(std::string_view text) {
-    return ObjReader().read(text);
+CurveData read_obj(std::string_view text, const Origin& origin) {
+    return ObjReader(origin).read(text);
 }
 
 std::string write_obj(const CheckedView& view) {
@@ -158,10 +163,7 @@ std::string write_obj(const CheckedView& view) {
     text.reserve(view.point_count() * usual_point);
     for (size_t i = 0; i < view.point_count(); ++i) {
         text += 'v';
-        for (int k = 0; k < 3; ++k) {
-            text += ' ';
-            append_number(text, view.position.at(i)[k]);
-        }
+        for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', view.position.at(i)[k], view.origin()[k]);
         text += '\n';
     }
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
@@ -181,6 +183,8 @@ constexpr uint32_t no_region = UINT32_MAX;
 
 class ObjMeshReader {
 public:
+    explicit ObjMeshReader(const Origin& origin) : origin_(origin) {}
+
     MeshData read(std::string_view text) {
         data_.format = "obj";
         ObjStatements statements(text);
@@ -222,7 +226,7 @@ private:
     }
 
     void read_vertex(LineCursor& cursor) {
-        for (const char* what : {"x", "y", "z"}) data_.positions.push_back(cursor.number(what));
+        for (size_t k = 0; k < 3; ++k) data_.positions.push_back(cursor.coordinate(coordinates[k], origin_[k]));
         if (!cursor.more()) return;
         float rest[3] = {cursor.number("weight or red"), 0, 0};
         // A single number is a weight, which only rational curves and surfaces use.
@@ -257,6 +261,7 @@ private:
         if (region_ != no_region) data_.regions.resize(data_.triangle_count(), region_);
     }
 
+    const Origin origin_;
     MeshData data_;
     std::vector<float> colors_;  // of the vertices up to the last that has one
     std::vector<uint32_t> corners_;
@@ -270,8 +275,8 @@ private:
 
 }  // namespace
 
-MeshData read_obj_mesh(std::string_view text) {
-    return ObjMeshReader().read(text);
+MeshData read_obj_mesh(std::string_view text, const Origin& origin) {
+    return ObjMeshReader(origin).read(text);
 }
 
 std::string write_obj_mesh(const CheckedMesh& mesh) {
@@ -280,7 +285,7 @@ std::string write_obj_mesh(const CheckedMesh& mesh) {
     text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
         text += 'v';
-        append_numbers(text, mesh.position.at(i), 3);
+        for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', mesh.position.at(i)[k], mesh.origin()[k]);
         if (mesh.color) append_numbers(text, mesh.color.at(i), 3);
         text += '\n';
     }

@@ -5,16 +5,17 @@
 #include <string>
 #include <string_view>
 
+#include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/curve_data.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
-CurveData read_obj(std::string_view text);
+CurveData read_obj(std::string_view text, const Origin& origin);
 std::string write_obj(const CheckedView& view);
 
-MeshData read_obj_mesh(std::string_view text);
+MeshData read_obj_mesh(std::string_view text, const Origin& origin);
 std::string write_obj_mesh(const CheckedMesh& mesh);
 
 }  // namespace flg::io

@@ -19,7 +19,7 @@ constexpr float no_alpha = std::numeric_limits<float>::infinity();
 
 class OffReader {
 public:
-    explicit OffReader(std::string_view text) : lines_(text) {}
+    OffReader(std::string_view text, const Origin& origin) : lines_(text), origin_(origin) {}
 
     MeshData read() {
         data_.format = "off";
@@ -91,7 +91,8 @@ private:
 
     void read_vertex() {
         next_line("a vertex");
-        for (const char* what : {"x", "y", "z"}) data_.positions.push_back(cursor_.number(what));
+        constexpr const char* coordinates[] = {"x", "y", "z"};
+        for (size_t k = 0; k < 3; ++k) data_.positions.push_back(cursor_.coordinate(coordinates[k], origin_[k]));
         for (int k = 0; has_normals_ && k < 3; ++k) cursor_.number("normal");
         if (!has_colors_) return;
         for (const char* what : {"red", "green", "blue"}) colors_.push_back(cursor_.number(what));
@@ -117,6 +118,7 @@ private:
     }
 
     TextLines lines_;
+    const Origin origin_;
     LineCursor cursor_{{}, 0};
     MeshData data_;
     uint64_t vertex_count_ = 0, face_count_ = 0;
@@ -127,8 +129,8 @@ private:
 
 }  // namespace
 
-MeshData read_off(std::string_view text) {
-    return OffReader(text).read();
+MeshData read_off(std::string_view text, const Origin& origin) {
+    return OffReader(text, origin).read();
 }
 
 std::string write_off(const CheckedMesh& mesh) {
@@ -137,7 +139,7 @@ std::string write_off(const CheckedMesh& mesh) {
                        std::to_string(mesh.triangle_count()) + " 0\n";
     text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
-        append_numbers(text, mesh.position.at(i), 3);
+        for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', mesh.position.at(i)[k], mesh.origin()[k]);
         if (mesh.color) append_numbers(text, mesh.color.at(i), 4);
         text += '\n';
     }

@@ -5,12 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
-MeshData read_off(std::string_view text);
+MeshData read_off(std::string_view text, const Origin& origin);
 std::string write_off(const CheckedMesh& mesh);
 
 }  // namespace flg::io

@@ -237,6 +237,8 @@ public:
         fail(FLG_ERROR_FORMAT, place(), "more values than the element has: %s", cited(cursor_.word()).c_str());
     }
     float number(PlyType, const char* name) { return cursor_.number(name); }
+    float coordinate(PlyType, const char* name, double origin) { return cursor_.coordinate(name, origin); }
+    static bool is_precise(PlyType) { return true; }
     int64_t integer(PlyType, const char* name) { return cursor_.integer(name); }
     void skip(PlyType, const char* name) {
         if (cursor_.word().empty()) fail(FLG_ERROR_FORMAT, place(), "the %s is missing", name);
@@ -267,6 +269,14 @@ public:
         }
         return value;
     }
+    // Relative to an origin's.
+    float coordinate(PlyType type, const char* name, double origin) {
+        if (origin == 0 || !is_precise(type)) return number(type, name);
+        const double value = type == PlyType::float64 ? read<double>(name) : static_cast<double>(integer(type, name));
+        return static_cast<float>(value - origin);
+    }
+    // Whether numbers of this type have more digits than floats have.
+    static bool is_precise(PlyType type) { return type != PlyType::float32; }
     int64_t integer(PlyType type, const char* name) {
         switch (type) {
             case PlyType::int8: return read<int8_t>(name);
@@ -304,6 +314,7 @@ struct VertexTarget {
     float* values = nullptr;  // null: nowhere
     uint32_t stride = 0;      // floats
     float scale = 1;
+    int axis = -1;  // of a position; no position: -1
 };
 
 bool is_index_list(const PlyProperty& property) {
@@ -325,7 +336,8 @@ float largest_integer(PlyType type) {
 template <class Rows>
 class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Rows rows) : header_(header), rows_(std::move(rows)) {}
+    PlyReader(const PlyHeader& header, Rows rows, const Origin& origin)
+        : header_(header), rows_(std::move(rows)), origin_(origin) {}
 
     MeshData read() {
         data_.format = "ply";
@@ -407,14 +419,15 @@ private:
         if (property.is_list()) return {};
         for (uint32_t k = 0; k < 3; ++k) {
             if (property.name == column_name(FLG_ATTRIBUTE_POSITION, 3, k)) {
-                return {data_.positions.data() + k, 3, 1};
+                if (!Rows::is_precise(property.type)) data_.placing.stored = Origin{};
+                return {data_.positions.data() + k, 3, 1, static_cast<int>(k)};
             }
         }
         for (VertexColumn& column : data_.columns) {
             for (uint32_t k = 0; k < column.components; ++k) {
                 if (property.name != column_name(column.attribute, column.components, k)) continue;
                 const bool fraction = column.attribute == FLG_ATTRIBUTE_COLOR && is_integer(property.type);
-                return {column.values.data() + k, column.components, fraction ? largest_integer(property.type) : 1};
+                return {column.values.data() + k, column.components, fraction ? largest_integer(property.type) : 1, -1};
             }
         }
         return {};
@@ -438,7 +451,11 @@ private:
             for (size_t i = 0; i < targets.size(); ++i) {
                 VertexTarget& to = targets[i];
                 const PlyProperty& property = element.properties[i];
-                if (to.values) {
+                if (to.axis >= 0) {
+                    const double origin = origin_[static_cast<size_t>(to.axis)];
+                    *to.values = rows_.coordinate(property.type, property.name.c_str(), origin);
+                    to.values += to.stride;
+                } else if (to.values) {
                     *to.values = rows_.number(property.type, property.name.c_str()) / to.scale;
                     to.values += to.stride;
                 } else {
@@ -561,6 +578,7 @@ private:
 
     const PlyHeader& header_;
     Rows rows_;
+    const Origin origin_;
     MeshData data_;
     uint64_t vertex_count_ = 0;
     bool has_regions_ = false;
@@ -568,8 +586,8 @@ private:
 };
 
 template <class Rows>
-MeshData read_rows(const PlyHeader& header, Rows rows) {
-    PlyReader<Rows> reader(header, std::move(rows));
+MeshData read_rows(const PlyHeader& header, Rows rows, const Origin& origin) {
+    PlyReader<Rows> reader(header, std::move(rows), origin);
     MeshData data = reader.read();
     if (const uint64_t left = reader.rows().left(); left != 0) {
         data.warnings.push_back(std::to_string(left) + " bytes after the last row, left out");
@@ -579,14 +597,14 @@ MeshData read_rows(const PlyHeader& header, Rows rows) {
 
 }  // namespace
 
-MeshData read_ply(Bytes file) {
+MeshData read_ply(Bytes file, const Origin& origin) {
     TextLines lines(as_text(file));
     const PlyHeader header = read_ply_header(lines);
     const size_t body = file.size() - lines.rest().size();
     switch (header.encoding) {
-        case PlyEncoding::ascii: return read_rows(header, PlyTextRows(lines));
-        case PlyEncoding::little_endian: return read_rows(header, PlyByteRows<std::endian::little>(file, body));
-        default: return read_rows(header, PlyByteRows<std::endian::big>(file, body));
+        case PlyEncoding::ascii: return read_rows(header, PlyTextRows(lines), origin);
+        case PlyEncoding::little_endian: return read_rows(header, PlyByteRows<std::endian::little>(file, body), origin);
+        default: return read_rows(header, PlyByteRows<std::endian::big>(file, body), origin);
     }
 }
 
@@ -594,12 +612,18 @@ static_assert(std::endian::native == std::endian::little, "values are copied as 
 
 namespace {
 
+// Positions with an origin are written from 0.
+bool is_double(const CheckedMesh& mesh, const FlgColumn& column) {
+    return column.attribute == FLG_ATTRIBUTE_POSITION && mesh.origin() != Origin{};
+}
+
 std::string write_header(const CheckedMesh& mesh) {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Filigree\nelement vertex " +
                        std::to_string(mesh.vertex_count()) + "\n";
     for (const FlgColumn& column : mesh.columns()) {
+        const char* const type = is_double(mesh, column) ? "property double " : "property float ";
         for (uint32_t k = 0; k < column.components; ++k) {
-            text += "property float " + column_name(column.attribute, column.components, k) + "\n";
+            text += type + column_name(column.attribute, column.components, k) + "\n";
         }
     }
     text += "element face " + std::to_string(mesh.triangle_count()) + "\nproperty list uchar int vertex_indices\n";
@@ -620,7 +644,8 @@ char* put(char* to, const void* values, size_t size) {
 std::string write_ply(const CheckedMesh& mesh) {
     std::string file = write_header(mesh);
     size_t vertex_size = 0;
-    for (const FlgColumn& column : mesh.columns()) vertex_size += column.components * sizeof(float);
+    for (const FlgColumn& column : mesh.columns())
+        vertex_size += column.components * (is_double(mesh, column) ? sizeof(double) : sizeof(float));
     const size_t labels = (mesh.regions() ? 1 : 0) + mesh.face_columns().size();
     const size_t face_size = 1 + (3 + labels) * sizeof(uint32_t);
     const size_t header_size = file.size();
@@ -631,7 +656,15 @@ std::string write_ply(const CheckedMesh& mesh) {
     char* to = file.data() + header_size;
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
         for (const FlgColumn& column : mesh.columns()) {
-            to = put(to, resolved(column).at(i), column.components * sizeof(float));
+            const float* const values = resolved(column).at(i);
+            if (is_double(mesh, column)) {
+                for (size_t k = 0; k < 3; ++k) {
+                    const double value = double{values[k]} + mesh.origin()[k];
+                    to = put(to, &value, sizeof value);
+                }
+            } else {
+                to = put(to, values, column.components * sizeof(float));
+            }
         }
     }
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {

@@ -4,13 +4,14 @@
 
 #include <string>
 
+#include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/files.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
-MeshData read_ply(Bytes file);
+MeshData read_ply(Bytes file, const Origin& origin);
 
 std::string write_ply(const CheckedMesh& mesh);
 

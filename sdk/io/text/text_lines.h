@@ -75,6 +75,17 @@ public:
         return value;
     }
 
+    // A coordinate relative to an origin's.
+    float coordinate(const char* what, double origin) {
+        LineCursor ahead = *this;
+        const float as_given = number(what);
+        if (origin == 0) return as_given;
+        ahead.more();
+        double value = 0;
+        std::from_chars(*ahead.at_ == '+' ? ahead.at_ + 1 : ahead.at_, at_, value);
+        return static_cast<float>(value - origin);
+    }
+
     // A whole number of at most 32 bits, with or without sign.
     int64_t integer(const char* what) {
         if (!more()) fail(FLG_ERROR_FORMAT, line_place(number_), "the %s is missing", what);
@@ -132,6 +143,16 @@ inline void append_number(std::string& text, float value) {
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
     text.append(buffer, end);
+}
+
+// A coordinate relative to an origin's, as one from 0: to the digit that gets the same double back.
+inline void append_coordinate(std::string& text, float value, double origin) {
+    if (origin == 0) {
+        append_number(text, value);
+        return;
+    }
+    char buffer[32];
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, double{value} + origin).ptr);
 }
 
 // Numbers, each with a blank before it.

@@ -44,6 +44,8 @@ bool says_columns(std::span<const std::string_view> words) {
 
 class XyzReader {
 public:
+    explicit XyzReader(const Origin& origin) : origin_(origin) {}
+
     CurveData read(std::string_view text) {
         data_.format = "xyz";
         TextLines lines(text);
@@ -142,7 +144,8 @@ private:
     }
 
     void read_point(LineCursor& cursor, uint64_t line) {
-        for (const char* what : coordinates) data_.positions.push_back(cursor.number(what));
+        for (size_t k = 0; k < std::size(coordinates); ++k)
+            data_.positions.push_back(cursor.coordinate(coordinates[k], origin_[k]));
         if (data_.point_count() > max_points) {
             fail(FLG_ERROR_LIMIT, line_place(line), "more than 2^31 points");
         }
@@ -207,6 +210,7 @@ private:
         data_.warn(without, "curve", "no radius where others have one, set to 0.005 m");
     }
 
+    const Origin origin_;
     CurveData data_;
     std::vector<float> curve_radii_;  // of the curves that have them, back to back
     std::vector<bool> curve_has_radius_;
@@ -222,11 +226,11 @@ private:
 
 }  // namespace
 
-CurveData read_xyz(std::string_view text) {
-    return XyzReader().read(text);
+CurveData read_xyz(std::string_view text, const Origin& origin) {
+    return XyzReader(origin).read(text);
 }
 
-std::string write_xyz(const CheckedView& view, const FlgCurveWriteDesc& desc) {
+std::string write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
     constexpr size_t usual_number = 12;
     std::string text;
     // What is written behind the coordinates: the radius first, where plain readers look for it.
@@ -250,8 +254,10 @@ std::string write_xyz(const CheckedView& view, const FlgCurveWriteDesc& desc) {
         if (c != 0) text += '\n';
         if (view.closed(c)) text += "# closed\n";
         for (size_t i = view.begin(c); i < view.end(c); ++i) {
-            append_number(text, view.position.at(i)[0]);
-            append_numbers(text, view.position.at(i) + 1, 2);
+            for (size_t k = 0; k < std::size(coordinates); ++k) {
+                if (k > 0) text += ' ';
+                append_coordinate(text, view.position.at(i)[k], view.origin()[k]);
+            }
             for (const FlgColumn& column : columns) append_numbers(text, resolved(column).at(i), column.components);
             text += '\n';
         }

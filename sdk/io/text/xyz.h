@@ -5,13 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/origin.h"
 #include "filigree/filigree_io.h"
 #include "io/base/checked_views.h"
 #include "io/base/curve_data.h"
 
 namespace flg::io {
 
-CurveData read_xyz(std::string_view text);
-std::string write_xyz(const CheckedView& view, const FlgCurveWriteDesc& desc);
+CurveData read_xyz(std::string_view text, const Origin& origin);
+std::string write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc);
 
 }  // namespace flg::io

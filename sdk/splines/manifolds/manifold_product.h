@@ -2,6 +2,7 @@
 // Manifolds as hosts hold them.
 #pragma once
 
+#include "core/origin.h"
 #include "filigree/filigree_spline.h"
 #include "runtime/product.h"
 #include "splines/manifolds/manifold.h"
@@ -14,6 +15,7 @@ enum class ManifoldKind { other, space, hypersurface };
 
 class ManifoldProduct final : public Product {
 public:
+    Origin origin{};  // of its coordinates; 0 of free space, which is everywhere, and unless in R^3. Set at once
     std::shared_ptr<const ManifoldProduct> base;  // that an image manifold is of; it looks into that
     std::shared_ptr<const Manifold> manifold;     // there once the job that makes it is done
     // A mesh that it is made of, for first curves along it where projected chords do not lead there; or null.
@@ -37,7 +39,9 @@ private:
                  .reserved = 0,
                  .size = manifold->size(),
                  .largest_deviation = largest_deviation,
-                 .mean_deviation = mean_deviation};
+                 .mean_deviation = mean_deviation,
+                 .origin = {}};
+        write_origin(origin, view_.origin);
     }
 
     FlgManifoldView view_{};

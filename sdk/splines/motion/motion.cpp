@@ -122,7 +122,8 @@ CubicEnds ends_of(const MotionInput& input) {
 
 // Keys that no path around the obstacles can pass through are named as such.
 Task<void> check_clearance(Pace& pace, const Scene& scene) {
-    const ObstacleSet& set = *scene.input.obstacles->set;
+    const PlacedObstacles placed(scene.input.obstacles, scene.input.origin, pace.memory());
+    const ObstacleSet& set = placed.set();
     co_await each_by_work(pace, scene.keys.count(), Cost::hundreds_of_ns, [&](uint32_t key) {
         const double* const at = &scene.keys.barycentres()[size_t{3} * key];
         for (uint32_t i = 0; i < set.count(); ++i) {
@@ -143,6 +144,7 @@ Task<double> find_path_around(Pace& pace, const Scene& scene, const Chain& chain
     space->kind = ManifoldKind::space;
     SplineRequest request;
     request.out = std::allocate_shared<Spline>(allocator, space);
+    request.out->origin = scene.input.origin;
     request.obstacles = scene.input.obstacles;
     request.obstacle_radius = scene.input.obstacle_radius;
     request.sides = Buffer<ObstacleSide>(scene.input.sides.size(), pace.memory());
@@ -286,6 +288,7 @@ void Motion::show() noexcept {
     const SplineReport& report = state.report;
     view_ = {};
     view_.struct_size = sizeof view_;
+    write_origin(input.origin, view_.origin);
     view_.position_count = input.positions;
     view_.key_count = static_cast<uint32_t>(input.times.size());
     view_.closed = input.closed ? 1 : 0;
@@ -301,10 +304,10 @@ void Motion::show() noexcept {
     }
     view_.radius = input.body.radius;
     view_.greatest_stretch = greatest_stretch;
-    view_.ending = report.ending == SplineEnding::converged  ? FLG_SPLINE_CONVERGED
-                   : report.ending == SplineEnding::rounding ? FLG_SPLINE_ROUNDING
-                   : report.ending == SplineEnding::rounds   ? FLG_SPLINE_ROUNDS
-                                                             : FLG_SPLINE_RUNNING;
+    view_.ending = report.ending == SplineEnding::converged  ? FLG_SPLINE_ENDING_CONVERGED
+                   : report.ending == SplineEnding::rounding ? FLG_SPLINE_ENDING_ROUNDING
+                   : report.ending == SplineEnding::rounds   ? FLG_SPLINE_ENDING_ROUNDS
+                                                             : FLG_SPLINE_ENDING_RUNNING;
     view_.rounds = report.rounds;
     view_.barycentre_energy = input.body.mass * state.barycentre_energy;
     view_.rotation_energy = report.energy;

@@ -16,6 +16,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/origin.h"
 #include "filigree/filigree_motion.h"
 #include "runtime/pace.h"
 #include "runtime/product.h"
@@ -27,6 +28,7 @@ namespace flg {
 struct MotionInput {
     explicit MotionInput(Memory* memory) : times(memory), poses(memory), sides(memory) {}
 
+    Origin origin{};  // of the poses' positions
     BodyInertia body;
     std::pmr::vector<double> times, poses;  // of keys, see motion_keys.h
     bool closed = false;

@@ -6,6 +6,7 @@
 #include "splines/obstacles/border_obstacle.h"
 #include "splines/obstacles/mesh_distance.h"
 #include "splines/obstacles/obstacle_mesh.h"
+#include "splines/obstacles/placed_obstacles.h"
 
 namespace flg {
 
@@ -30,12 +31,12 @@ double longest_side(const Surface& surface) {
 Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out) {
     pace.stage("distances");
     for (const Obstacles::OfMesh& mesh : out->meshes) {
-        if (mesh.kind == FLG_OBSTACLE_BORDER) {
+        if (mesh.kind == FLG_OBSTACLE_KIND_BORDER) {
             BorderObstacle border = co_await border_obstacle(pace, mesh.surface->mesh());
             out->solids[mesh.at] = make_shared_in<BorderObstacle>(pace.memory(), std::move(border));
             continue;
         }
-        const bool is_layer = mesh.kind == FLG_OBSTACLE_LAYER;
+        const bool is_layer = mesh.kind == FLG_OBSTACLE_KIND_LAYER;
         const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * longest_side(*mesh.surface) + out->clearance;
         const double cell = (longest_side(*mesh.surface) + 2 * reach) / mesh.cells;
         if (is_layer && mesh.layer < layer_cells * cell) {
@@ -52,6 +53,12 @@ Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out) {
             out->solids[mesh.at] = make_shared_in<MeshObstacle>(pace.memory(), *distance);
         }
         out->distances.push_back(std::move(distance));
+    }
+    for (const Obstacles::OfMesh& mesh : out->meshes) {
+        if (mesh.surface->origin == out->origin) continue;
+        const Vec3 shift = origin_shift(mesh.surface->origin, out->origin);
+        out->moved.push_back(std::move(out->solids[mesh.at]));
+        out->solids[mesh.at] = make_shared_in<PlacedObstacle>(pace.memory(), *out->moved.back(), shift);
     }
     std::pmr::vector<const Obstacle*> pointers(pace.memory());
     for (const auto& solid : out->solids) pointers.push_back(solid.get());

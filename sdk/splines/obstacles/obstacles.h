@@ -17,7 +17,7 @@ namespace flg {
 class Obstacles final : public Product {
 public:
     explicit Obstacles(uint32_t of_dimension, Memory* memory)
-        : dimension(of_dimension), solids(memory), meshes(memory), distances(memory) {}
+        : dimension(of_dimension), solids(memory), meshes(memory), distances(memory), moved(memory) {}
 
     // One that a job makes: solids[at], of a mesh.
     struct OfMesh {
@@ -29,10 +29,12 @@ public:
     };
 
     const uint32_t dimension;
+    Origin origin{};  // of all places; 0 in the plane
     double clearance = 0;
     std::pmr::vector<std::shared_ptr<const Obstacle>> solids;
     std::pmr::vector<OfMesh> meshes;
     std::pmr::vector<std::shared_ptr<SampledDistance>> distances;  // what the solids of meshes look into
+    std::pmr::vector<std::shared_ptr<const Obstacle>> moved;       // solids of meshes with another origin, before that
     std::optional<ObstacleSet> set;                                // of these; by the job
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/failure.h"
+#include "core/float_precision.h"
 #include "core/random.h"
 #include "runtime/each.h"
 #include "surfaces/mesh/adjacency.h"
@@ -120,6 +121,21 @@ Task<void> read_positions(Pace& pace, Repair& repair) {
             positions[v][k] = position[k];
         }
     });
+}
+
+Task<void> check_precision(Pace& pace, const Repair& repair) {
+    const auto& positions = repair.mesh.positions;
+    const uint32_t* const triangles = repair.input.triangles;
+    const uint32_t vertices = repair.input.vertex_count;
+    EdgePrecision precision;
+    co_await each(pace, repair.input.triangle_count, Cost::tens_of_ns, [&](uint32_t t) {
+        const uint32_t* const corners = triangles + size_t{3} * t;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t a = corners[k], b = corners[(k + 1) % 3];
+            if (a < vertices && b < vertices) precision.add(positions[a].data(), positions[b].data());
+        }
+    });
+    precision.check("the mesh", "give positions relative to an origin near it (FlgMeshView::origin)");
 }
 
 // ---- Welding. In order of index, a vertex joins the first vertex before it that lies within the distance and was not
@@ -704,6 +720,7 @@ Task<void> repair_mesh(Pace& pace, const FlgMeshView& input, RepairOptions optio
     Repair repair(input, repaired, pace.memory());
     pace.stage("read");
     co_await read_positions(pace, repair);
+    co_await check_precision(pace, repair);
     if (options.weld_distance) co_await weld_vertices(pace, repair, *options.weld_distance);
     co_await read_triangles(pace, repair);
     pace.stage("join");

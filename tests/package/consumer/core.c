@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 static int failed(FlgResult result) {
-    if (result != FLG_OK) fprintf(stderr, "%s: %s\n", flgResultName(result), flgLastError());
+    if (result != FLG_OK) fprintf(stderr, "%s: %s\n", flgResultGetName(result), flgErrorGetMessage());
     return result != FLG_OK;
 }
 
@@ -23,6 +23,6 @@ int main(void) {
         failed(flgCurveSetGetView(context, set, &view))) {
         return 1;
     }
-    const int same = view.columns[0].data != points && view.columns[0].data[7] == 1 && flgVersion() == FLG_VERSION;
+    const int same = view.columns[0].data != points && view.columns[0].data[7] == 1 && flgVersionGet() == FLG_VERSION;
     return failed(flgContextDestroy(context)) || !same;
 }

@@ -5,21 +5,12 @@
 
 int main() {
     try {
-        filigree::Context context;
-        const float points[] = {0, 0, 0, 1, 0, 0};
-        const uint32_t offsets[] = {0, 2};
-        const FlgColumn column{FLG_ATTRIBUTE_POSITION, 3, points, 0, 0};
-        FlgCurveSetView view = flgCurveSetViewDefaults();
-        view.curve_count = 1;
-        view.curve_offsets = offsets;
-        view.columns = &column;
-        view.column_count = 1;
-        const filigree::CurveSet line = context.curves(view);
-        FlgResampleDesc desc = flgResampleDefaults();
-        desc.curves = line.get();
+        filigree::Context context = filigree::Context::create();
+        const filigree::CurveSet line = context.curve_set_from_points({0, 0, 0, 1, 0, 0});
+        filigree::CurveSetResampleDesc desc;
         desc.spacing = 0.25f;
-        const filigree::CurveSet even = context.resample(desc);
-        context.finish();
+        const filigree::CurveSet even = line.resample(desc);
+        context.run();
         return even.view().curve_offsets[1] == 5 ? 0 : 1;
     } catch (const filigree::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());

@@ -18,6 +18,8 @@ namespace Filigree
             this.view = view;
         }
 
+        internal FlgCurveSetView Struct => view;
+
         public int CurveCount => (int)view.curve_count;
 
         public int PointCount => view.curve_count == 0 ? 0 : (int)view.curve_offsets[view.curve_count];

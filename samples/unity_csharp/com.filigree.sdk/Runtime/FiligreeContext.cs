@@ -40,11 +40,13 @@ namespace Filigree
             FlgContextDesc desc = Native.flgContextDefaults();
             desc.worker_count = checked((uint)workers);
             desc.worker_budget_us = checked((uint)workerBudgetUs);
+            FlgLog hook = Native.flgLogDefaults();
             if (log != null)
             {
                 this.log = GCHandle.Alloc(log);
-                desc.log.user_data = (void*)GCHandle.ToIntPtr(this.log);
-                desc.log.write = Marshal.GetFunctionPointerForDelegate(writeLog);
+                hook.user_data = (void*)GCHandle.ToIntPtr(this.log);
+                hook.write = Marshal.GetFunctionPointerForDelegate(writeLog);
+                desc.log = &hook;
             }
             Create(desc);
         }
@@ -95,7 +97,7 @@ namespace Filigree
             FlgContext context = Handle;
             fixed (FlgFrameReport* written = &report)
             {
-                FiligreeException.Check(Native.flgTick(context, checked((uint)budgetUs), written));
+                FiligreeException.Check(Native.flgContextTick(context, checked((uint)budgetUs), written));
             }
             Callbacks.Rethrow();
         }

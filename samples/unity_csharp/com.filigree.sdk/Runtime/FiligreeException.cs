@@ -24,7 +24,7 @@ namespace Filigree
 
         internal static unsafe FiligreeException Last(FlgResult result)
         {
-            return new FiligreeException(result, ToString(Native.flgLastError()));
+            return new FiligreeException(result, ToString(Native.flgErrorGetMessage()));
         }
 
         /// <summary>UTF-8 from the SDK as a string, which allocates; null stays null.</summary>

@@ -7,7 +7,8 @@ namespace Filigree
 {
     /// <summary>
     /// Push what the hand did each frame, and append the points that come back to a mesh: a point, once made, never
-    /// moves. Pushing allocates nothing, neither here nor in the SDK.
+    /// moves. Pushing allocates nothing, neither here nor in the SDK. Push, Points, Tip, Info and Undo may run on an
+    /// input thread while the game's thread ticks; calls for the same stroke must not overlap.
     /// </summary>
     public sealed unsafe class LiveStroke : Resource
     {
@@ -64,6 +65,20 @@ namespace Filigree
             }
         }
 
+        /// <summary>
+        /// Where the stroke would be if it ended now: its last point, if there is one, and those up to the last
+        /// sample. Draw it for a frame; it never becomes part of the stroke. The view lives until the next tip.
+        /// </summary>
+        public CurveSetView Tip
+        {
+            get
+            {
+                FlgCurveSetView tip = Empty();
+                FiligreeException.Check(Native.flgLiveStrokeGetTip(Context.Handle, Handle, &tip));
+                return new CurveSetView(tip);
+            }
+        }
+
         public FlgLiveStrokeInfo Info
         {
             get
@@ -91,7 +106,7 @@ namespace Filigree
         {
             FiligreeContext context = Context;
             FlgContext owner = context.Handle;
-            var options = new FlgJobOptions { priority = FlgPriority.Normal };
+            FlgJobOptions options = Native.flgJobOptionsDefaults();
             FlgCurveSet stylized;
             FlgJob job;
             context.Callbacks.Attach(ref options, finished);

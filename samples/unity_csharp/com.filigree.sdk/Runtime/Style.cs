@@ -36,9 +36,11 @@ namespace Filigree
             FlgJob job;
             desc.style = example.Handle;
             if (guide != null) desc.guide = guide.Handle;
-            context.Callbacks.Attach(ref desc.job, finished);
+            FlgJobOptions options = desc.job != null ? *desc.job : Native.flgJobOptionsDefaults();
+            context.Callbacks.Attach(ref options, finished);
+            desc.job = &options;
             FlgResult result = Native.flgStyleCreate(owner, &desc, &made, &job);
-            context.Callbacks.Check(result, desc.job);
+            context.Callbacks.Check(result, options);
             return new Style(context, made, job);
         }
 
@@ -106,13 +108,13 @@ namespace Filigree
         /// <summary>Applies the style to curves, with default parameters.</summary>
         public CurveSet Stylize(CurveSet target)
         {
-            return Stylize(target, Native.flgStylizeDefaults());
+            return Stylize(target, Native.flgCurveSetStylizeDefaults());
         }
 
         /// <param name="target">The curves to stylize. They may be disposed of at once.</param>
-        /// <param name="desc">From Native.flgStylizeDefaults, with what you changed.</param>
+        /// <param name="desc">From Native.flgCurveSetStylizeDefaults, with what you changed.</param>
         /// <param name="finished">Called inside of the Tick that publishes the job; null: nobody.</param>
-        public CurveSet Stylize(CurveSet target, FlgStylizeDesc desc, Action<FlgResult> finished = null)
+        public CurveSet Stylize(CurveSet target, FlgCurveSetStylizeDesc desc, Action<FlgResult> finished = null)
         {
             FiligreeContext context = Context;
             FlgContext owner = context.Handle;
@@ -120,9 +122,11 @@ namespace Filigree
             FlgJob job;
             desc.style = Handle;
             desc.target = target.Handle;
-            context.Callbacks.Attach(ref desc.job, finished);
-            FlgResult result = Native.flgStylize(owner, &desc, &made, &job);
-            context.Callbacks.Check(result, desc.job);
+            FlgJobOptions options = desc.job != null ? *desc.job : Native.flgJobOptionsDefaults();
+            context.Callbacks.Attach(ref options, finished);
+            desc.job = &options;
+            FlgResult result = Native.flgCurveSetStylize(owner, &desc, &made, &job);
+            context.Callbacks.Check(result, options);
             return new CurveSet(context, made, job);
         }
 

@@ -5,16 +5,21 @@
 //
 // Grammar      flg + noun + verb (flgCurveSetCreate); types Flg...; constants FLG_....
 // Conventions  Right-handed, y up, metres, seconds, radians. Colours are linear RGBA. Strings are UTF-8.
-// Descriptors  Start with `struct_size`. Take one from its defaults function (flgStylizeDefaults()), then change what
-//              you need. Structs grow only at the end, so old hosts run with new libraries.
+// Descriptors  Start with `struct_size`. Take one from its defaults function (flgCurveSetStylizeDefaults()), then
+//              change what you need. Structs grow only at the end, so old hosts run with new libraries.
 // Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: using a released handle
 //              returns FlgResult.ErrorInvalidHandle and never crashes. A handle belongs to the context that made it.
-// Results      Every function returns an FlgResult. flgLastError() gives the reason in one sentence that names the
-//              argument and its value. No exception, abort or print crosses this interface. Output arguments are
+// Results      Every function returns an FlgResult. flgErrorGetMessage() gives the reason in one sentence that names
+//              the argument and its value. No exception, abort or print crosses this interface. Output arguments are
 //              written on every path; on failure they hold null handles and zeros.
-// Threads      Calls on one context must not overlap, unless a function is marked [any thread]. Contexts are
+// Threads      Calls on one context must not overlap, unless a function is marked [any thread]; functions marked [any
+//              thread, one per stroke] must not overlap only with calls for the same stroke. Contexts are
 //              independent. Nothing the host can observe changes outside its own calls: jobs run on workers, but
-//              flgTick publishes their results, finished ones in order of submission.
+//              flgContextTick publishes their results, finished ones in order of submission.
+// Large worlds Positions are floats relative to an `origin` in doubles, metres, that inputs name (FlgCurveSetView,
+//              FlgMeshView, ...; default 0; magnitude at most 1e30). Choose one near the object: results do not depend
+//              on it, to the bit. They have their input's origin, and their views name it. Where inputs of different
+//              origins meet, their difference is applied in doubles.
 // Waiting      No function waits for a job, except flgContextWait. Each states its cost.
 // Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
 
@@ -30,20 +35,35 @@ namespace Filigree
         /// versions must match, and while the major version is 0 the minor versions too.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern uint flgVersion();
+        public static extern uint flgVersionGet();
 
         /// <summary>
         /// [any thread] Why the last failing call on this thread failed: one sentence, never null, valid until the next
         /// failing call on this thread. Successful calls leave it unchanged.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgLastError();
+        public static extern byte* flgErrorGetMessage();
 
         /// <summary>
         /// [any thread] The name of a result, such as "FLG_ERROR_LIMIT"; "FLG_RESULT_UNKNOWN" for other values.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgResultName(FlgResult result);
+        public static extern byte* flgResultGetName(FlgResult result);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgAllocatorInit(FlgAllocator* allocator, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgJobSystemInit(FlgJobSystem* system, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgLogInit(FlgLog* log, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgClockInit(FlgClock* clock, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgProfilerInit(FlgProfiler* profiler, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextDescInit(FlgContextDesc* desc, uint struct_size);
@@ -63,6 +83,9 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextDestroy(FlgContext context);
 
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgFrameReportInit(FlgFrameReport* report, uint struct_size);
+
         /// <summary>
         /// Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their
         /// callbacks, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means
@@ -71,17 +94,23 @@ namespace Filigree
         /// released before their job was done, at the cost of their release.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTick(FlgContext context, uint budget_us, FlgFrameReport* report);
+        public static extern FlgResult flgContextTick(FlgContext context, uint budget_us, FlgFrameReport* report);
 
         /// <summary>
-        /// For tools and loading screens: sleeps until flgTick has something to publish, no job is left, or the timeout
-        /// passes. Returns FlgResult.Ok if there is something to publish or no job is left, FlgResult.NotReady
-        /// otherwise. Returns at once in a context without workers, where flgTick does the work.
+        /// For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the
+        /// timeout passes. Returns FlgResult.Ok if there is something to publish or no job is left, FlgResult.NotReady
+        /// otherwise. Returns at once in a context without workers, where flgContextTick does the work.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextWait(FlgContext context, uint timeout_us);
 
-        /// <summary>The job's state as of the last flgTick. Cost: tens of nanoseconds.</summary>
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgJobOptionsInit(FlgJobOptions* options, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgJobStatusInit(FlgJobStatus* status, uint struct_size);
+
+        /// <summary>The job's state as of the last flgContextTick. Cost: tens of nanoseconds.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
 
@@ -95,9 +124,9 @@ namespace Filigree
             FlgContext context, FlgJob job, FlgStageTime* out_stages, uint capacity, uint* out_count);
 
         /// <summary>
-        /// Requests cancellation. A later flgTick publishes the job with FlgResult.ErrorCancelled, or with its result
-        /// if it had already finished or begun to change a surface; such a change always completes. What the job held
-        /// is freed, and jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of
+        /// Requests cancellation. A later flgContextTick publishes the job with FlgResult.ErrorCancelled, or with its
+        /// result if it had already finished or begun to change a surface; such a change always completes. What the job
+        /// held is freed, and jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of
         /// nanoseconds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -114,7 +143,7 @@ namespace Filigree
         /// For tools, tests and loading screens: ticks and sleeps until `jobs` are finished, or with a count of 0 until
         /// the context has no job left, or until `seconds` (0 to 1e9, by the wall) are over. Returns FlgResult.Ok, the
         /// result of the first of `jobs` that failed, or FlgResult.NotReady when the time is over. Callbacks of jobs
-        /// run as in flgTick. Not from callbacks.
+        /// run as in flgContextTick. Not from callbacks.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextRun(FlgContext context, FlgJob* jobs, uint count, double seconds);
@@ -124,7 +153,7 @@ namespace Filigree
 
         /// <summary>[any thread] The view's column of an attribute, null if there is none.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgColumn* flgCurveSetViewColumn(FlgCurveSetView* view, FlgAttribute attribute);
+        public static extern FlgColumn* flgCurveSetViewGetColumn(FlgCurveSetView* view, FlgAttribute attribute);
 
         /// <summary>
         /// Copies curves into the context. Every curve needs at least one point; magnitudes must not exceed 1e30.
@@ -146,7 +175,7 @@ namespace Filigree
         /// <summary>
         /// The set's arrays. They neither move nor change until the set is released, even while jobs read it.
         /// FlgResult.NotReady while the job that makes the set is unpublished; with partial_results, shows the leading
-        /// curves complete at the last flgTick instead. Returns the job's error if it failed. Cost: tens of
+        /// curves complete at the last flgContextTick instead. Returns the job's error if it failed. Cost: tens of
         /// nanoseconds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -162,7 +191,7 @@ namespace Filigree
         public static extern FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgResampleDescInit(FlgResampleDesc* desc, uint struct_size);
+        public static extern FlgResult flgCurveSetResampleDescInit(FlgCurveSetResampleDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that redistributes points evenly by arc length along a smooth curve through the given points
@@ -172,19 +201,22 @@ namespace Filigree
         /// Cost: about 100 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgResample(
-            FlgContext context, FlgResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+        public static extern FlgResult flgCurveSetResample(
+            FlgContext context, FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
-        /// flgStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points.
+        /// flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleCreate(
             FlgContext context, FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgStyleInfoInit(FlgStyleInfo* info, uint struct_size);
 
         /// <summary>
         /// FlgResult.NotReady until the style is prepared; its job's error if that failed. Cost: tens of nanoseconds.
@@ -193,8 +225,8 @@ namespace Filigree
         public static extern FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info);
 
         /// <summary>
-        /// The guide as a curve set with as many curves as the style and with TANGENT and NORMAL columns. The caller
-        /// releases it. Cost: one copy.
+        /// The guide as a curve set with as many curves as the style and with TANGENT and NORMAL columns, relative to
+        /// the example's origin (of a loaded style 0). The caller releases it. Cost: one copy.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide);
@@ -222,7 +254,7 @@ namespace Filigree
         public static extern FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgStylizeDescInit(FlgStylizeDesc* desc, uint struct_size);
+        public static extern FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that applies a style to curves (Algorithm 1, ApplyStyle). The result has each target curve once
@@ -245,8 +277,71 @@ namespace Filigree
         /// style and temperature the path trees, 0.1 ms each.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgStylize(
-            FlgContext context, FlgStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+        public static extern FlgResult flgCurveSetStylize(
+            FlgContext context, FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+        public static FlgStyleInfo flgStyleInfoDefaults()
+        {
+            FlgStyleInfo made;
+            flgStyleInfoInit(&made, (uint)sizeof(FlgStyleInfo));
+            return made;
+        }
+
+        public static FlgJobStatus flgJobStatusDefaults()
+        {
+            FlgJobStatus made;
+            flgJobStatusInit(&made, (uint)sizeof(FlgJobStatus));
+            return made;
+        }
+
+        public static FlgFrameReport flgFrameReportDefaults()
+        {
+            FlgFrameReport made;
+            flgFrameReportInit(&made, (uint)sizeof(FlgFrameReport));
+            return made;
+        }
+
+        public static FlgAllocator flgAllocatorDefaults()
+        {
+            FlgAllocator made;
+            flgAllocatorInit(&made, (uint)sizeof(FlgAllocator));
+            return made;
+        }
+
+        public static FlgJobSystem flgJobSystemDefaults()
+        {
+            FlgJobSystem made;
+            flgJobSystemInit(&made, (uint)sizeof(FlgJobSystem));
+            return made;
+        }
+
+        public static FlgLog flgLogDefaults()
+        {
+            FlgLog made;
+            flgLogInit(&made, (uint)sizeof(FlgLog));
+            return made;
+        }
+
+        public static FlgClock flgClockDefaults()
+        {
+            FlgClock made;
+            flgClockInit(&made, (uint)sizeof(FlgClock));
+            return made;
+        }
+
+        public static FlgProfiler flgProfilerDefaults()
+        {
+            FlgProfiler made;
+            flgProfilerInit(&made, (uint)sizeof(FlgProfiler));
+            return made;
+        }
+
+        public static FlgJobOptions flgJobOptionsDefaults()
+        {
+            FlgJobOptions made;
+            flgJobOptionsInit(&made, (uint)sizeof(FlgJobOptions));
+            return made;
+        }
 
         public static FlgContextDesc flgContextDefaults()
         {
@@ -262,10 +357,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgResampleDesc flgResampleDefaults()
+        public static FlgCurveSetResampleDesc flgCurveSetResampleDefaults()
         {
-            FlgResampleDesc made;
-            flgResampleDescInit(&made, (uint)sizeof(FlgResampleDesc));
+            FlgCurveSetResampleDesc made;
+            flgCurveSetResampleDescInit(&made, (uint)sizeof(FlgCurveSetResampleDesc));
             return made;
         }
 
@@ -276,10 +371,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgStylizeDesc flgStylizeDefaults()
+        public static FlgCurveSetStylizeDesc flgCurveSetStylizeDefaults()
         {
-            FlgStylizeDesc made;
-            flgStylizeDescInit(&made, (uint)sizeof(FlgStylizeDesc));
+            FlgCurveSetStylizeDesc made;
+            flgCurveSetStylizeDescInit(&made, (uint)sizeof(FlgCurveSetStylizeDesc));
             return made;
         }
     }

@@ -32,6 +32,10 @@
 //   .gltf .glb    TRIANGLES, TRIANGLE_STRIP and TRIANGLE_FAN with COLOR_0, placed by the scene's nodes; regions are
 //                 materials, numbered from 0 in order of first use; their factors are read, textures skipped. Reads
 //                 KHR_mesh_quantization. Writes .glb. Limits as for curves
+// Large worlds: .obj, .off, .xyz and .ply (doubles and text) are read to all their digits, .gltf and .glb as precisely
+// as their nodes place them. Where most edges are shorter than 64 times the spacing of floats there, views get an
+// origin: the middle of all, or the first node's place, in whole metres. Boxes in infos are relative to it. Views with
+// an origin are written to text with more digits, to .ply in doubles, to .glb below a node at the origin.
 // Column names in .ply and .xyz: x y z; nx ny nz; red green blue alpha; radius, time, pressure, style_index, angle,
 // width, speed; tangent_0 to _2, orientation_0 to _3, radii_0 to _2, displacement_0 to _2; FlgAttribute.User + N:
 // userN, or userN_0, userN_1, ... with several components. For meshes the other formats hold positions, colours (not
@@ -45,12 +49,12 @@ namespace Filigree
     public static unsafe partial class Native
     {
         /// <summary>
-        /// [any thread] As flgLastError, for the functions of this header. Sentences start with FILE:PLACE, where PLACE
-        /// is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE alone if
-        /// the whole file is meant, such as when it cannot be opened.
+        /// [any thread] As flgErrorGetMessage, for the functions of this header. Sentences start with FILE:PLACE, where
+        /// PLACE is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE
+        /// alone if the whole file is meant, such as when it cannot be opened.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgIoLastError();
+        public static extern byte* flgIoErrorGetMessage();
 
         /// <summary>
         /// Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere
@@ -63,6 +67,9 @@ namespace Filigree
         /// <summary>The curves, ready for flgCurveSetCreate; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view);
+
+        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveFileInfoInit(FlgCurveFileInfo* info, uint struct_size);
 
         /// <summary>The file's contents and warnings. Set struct_size.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -78,7 +85,7 @@ namespace Filigree
         public static extern void flgCurveFileRelease(FlgCurveFile file);
 
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCurveWriteDescInit(FlgCurveWriteDesc* desc, uint struct_size);
+        public static extern FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
         /// Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when
@@ -89,7 +96,8 @@ namespace Filigree
         /// FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCurveFileWrite(byte* path, FlgCurveSetView* view, FlgCurveWriteDesc* desc);
+        public static extern FlgResult flgCurveFileWrite(
+            byte* path, FlgCurveSetView* view, FlgCurveFileWriteDesc* desc);
 
         /// <summary>
         /// Reads the mesh of a file as stored: nothing is welded, reversed or dropped, except triangles of strips and
@@ -125,6 +133,9 @@ namespace Filigree
         public static extern FlgResult flgMeshFileGetMaterials(
             FlgMeshFile file, FlgMeshMaterial** out_materials, uint* out_count);
 
+        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint struct_size);
+
         /// <summary>The file's contents and warnings. Set struct_size.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info);
@@ -134,7 +145,7 @@ namespace Filigree
         public static extern void flgMeshFileRelease(FlgMeshFile file);
 
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshWriteDescInit(FlgMeshWriteDesc* desc, uint struct_size);
+        public static extern FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
         /// Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be
@@ -144,7 +155,7 @@ namespace Filigree
         /// Cost: 0.2 to 0.5 us a triangle.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshWriteDesc* desc);
+        public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshFileWriteDesc* desc);
 
         /// <summary>
         /// Reads the skinned mesh in a file's scene: all nodes with a mesh and the first skin found; other meshes are
@@ -168,11 +179,12 @@ namespace Filigree
         public static extern FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
 
         /// <summary>
-        /// The animations in the file's order; null and 0 if there are none. They live until the file is released.
+        /// An animation, 0 to the info's animation_count - 1, in the file's order. Its arrays live until the file is
+        /// released.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSkinFileGetAnimations(
-            FlgSkinFile file, FlgSkinAnimation** out_animations, uint* out_count);
+        public static extern FlgResult flgSkinFileGetAnimation(
+            FlgSkinFile file, uint animation, FlgSkinAnimation* out_animation);
 
         /// <summary>
         /// The materials, one per part, or one for all, if at least one has a colour; else null and 0. As
@@ -181,6 +193,9 @@ namespace Filigree
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileGetMaterials(
             FlgSkinFile file, FlgMeshMaterial** out_materials, uint* out_count);
+
+        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint struct_size);
 
         /// <summary>The file's contents and warnings. Set struct_size.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -191,7 +206,7 @@ namespace Filigree
         public static extern void flgSkinFileRelease(FlgSkinFile file);
 
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSkinFileDescInit(FlgSkinFileDesc* desc, uint struct_size);
+        public static extern FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
         /// Writes a skin with its animations to .glb, completely or not at all, as flgCurveFileWrite: a node with the
@@ -204,10 +219,10 @@ namespace Filigree
         /// FlgResult.ErrorLimit (2 GiB).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSkinFileWrite(byte* path, FlgSkinFileDesc* desc);
+        public static extern FlgResult flgSkinFileWrite(byte* path, FlgSkinFileWriteDesc* desc);
 
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMotionFileDescInit(FlgMotionFileDesc* desc, uint struct_size);
+        public static extern FlgResult flgMotionFileWriteDescInit(FlgMotionFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
         /// Writes a motion to .glb, completely or not at all, as flgCurveFileWrite: one node, with the mesh and the
@@ -219,20 +234,20 @@ namespace Filigree
         /// FlgResult.ErrorLimit (2 GiB).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMotionFileWrite(byte* path, FlgMotionFileDesc* desc);
+        public static extern FlgResult flgMotionFileWrite(byte* path, FlgMotionFileWriteDesc* desc);
 
         /// <summary>
         /// [any thread] The name of a tangle operator in documents and scripts, such as "contour", by FlgTangleOperator
         /// value. Null beyond the last one. A static string. Cost: nanoseconds.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgTangleOperatorName(uint number);
+        public static extern byte* flgTangleOperatorGetName(uint number);
 
         /// <summary>
         /// [any thread] Likewise for a macro, such as "sunburst", by FlgTangleMacro value. Cost: nanoseconds.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgTangleMacroName(uint number);
+        public static extern byte* flgTangleMacroGetName(uint number);
 
         /// <summary>
         /// Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in
@@ -261,5 +276,54 @@ namespace Filigree
         /// <summary>Null is allowed.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void flgTangleFileRelease(FlgTangleFile file);
+
+        public static FlgCurveFileInfo flgCurveFileInfoDefaults()
+        {
+            FlgCurveFileInfo made;
+            flgCurveFileInfoInit(&made, (uint)sizeof(FlgCurveFileInfo));
+            return made;
+        }
+
+        public static FlgCurveFileWriteDesc flgCurveFileWriteDefaults()
+        {
+            FlgCurveFileWriteDesc made;
+            flgCurveFileWriteDescInit(&made, (uint)sizeof(FlgCurveFileWriteDesc));
+            return made;
+        }
+
+        public static FlgMeshFileInfo flgMeshFileInfoDefaults()
+        {
+            FlgMeshFileInfo made;
+            flgMeshFileInfoInit(&made, (uint)sizeof(FlgMeshFileInfo));
+            return made;
+        }
+
+        public static FlgMeshFileWriteDesc flgMeshFileWriteDefaults()
+        {
+            FlgMeshFileWriteDesc made;
+            flgMeshFileWriteDescInit(&made, (uint)sizeof(FlgMeshFileWriteDesc));
+            return made;
+        }
+
+        public static FlgSkinFileInfo flgSkinFileInfoDefaults()
+        {
+            FlgSkinFileInfo made;
+            flgSkinFileInfoInit(&made, (uint)sizeof(FlgSkinFileInfo));
+            return made;
+        }
+
+        public static FlgSkinFileWriteDesc flgSkinFileWriteDefaults()
+        {
+            FlgSkinFileWriteDesc made;
+            flgSkinFileWriteDescInit(&made, (uint)sizeof(FlgSkinFileWriteDesc));
+            return made;
+        }
+
+        public static FlgMotionFileWriteDesc flgMotionFileWriteDefaults()
+        {
+            FlgMotionFileWriteDesc made;
+            flgMotionFileWriteDescInit(&made, (uint)sizeof(FlgMotionFileWriteDesc));
+            return made;
+        }
     }
 }

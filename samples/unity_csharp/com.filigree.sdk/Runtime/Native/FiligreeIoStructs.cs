@@ -45,11 +45,11 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgCurveWriteDesc
+    public unsafe partial struct FlgCurveFileWriteDesc
     {
         public uint struct_size;
-        /// <summary>for .glb; the text formats hold lines. Default FlgGeometry.Lines</summary>
-        public FlgGeometry geometry;
+        /// <summary>for .glb; the text formats hold lines. Default FlgCurveGeometry.Lines</summary>
+        public FlgCurveGeometry geometry;
         /// <summary>metres, &gt; 0, for curves without a RADIUS column. Default 0.005</summary>
         public float default_radius;
         /// <summary>3 to 64. Default 8</summary>
@@ -72,7 +72,8 @@ namespace Filigree
         /// </summary>
         public uint quantize;
         /// <summary>
-        /// for .glb: FlgGeometry.Ribbon or FlgGeometry.Tube for each curve, in place of `geometry`. Default null
+        /// for .glb: FlgCurveGeometry.Ribbon or FlgCurveGeometry.Tube for each curve, in place of `geometry`. Default
+        /// null
         /// </summary>
         public byte* geometries;
     }
@@ -134,7 +135,7 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgMeshWriteDesc
+    public unsafe partial struct FlgMeshFileWriteDesc
     {
         public uint struct_size;
         /// <summary>0 to 16. Default 0</summary>
@@ -160,13 +161,13 @@ namespace Filigree
         /// <summary>of the positions at rest, metres</summary>
         public fixed float box_max[3];
         public uint warning_count;
-        public uint reserved;
+        public uint animation_count;
         /// <summary>sentences; live until the file is released</summary>
         public byte** warnings;
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgSkinFileDesc
+    public unsafe partial struct FlgSkinFileWriteDesc
     {
         public uint struct_size;
         /// <summary>default 0</summary>
@@ -184,7 +185,7 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgMotionFileDesc
+    public unsafe partial struct FlgMotionFileWriteDesc
     {
         public uint struct_size;
         /// <summary>at least 1</summary>
@@ -201,7 +202,7 @@ namespace Filigree
         /// <summary>moves with the body; null: none</summary>
         public FlgMeshView* mesh;
         /// <summary>its materials, as for flgMeshFileWrite; null: defaults</summary>
-        public FlgMeshWriteDesc* mesh_desc;
+        public FlgMeshFileWriteDesc* mesh_desc;
         /// <summary>
         /// above 0 and below pi: the vertical field of view of a camera that looks along the body's -z, with y up.
         /// Default 0: no camera
@@ -210,5 +211,7 @@ namespace Filigree
         public uint reserved;
         /// <summary>of the body, UTF-8, at most 255 bytes; null: "motion"</summary>
         public byte* name;
+        /// <summary>metres: what the poses are relative to: a node above the body's is there. Default 0</summary>
+        public fixed double origin[3];
     }
 }

@@ -7,13 +7,13 @@ using System.Runtime.InteropServices;
 namespace Filigree
 {
     /// <summary>Geometry of curves in .glb.</summary>
-    public enum FlgGeometry
+    public enum FlgCurveGeometry
     {
-        /// <summary>FLG_GEOMETRY_LINES: no surface</summary>
+        /// <summary>FLG_CURVE_GEOMETRY_LINES: no surface</summary>
         Lines = 0,
-        /// <summary>FLG_GEOMETRY_RIBBON: flat, across the frame's second normal</summary>
+        /// <summary>FLG_CURVE_GEOMETRY_RIBBON: flat, across the frame's second normal</summary>
         Ribbon = 1,
-        /// <summary>FLG_GEOMETRY_TUBE: round, with `tube_sides` sides</summary>
+        /// <summary>FLG_CURVE_GEOMETRY_TUBE: round, with `tube_sides` sides</summary>
         Tube = 2,
     }
 

@@ -6,16 +6,19 @@
 //     flgStyleWarm(context, style, 0, NULL, &job);            once for each style and temperature, ahead of time
 //     flgLiveStrokeBegin(context, &desc, &stroke);            trigger pressed
 //     flgLiveStrokePush(context, stroke, samples, n, &view);  each frame: `view` shows what is new, append it to a mesh
+//     flgLiveStrokeGetTip(context, stroke, &tip);             each frame: what to draw behind the points so far
 //     flgLiveStrokeEnd(context, stroke, NULL, &stylized, &samples, &job);  trigger released
 //
-// The curve        flgResample's smooth curve through the samples. A sample's direction depends on the next sample.
-//                  Points are therefore made only up to the last but one distinct sample: the geometry lags one sample
-//                  behind (11 ms at 90 Hz), plus `smoothing` seconds if set.
+// The curve        flgCurveSetResample's smooth curve through the samples. A sample's direction depends on the next
+//                  sample. Points are therefore made only up to the last but one distinct sample: final geometry lags
+//                  one sample behind (11 ms at 90 Hz), plus `smoothing` seconds if set. flgLiveStrokeGetTip gives the
+//                  rest, up to the last sample, for this frame.
 // The points       At even steps of arc length along the curve, FlgStyleInfo::spacing * scale, whatever the sample
 //                  rate. Points never move. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
-//                  style's attributes except RADIUS, all as flgStylize gives them. One difference: flgStylize knows a
-//                  curve's length and takes the nearest whole number of steps, so its last point is the curve's end.
-//                  Here the step is exact, and the last point lies up to one step before the end.
+//                  style's attributes except RADIUS, all as flgCurveSetStylize gives them. One difference:
+//                  flgCurveSetStylize knows a curve's length and takes the nearest whole number of steps, so its
+//                  last point is the curve's end. Here the step is exact, and the last point lies up to one step
+//                  before the end.
 // Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, multiplied
 //                  by that attribute relative to its mean over the style.
 // Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
@@ -34,6 +37,12 @@
 //                  points come one sample late while the hand moves at most 64 steps a sample on average: with steps of
 //                  1 mm, 5 m/s at 90 Hz. Beyond that the points fall behind, then catch up by 64 steps a sample
 //                  (FlgLiveStrokeInfo::waiting_samples counts the samples behind).
+// Threads          Functions marked [any thread, one per stroke] may run while another thread is inside any other call
+//                  of the context, flgContextTick included: an input thread pushes and never waits for a tick. They
+// take no
+//                  lock. Only calls that take the same stroke must not overlap each other, and flgContextDestroy must
+//                  not overlap anything. So hand a stroke to the input thread after flgLiveStrokeBegin, and take it
+//                  back before flgLiveStrokeEnd, Resume, Split or Release.
 // Style by stroke  Pass flgLiveStrokeEnd's samples to flgStyleCreate as the style. It is ready in the next frame at 90
 //                  Hz (11 ms, one worker) for strokes of up to about 600 samples; 1,200 take about 4 frames, 2,400 take
 //                  6. Preparation time grows faster than the number of style points, which stops at 2,048 by default.
@@ -49,30 +58,30 @@ namespace Filigree
     {
         /// <summary>
         /// Starts a job that computes all path trees of a style at a temperature. Live strokes need them and never
-        /// compute one. The style keeps those of the last four temperatures requested, including by flgStylize and
-        /// flgLiveStrokeBegin. `temperature` as in FlgStylizeDesc; `options` may be null: defaults. Cost: 0.1 ms of
-        /// work for each of up to 256 trees.
+        /// compute one. The style keeps those of the last four temperatures requested, including by flgCurveSetStylize
+        /// and flgLiveStrokeBegin. `temperature` as in FlgCurveSetStylizeDesc; `job` may be null: defaults. Cost: 0.1
+        /// ms of work for each of up to 256 trees.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleWarm(
-            FlgContext context, FlgStyle style, float temperature, FlgJobOptions* options, FlgJob* out_job);
+            FlgContext context, FlgStyle style, float temperature, FlgJobOptions* job, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint struct_size);
 
         /// <summary>
         /// Begins a stroke. FlgResult.NotReady while the style is not prepared, or not warm at this temperature
-        /// (flgStyleWarm); flgLastError() says which. Returns the error of the style's job if that failed. Cost: the
-        /// allocation of its memory, which it does not touch. (An allocator that returns pages touched before spares
-        /// pushes the system's cost of first touches.)
+        /// (flgStyleWarm); flgErrorGetMessage() says which. Returns the error of the style's job if that failed. Cost:
+        /// the allocation of its memory, which it does not touch. (An allocator that returns pages touched before
+        /// spares pushes the system's cost of first touches.)
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeBegin(
             FlgContext context, FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
         /// <summary>
-        /// Adds samples; out_new (may be null) shows the points this call made. Checks all samples first: if one is
-        /// invalid, none is added, and the stroke stays unchanged and can continue:
+        /// [any thread, one per stroke] Adds samples; out_new (may be null) shows the points this call made. Checks all
+        /// samples first: if one is invalid, none is added, and the stroke stays unchanged and can continue:
         ///   FlgResult.ErrorInvalidArgument  a number that is not finite or out of range, or a time before the previous
         ///   sample's
         ///   FlgResult.ErrorLimit             a jump beyond max_jump (end the stroke there and begin another), more
@@ -90,22 +99,42 @@ namespace Filigree
             FlgContext context, FlgLiveStroke stroke, FlgLiveSample* samples, uint count, FlgCurveSetView* out_new);
 
         /// <summary>
-        /// All points so far; lives as long as flgLiveStrokePush's view. Once the job of flgLiveStrokeEnd is published:
-        /// the whole stroke. Cost: tens of nanoseconds.
+        /// [any thread, one per stroke] All points so far; lives as long as flgLiveStrokePush's view. Once the job of
+        /// flgLiveStrokeEnd is published: the whole stroke. Cost: tens of nanoseconds.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetPoints(
             FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view);
 
-        /// <summary>The stroke's progress; set struct_size. Cost: tens of nanoseconds.</summary>
+        /// <summary>
+        /// [any thread, one per stroke] Where the stroke would be if it ended now, so that what is drawn is not a
+        /// sample behind the hand: a curve of the last point so far, if there is one, and the points that
+        /// flgLiveStrokeEnd would add, bit for bit. All columns of flgLiveStrokeGetPoints. curve_count is 0 if the end
+        /// would add nothing. Draw it for a frame, then drop it: the next sample bends it, and these points never
+        /// become part of the stroke. The call changes no other result. It looks ahead by at most 256 points, fewer
+        /// only where samples wait (4 less for each sample read); beyond that the tip stops short of the hand.
+        /// Allocates nothing. The view and its arrays live until the next call of this function for this stroke, or the
+        /// stroke's release. Works after flgLiveStrokeEnd too, until its job is published: then there is no tip any
+        /// more. Cost: about 0.5 us, and 0.1 us a point.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgLiveStrokeGetTip(
+            FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_tip);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgLiveStrokeInfoInit(FlgLiveStrokeInfo* info, uint struct_size);
+
+        /// <summary>
+        /// [any thread, one per stroke] The stroke's progress; set struct_size. Cost: tens of nanoseconds.
+        /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetInfo(
             FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
 
         /// <summary>
-        /// Removes the last `count` samples and the points they made: restores the stroke as it was before they were
-        /// pushed, to the bit. out_point_count (may be null): points left. Refused for an ended stroke: resume it
-        /// first. Cost: that of pushing up to 5 samples.
+        /// [any thread, one per stroke] Removes the last `count` samples and the points they made: restores the stroke
+        /// as it was before they were pushed, to the bit. out_point_count (may be null): points left. Refused for an
+        /// ended stroke: resume it first. Cost: that of pushing up to 5 samples.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeUndo(
@@ -115,16 +144,16 @@ namespace Filigree
         /// Ends a stroke: starts a job that follows the curve to its last sample. The job copies the stylized points
         /// into one set and the samples into another (POSITION, ORIENTATION, PRESSURE, TIME in seconds since the first
         /// sample). Both can be used as inputs at once: `out_samples` as the style of flgStyleCreate, or as the target
-        /// of flgStylize. The last point lies up to one step before the last sample. A zero-length stroke is one point,
-        /// not displaced. Either set may be null if not needed; `options` may be null. The handle stays valid, for
-        /// flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been
+        /// of flgCurveSetStylize. The last point lies up to one step before the last sample. A zero-length stroke is
+        /// one point, not displaced. Either set may be null if not needed; `job` may be null. The handle stays valid,
+        /// for flgLiveStrokeResume, until it is released; if the job fails, the stroke continues as if it had not been
         /// ended. Refused for a stroke without samples. A stroke that reaches max_points is cut there, and the job
         /// succeeds with the points made so far; once the job is published, FlgLiveStrokeInfo::cut is set.
         /// `out_samples` has all samples, so the whole stroke can be stylized from it. Cost: about 6 ns a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeEnd(
-            FlgContext context, FlgLiveStroke stroke, FlgJobOptions* options, FlgCurveSet* out_stylized, FlgCurveSet*
+            FlgContext context, FlgLiveStroke stroke, FlgJobOptions* job, FlgCurveSet* out_stylized, FlgCurveSet*
             out_samples, FlgJob* out_job);
 
         /// <summary>
@@ -141,7 +170,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeSplit(
-            FlgContext context, FlgLiveStroke stroke, uint point, FlgJobOptions* options, FlgCurveSet* out_first,
+            FlgContext context, FlgLiveStroke stroke, uint point, FlgJobOptions* job, FlgCurveSet* out_first,
             FlgCurveSet* out_second, FlgJob* out_job);
 
         /// <summary>
@@ -156,13 +185,20 @@ namespace Filigree
         /// bit. Missing columns mean: no orientation, pressure 1, all times 0 s; without TIME, `smoothing` must be 0.
         /// Values that flgLiveStrokePush would refuse fail the job with the same result. So does a curve of more than
         /// max_points points: FlgResult.ErrorLimit, before memory is taken (for the points needed, not for max_points).
-        /// max_samples does not apply. Closed curves are drawn open. The style need not be ready or warm. `options` may
-        /// be null. Cost: about 0.3 us a point.
+        /// max_samples does not apply. Closed curves are drawn open. The style need not be ready or warm. `job` may be
+        /// null. Cost: about 0.3 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeReplay(
-            FlgContext context, FlgLiveStrokeDesc* desc, FlgCurveSet samples, FlgJobOptions* options, FlgCurveSet*
-            out_set, FlgJob* out_job);
+            FlgContext context, FlgLiveStrokeDesc* desc, FlgCurveSet samples, FlgJobOptions* job, FlgCurveSet* out_set,
+            FlgJob* out_job);
+
+        public static FlgLiveStrokeInfo flgLiveStrokeInfoDefaults()
+        {
+            FlgLiveStrokeInfo made;
+            flgLiveStrokeInfoInit(&made, (uint)sizeof(FlgLiveStrokeInfo));
+            return made;
+        }
 
         public static FlgLiveStrokeDesc flgLiveStrokeDefaults()
         {

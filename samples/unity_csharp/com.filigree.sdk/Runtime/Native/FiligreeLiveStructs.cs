@@ -10,10 +10,10 @@ namespace Filigree
     public unsafe partial struct FlgLiveStrokeDesc
     {
         public uint struct_size;
-        /// <summary>FlgStart.Auto is FlgStart.Style here.</summary>
-        public FlgStart start;
+        /// <summary>FlgStyleStart.Auto is FlgStyleStart.Style here.</summary>
+        public FlgStyleStart start;
         public FlgStyle style;
-        /// <summary>As in FlgStylizeDesc.</summary>
+        /// <summary>As in FlgCurveSetStylizeDesc.</summary>
         public float magnitude;
         /// <summary>the style must be warm at this temperature</summary>
         public float temperature;
@@ -35,7 +35,7 @@ namespace Filigree
         public float max_jump;
         /// <summary>
         /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 270 bytes a sample, 44 a point and 4 for each
-        /// component of the style's attributes. Default 16,384 and 65,536.
+        /// component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536.
         /// </summary>
         public uint max_samples;
         /// <summary>points beyond this are cut off, see FlgLiveStrokeInfo</summary>
@@ -47,9 +47,13 @@ namespace Filigree
         public FlgFrameMethod frame;
         /// <summary>Key for all random choices. Default 1.</summary>
         public ulong seed;
-        /// <summary>As in FlgStylizeDesc. Default: identity.</summary>
+        /// <summary>As in FlgCurveSetStylizeDesc. Default: identity.</summary>
         public fixed float basis[9];
         public uint reserved;
+        /// <summary>
+        /// metres: what samples and points are relative to. flgLiveStrokeReplay takes its samples' instead. Default 0
+        /// </summary>
+        public fixed double origin[3];
     }
 
     /// <summary>One sample of the controller.</summary>

@@ -102,7 +102,10 @@ namespace Filigree
         public static extern FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgModelPartInit(FlgModelPart* part);
+        public static extern FlgResult flgBoneThresholdsInit(FlgBoneThresholds* thresholds, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgModelPartInit(FlgModelPart* part, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelDescInit(FlgModelDesc* desc, uint struct_size);
@@ -268,7 +271,14 @@ namespace Filigree
         public static FlgModelPart flgModelPartDefaults()
         {
             FlgModelPart made;
-            flgModelPartInit(&made);
+            flgModelPartInit(&made, (uint)sizeof(FlgModelPart));
+            return made;
+        }
+
+        public static FlgBoneThresholds flgBoneThresholdsDefaults()
+        {
+            FlgBoneThresholds made;
+            flgBoneThresholdsInit(&made, (uint)sizeof(FlgBoneThresholds));
             return made;
         }
 

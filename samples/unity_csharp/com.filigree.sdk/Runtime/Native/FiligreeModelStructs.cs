@@ -11,7 +11,7 @@ namespace Filigree
     {
         public uint struct_size;
         public uint region_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>labels of the surface; null: the whole surface. Copied</summary>
         public uint* regions;
@@ -30,9 +30,11 @@ namespace Filigree
         public uint struct_size;
         public uint reserved;
         /// <summary>metres, in the plane through the middle of the triangles; y points up as far as possible</summary>
-        public FlgContourView contour;
+        public FlgContourView* contour;
         /// <summary>maps the contour back to the surface</summary>
         public fixed double placement[12];
+        /// <summary>metres: what the placement's positions are relative to: the surface's origin</summary>
+        public fixed double origin[3];
     }
 
     /// <summary>
@@ -45,8 +47,9 @@ namespace Filigree
         public uint struct_size;
         /// <summary>nonzero: the contour may cross and touch itself, see FlgStraightSkeletonDesc. Default 0</summary>
         public uint repair;
-        public FlgJobOptions job;
-        public FlgContourView contour;
+        public FlgJobOptions* job;
+        /// <summary>copied</summary>
+        public FlgContourView* contour;
         /// <summary>
         /// distance between resampled points of the drawn line, a fraction: 0.0005 to 0.1, default 0.005; 0: as drawn
         /// </summary>
@@ -111,7 +114,7 @@ namespace Filigree
         /// 0.01 to 100, default 1: a disc becomes a ball, a long strip a tube 1.4 times as deep as wide
         /// </summary>
         public float thickness;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgPart part;
         /// <summary>
         /// edge length, in units of the drawing, 1e-4 to 1 of the part's length; 0: automatic, for 500 to 3,000
@@ -140,6 +143,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBoneThresholds
     {
+        public uint struct_size;
         /// <summary>how far joints along a branch may deviate from axis and shape; default 0.0025</summary>
         public float simplify;
         /// <summary>merges junctions closer than this along the bones; default 0.015</summary>
@@ -154,6 +158,10 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelPart
     {
+        /// <summary>the same of all parts of a model</summary>
+        public uint struct_size;
+        /// <summary>the part's count, if branch_simplify is given</summary>
+        public uint branch_count;
         /// <summary>may be used more than once; its job may still run</summary>
         public FlgPart part;
         /// <summary>UTF-8, 1 to 63 bytes, unique; null: "part" and its number</summary>
@@ -176,9 +184,6 @@ namespace Filigree
         public FlgBoneThresholds* thresholds;
         /// <summary>one per branch of the part; negative: the part's value; null: the part's value for all</summary>
         public float* branch_simplify;
-        /// <summary>the part's count, if branch_simplify is given</summary>
-        public uint branch_count;
-        public uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -187,10 +192,11 @@ namespace Filigree
         public uint struct_size;
         /// <summary>1 to 4096</summary>
         public uint part_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>in modelling order: a part attaches to an earlier one</summary>
         public FlgModelPart* parts;
-        public FlgBoneThresholds thresholds;
+        /// <summary>null: the defaults</summary>
+        public FlgBoneThresholds* thresholds;
         /// <summary>
         /// weight of the shape in `simplify`, alpha_s of Eq. 1 (the paper gives no number): 0 to 100, default 0.25
         /// </summary>
@@ -201,6 +207,8 @@ namespace Filigree
         /// </summary>
         public fixed float mirror[4];
         public uint reserved;
+        /// <summary>metres: what placements and `mirror` are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     /// <summary>Where a part is attached.</summary>
@@ -245,6 +253,8 @@ namespace Filigree
         public uint part_count;
         /// <summary>the size that thresholds are fractions of, metres</summary>
         public float size;
+        /// <summary>metres: what positions are relative to</summary>
+        public fixed double origin[3];
     }
 
     /// <summary>A surface in one piece and the joints that move it, in the rest pose: no joint is rotated.</summary>
@@ -274,6 +284,8 @@ namespace Filigree
         public uint* joint_parents;
         /// <summary>one per joint, UTF-8, unique; null in input: none</summary>
         public byte** joint_names;
+        /// <summary>metres: what positions are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -284,7 +296,7 @@ namespace Filigree
         /// approximate count, within 15 %, if no part is too thin: 100 to most_vertices, default 10000
         /// </summary>
         public uint vertex_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgModel model;
         /// <summary>upper limit where thin parts need more: 100 to 4194304, default 200000</summary>
         public uint most_vertices;

@@ -9,11 +9,11 @@ namespace Filigree
     /// <summary>How a part was attached to the model.</summary>
     public enum FlgPartEvent
     {
-        /// <summary>FLG_PART_ROOT: meets no earlier part</summary>
+        /// <summary>FLG_PART_EVENT_ROOT: meets no earlier part</summary>
         Root = 0,
-        /// <summary>FLG_PART_BONE_SPLIT: a new joint on a bone of its parent part</summary>
+        /// <summary>FLG_PART_EVENT_BONE_SPLIT: a new joint on a bone of its parent part</summary>
         BoneSplit = 1,
-        /// <summary>FLG_PART_JOINT_CONNECT: a bone from one of its parent part's joints</summary>
+        /// <summary>FLG_PART_EVENT_JOINT_CONNECT: a bone from one of its parent part's joints</summary>
         JointConnect = 2,
     }
 

@@ -34,8 +34,9 @@ namespace Filigree
         public static extern FlgResult flgMotionViewInit(FlgMotionView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the motion is released; while it runs, until the next flgTick. FlgResult.NotReady
-        /// until its job is published (with partial_results: until its first round), the job's error if it failed.
+        /// The arrays live until the motion is released; while it runs, until the next flgContextTick.
+        /// FlgResult.NotReady until its job is published (with partial_results: until its first round), the job's error
+        /// if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionGetView(FlgContext context, FlgMotion motion, FlgMotionView* out_view);

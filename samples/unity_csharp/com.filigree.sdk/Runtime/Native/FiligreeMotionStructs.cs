@@ -13,7 +13,7 @@ namespace Filigree
         /// <summary>2 to FLG_MOTION_MAX_KEYS</summary>
         public uint key_count;
         /// <summary>partial_results: every round is visible</summary>
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>one per key, seconds, ascending</summary>
         public double* times;
         /// <summary>
@@ -79,6 +79,8 @@ namespace Filigree
         public uint reserved2;
         /// <summary>1e-5 to 0.1, see FlgSplineDesc. Default 1e-3</summary>
         public double obstacle_radius;
+        /// <summary>metres: what the poses' positions are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -120,5 +122,7 @@ namespace Filigree
         public double rotation_energy;
         /// <summary>of the rotations, see FlgSplineView</summary>
         public double residual;
+        /// <summary>as in the descriptor</summary>
+        public fixed double origin[3];
     }
 }

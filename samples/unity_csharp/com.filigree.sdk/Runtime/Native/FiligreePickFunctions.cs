@@ -6,8 +6,8 @@
 //
 // Threads   A function that changes a scene must not overlap with any other call on it, and no query may run between a
 //           change and the commit after it; queries may run in parallel on any threads.
-// Brushes   The area within a geodesic radius of a hit is a field: flgGeodesic from the hit's triangle, u and v, with
-//           max_distance.
+// Brushes   The area within a geodesic radius of a hit is a field: flgFieldCreateGeodesic from the hit's triangle, u
+//           and v, with max_distance.
 // Waiting   Setting up a surface of 2 million triangles takes seconds: do it where your engine loads assets. Updating
 //           after a cut adds only the changes: well below a millisecond per thousand changed triangles.
 
@@ -18,9 +18,9 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
-        /// <summary>[any thread] As flgLastError, for the functions of this header.</summary>
+        /// <summary>[any thread] As flgErrorGetMessage, for the functions of this header.</summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgPickLastError();
+        public static extern byte* flgPickErrorGetMessage();
 
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint struct_size);
@@ -70,14 +70,22 @@ namespace Filigree
         /// that for 10,000 rays or more at a time.
         /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgPickRays(FlgPickScene scene, FlgRay* rays, uint ray_count, FlgHit* out_hits);
+        public static extern FlgResult flgPickSceneCastRays(
+            FlgPickScene scene, FlgRay* rays, uint ray_count, FlgHit* out_hits);
 
         /// <summary>
         /// [any thread] The nearest point within `max_distance` (metres, &gt; 0, may be infinite). Cost: some us, tens
         /// if it is far.
         /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgPickNearest(
+        public static extern FlgResult flgPickSceneFindNearest(
             FlgPickScene scene, float* point, float max_distance, FlgHit* out_hit);
+
+        public static FlgPickSceneDesc flgPickSceneDefaults()
+        {
+            FlgPickSceneDesc made;
+            flgPickSceneDescInit(&made, (uint)sizeof(FlgPickSceneDesc));
+            return made;
+        }
     }
 }

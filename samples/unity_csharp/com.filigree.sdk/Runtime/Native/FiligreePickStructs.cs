@@ -12,6 +12,10 @@ namespace Filigree
         public uint struct_size;
         /// <summary>for Embree's builds; 0: one per core. Default 1: the calling thread</summary>
         public uint threads;
+        /// <summary>
+        /// Metres: what rays, points and hits are relative to. Objects near it are picked most precisely. Default 0
+        /// </summary>
+        public fixed double origin[3];
     }
 
     /// <summary>A ray.</summary>

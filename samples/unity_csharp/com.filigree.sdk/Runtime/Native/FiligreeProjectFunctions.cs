@@ -12,7 +12,7 @@ namespace Filigree
     public static unsafe partial class Native
     {
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgProjectDescInit(FlgProjectDesc* desc, uint struct_size);
+        public static extern FlgResult flgCurveSetProjectDescInit(FlgCurveSetProjectDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that projects curves in space onto a surface, ready to be cut along: each point snaps to the
@@ -22,13 +22,13 @@ namespace Filigree
         /// us a triangle of the surface, some us a point near it (more the farther off) and 0.1 us a triangle passed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgProjectCurves(
-            FlgContext context, FlgProjectDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+        public static extern FlgResult flgCurveSetProject(
+            FlgContext context, FlgCurveSetProjectDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-        public static FlgProjectDesc flgProjectDefaults()
+        public static FlgCurveSetProjectDesc flgCurveSetProjectDefaults()
         {
-            FlgProjectDesc made;
-            flgProjectDescInit(&made, (uint)sizeof(FlgProjectDesc));
+            FlgCurveSetProjectDesc made;
+            flgCurveSetProjectDescInit(&made, (uint)sizeof(FlgCurveSetProjectDesc));
             return made;
         }
     }

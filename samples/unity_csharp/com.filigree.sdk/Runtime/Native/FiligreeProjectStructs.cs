@@ -7,11 +7,11 @@ using System.Runtime.InteropServices;
 namespace Filigree
 {
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgProjectDesc
+    public unsafe partial struct FlgCurveSetProjectDesc
     {
         public uint struct_size;
         public uint reserved;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>open and closed; only their POSITION is used</summary>
         public FlgCurveSet curves;

@@ -31,8 +31,9 @@ namespace Filigree
         public uint struct_size;
         /// <summary>nonzero: the contour may cross and touch itself, see below. Default 0</summary>
         public uint repair;
-        public FlgJobOptions job;
-        public FlgContourView contour;
+        public FlgJobOptions* job;
+        /// <summary>copied</summary>
+        public FlgContourView* contour;
     }
 
     /// <summary>

@@ -13,19 +13,20 @@ namespace Filigree
     public static unsafe partial class Native
     {
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgShapeDescInit(FlgShapeDesc* desc, uint struct_size);
+        public static extern FlgResult flgManifoldShapeDescInit(FlgManifoldShapeDesc* desc, uint struct_size);
 
         /// <summary>Makes a manifold at once. Cost: 0.1 ms at most.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateShape(
-            FlgContext context, FlgShapeDesc* desc, FlgManifold* out_manifold);
+            FlgContext context, FlgManifoldShapeDesc* desc, FlgManifold* out_manifold);
 
         /// <summary>The names of formulas, from index 0 on; null beyond the last one. Static strings.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern byte* flgFormulaName(uint number);
+        public static extern byte* flgFormulaGetName(uint number);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshManifoldDescInit(FlgMeshManifoldDesc* desc, uint struct_size);
+        public static extern FlgResult flgManifoldFromSurfaceDescInit(
+            FlgManifoldFromSurfaceDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes the smooth surface of a mesh: moving least squares over its vertices, with their
@@ -37,10 +38,10 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromSurface(
-            FlgContext context, FlgMeshManifoldDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
+            FlgContext context, FlgManifoldFromSurfaceDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCloudManifoldDescInit(FlgCloudManifoldDesc* desc, uint struct_size);
+        public static extern FlgResult flgManifoldFromPointsDescInit(FlgManifoldFromPointsDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes the smooth surface of a point cloud by moving least squares (sec. 3.2). Cost: some
@@ -48,10 +49,10 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromPoints(
-            FlgContext context, FlgCloudManifoldDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
+            FlgContext context, FlgManifoldFromPointsDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgGridManifoldDescInit(FlgGridManifoldDesc* desc, uint struct_size);
+        public static extern FlgResult flgManifoldFromGridDescInit(FlgManifoldFromGridDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes the zero set of a sampled function, such as signed distances. Cost: about 20 ns a
@@ -59,7 +60,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromGrid(
-            FlgContext context, FlgGridManifoldDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
+            FlgContext context, FlgManifoldFromGridDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
 
         /// <summary>
         /// The image manifold of a surface's normals (sec. 6, Fig. 17): (x, weight * normal) in R^6. Curves on it avoid
@@ -103,9 +104,9 @@ namespace Filigree
             FlgContext context, FlgManifold manifold, FlgManifoldView* out_view);
 
         /// <summary>
-        /// Projects up to 64 points onto a manifold at once, such as a cursor's. out_distances (metres) may be null; a
-        /// point that cannot be projected stays unchanged and gets HUGE_VAL. FlgResult.NotReady until the manifold's
-        /// job is published. Cost: some us a point.
+        /// Projects up to 64 points, relative to the manifold's origin, onto it at once, such as a cursor's.
+        /// out_distances (metres) may be null; a point that cannot be projected stays unchanged and gets HUGE_VAL.
+        /// FlgResult.NotReady until the manifold's job is published. Cost: some us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldProject(
@@ -116,7 +117,7 @@ namespace Filigree
 
         /// <summary>A ball of radius 1 at the origin; a box with sides of 2.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern void flgObstacleInit(FlgObstacle* obstacle);
+        public static extern FlgResult flgObstacleInit(FlgObstacle* obstacle, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint struct_size);
@@ -154,14 +155,15 @@ namespace Filigree
         public static extern FlgResult flgSplineViewInit(FlgSplineView* view, uint struct_size);
 
         /// <summary>
-        /// The arrays live until the spline is released; while it runs, until the next flgTick. FlgResult.NotReady
-        /// until its job is published (with partial_results: until its first round), the job's error if it failed.
+        /// The arrays live until the spline is released; while it runs, until the next flgContextTick.
+        /// FlgResult.NotReady until its job is published (with partial_results: until its first round), the job's error
+        /// if it failed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSplineCurvesDescInit(FlgSplineCurvesDesc* desc, uint struct_size);
+        public static extern FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in
@@ -169,37 +171,37 @@ namespace Filigree
         /// it. Cost: about 3 ns a node.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSplineCurves(
-            FlgContext context, FlgSplineCurvesDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+        public static extern FlgResult flgSplineSample(
+            FlgContext context, FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
 
-        public static FlgShapeDesc flgShapeDefaults()
+        public static FlgManifoldShapeDesc flgManifoldShapeDefaults()
         {
-            FlgShapeDesc made;
-            flgShapeDescInit(&made, (uint)sizeof(FlgShapeDesc));
+            FlgManifoldShapeDesc made;
+            flgManifoldShapeDescInit(&made, (uint)sizeof(FlgManifoldShapeDesc));
             return made;
         }
 
-        public static FlgMeshManifoldDesc flgMeshManifoldDefaults()
+        public static FlgManifoldFromSurfaceDesc flgManifoldFromSurfaceDefaults()
         {
-            FlgMeshManifoldDesc made;
-            flgMeshManifoldDescInit(&made, (uint)sizeof(FlgMeshManifoldDesc));
+            FlgManifoldFromSurfaceDesc made;
+            flgManifoldFromSurfaceDescInit(&made, (uint)sizeof(FlgManifoldFromSurfaceDesc));
             return made;
         }
 
-        public static FlgCloudManifoldDesc flgCloudManifoldDefaults()
+        public static FlgManifoldFromPointsDesc flgManifoldFromPointsDefaults()
         {
-            FlgCloudManifoldDesc made;
-            flgCloudManifoldDescInit(&made, (uint)sizeof(FlgCloudManifoldDesc));
+            FlgManifoldFromPointsDesc made;
+            flgManifoldFromPointsDescInit(&made, (uint)sizeof(FlgManifoldFromPointsDesc));
             return made;
         }
 
-        public static FlgGridManifoldDesc flgGridManifoldDefaults()
+        public static FlgManifoldFromGridDesc flgManifoldFromGridDefaults()
         {
-            FlgGridManifoldDesc made;
-            flgGridManifoldDescInit(&made, (uint)sizeof(FlgGridManifoldDesc));
+            FlgManifoldFromGridDesc made;
+            flgManifoldFromGridDescInit(&made, (uint)sizeof(FlgManifoldFromGridDesc));
             return made;
         }
 
@@ -245,17 +247,17 @@ namespace Filigree
             return made;
         }
 
-        public static FlgSplineCurvesDesc flgSplineCurvesDefaults()
+        public static FlgSplineSampleDesc flgSplineSampleDefaults()
         {
-            FlgSplineCurvesDesc made;
-            flgSplineCurvesDescInit(&made, (uint)sizeof(FlgSplineCurvesDesc));
+            FlgSplineSampleDesc made;
+            flgSplineSampleDescInit(&made, (uint)sizeof(FlgSplineSampleDesc));
             return made;
         }
 
         public static FlgObstacle flgObstacleDefaults()
         {
             FlgObstacle made;
-            flgObstacleInit(&made);
+            flgObstacleInit(&made, (uint)sizeof(FlgObstacle));
             return made;
         }
     }

@@ -7,41 +7,48 @@ using System.Runtime.InteropServices;
 namespace Filigree
 {
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgShapeDesc
+    public unsafe partial struct FlgManifoldShapeDesc
     {
         public uint struct_size;
-        /// <summary>default FlgShape.Space</summary>
-        public FlgShape shape;
-        /// <summary>for FlgShape.Space: 2 to 12. Default 3</summary>
+        /// <summary>default FlgManifoldShape.Space</summary>
+        public FlgManifoldShape shape;
+        /// <summary>for FlgManifoldShape.Space: 2 to 12. Default 3</summary>
         public uint ambient;
         public uint reserved;
         /// <summary>metres, 1e-6 to 1e6. Default 1</summary>
         public double radius;
         /// <summary>metres, 1e-6 to below radius. Default 0.25</summary>
         public double tube_radius;
-        /// <summary>metres, for FlgShape.Space and FlgShape.Plane: approximate extent of the scene. Default 1</summary>
+        /// <summary>
+        /// metres, for FlgManifoldShape.Space and FlgManifoldShape.Plane: approximate extent of the scene. Default 1
+        /// </summary>
         public double size;
-        /// <summary>for FlgShape.Formula</summary>
+        /// <summary>for FlgManifoldShape.Formula</summary>
         public byte* name;
+        /// <summary>
+        /// metres, in R^3: where the shape is; its coordinates are relative to this. Must be 0 for
+        /// FlgManifoldShape.Space, which is everywhere. Default 0
+        /// </summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgMeshManifoldDesc
+    public unsafe partial struct FlgManifoldFromSurfaceDesc
     {
         public uint struct_size;
         public uint reserved;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>kept by the manifold; later cuts do not change the manifold</summary>
         public FlgSurface surface;
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgCloudManifoldDesc
+    public unsafe partial struct FlgManifoldFromPointsDesc
     {
         public uint struct_size;
         /// <summary>4 to 2^24</summary>
         public uint point_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>3 per point, metres; read during the call</summary>
         public float* points;
         /// <summary>3 per point, not 0; null: computed, and oriented consistently along the cloud</summary>
@@ -49,21 +56,25 @@ namespace Filigree
         /// <summary>points in each neighbourhood, 6 to 32: more smooth more. Default 16</summary>
         public uint neighbours;
         public uint reserved;
+        /// <summary>metres: what points are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgGridManifoldDesc
+    public unsafe partial struct FlgManifoldFromGridDesc
     {
         public uint struct_size;
         /// <summary>samples along x, y, z: 2 to 65536 each, 2^31 in total</summary>
         public fixed uint counts[3];
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>position of the first sample, metres</summary>
-        public fixed double origin[3];
+        public fixed double corner[3];
         /// <summary>metres, above 0</summary>
         public double spacing;
         /// <summary>x fastest: a function that is negative inside and nowhere flat at 0; read during the call</summary>
         public float* values;
+        /// <summary>metres: what `corner` is relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     /// <summary>
@@ -123,6 +134,8 @@ namespace Filigree
         /// differences of projections.
         /// </summary>
         public IntPtr second_form;
+        /// <summary>metres: what the functions' coordinates are relative to; 0 unless in R^3. Default 0</summary>
+        public fixed double origin[3];
     }
 
     /// <summary>
@@ -160,6 +173,8 @@ namespace Filigree
         /// from worker threads, several at a time; must not throw or call the SDK; 100 ns at most.
         /// </summary>
         public IntPtr evaluate;
+        /// <summary>metres: what the function's points are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -177,6 +192,8 @@ namespace Filigree
         public double largest_deviation;
         /// <summary>root mean square of the same deviation</summary>
         public double mean_deviation;
+        /// <summary>metres: what the manifold's points are relative to</summary>
+        public fixed double origin[3];
     }
 
     /// <summary>
@@ -191,15 +208,16 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgObstacle
     {
+        /// <summary>the same of all obstacles of a set</summary>
+        public uint struct_size;
         public FlgObstacleKind kind;
-        /// <summary>3 to 256</summary>
-        public uint point_count;
         public FlgSurface surface;
         /// <summary>
         /// grid cells along the longest side, 8 to 192; a layer is at least 4 of them thick. Default 64
         /// </summary>
         public uint cells;
-        public uint reserved;
+        /// <summary>3 to 256</summary>
+        public uint point_count;
         /// <summary>of balls, boxes, capsules, and the box around a function</summary>
         public fixed double centre[3];
         /// <summary>half the box's sides, above 0</summary>
@@ -231,7 +249,7 @@ namespace Filigree
         public uint struct_size;
         /// <summary>2 or 3. Default 3</summary>
         public uint dimension;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>copied, except the data at user_data</summary>
         public FlgObstacle* obstacles;
         /// <summary>1 to 256</summary>
@@ -242,6 +260,10 @@ namespace Filigree
         /// 0
         /// </summary>
         public double clearance;
+        /// <summary>
+        /// metres: what the obstacles' places are relative to; surfaces keep their own. 0 in the plane. Default 0
+        /// </summary>
+        public fixed double origin[3];
     }
 
     /// <summary>
@@ -266,7 +288,7 @@ namespace Filigree
         /// <summary>2 to 65536, closed: at least 3 (1 and 2 less with a `curve`)</summary>
         public uint point_count;
         /// <summary>partial_results: every round is visible</summary>
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgManifold manifold;
         /// <summary>
         /// ambient numbers per point: interpolated in this order, read during the call. Points off the manifold are
@@ -332,19 +354,21 @@ namespace Filigree
         /// </summary>
         public uint subdivisions;
         /// <summary>
-        /// The curve avoids these (sec. 5). The manifold must be a FlgShape.Space of the same dimension, or a surface
-        /// in R^3. The result is the limit of splines on barriers around them, as the barriers' radius shrinks to
-        /// `obstacle_radius` of the scene's size; it may touch them along a stretch. A given point inside an obstacle
-        /// is refused. Nodes stay outside obstacles; the pieces between them do too, except for their sagitta. Up to 16
-        /// times as many nodes are used where pieces would pass through. In space the initial curve goes around the
-        /// obstacles; on a surface the initial curve ignores them, and `sides` has no effect. `start`, `warm_start`,
-        /// slopes and subdivisions are ignored; `curve` is refused. Default none
+        /// The curve avoids these (sec. 5). The manifold must be a FlgManifoldShape.Space of the same dimension, or a
+        /// surface in R^3. The result is the limit of splines on barriers around them, as the barriers' radius shrinks
+        /// to `obstacle_radius` of the scene's size; it may touch them along a stretch. A given point inside an
+        /// obstacle is refused. Nodes stay outside obstacles; the pieces between them do too, except for their sagitta.
+        /// Up to 16 times as many nodes are used where pieces would pass through. In space the initial curve goes
+        /// around the obstacles; on a surface the initial curve ignores them, and `sides` has no effect. `start`,
+        /// `warm_start`, slopes and subdivisions are ignored; `curve` is refused. Default none
         /// </summary>
         public FlgObstacles obstacles;
         /// <summary>how the initial curve passes; default null: the shortest way</summary>
         public FlgObstacleSide* sides;
         /// <summary>1e-5 to 0.1. Default 1e-3</summary>
         public double obstacle_radius;
+        /// <summary>metres: what `points` and `curve` are relative to; 0 unless in R^3. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -390,15 +414,19 @@ namespace Filigree
         /// given points.
         /// </summary>
         public double residual;
+        /// <summary>
+        /// metres: what the nodes are relative to: the manifold's origin; on FlgManifoldShape.Space the descriptor's
+        /// </summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgSplineCurvesDesc
+    public unsafe partial struct FlgSplineSampleDesc
     {
         public uint struct_size;
         /// <summary>metres above the surface, along its normals. Default 0</summary>
         public float height;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>in R^3</summary>
         public FlgSpline spline;
     }

@@ -15,45 +15,48 @@ namespace Filigree
     }
 
     /// <summary>Manifolds that need no data.</summary>
-    public enum FlgShape
+    public enum FlgManifoldShape
     {
-        /// <summary>FLG_SHAPE_SPACE: R^ambient itself: no restriction</summary>
+        /// <summary>FLG_MANIFOLD_SHAPE_SPACE: R^ambient itself: no restriction</summary>
         Space = 0,
-        /// <summary>FLG_SHAPE_PLANE: z = 0 in R^3</summary>
+        /// <summary>FLG_MANIFOLD_SHAPE_PLANE: z = 0 in R^3</summary>
         Plane = 1,
-        /// <summary>FLG_SHAPE_SPHERE: centred at the origin of R^3, of `radius`</summary>
+        /// <summary>FLG_MANIFOLD_SHAPE_SPHERE: centred at the origin of R^3, of `radius`</summary>
         Sphere = 2,
         /// <summary>
-        /// FLG_SHAPE_TORUS: around the z-axis: the circle of `radius` in the plane z = 0, thickened by `tube_radius`
+        /// FLG_MANIFOLD_SHAPE_TORUS: around the z-axis: the circle of `radius` in the plane z = 0, thickened by
+        /// `tube_radius`
         /// </summary>
         Torus = 3,
-        /// <summary>FLG_SHAPE_FORMULA: the zero set of a smooth formula, by `name`: see flgFormulaName</summary>
+        /// <summary>
+        /// FLG_MANIFOLD_SHAPE_FORMULA: the zero set of a smooth formula, by `name`: see flgFormulaGetName
+        /// </summary>
         Formula = 4,
     }
 
     /// <summary>The kind of an obstacle; it determines which fields apply.</summary>
     public enum FlgObstacleKind
     {
-        /// <summary>FLG_OBSTACLE_BALL: centre, radius</summary>
+        /// <summary>FLG_OBSTACLE_KIND_BALL: centre, radius</summary>
         Ball = 0,
-        /// <summary>FLG_OBSTACLE_BOX: centre, half, axes</summary>
+        /// <summary>FLG_OBSTACLE_KIND_BOX: centre, half, axes</summary>
         Box = 1,
-        /// <summary>FLG_OBSTACLE_CAPSULE: everything within `radius` of the segment from centre to `to`</summary>
+        /// <summary>FLG_OBSTACLE_KIND_CAPSULE: everything within `radius` of the segment from centre to `to`</summary>
         Capsule = 2,
-        /// <summary>FLG_OBSTACLE_POLYGON: plane only: points</summary>
+        /// <summary>FLG_OBSTACLE_KIND_POLYGON: plane only: points</summary>
         Polygon = 3,
-        /// <summary>FLG_OBSTACLE_FUNCTION: defined by the host</summary>
+        /// <summary>FLG_OBSTACLE_KIND_FUNCTION: defined by the host</summary>
         Function = 4,
-        /// <summary>FLG_OBSTACLE_MESH: space only: a closed surface, to half a cell of a grid of `cells`</summary>
+        /// <summary>FLG_OBSTACLE_KIND_MESH: space only: a closed surface, to half a cell of a grid of `cells`</summary>
         Mesh = 5,
         /// <summary>
-        /// FLG_OBSTACLE_LAYER: space only: everything farther than `radius` from an open surface: curves stay in a thin
-        /// layer around it, and so between its borders (sec. 5)
+        /// FLG_OBSTACLE_KIND_LAYER: space only: everything farther than `radius` from an open surface: curves stay in a
+        /// thin layer around it, and so between its borders (sec. 5)
         /// </summary>
         Layer = 6,
         /// <summary>
-        /// FLG_OBSTACLE_BORDER: space only: the region beyond a surface's open borders, for curves on its manifold.
-        /// Needs no grid, so it is faster and closer than a layer. Rounds border corners by about an edge
+        /// FLG_OBSTACLE_KIND_BORDER: space only: the region beyond a surface's open borders, for curves on its
+        /// manifold. Needs no grid, so it is faster and closer than a layer. Rounds border corners by about an edge
         /// </summary>
         Border = 7,
     }
@@ -61,11 +64,11 @@ namespace Filigree
     /// <summary>The energy a curve minimizes.</summary>
     public enum FlgSplineEnergy
     {
-        /// <summary>FLG_SPLINE_E2: squared second derivative: cubic splines. Wide, even turns</summary>
+        /// <summary>FLG_SPLINE_ENERGY_E2: squared second derivative: cubic splines. Wide, even turns</summary>
         E2 = 0,
-        /// <summary>FLG_SPLINE_E1: squared first derivative: geodesics, with corners at the points</summary>
+        /// <summary>FLG_SPLINE_ENERGY_E1: squared first derivative: geodesics, with corners at the points</summary>
         E1 = 1,
-        /// <summary>FLG_SPLINE_ET: E2 + tension * E1: between the two</summary>
+        /// <summary>FLG_SPLINE_ENERGY_ET: E2 + tension * E1: between the two</summary>
         Et = 2,
     }
 
@@ -83,19 +86,20 @@ namespace Filigree
     /// <summary>Why the optimization ended. A curve is available in each case.</summary>
     public enum FlgSplineEnding
     {
-        /// <summary>FLG_SPLINE_RUNNING: still running: the view shows one round's result</summary>
+        /// <summary>FLG_SPLINE_ENDING_RUNNING: still running: the view shows one round's result</summary>
         Running = 0,
-        /// <summary>FLG_SPLINE_CONVERGED: the residual is at most the tolerance</summary>
+        /// <summary>FLG_SPLINE_ENDING_CONVERGED: the residual is at most the tolerance</summary>
         Converged = 1,
         /// <summary>
-        /// FLG_SPLINE_ROUNDING: as close as rounding allows: with thousands of nodes between points, differences cancel
+        /// FLG_SPLINE_ENDING_ROUNDING: as close as rounding allows: with thousands of nodes between points, differences
+        /// cancel
         /// </summary>
         Rounding = 2,
-        /// <summary>FLG_SPLINE_ROUNDS: max_rounds was reached</summary>
+        /// <summary>FLG_SPLINE_ENDING_ROUNDS: max_rounds was reached</summary>
         Rounds = 3,
         /// <summary>
-        /// FLG_SPLINE_STALLED: no step lowers the energy: the surface is not smooth there (sharp creases, rims), or
-        /// obstacles block the way. The curve is the best found; see the residual
+        /// FLG_SPLINE_ENDING_STALLED: no step lowers the energy: the surface is not smooth there (sharp creases, rims),
+        /// or obstacles block the way. The curve is the best found; see the residual
         /// </summary>
         Stalled = 4,
     }

@@ -27,6 +27,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgAllocator
     {
+        public uint struct_size;
         /// <summary>passed to both</summary>
         public void* user_data;
         /// <summary>
@@ -52,16 +53,17 @@ namespace Filigree
     /// <summary>
     /// The host's own job system. With `submit` set the SDK starts no threads: it hands over tasks, and the host calls
     /// run(task) once for each, on any thread, at any time, in any order. A task never blocks and ends after about 500
-    /// us. At most `concurrency` (1 to 256) tasks are handed over at a time. flgTick, calls that start jobs, and tasks
-    /// themselves call `submit`. It must not call run(task) before it returns, and must not fail.
+    /// us. At most `concurrency` (1 to 256) tasks are handed over at a time. flgContextTick, calls that start jobs, and
+    /// tasks themselves call `submit`. It must not call run(task) before it returns, and must not fail.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgJobSystem
     {
+        public uint struct_size;
+        /// <summary>tasks at a time. Default 1</summary>
+        public uint concurrency;
         /// <summary>passed to `submit`</summary>
         public void* user_data;
-        /// <summary>tasks at a time</summary>
-        public uint concurrency;
         /// <summary>
         /// A FlgJobSystemSubmit, by Marshal.GetFunctionPointerForDelegate. Null: the SDK uses its own threads, or none.
         /// </summary>
@@ -79,6 +81,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLog
     {
+        public uint struct_size;
         /// <summary>passed to `write`</summary>
         public void* user_data;
         /// <summary>
@@ -98,6 +101,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgClock
     {
+        public uint struct_size;
         /// <summary>passed to `now_ns`</summary>
         public void* user_data;
         /// <summary>A FlgClockNowNs, by Marshal.GetFunctionPointerForDelegate. never decreasing</summary>
@@ -119,6 +123,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgProfiler
     {
+        public uint struct_size;
         /// <summary>passed to both</summary>
         public void* user_data;
         /// <summary>A FlgProfilerBegin, by Marshal.GetFunctionPointerForDelegate. both or neither</summary>
@@ -137,30 +142,34 @@ namespace Filigree
         /// <summary>FLG_VERSION of the header the host was compiled with. Set by flgContextDefaults.</summary>
         public uint version;
         /// <summary>
-        /// Threads the context starts, 0 to 256. 0: none; flgTick itself advances jobs. Ignored with a job system.
-        /// Default 1.
+        /// Threads the context starts, 0 to 256. 0: none; flgContextTick itself advances jobs. Ignored with a job
+        /// system. Default 1.
         /// </summary>
         public uint worker_count;
         /// <summary>
-        /// Microseconds each worker may work between two calls of flgTick; 0 = no limit. Unused without workers. A
-        /// worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0.
+        /// Microseconds each worker may work between two calls of flgContextTick; 0 = no limit. Unused without workers.
+        /// A worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0.
         /// </summary>
         public uint worker_budget_us;
-        public FlgAllocator allocator;
-        public FlgJobSystem job_system;
-        public FlgLog log;
-        public FlgClock clock;
-        public FlgProfiler profiler;
+        /// <summary>
+        /// The host's hooks. Each may be null: the library's own. The structs are copied; their functions and user_data
+        /// must live until the context is destroyed.
+        /// </summary>
+        public FlgAllocator* allocator;
+        public FlgJobSystem* job_system;
+        public FlgLog* log;
+        public FlgClock* clock;
+        public FlgProfiler* profiler;
     }
 
-    /// <summary>What one flgTick did, and what the workers did since the previous one.</summary>
+    /// <summary>What one flgContextTick did, and what the workers did since the previous one.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFrameReport
     {
         public uint struct_size;
         /// <summary>jobs published by this tick</summary>
         public uint jobs_finished;
-        /// <summary>counts calls of flgTick, from 1</summary>
+        /// <summary>counts calls of flgContextTick, from 1</summary>
         public ulong frame;
         /// <summary>unfinished jobs, including those waiting for others</summary>
         public uint jobs_pending;
@@ -181,43 +190,44 @@ namespace Filigree
     }
 
     /// <summary>
-    /// Of FlgJobOptions.on_finished. Called once, inside flgTick, when the job is published, whatever its result. It
-    /// may call any function of this header on the context except flgTick, flgContextWait and flgContextDestroy. It
-    /// must not throw. `job` is null if no handle was requested. Null: none.
+    /// Of FlgJobOptions.on_finished. Called once, inside flgContextTick, when the job is published, whatever its
+    /// result. It may call any function of this header on the context except flgContextTick, flgContextWait and
+    /// flgContextDestroy. It must not throw. `job` is null if no handle was requested. Null: none.
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FlgJobOptionsOnFinished(void* user_data, FlgJob job, FlgResult result);
 
     /// <summary>
-    /// How a job runs; part of every descriptor that starts one. A job waits for inputs that another job still makes;
-    /// they need not be listed here.
+    /// How a job runs. Every descriptor of a job points to one as `job`; functions without a descriptor take it as an
+    /// argument. Null: defaults. Read during the call. A job waits for inputs that another job still makes; they need
+    /// not be listed here.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgJobOptions
     {
+        public uint struct_size;
         /// <summary>
         /// Ready jobs of higher priority run first; equals run in order of submission. Default FlgPriority.Normal.
         /// </summary>
         public FlgPriority priority;
+        /// <summary>
+        /// Nonzero: the complete part of a result can be viewed before the job finishes (flgCurveSetGetView then shows
+        /// the leading finished curves). Default 0.
+        /// </summary>
+        public uint partial_results;
         /// <summary>
         /// Further jobs to wait for. If one fails, this job fails with FlgResult.ErrorDependency. Copied.
         /// </summary>
         public uint dependency_count;
         public FlgJob* dependencies;
         /// <summary>
-        /// A FlgJobOptionsOnFinished, by Marshal.GetFunctionPointerForDelegate. Called once, inside flgTick, when the
-        /// job is published, whatever its result. It may call any function of this header on the context except
-        /// flgTick, flgContextWait and flgContextDestroy. It must not throw. `job` is null if no handle was requested.
-        /// Null: none.
+        /// A FlgJobOptionsOnFinished, by Marshal.GetFunctionPointerForDelegate. Called once, inside flgContextTick,
+        /// when the job is published, whatever its result. It may call any function of this header on the context
+        /// except flgContextTick, flgContextWait and flgContextDestroy. It must not throw. `job` is null if no handle
+        /// was requested. Null: none.
         /// </summary>
         public IntPtr on_finished;
         public void* user_data;
-        /// <summary>
-        /// Nonzero: the complete part of a result can be viewed before the job finishes (flgCurveSetGetView then shows
-        /// the leading finished curves). Default 0.
-        /// </summary>
-        public uint partial_results;
-        public uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -285,14 +295,16 @@ namespace Filigree
         /// <summary>1 to 16, each attribute at most once</summary>
         public uint column_count;
         public uint reserved;
+        /// <summary>metres: what positions are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgResampleDesc
+    public unsafe partial struct FlgCurveSetResampleDesc
     {
         public uint struct_size;
         public uint reserved;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgCurveSet curves;
         /// <summary>
         /// Desired distance between neighbouring points along the curve, metres, &gt; 0. Each curve gets the nearest
@@ -345,7 +357,7 @@ namespace Filigree
         /// enough that the curve turns by less than 7 degrees between points, and between 256 and 2048.
         /// </summary>
         public uint point_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>
         /// The example: 1 to 256 open curves of non-zero length. Their guides share the points by length, so that all
         /// have one spacing, and one patch graph leads from any to any other (Fig. 3). Curves too short for a patch are
@@ -410,7 +422,7 @@ namespace Filigree
         public float displacement_rms;
         /// <summary>E' of sec. 4.2, square metres, mean over the points</summary>
         public float matching_energy;
-        /// <summary>metres: what temperature 1 means, see FlgStylizeDesc</summary>
+        /// <summary>metres: what temperature 1 means, see FlgCurveSetStylizeDesc</summary>
         public float temperature_unit;
         /// <summary>of the guide flow; 0 with a guide given</summary>
         public uint flow_steps;
@@ -420,11 +432,11 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgStylizeDesc
+    public unsafe partial struct FlgCurveSetStylizeDesc
     {
         public uint struct_size;
-        public FlgStart start;
-        public FlgJobOptions job;
+        public FlgStyleStart start;
+        public FlgJobOptions* job;
         public FlgStyle style;
         /// <summary>
         /// The curves to stylize. Results keep their other columns, except the attributes the style has.
@@ -440,7 +452,7 @@ namespace Filigree
         /// copies long runs of the style, at 1 a dozen points at a time; at 10 and above it jumps nearly always. In
         /// units of FlgStyleInfo::temperature_unit (a tenth of the median distance between a patch and the one most
         /// like it), so it does not depend on the style's size. Displacements and attributes blend over p points
-        /// between runs (see flgStylize): this shrinks shorter runs, at high temperatures. Default 0.
+        /// between runs (see flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0.
         /// </summary>
         public float temperature;
         /// <summary>Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1.</summary>

@@ -25,7 +25,7 @@ namespace Filigree
 
         /// <summary>[any thread] The view's column of an attribute, null if there is none.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgColumn* flgMeshViewColumn(FlgMeshView* view, FlgAttribute attribute);
+        public static extern FlgColumn* flgMeshViewGetColumn(FlgMeshView* view, FlgAttribute attribute);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint struct_size);
@@ -34,7 +34,8 @@ namespace Filigree
         /// Starts a job that makes a manifold surface from any triangles; flgSurfaceGetReport reports its repairs. This
         /// call copies the arrays: about 10 ms for 2 million triangles. The job fails with
         /// FlgResult.ErrorInvalidArgument if an index is out of range, a position is not finite, or no triangle is
-        /// left. Cost: about 0.3 us a triangle.
+        /// left; also if the mesh lies so far from its origin that floats cannot hold its shape: if most edges are
+        /// shorter than 8 times the spacing of floats at their ends. Cost: about 0.3 us a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCreate(
@@ -46,8 +47,11 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCreateFromTriangles(
-            FlgContext context, float* positions, uint vertex_count, uint* triangles, uint triangle_count, FlgSurface*
-            out_surface, FlgJob* out_job);
+            FlgContext context, float* positions, uint vertex_count, uint* triangles, uint triangle_count,
+            FlgJobOptions* job, FlgSurface* out_surface, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSurfaceReportInit(FlgSurfaceReport* report, uint struct_size);
 
         /// <summary>
         /// The report of the job that made the surface; FlgResult.NotReady until it is published, the job's error if it
@@ -86,7 +90,7 @@ namespace Filigree
         public static extern FlgResult flgSurfaceRelease(FlgContext context, FlgSurface surface);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgRefineDescInit(FlgRefineDesc* desc, uint struct_size);
+        public static extern FlgResult flgSurfaceRefineDescInit(FlgSurfaceRefineDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes a finer surface: splits each triangle into four, `levels` times, and keeps regions
@@ -95,7 +99,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceRefine(
-            FlgContext context, FlgRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
+            FlgContext context, FlgSurfaceRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCurvesViewInit(FlgSurfaceCurvesView* view, uint struct_size);
@@ -112,19 +116,19 @@ namespace Filigree
         public static extern FlgResult flgSurfaceCurvesRelease(FlgContext context, FlgSurfaceCurves curves);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgLiftDescInit(FlgLiftDesc* desc, uint struct_size);
+        public static extern FlgResult flgSurfaceCurvesLiftDescInit(FlgSurfaceCurvesLiftDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that lifts surface curves into space, with POSITION and, from the surface's smooth normals,
-        /// NORMAL: flgStylize with FlgFrameMethod.Supplied then decorates them in the surface's frame. Fails if there
-        /// are no curves. Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a point.
+        /// NORMAL: flgCurveSetStylize with FlgFrameMethod.Supplied then decorates them in the surface's frame. Fails if
+        /// there are no curves. Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgLiftCurves(
-            FlgContext context, FlgLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+        public static extern FlgResult flgSurfaceCurvesLift(
+            FlgContext context, FlgSurfaceCurvesLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgGeodesicDescInit(FlgGeodesicDesc* desc, uint struct_size);
+        public static extern FlgResult flgFieldGeodesicDescInit(FlgFieldGeodesicDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that computes distances along the surface from the nearest source to every vertex. It unfolds
@@ -135,8 +139,8 @@ namespace Filigree
         /// building that data.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgGeodesic(
-            FlgContext context, FlgGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job);
+        public static extern FlgResult flgFieldCreateGeodesic(
+            FlgContext context, FlgFieldGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldViewInit(FlgFieldView* view, uint struct_size);
@@ -160,7 +164,7 @@ namespace Filigree
         public static extern FlgResult flgFieldRelease(FlgContext context, FlgField field);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgBlendDescInit(FlgBlendDesc* desc, uint struct_size);
+        public static extern FlgResult flgFieldBlendDescInit(FlgFieldBlendDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that blends two distance fields of one surface: from / (from + to), sec. 3.2. 0.5 where both
@@ -168,10 +172,10 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldBlend(
-            FlgContext context, FlgBlendDesc* desc, FlgField* out_field, FlgJob* out_job);
+            FlgContext context, FlgFieldBlendDesc* desc, FlgField* out_field, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSamplingDescInit(FlgSamplingDesc* desc, uint struct_size);
+        public static extern FlgResult flgSurfaceSampleDescInit(FlgSurfaceSampleDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that spreads points over the surface, each as far as possible from those before it:
@@ -181,21 +185,22 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceSample(
-            FlgContext context, FlgSamplingDesc* desc, FlgField* out_field, FlgJob* out_job);
+            FlgContext context, FlgSurfaceSampleDesc* desc, FlgField* out_field, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgBorderSamplingDescInit(FlgBorderSamplingDesc* desc, uint struct_size);
+        public static extern FlgResult flgSurfaceSampleBordersDescInit(
+            FlgSurfaceSampleBordersDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that places points evenly along the borders of a region: one closed curve per border. Such a
         /// curve is not straight in triangles between its points and cannot be cut in. Cost: about 8 ns a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgBorderSample(
-            FlgContext context, FlgBorderSamplingDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+        public static extern FlgResult flgSurfaceSampleBorders(
+            FlgContext context, FlgSurfaceSampleBordersDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgIsolinesDescInit(FlgIsolinesDesc* desc, uint struct_size);
+        public static extern FlgResult flgFieldTraceIsolinesDescInit(FlgFieldTraceIsolinesDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that traces isolines: closed ones, and open ones from border to border. Higher values lie to
@@ -203,11 +208,11 @@ namespace Filigree
         /// curve_values are their levels. Cost: about 9 ns a triangle and 0.2 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTraceIsolines(
-            FlgContext context, FlgIsolinesDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+        public static extern FlgResult flgFieldTraceIsolines(
+            FlgContext context, FlgFieldTraceIsolinesDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgStreamsDescInit(FlgStreamsDesc* desc, uint struct_size);
+        public static extern FlgResult flgFieldTraceStreamsDescInit(FlgFieldTraceStreamsDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that traces integral curves of a field's gradient. The field rises (falls) strictly along them.
@@ -215,11 +220,11 @@ namespace Filigree
         /// curve. Cost: about 0.25 us a point.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTraceStreams(
-            FlgContext context, FlgStreamsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+        public static extern FlgResult flgFieldTraceStreams(
+            FlgContext context, FlgFieldTraceStreamsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgPathsDescInit(FlgPathsDesc* desc, uint struct_size);
+        public static extern FlgResult flgFieldTracePathsDescInit(FlgFieldTracePathsDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that joins points by locally shortest paths: straight across edges, and at vertices no shorter
@@ -227,11 +232,11 @@ namespace Filigree
         /// field for each two points, up to where they meet, and its copy.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTracePaths(
-            FlgContext context, FlgPathsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+        public static extern FlgResult flgFieldTracePaths(
+            FlgContext context, FlgFieldTracePathsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCutIsolinesDescInit(FlgCutIsolinesDesc* desc, uint struct_size);
+        public static extern FlgResult flgSurfaceCutIsolinesDescInit(FlgSurfaceCutIsolinesDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that cuts a surface along isolines, all levels in one pass: they become chains of edges.
@@ -241,20 +246,28 @@ namespace Filigree
         /// us a triangle cut.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCutIsolines(
-            FlgContext context, FlgCutIsolinesDesc* desc, FlgField* out_field, FlgJob* out_job);
+        public static extern FlgResult flgSurfaceCutIsolines(
+            FlgContext context, FlgSurfaceCutIsolinesDesc* desc, FlgField* out_field, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCutCurvesDescInit(FlgCutCurvesDesc* desc, uint struct_size);
+        public static extern FlgResult flgSurfaceCutCurvesDescInit(FlgSurfaceCutCurvesDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that cuts a surface along curves, which may cross, touch, and end anywhere. The job first works
         /// out how to divide triangles, which takes longest; until then the surface does not change and the job can be
-        /// cancelled. Cost: as flgCutIsolines; n curves that cross each other in one triangle take about n * n us
-        /// there.
+        /// cancelled. Cost: as flgSurfaceCutIsolines; n curves that cross each other in one triangle take about n * n
+        /// us there.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCutCurves(FlgContext context, FlgCutCurvesDesc* desc, FlgJob* out_job);
+        public static extern FlgResult flgSurfaceCutCurves(
+            FlgContext context, FlgSurfaceCutCurvesDesc* desc, FlgJob* out_job);
+
+        public static FlgSurfaceReport flgSurfaceReportDefaults()
+        {
+            FlgSurfaceReport made;
+            flgSurfaceReportInit(&made, (uint)sizeof(FlgSurfaceReport));
+            return made;
+        }
 
         public static FlgMeshView flgMeshViewDefaults()
         {
@@ -277,10 +290,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgRefineDesc flgRefineDefaults()
+        public static FlgSurfaceRefineDesc flgSurfaceRefineDefaults()
         {
-            FlgRefineDesc made;
-            flgRefineDescInit(&made, (uint)sizeof(FlgRefineDesc));
+            FlgSurfaceRefineDesc made;
+            flgSurfaceRefineDescInit(&made, (uint)sizeof(FlgSurfaceRefineDesc));
             return made;
         }
 
@@ -291,17 +304,17 @@ namespace Filigree
             return made;
         }
 
-        public static FlgLiftDesc flgLiftDefaults()
+        public static FlgSurfaceCurvesLiftDesc flgSurfaceCurvesLiftDefaults()
         {
-            FlgLiftDesc made;
-            flgLiftDescInit(&made, (uint)sizeof(FlgLiftDesc));
+            FlgSurfaceCurvesLiftDesc made;
+            flgSurfaceCurvesLiftDescInit(&made, (uint)sizeof(FlgSurfaceCurvesLiftDesc));
             return made;
         }
 
-        public static FlgGeodesicDesc flgGeodesicDefaults()
+        public static FlgFieldGeodesicDesc flgFieldGeodesicDefaults()
         {
-            FlgGeodesicDesc made;
-            flgGeodesicDescInit(&made, (uint)sizeof(FlgGeodesicDesc));
+            FlgFieldGeodesicDesc made;
+            flgFieldGeodesicDescInit(&made, (uint)sizeof(FlgFieldGeodesicDesc));
             return made;
         }
 
@@ -312,59 +325,59 @@ namespace Filigree
             return made;
         }
 
-        public static FlgBlendDesc flgBlendDefaults()
+        public static FlgFieldBlendDesc flgFieldBlendDefaults()
         {
-            FlgBlendDesc made;
-            flgBlendDescInit(&made, (uint)sizeof(FlgBlendDesc));
+            FlgFieldBlendDesc made;
+            flgFieldBlendDescInit(&made, (uint)sizeof(FlgFieldBlendDesc));
             return made;
         }
 
-        public static FlgSamplingDesc flgSamplingDefaults()
+        public static FlgSurfaceSampleDesc flgSurfaceSampleDefaults()
         {
-            FlgSamplingDesc made;
-            flgSamplingDescInit(&made, (uint)sizeof(FlgSamplingDesc));
+            FlgSurfaceSampleDesc made;
+            flgSurfaceSampleDescInit(&made, (uint)sizeof(FlgSurfaceSampleDesc));
             return made;
         }
 
-        public static FlgBorderSamplingDesc flgBorderSamplingDefaults()
+        public static FlgSurfaceSampleBordersDesc flgSurfaceSampleBordersDefaults()
         {
-            FlgBorderSamplingDesc made;
-            flgBorderSamplingDescInit(&made, (uint)sizeof(FlgBorderSamplingDesc));
+            FlgSurfaceSampleBordersDesc made;
+            flgSurfaceSampleBordersDescInit(&made, (uint)sizeof(FlgSurfaceSampleBordersDesc));
             return made;
         }
 
-        public static FlgIsolinesDesc flgIsolinesDefaults()
+        public static FlgFieldTraceIsolinesDesc flgFieldTraceIsolinesDefaults()
         {
-            FlgIsolinesDesc made;
-            flgIsolinesDescInit(&made, (uint)sizeof(FlgIsolinesDesc));
+            FlgFieldTraceIsolinesDesc made;
+            flgFieldTraceIsolinesDescInit(&made, (uint)sizeof(FlgFieldTraceIsolinesDesc));
             return made;
         }
 
-        public static FlgStreamsDesc flgStreamsDefaults()
+        public static FlgFieldTraceStreamsDesc flgFieldTraceStreamsDefaults()
         {
-            FlgStreamsDesc made;
-            flgStreamsDescInit(&made, (uint)sizeof(FlgStreamsDesc));
+            FlgFieldTraceStreamsDesc made;
+            flgFieldTraceStreamsDescInit(&made, (uint)sizeof(FlgFieldTraceStreamsDesc));
             return made;
         }
 
-        public static FlgPathsDesc flgPathsDefaults()
+        public static FlgFieldTracePathsDesc flgFieldTracePathsDefaults()
         {
-            FlgPathsDesc made;
-            flgPathsDescInit(&made, (uint)sizeof(FlgPathsDesc));
+            FlgFieldTracePathsDesc made;
+            flgFieldTracePathsDescInit(&made, (uint)sizeof(FlgFieldTracePathsDesc));
             return made;
         }
 
-        public static FlgCutIsolinesDesc flgCutIsolinesDefaults()
+        public static FlgSurfaceCutIsolinesDesc flgSurfaceCutIsolinesDefaults()
         {
-            FlgCutIsolinesDesc made;
-            flgCutIsolinesDescInit(&made, (uint)sizeof(FlgCutIsolinesDesc));
+            FlgSurfaceCutIsolinesDesc made;
+            flgSurfaceCutIsolinesDescInit(&made, (uint)sizeof(FlgSurfaceCutIsolinesDesc));
             return made;
         }
 
-        public static FlgCutCurvesDesc flgCutCurvesDefaults()
+        public static FlgSurfaceCutCurvesDesc flgSurfaceCutCurvesDefaults()
         {
-            FlgCutCurvesDesc made;
-            flgCutCurvesDescInit(&made, (uint)sizeof(FlgCutCurvesDesc));
+            FlgSurfaceCutCurvesDesc made;
+            flgSurfaceCutCurvesDescInit(&made, (uint)sizeof(FlgSurfaceCutCurvesDesc));
             return made;
         }
     }

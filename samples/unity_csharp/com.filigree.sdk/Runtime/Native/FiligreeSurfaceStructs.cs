@@ -24,6 +24,8 @@ namespace Filigree
         public uint* triangles;
         /// <summary>one label per triangle; null: all 0</summary>
         public uint* regions;
+        /// <summary>metres: what positions are relative to. Default 0</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -35,8 +37,9 @@ namespace Filigree
         /// bit. Below 0: none. Default 0.
         /// </summary>
         public float weld_distance;
-        public FlgJobOptions job;
-        public FlgMeshView mesh;
+        public FlgJobOptions* job;
+        /// <summary>copied</summary>
+        public FlgMeshView* mesh;
     }
 
     /// <summary>Defects found in the input, their repairs, and properties of the surface.</summary>
@@ -76,9 +79,9 @@ namespace Filigree
         public long euler_number;
         /// <summary>square metres</summary>
         public double area;
-        /// <summary>of the positions, metres</summary>
+        /// <summary>of the positions, metres, relative to `origin`</summary>
         public fixed float box_min[3];
-        /// <summary>of the positions, metres</summary>
+        /// <summary>of the positions, metres, relative to `origin`</summary>
         public fixed float box_max[3];
         /// <summary>
         /// one per input vertex: its index in the surface, FLG_NO_INDEX if dropped (for a split vertex, that of its
@@ -87,6 +90,8 @@ namespace Filigree
         public uint* vertex_of_input;
         public uint input_vertex_count;
         public uint reserved;
+        /// <summary>the input mesh's</summary>
+        public fixed double origin[3];
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -95,18 +100,19 @@ namespace Filigree
         public uint struct_size;
         /// <summary>changes so far</summary>
         public uint revision;
-        public FlgMeshView mesh;
+        /// <summary>never null; lives as long as its arrays</summary>
+        public FlgMeshView* mesh;
         /// <summary>3 per triangle: across the edges from corner k to corner k + 1; FLG_NO_INDEX at a border</summary>
         public uint* neighbours;
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgRefineDesc
+    public unsafe partial struct FlgSurfaceRefineDesc
     {
         public uint struct_size;
         /// <summary>default FlgSubdivision.Midpoint</summary>
         public FlgSubdivision scheme;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>1 to 8; default 1</summary>
         public uint levels;
@@ -147,22 +153,22 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgLiftDesc
+    public unsafe partial struct FlgSurfaceCurvesLiftDesc
     {
         public uint struct_size;
         /// <summary>metres above the surface along its normal; any finite number, default 0</summary>
         public float height;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurfaceCurves curves;
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgGeodesicDesc
+    public unsafe partial struct FlgFieldGeodesicDesc
     {
         public uint struct_size;
         /// <summary>Nonzero: the field has labels, the indices of the nearest sources. Default 0.</summary>
         public uint labels;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>Sources: any combination of these, at least one. All arrays are copied.</summary>
         public uint* vertices;
@@ -218,11 +224,11 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgBlendDesc
+    public unsafe partial struct FlgFieldBlendDesc
     {
         public uint struct_size;
         public uint reserved;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>the blend is 0 there</summary>
         public FlgField from;
         /// <summary>the blend is 1 there</summary>
@@ -230,12 +236,12 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgSamplingDesc
+    public unsafe partial struct FlgSurfaceSampleDesc
     {
         public uint struct_size;
         /// <summary>maximum points; 0 (default): as many as fit</summary>
         public uint max_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>minimum distance between points along the surface, metres, &gt; 0</summary>
         public float radius;
@@ -247,62 +253,56 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgBorderSamplingDesc
+    public unsafe partial struct FlgSurfaceSampleBordersDesc
     {
         public uint struct_size;
         /// <summary>
         /// desired distance along the border, metres, &gt; 0; each border gets a whole number of equal steps
         /// </summary>
         public float spacing;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>the region with the borders, including surface borders</summary>
         public uint region;
         public uint reserved;
     }
 
-    /// <summary>Levels of a field: either `values`, or first + k * every for k = 0 to count - 1.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgLevels
-    {
-        /// <summary>ascending, at most 65534; null: evenly spaced levels</summary>
-        public float* values;
-        /// <summary>
-        /// 0 with every &gt; 0: as many as the field has, starting at the first k not below its smallest value; at most
-        /// 65534
-        /// </summary>
-        public uint count;
-        /// <summary>used without `values`; `every` &gt; 0</summary>
-        public float first;
-        /// <summary>used without `values`; `every` &gt; 0</summary>
-        public float every;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgIsolinesDesc
+    public unsafe partial struct FlgFieldTraceIsolinesDesc
     {
         public uint struct_size;
         public uint region_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgField field;
         /// <summary>labels; null: the whole surface</summary>
         public uint* regions;
-        public FlgLevels levels;
+        /// <summary>values of the field, ascending, copied; null: level_first + k * level_every</summary>
+        public float* levels;
+        /// <summary>
+        /// at most 65534; 0 without `levels`: as many as the field has, starting at the first k not below its smallest
+        /// value
+        /// </summary>
+        public uint level_count;
+        /// <summary>used without `levels`; level_every &gt; 0</summary>
+        public float level_first;
+        /// <summary>used without `levels`; level_every &gt; 0</summary>
+        public float level_every;
+        public uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgStreamsDesc
+    public unsafe partial struct FlgFieldTraceStreamsDesc
     {
         public uint struct_size;
         /// <summary>nonzero: against the gradient. Default 0</summary>
         public uint downhill;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgField field;
         /// <summary>one curve each; copied</summary>
         public FlgSurfacePoint* starts;
         public uint start_count;
         public uint region_count;
-        /// <summary>further starts: the points of flgBorderSample, whose job may still run</summary>
+        /// <summary>further starts: the points of flgSurfaceSampleBorders, whose job may still run</summary>
         public FlgSurfaceCurves border_samples;
         /// <summary>the curves end where these regions end</summary>
         public uint* regions;
@@ -312,12 +312,12 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgPathsDesc
+    public unsafe partial struct FlgFieldTracePathsDesc
     {
         public uint struct_size;
         /// <summary>nonzero: each path's last point joins its first. Default 0</summary>
         public uint closed;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgSurface surface;
         /// <summary>the points of all paths, copied</summary>
         public FlgSurfacePoint* points;
@@ -330,26 +330,31 @@ namespace Filigree
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgCutIsolinesDesc
+    public unsafe partial struct FlgSurfaceCutIsolinesDesc
     {
         public uint struct_size;
         public uint region_count;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>its surface is cut</summary>
         public FlgField field;
         /// <summary>labels; null: the whole surface</summary>
         public uint* regions;
-        public FlgLevels levels;
+        /// <summary>as in FlgFieldTraceIsolinesDesc, but at most 256 levels</summary>
+        public float* levels;
+        public uint level_count;
+        /// <summary>likewise</summary>
+        public float level_first;
+        /// <summary>likewise</summary>
+        public float level_every;
         /// <summary>
         /// Triangles of regions[i] above k of n levels get the label first_label + i * (n + 1) + k; with `regions` null
-        /// all get first_label + k. Default FLG_NO_INDEX: labels do not change. At most 256 levels.
+        /// all get first_label + k. Default FLG_NO_INDEX: labels do not change.
         /// </summary>
         public uint first_label;
-        public uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgCutCurvesDesc
+    public unsafe partial struct FlgSurfaceCutCurvesDesc
     {
         public uint struct_size;
         /// <summary>
@@ -357,7 +362,7 @@ namespace Filigree
         /// other regions keep their labels. Default FLG_NO_INDEX: labels do not change.
         /// </summary>
         public uint first_label;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         /// <summary>their surface is cut</summary>
         public FlgSurfaceCurves curves;
     }

@@ -34,11 +34,14 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleCreate(
-            FlgContext context, FlgSurface surface, FlgTangle* out_tangle, FlgJob* out_job);
+            FlgContext context, FlgSurface surface, FlgJobOptions* job, FlgTangle* out_tangle, FlgJob* out_job);
 
         /// <summary>Releases the handle; the surface does not change.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleSeedsInit(FlgTangleSeeds* seeds, uint struct_size);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint struct_size);
@@ -47,14 +50,15 @@ namespace Filigree
         /// Starts a job that divides regions by an operator. If it leaves them whole (delta beyond the field, no room
         /// for samples, a line that does not separate), the step changes nothing. Fails if a region does not exist, if
         /// requested borders do not exist, if streams have no line to start on, or above FLG_REGION_MAX regions. Cost:
-        /// a field (40 ns a triangle of the regions; with b two, with samples two more), the cut (flgCutIsolines), and
-        /// several passes over the surface (2 million triangles: 40 to 60 ms, however small the regions).
+        /// a field (40 ns a triangle of the regions; with b two, with samples two more), the cut
+        /// (flgSurfaceCutIsolines), and several passes over the surface (2 million triangles: 40 to 60 ms, however
+        /// small the regions).
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDivide(FlgContext context, FlgTangleDivideDesc* desc, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleMacroDescInit(FlgTangleMacroDesc* desc, uint struct_size);
+        public static extern FlgResult flgTangleApplyMacroDescInit(FlgTangleApplyMacroDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that applies a macro as one step, undone as a whole. Parts are grouped as by
@@ -63,7 +67,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleApplyMacro(
-            FlgContext context, FlgTangleMacroDesc* desc, FlgJob* out_job);
+            FlgContext context, FlgTangleApplyMacroDesc* desc, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint struct_size);
@@ -82,7 +86,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGroup(
-            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJob* out_job);
+            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJobOptions* job, FlgJob* out_job);
 
         /// <summary>
         /// Starts a job that gives each region of the group its own new group, as a step. Fails if there is no such
@@ -90,7 +94,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleUngroup(
-            FlgContext context, FlgTangle tangle, uint group, FlgJob* out_job);
+            FlgContext context, FlgTangle tangle, uint group, FlgJobOptions* job, FlgJob* out_job);
 
         /// <summary>
         /// Starts a job that joins the leaves of these regions into one region, with their lowest identifier, as a
@@ -98,31 +102,42 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleJoin(
-            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJob* out_job);
+            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJobOptions* job, FlgJob* out_job);
 
         /// <summary>
         /// Starts a job that returns the visible borders as curves on the surface, chains of its edges. Lift them into
-        /// space (flgLiftCurves), stylize them, or draw them as ribbons and tubes. Open curves, from junction to
+        /// space (flgSurfaceCurvesLift), stylize them, or draw them as ribbons and tubes. Open curves, from junction to
         /// junction, come first, then closed ones; curve_values are lengths. There are none if all looks are the same.
         /// Cost: about 30 ns a triangle.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleBorders(
-            FlgContext context, FlgTangle tangle, FlgSurfaceCurves* out_curves, FlgJob* out_job);
+        public static extern FlgResult flgTangleTraceBorders(
+            FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
         /// <summary>
         /// Starts a job that undoes the last step; fails if there is none. (A failed job makes no step.) Cost: that of
         /// what the step changed.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleUndo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
+        public static extern FlgResult flgTangleUndo(
+            FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgJob* out_job);
 
         /// <summary>
         /// Starts a job that redoes the last undone step. A new step discards undone steps. Cost: that of what the step
         /// changes.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleRedo(FlgContext context, FlgTangle tangle, FlgJob* out_job);
+        public static extern FlgResult flgTangleRedo(
+            FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleSeedPlacesInit(FlgTangleSeedPlaces* places, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleStepInit(FlgTangleStep* step, uint struct_size);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleHistoryInit(FlgTangleHistory* history, uint struct_size);
 
         /// <summary>
         /// The arrays live until a job that changes the tangle is started, the function is called again for it, or the
@@ -145,7 +160,10 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleReplay(
-            FlgContext context, FlgTangle tangle, FlgTangleHistory* history, FlgJob* out_job);
+            FlgContext context, FlgTangle tangle, FlgTangleHistory* history, FlgJobOptions* job, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleInfoInit(FlgTangleInfo* info, uint struct_size);
 
         /// <summary>
         /// FlgResult.NotReady until a job that changes the tangle is published; the surface's error if that failed.
@@ -154,10 +172,55 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGetInfo(FlgContext context, FlgTangle tangle, FlgTangleInfo* out_info);
 
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleRegionInit(FlgTangleRegion* region, uint struct_size);
+
         /// <summary>FlgResult.NotReady while the info is not ready. Cost: tens of nanoseconds.</summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGetRegion(
             FlgContext context, FlgTangle tangle, uint region, FlgTangleRegion* out_region);
+
+        public static FlgTangleSeedPlaces flgTangleSeedPlacesDefaults()
+        {
+            FlgTangleSeedPlaces made;
+            flgTangleSeedPlacesInit(&made, (uint)sizeof(FlgTangleSeedPlaces));
+            return made;
+        }
+
+        public static FlgTangleStep flgTangleStepDefaults()
+        {
+            FlgTangleStep made;
+            flgTangleStepInit(&made, (uint)sizeof(FlgTangleStep));
+            return made;
+        }
+
+        public static FlgTangleHistory flgTangleHistoryDefaults()
+        {
+            FlgTangleHistory made;
+            flgTangleHistoryInit(&made, (uint)sizeof(FlgTangleHistory));
+            return made;
+        }
+
+        public static FlgTangleRegion flgTangleRegionDefaults()
+        {
+            FlgTangleRegion made;
+            flgTangleRegionInit(&made, (uint)sizeof(FlgTangleRegion));
+            return made;
+        }
+
+        public static FlgTangleInfo flgTangleInfoDefaults()
+        {
+            FlgTangleInfo made;
+            flgTangleInfoInit(&made, (uint)sizeof(FlgTangleInfo));
+            return made;
+        }
+
+        public static FlgTangleSeeds flgTangleSeedsDefaults()
+        {
+            FlgTangleSeeds made;
+            flgTangleSeedsInit(&made, (uint)sizeof(FlgTangleSeeds));
+            return made;
+        }
 
         public static FlgTangleDivideDesc flgTangleDivideDefaults()
         {
@@ -166,10 +229,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgTangleMacroDesc flgTangleMacroDefaults()
+        public static FlgTangleApplyMacroDesc flgTangleApplyMacroDefaults()
         {
-            FlgTangleMacroDesc made;
-            flgTangleMacroDescInit(&made, (uint)sizeof(FlgTangleMacroDesc));
+            FlgTangleApplyMacroDesc made;
+            flgTangleApplyMacroDescInit(&made, (uint)sizeof(FlgTangleApplyMacroDesc));
             return made;
         }
 

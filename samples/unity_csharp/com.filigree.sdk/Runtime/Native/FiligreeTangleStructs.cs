@@ -8,8 +8,8 @@ namespace Filigree
 {
     /// <summary>
     /// Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders.
-    /// They are ordered by their least edges, as flgBorderSample gives them. `begin` and `end` are fractions of the
-    /// loop's length from its first vertex.
+    /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of
+    /// the loop's length from its first vertex.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBorderStretch
@@ -28,6 +28,7 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleSeeds
     {
+        public uint struct_size;
         public FlgTangleBorders borders;
         public uint stretch_count;
         /// <summary>parts of the outer borders</summary>
@@ -46,7 +47,6 @@ namespace Filigree
         /// <summary>regions that supply the borders and samples; null: the operator's</summary>
         public uint* regions;
         public uint region_count;
-        public uint reserved;
     }
 
     /// <summary>
@@ -60,7 +60,7 @@ namespace Filigree
         public uint struct_size;
         /// <summary>default FlgTangleOperator.Contour</summary>
         public FlgTangleOperator kind;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgTangle tangle;
         /// <summary>divided together, as one piece; copied</summary>
         public uint* regions;
@@ -70,10 +70,10 @@ namespace Filigree
         /// Maximum isolines, at delta, 2 delta, ...: up to 256; 0: as many as the field has. Default 1.
         /// </summary>
         public uint count;
-        /// <summary>with b, the field is blended: 0 at a and 1 at b; b is empty by default</summary>
-        public FlgTangleSeeds a;
-        /// <summary>with b, the field is blended: 0 at a and 1 at b; b is empty by default</summary>
-        public FlgTangleSeeds b;
+        /// <summary>where the operator starts</summary>
+        public FlgTangleSeeds* a;
+        /// <summary>the field is blended: 0 at a and 1 at b; null: it is not</summary>
+        public FlgTangleSeeds* b;
         /// <summary>
         /// &gt; 0. Contours: metres, or a fraction below 1 of the blend. Streams: metres along a. Default 0.1
         /// </summary>
@@ -97,12 +97,12 @@ namespace Filigree
 
     /// <summary>Common combinations of operators, sec. 3.4 and Fig. 13.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct FlgTangleMacroDesc
+    public unsafe partial struct FlgTangleApplyMacroDesc
     {
         public uint struct_size;
         /// <summary>default FlgTangleMacro.Sunburst</summary>
         public FlgTangleMacro kind;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgTangle tangle;
         /// <summary>as for an operator; copied</summary>
         public uint* regions;
@@ -133,7 +133,7 @@ namespace Filigree
         public uint struct_size;
         /// <summary>metres, any finite number; default 0.1</summary>
         public float amount;
-        public FlgJobOptions job;
+        public FlgJobOptions* job;
         public FlgTangle tangle;
         /// <summary>their leaves are displaced; copied</summary>
         public uint* regions;
@@ -154,21 +154,21 @@ namespace Filigree
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleSeedPlaces
     {
+        public uint struct_size;
         /// <summary>the seeds' points, all or none</summary>
         public uint point_count;
         /// <summary>first vertices of the outer borders, in order; 0: no borders were requested</summary>
         public uint loop_count;
         /// <summary>the samples, in the order chosen</summary>
         public uint sample_count;
-        public uint reserved;
         /// <summary>3 per point</summary>
         public float* points;
         /// <summary>3 per loop</summary>
         public float* loops;
         /// <summary>3 per sample</summary>
         public float* samples;
-        /// <summary>the seeds' lines, in place of a handle; no curves: none</summary>
-        public FlgSurfaceCurvesView curves;
+        /// <summary>the seeds' lines, in place of a handle; null: none</summary>
+        public FlgSurfaceCurvesView* curves;
         /// <summary>3 for each of the curves' points; null: none</summary>
         public float* curve_points;
     }
@@ -182,7 +182,7 @@ namespace Filigree
         /// <summary>for FlgTangleStepKind.Divide; its handles and job options are null</summary>
         public FlgTangleDivideDesc* divide;
         /// <summary>for FlgTangleStepKind.Macro, likewise</summary>
-        public FlgTangleMacroDesc* macro;
+        public FlgTangleApplyMacroDesc* macro;
         /// <summary>for FlgTangleStepKind.Displace, likewise</summary>
         public FlgTangleDisplaceDesc* displace;
         /// <summary>grouped or joined</summary>
@@ -191,7 +191,7 @@ namespace Filigree
         /// <summary>the group that was ungrouped</summary>
         public uint group;
         /// <summary>For the operator's a and b, or for each of the macro's operators. Null and 0: unknown.</summary>
-        public FlgTangleSeedPlaces* places;
+        public FlgTangleSeedPlaces** places;
         public uint place_count;
         /// <summary>
         /// The regions it made have identifiers from first_region on; `made` has a point inside each: x, y, z in
@@ -220,12 +220,18 @@ namespace Filigree
         public uint made_count;
         public uint reserved;
         /// <summary>oldest first</summary>
-        public FlgTangleStep* steps;
+        public FlgTangleStep** steps;
         /// <summary>identifies the mesh: from the tangle's initial positions and triangles, to the bit</summary>
         public ulong @base;
-        /// <summary>box of those positions</summary>
+        /// <summary>
+        /// box of those positions, relative to the surface's origin, as all positions are: a history does not depend on
+        /// where its mesh is
+        /// </summary>
         public fixed float box_min[3];
-        /// <summary>box of those positions</summary>
+        /// <summary>
+        /// box of those positions, relative to the surface's origin, as all positions are: a history does not depend on
+        /// where its mesh is
+        /// </summary>
         public fixed float box_max[3];
     }
 

@@ -21,17 +21,19 @@ namespace Filigree
     public enum FlgTangleOperator
     {
         /// <summary>
-        /// FLG_TANGLE_CONTOUR: cuts along isolines of the field of a, or of the blend between a and b
+        /// FLG_TANGLE_OPERATOR_CONTOUR: cuts along isolines of the field of a, or of the blend between a and b
         /// </summary>
         Contour = 0,
         /// <summary>
-        /// FLG_TANGLE_STREAM: cuts along integral curves that start evenly spaced on a, which must be lines or borders
+        /// FLG_TANGLE_OPERATOR_STREAM: cuts along integral curves that start evenly spaced on a, which must be lines or
+        /// borders
         /// </summary>
         Stream = 1,
-        /// <summary>FLG_TANGLE_VORONOI: cells of the points and samples of a</summary>
+        /// <summary>FLG_TANGLE_OPERATOR_VORONOI: cells of the points and samples of a</summary>
         Voronoi = 2,
         /// <summary>
-        /// FLG_TANGLE_POLYLINE: cuts along shortest paths between consecutive points of a, and along its curves
+        /// FLG_TANGLE_OPERATOR_POLYLINE: cuts along shortest paths between consecutive points of a, and along its
+        /// curves
         /// </summary>
         Polyline = 3,
     }
@@ -39,54 +41,58 @@ namespace Filigree
     /// <summary>How an operator groups the regions it makes.</summary>
     public enum FlgTangleGrouping
     {
-        /// <summary>FLG_TANGLE_GROUP_TWO: foreground (even parts) and background (odd parts)</summary>
+        /// <summary>FLG_TANGLE_GROUPING_TWO: foreground (even parts) and background (odd parts)</summary>
         Two = 0,
-        /// <summary>FLG_TANGLE_GROUP_ONE: all in one group</summary>
+        /// <summary>FLG_TANGLE_GROUPING_ONE: all in one group</summary>
         One = 1,
-        /// <summary>FLG_TANGLE_GROUP_EACH: each region in its own group</summary>
+        /// <summary>FLG_TANGLE_GROUPING_EACH: each region in its own group</summary>
         Each = 2,
-        /// <summary>FLG_TANGLE_GROUP_CYCLE: by part modulo `cycle`</summary>
+        /// <summary>FLG_TANGLE_GROUPING_CYCLE: by part modulo `cycle`</summary>
         Cycle = 3,
     }
 
     /// <summary>Common combinations of operators.</summary>
     public enum FlgTangleMacro
     {
-        /// <summary>FLG_TANGLE_SUNBURST: strips from the first border to the others: a stream of the blend</summary>
+        /// <summary>
+        /// FLG_TANGLE_MACRO_SUNBURST: strips from the first border to the others: a stream of the blend
+        /// </summary>
         Sunburst = 0,
-        /// <summary>FLG_TANGLE_POLKA_DOTS: discs around samples: a contour</summary>
+        /// <summary>FLG_TANGLE_MACRO_POLKA_DOTS: discs around samples: a contour</summary>
         PolkaDots = 1,
-        /// <summary>FLG_TANGLE_FRAMES: bands along the outer borders: contours</summary>
+        /// <summary>FLG_TANGLE_MACRO_FRAMES: bands along the outer borders: contours</summary>
         Frames = 2,
-        /// <summary>FLG_TANGLE_FLOWER: petals between the outer borders and samples: contours of the blend</summary>
+        /// <summary>
+        /// FLG_TANGLE_MACRO_FLOWER: petals between the outer borders and samples: contours of the blend
+        /// </summary>
         Flower = 3,
         /// <summary>
-        /// FLG_TANGLE_GRID: a chequerboard between the first border and the others: contours of the blend, then a
+        /// FLG_TANGLE_MACRO_GRID: a chequerboard between the first border and the others: contours of the blend, then a
         /// stream
         /// </summary>
         Grid = 4,
-        /// <summary>FLG_TANGLE_OUTLINE: a band along every border: a contour</summary>
+        /// <summary>FLG_TANGLE_MACRO_OUTLINE: a band along every border: a contour</summary>
         Outline = 5,
-        /// <summary>FLG_TANGLE_LACE: scallops: a contour of points along the outer borders</summary>
+        /// <summary>FLG_TANGLE_MACRO_LACE: scallops: a contour of points along the outer borders</summary>
         Lace = 6,
-        /// <summary>FLG_TANGLE_CELLS: Voronoi cells of samples</summary>
+        /// <summary>FLG_TANGLE_MACRO_CELLS: Voronoi cells of samples</summary>
         Cells = 7,
     }
 
     /// <summary>The function that made a step.</summary>
     public enum FlgTangleStepKind
     {
-        /// <summary>FLG_TANGLE_STEP_DIVIDE: flgTangleDivide</summary>
+        /// <summary>FLG_TANGLE_STEP_KIND_DIVIDE: flgTangleDivide</summary>
         Divide = 0,
-        /// <summary>FLG_TANGLE_STEP_MACRO: flgTangleApplyMacro</summary>
+        /// <summary>FLG_TANGLE_STEP_KIND_MACRO: flgTangleApplyMacro</summary>
         Macro = 1,
-        /// <summary>FLG_TANGLE_STEP_DISPLACE: flgTangleDisplace</summary>
+        /// <summary>FLG_TANGLE_STEP_KIND_DISPLACE: flgTangleDisplace</summary>
         Displace = 2,
-        /// <summary>FLG_TANGLE_STEP_GROUP: flgTangleGroup</summary>
+        /// <summary>FLG_TANGLE_STEP_KIND_GROUP: flgTangleGroup</summary>
         Group = 3,
-        /// <summary>FLG_TANGLE_STEP_UNGROUP: flgTangleUngroup</summary>
+        /// <summary>FLG_TANGLE_STEP_KIND_UNGROUP: flgTangleUngroup</summary>
         Ungroup = 4,
-        /// <summary>FLG_TANGLE_STEP_JOIN: flgTangleJoin</summary>
+        /// <summary>FLG_TANGLE_STEP_KIND_JOIN: flgTangleJoin</summary>
         Join = 5,
     }
 

@@ -25,7 +25,7 @@ namespace Filigree
     {
         /// <summary>FLG_OK: done; from a function that starts a job: started</summary>
         Ok = 0,
-        /// <summary>FLG_NOT_READY: asked too early: flgTick has not published the job yet</summary>
+        /// <summary>FLG_NOT_READY: asked too early: flgContextTick has not published the job yet</summary>
         NotReady = 1,
         /// <summary>FLG_ERROR_INVALID_ARGUMENT: a null, a value out of range, unusable data</summary>
         ErrorInvalidArgument = -1,
@@ -52,11 +52,11 @@ namespace Filigree
     /// <summary>How much a message matters.</summary>
     public enum FlgLogLevel
     {
-        /// <summary>FLG_LOG_INFO: worth knowing</summary>
+        /// <summary>FLG_LOG_LEVEL_INFO: worth knowing</summary>
         Info = 0,
-        /// <summary>FLG_LOG_WARNING: unusual, but work continues</summary>
+        /// <summary>FLG_LOG_LEVEL_WARNING: unusual, but work continues</summary>
         Warning = 1,
-        /// <summary>FLG_LOG_ERROR: something failed</summary>
+        /// <summary>FLG_LOG_LEVEL_ERROR: something failed</summary>
         Error = 2,
     }
 
@@ -64,21 +64,21 @@ namespace Filigree
     public enum FlgPriority
     {
         /// <summary>FLG_PRIORITY_LOW: when nothing else is ready</summary>
-        Low = 0,
+        Low = -1,
         /// <summary>FLG_PRIORITY_NORMAL: the default</summary>
-        Normal = 1,
+        Normal = 0,
         /// <summary>FLG_PRIORITY_HIGH: before all others, such as results the user waits for</summary>
-        High = 2,
+        High = 1,
     }
 
-    /// <summary>Where a job is, as of the last flgTick.</summary>
+    /// <summary>Where a job is, as of the last flgContextTick.</summary>
     public enum FlgJobState
     {
-        /// <summary>FLG_JOB_WAITING: for its dependencies or its turn</summary>
+        /// <summary>FLG_JOB_STATE_WAITING: for its dependencies or its turn</summary>
         Waiting = 0,
-        /// <summary>FLG_JOB_RUNNING: begun, not published</summary>
+        /// <summary>FLG_JOB_STATE_RUNNING: begun, not published</summary>
         Running = 1,
-        /// <summary>FLG_JOB_FINISHED: published; `result` says how it ended</summary>
+        /// <summary>FLG_JOB_STATE_FINISHED: published; `result` says how it ended</summary>
         Finished = 2,
     }
 
@@ -133,19 +133,19 @@ namespace Filigree
     public enum FlgFrameMethod
     {
         /// <summary>
-        /// FLG_FRAME_ROTATION_MINIMIZING: double reflection (Wang et al. 2008); spreads the twist of closed curves
-        /// evenly. Defined everywhere
+        /// FLG_FRAME_METHOD_ROTATION_MINIMIZING: double reflection (Wang et al. 2008); spreads the twist of closed
+        /// curves evenly. Defined everywhere
         /// </summary>
         RotationMinimizing = 0,
         /// <summary>
-        /// FLG_FRAME_FRENET: principal normal; where the curvature vanishes, carried on from the last point where it
-        /// did not, around closed curves. Flips at inflections, as Frenet frames do
+        /// FLG_FRAME_METHOD_FRENET: principal normal; where the curvature vanishes, carried on from the last point
+        /// where it did not, around closed curves. Flips at inflections, as Frenet frames do
         /// </summary>
         Frenet = 1,
         /// <summary>
-        /// FLG_FRAME_SUPPLIED: the curves' NORMAL column, interpolated and made perpendicular to the tangent; where it
-        /// is parallel to the tangent or vanishes, carried on from the last point where it was not, around closed
-        /// curves. Without that column the job fails
+        /// FLG_FRAME_METHOD_SUPPLIED: the curves' NORMAL column, interpolated and made perpendicular to the tangent;
+        /// where it is parallel to the tangent or vanishes, carried on from the last point where it was not, around
+        /// closed curves. Without that column the job fails
         /// </summary>
         Supplied = 2,
     }
@@ -172,16 +172,18 @@ namespace Filigree
     }
 
     /// <summary>Where on the style a target curve begins.</summary>
-    public enum FlgStart
+    public enum FlgStyleStart
     {
-        /// <summary>FLG_START_AUTO: a lone target curve as FlgStart.Style, several as FlgStart.Random</summary>
+        /// <summary>
+        /// FLG_STYLE_START_AUTO: a lone target curve as FlgStyleStart.Style, several as FlgStyleStart.Random
+        /// </summary>
         Auto = 0,
         /// <summary>
-        /// FLG_START_STYLE: at the style's own start; the first run goes to its end: a target as long as the guide gets
-        /// the whole style once
+        /// FLG_STYLE_START_STYLE: at the style's own start; the first run goes to its end: a target as long as the
+        /// guide gets the whole style once
         /// </summary>
         Style = 1,
-        /// <summary>FLG_START_RANDOM: at a random point, chosen by seed and curve index</summary>
+        /// <summary>FLG_STYLE_START_RANDOM: at a random point, chosen by seed and curve index</summary>
         Random = 2,
     }
 
@@ -218,13 +220,14 @@ namespace Filigree
         public override int GetHashCode() => id.GetHashCode();
     }
 
-    /// <summary>
-    /// A context owns everything else. The only raw pointer in this interface: do not use it after flgContextDestroy.
-    /// </summary>
+    /// <summary>A context owns everything else. At most 1024 exist at a time in a process.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public partial struct FlgContext
+    public partial struct FlgContext : IEquatable<FlgContext>
     {
-        public IntPtr pointer;
-        public bool IsNull => pointer == IntPtr.Zero;
+        public ulong id;
+        public bool IsNull => id == 0;
+        public bool Equals(FlgContext other) => id == other.id;
+        public override bool Equals(object other) => other is FlgContext handle && Equals(handle);
+        public override int GetHashCode() => id.GetHashCode();
     }
 }

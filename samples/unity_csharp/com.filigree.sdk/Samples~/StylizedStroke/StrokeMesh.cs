@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tube that grows: a ring of vertices a point, in arrays that are made once. What is appended is uploaded, and
-// nothing else is, as points of a live stroke never move.
+// A tube that grows, in arrays that are made once. What is appended is uploaded, with the last ring before it, and
+// nothing else is: points of a live stroke never move.
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -19,10 +19,9 @@ namespace Filigree.Samples
         const MeshUpdateFlags Trusting = MeshUpdateFlags.DontValidateIndices | MeshUpdateFlags.DontRecalculateBounds |
             MeshUpdateFlags.DontResetBoneBounds;
 
-        readonly int sides;
-        readonly int maxPoints;
+        readonly BrushMesh brush;
         readonly Vertex[] vertices;
-        readonly float[] cosines, sines;
+        readonly uint[] indices;
         Bounds bounds;
 
         public Mesh Mesh { get; }
@@ -30,25 +29,20 @@ namespace Filigree.Samples
 
         public StrokeMesh(int maxPoints, int sides)
         {
-            this.sides = sides;
-            this.maxPoints = maxPoints;
+            FlgBrushMeshDesc desc = Native.flgBrushMeshDefaults();
+            desc.sides = (uint)sides;
+            desc.join = FlgBrushJoin.Narrow; // a ring a point
+            desc.start_cap = desc.end_cap = FlgBrushCap.None;
+            brush = new BrushMesh(desc);
             vertices = new Vertex[maxPoints * sides];
-            cosines = new float[sides];
-            sines = new float[sides];
-            for (int k = 0; k < sides; ++k)
-            {
-                cosines[k] = (float)Math.Cos(2 * Math.PI * k / sides);
-                sines[k] = (float)Math.Sin(2 * Math.PI * k / sides);
-            }
+            indices = new uint[(maxPoints - 1) * sides * 6];
 
             Mesh = new Mesh { name = "Stylized stroke" };
             Mesh.MarkDynamic();
             Mesh.SetVertexBufferParams(vertices.Length,
                 new VertexAttributeDescriptor(VertexAttribute.Position, VertexAttributeFormat.Float32, 3),
                 new VertexAttributeDescriptor(VertexAttribute.Normal, VertexAttributeFormat.Float32, 3));
-            int[] indices = Indices();
             Mesh.SetIndexBufferParams(indices.Length, IndexFormat.UInt32);
-            Mesh.SetIndexBufferData(indices, 0, 0, indices.Length, Trusting);
             Mesh.subMeshCount = 1;
             Clear();
         }
@@ -56,75 +50,38 @@ namespace Filigree.Samples
         public void Clear()
         {
             PointCount = 0;
+            brush.Clear();
             Show();
         }
 
-        /// <summary>Appends the points of a view from number `first` on, as far as there is room.</summary>
+        /// <summary>Appends the points of a view from number `first` on.</summary>
         public void Append(CurveSetView points, int first)
         {
+            FlgBrushMeshSizes added = brush.Append(points, first, vertices, indices);
             ReadOnlySpan<Vector3> positions = points.Column<Vector3>(FlgAttribute.Position);
-            ReadOnlySpan<Vector3> tangents = points.Column<Vector3>(FlgAttribute.Tangent);
-            ReadOnlySpan<Vector3> normals = points.Column<Vector3>(FlgAttribute.Normal);
             ReadOnlySpan<float> radii = points.Floats(FlgAttribute.Radius);
-            int count = Math.Min(positions.Length - first, maxPoints - PointCount);
-            if (count <= 0) return;
-
-            int begin = PointCount * sides;
-            int vertex = begin;
-            for (int i = first; i < first + count; ++i)
-            {
-                Vector3 across = normals[i];
-                Vector3 up = Vector3.Cross(tangents[i], across);
-                for (int k = 0; k < sides; ++k, ++vertex)
-                {
-                    Vector3 outwards = across * cosines[k] + up * sines[k];
-                    vertices[vertex].Position = Handedness.Turn(positions[i] + outwards * radii[i]);
-                    vertices[vertex].Normal = Handedness.Turn(outwards);
-                }
-                Include(Handedness.Turn(positions[i]), radii[i]);
-                ++PointCount;
-            }
-            Mesh.SetVertexBufferData(vertices, begin, begin, count * sides, 0, Trusting);
+            for (int i = first; i < positions.Length; ++i) Include(Handedness.Turn(positions[i]), radii[i]);
+            if (added.vertex_count == 0) return;
+            int vertex = (int)added.first_vertex, index = (int)added.first_index;
+            Mesh.SetVertexBufferData(vertices, vertex, vertex, (int)added.vertex_count, 0, Trusting);
+            Mesh.SetIndexBufferData(indices, index, index, (int)added.index_count, Trusting);
             Show();
         }
 
         void Include(Vector3 place, float radius)
         {
             var around = new Bounds(place, new Vector3(2 * radius, 2 * radius, 2 * radius));
-            if (PointCount == 0) bounds = around;
+            if (PointCount++ == 0) bounds = around;
             else bounds.Encapsulate(around);
         }
 
         void Show()
         {
-            int pieces = Math.Max(PointCount - 1, 0);
-            var part = new SubMeshDescriptor(0, pieces * sides * 6);
-            part.vertexCount = PointCount * sides;
+            var part = new SubMeshDescriptor(0, brush.IndexCount);
+            part.vertexCount = brush.VertexCount;
             part.bounds = bounds;
             Mesh.SetSubMesh(0, part, Trusting);
             Mesh.bounds = bounds;
-        }
-
-        // Two triangles a side, clockwise seen from outside, as Unity wants them.
-        int[] Indices()
-        {
-            var indices = new int[(maxPoints - 1) * sides * 6];
-            int at = 0;
-            for (int i = 0; i + 1 < maxPoints; ++i)
-            {
-                for (int k = 0; k < sides; ++k)
-                {
-                    int a = i * sides + k, b = i * sides + (k + 1) % sides;
-                    int c = a + sides, d = b + sides;
-                    indices[at++] = a;
-                    indices[at++] = d;
-                    indices[at++] = b;
-                    indices[at++] = a;
-                    indices[at++] = c;
-                    indices[at++] = d;
-                }
-            }
-            return indices;
         }
     }
 }

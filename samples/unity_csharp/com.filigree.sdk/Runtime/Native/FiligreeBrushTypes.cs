@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Types of filigree_brush.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    /// <summary>The cross-section of a brush mesh.</summary>
+    public enum FlgBrushShape
+    {
+        /// <summary>
+        /// FLG_BRUSH_SHAPE_RIBBON: flat, along the frame's second normal (tangent x normal), facing the first
+        /// </summary>
+        Ribbon = 0,
+        /// <summary>FLG_BRUSH_SHAPE_TUBE: round, with `sides` sides</summary>
+        Tube = 1,
+    }
+
+    /// <summary>The end of an open curve. An end of radius 0 gets none.</summary>
+    public enum FlgBrushCap
+    {
+        /// <summary>FLG_BRUSH_CAP_NONE: tubes are open</summary>
+        None = 0,
+        /// <summary>FLG_BRUSH_CAP_FLAT: a disc; ribbons end flat without one</summary>
+        Flat = 1,
+        /// <summary>FLG_BRUSH_CAP_ROUND: half a sphere, of ribbons half a disc, beyond the curve's end</summary>
+        Round = 2,
+        /// <summary>FLG_BRUSH_CAP_TAPERED: a tip beyond the curve's end: `cap_length` radii long</summary>
+        Tapered = 3,
+    }
+
+    /// <summary>How the segments on both sides of a corner meet. Smaller turns are always mitered.</summary>
+    public enum FlgBrushJoin
+    {
+        /// <summary>
+        /// FLG_BRUSH_JOIN_MITER: extended until they meet; bevelled where that takes more than 4 radii (turns above 151
+        /// degrees)
+        /// </summary>
+        Miter = 0,
+        /// <summary>FLG_BRUSH_JOIN_BEVEL: cut straight</summary>
+        Bevel = 1,
+        /// <summary>FLG_BRUSH_JOIN_ROUND: turned about the point, in steps as fine as the tube's sides</summary>
+        Round = 2,
+        /// <summary>
+        /// FLG_BRUSH_JOIN_NARROW: not extended: the mesh gets thinner, also in turns that are no corner. Cheapest
+        /// </summary>
+        Narrow = 3,
+    }
+
+    /// <summary>In what texture coordinates are measured.</summary>
+    public enum FlgBrushUv
+    {
+        /// <summary>FLG_BRUSH_UV_UNIT: 0 to 1</summary>
+        Unit = 0,
+        /// <summary>FLG_BRUSH_UV_METRES: metres</summary>
+        Metres = 1,
+    }
+
+    /// <summary>What a column of vertices holds, and its components:</summary>
+    public enum FlgVertexAttribute
+    {
+        /// <summary>FLG_VERTEX_ATTRIBUTE_POSITION: 3, metres: FLOAT32, FLOAT16</summary>
+        Position = 0,
+        /// <summary>FLG_VERTEX_ATTRIBUTE_NORMAL: 3, unit length: FLOAT32, FLOAT16, SNORM16, SNORM8</summary>
+        Normal = 1,
+        /// <summary>
+        /// FLG_VERTEX_ATTRIBUTE_TANGENT: 4: unit length, across the normal, along the first texture coordinate; then
+        /// the sign of the bitangent, w * cross(normal, tangent). FLOAT32, FLOAT16, SNORM16, SNORM8
+        /// </summary>
+        Tangent = 2,
+        /// <summary>FLG_VERTEX_ATTRIBUTE_COLOR: 4, linear RGBA: FLOAT32, FLOAT16, UNORM8</summary>
+        Color = 3,
+        /// <summary>FLG_VERTEX_ATTRIBUTE_UV: 2: FLOAT32, FLOAT16</summary>
+        Uv = 4,
+    }
+
+    /// <summary>How a number is stored. Values beyond the format's range become the nearest that it holds.</summary>
+    public enum FlgNumberFormat
+    {
+        /// <summary>FLG_NUMBER_FORMAT_FLOAT32</summary>
+        Float32 = 0,
+        /// <summary>FLG_NUMBER_FORMAT_FLOAT16: IEEE half</summary>
+        Float16 = 1,
+        /// <summary>FLG_NUMBER_FORMAT_UNORM8: 0 to 1 as 0 to 255</summary>
+        Unorm8 = 2,
+        /// <summary>FLG_NUMBER_FORMAT_SNORM8: -1 to 1 as -127 to 127</summary>
+        Snorm8 = 3,
+        /// <summary>FLG_NUMBER_FORMAT_SNORM16: -1 to 1 as -32767 to 32767</summary>
+        Snorm16 = 4,
+        /// <summary>FLG_NUMBER_FORMAT_UINT16: indices up to 65534</summary>
+        Uint16 = 5,
+        /// <summary>FLG_NUMBER_FORMAT_UINT32: indices</summary>
+        Uint32 = 6,
+    }
+}

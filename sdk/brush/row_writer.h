@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Rows of vertices, and the triangles between them, into a host's buffers: written from front to back, never read.
+#pragma once
+
+#include <cstdint>
+
+#include "brush/cross_section.h"
+#include "brush/library.h"
+#include "core/vec.h"
+
+namespace flg::brush {
+inline namespace FLG_BRUSH_LIBRARY {
+
+// Where vertices and indices go; checked, with strides. Null data: not wanted.
+struct Output {
+    FlgVertexColumn columns[5] = {};  // by FlgVertexAttribute
+    void* indices = nullptr;
+    bool narrow_indices = false;     // 16 bits
+    uint32_t first_index_value = 0;  // the index of the first vertex written
+};
+
+// One row: where it stands, and how its cross-section lies.
+struct Row {
+    Vec3 center;
+    Vec3 tangent, normal, binormal;           // unit
+    Vec3 arm[2];                              // what the section's place is multiplied by, metres
+    double normal_out = 1, normal_along = 0;  // of a tube: the parts of its normals across and along the tangent
+    double along = 0;                         // first texture coordinate
+    double width = 1;                         // second one where `around` is 1
+    const float* color = nullptr;
+};
+
+class RowWriter {
+public:
+    RowWriter(const Style& style, const CrossSection& section, const Output& output);
+
+    // Returns the row's number: that of its first vertex, counted from the first written.
+    int64_t write(const Row& row);
+    // One vertex at row.center.
+    int64_t write_apex(const Row& row, const Vec3& facing);
+    // Between two rows, the second ahead of the first along the tangent, or with `back` behind it. Rows written by
+    // calls before have negative numbers.
+    void strip(int64_t from, int64_t to, bool back);
+    // To a row that is a tip, and to an apex.
+    void tip(int64_t from, int64_t to, bool back);
+    void fan(int64_t from, int64_t apex, bool back);
+
+    uint64_t vertex_count() const { return static_cast<uint64_t>(vertices_); }
+    uint64_t index_count() const { return indices_; }
+
+private:
+    template <class Index>
+    void strip_as(int64_t from, int64_t to, bool back);
+    void triangle(int64_t a, int64_t b, int64_t c, bool back);
+    void store(FlgVertexAttribute attribute, const float* const* values, uint32_t count);
+
+    const Style& style_;
+    const CrossSection& section_;
+    Output output_;
+    int64_t vertices_ = 0;
+    uint64_t indices_ = 0;
+};
+
+}  // namespace FLG_BRUSH_LIBRARY
+}  // namespace flg::brush
