@@ -115,6 +115,7 @@ void Painter::push(const XrController& controller, double time_s, Added& added) 
     ++added.samples;
     append(stroke_, fresh, added);
     show_tip(stroke_, added);
+    ++added.strokes;
 }
 
 void Painter::end() {
@@ -131,7 +132,6 @@ void Painter::append(Stroke& stroke, const FlgCurveSetView& view, Added& added) 
     stroke.points += points;
     point_count_ += points;
     added.points += points;
-    ++added.strokes;
 }
 
 void Painter::show_tip(const Stroke& stroke, Added& added) {
@@ -151,6 +151,7 @@ FlgFrameReport Painter::tick(Added& in_out_added) {
         check(flgLiveStrokeGetPoints(context_, stroke.live, &whole));
         // What its end has added.
         append(stroke, PointRange(whole, stroke.points).view(), in_out_added);
+        ++in_out_added.strokes;
         check(flgJobRelease(context_, stroke.ending));
         check(flgLiveStrokeRelease(context_, stroke.live));
         return true;

@@ -18,7 +18,7 @@ namespace flg::samples {
 struct Added {
     uint32_t samples = 0;
     uint32_t points = 0;
-    uint32_t strokes = 0;  // that have grown
+    uint32_t strokes = 0;  // that were changed
     uint32_t tips = 0;     // points of provisional ends, taken off again with the next sample
     double push_us = 0;    // of the frame's pushes
 };
