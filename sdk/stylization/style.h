@@ -42,7 +42,7 @@ struct PreparedStyle {
 
 class Style final : public Product {
 public:
-    Style(Memory* memory, Memory* caches) : prepared(memory), caches_(caches), trees_(memory) {}
+    Style(Memory* memory, Memory* caches) : prepared(memory), caches_(caches), trees_(caches) {}
 
     PreparedStyle prepared;
 
