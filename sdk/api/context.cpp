@@ -160,6 +160,30 @@ void refuse_after_destroy(const Context& context) {
     }
 }
 
+MemoryKind memory_kind(HandleKind kind) {
+    switch (kind) {
+        case HandleKind::job: return MemoryKind::runtime;
+        case HandleKind::style: return MemoryKind::styles;
+        case HandleKind::curve_set:
+        case HandleKind::live_stroke:
+        case HandleKind::spline:
+        case HandleKind::motion: return MemoryKind::curves;
+        case HandleKind::surface:
+        case HandleKind::field:
+        case HandleKind::surface_curves:
+        case HandleKind::tangle:
+        case HandleKind::manifold:
+        case HandleKind::obstacles: return MemoryKind::surfaces;
+        case HandleKind::straight_skeleton:
+        case HandleKind::outline:
+        case HandleKind::part:
+        case HandleKind::part_mesh:
+        case HandleKind::model:
+        case HandleKind::skin: return MemoryKind::models;
+    }
+    return MemoryKind::runtime;
+}
+
 Context& get_context(FlgContext context) {
     return *slot_of(context).context.load(std::memory_order_relaxed);
 }
@@ -228,7 +252,7 @@ FlgResult flgContextDestroy(FlgContext context) {
         refuse_inside_callback(self, "flgContextDestroy");
         if (!self.runtime.stop()) return FLG_NOT_READY;
         slot_of(context).id.store(Slot::vacant, std::memory_order_release);
-        HostMemory memory(self.memory);
+        HostMemory memory(self.memory.host());
         self.~Context();
         memory.deallocate(&self, sizeof(Context), alignof(Context));
         return FLG_OK;
@@ -252,6 +276,17 @@ FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport*
         }
         if (report) write_struct(report, made, "report");
         return FLG_OK;
+    });
+}
+
+FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint32_t struct_size) {
+    return init(memory, struct_size, sized<FlgContextMemory>(), "memory");
+}
+
+FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory) {
+    return guarded([&] {
+        write_struct(out_memory, sized<FlgContextMemory>(), "out_memory");
+        write_struct(out_memory, get_context(context).memory.use(), "out_memory");
     });
 }
 

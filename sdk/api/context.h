@@ -3,6 +3,7 @@
 #pragma once
 
 #include "curves/curve_set.h"
+#include "runtime/context_memory.h"
 #include "runtime/handle_table.h"
 #include "runtime/runtime.h"
 #include "stylization/live_stroke.h"
@@ -27,28 +28,28 @@ class Motion;
 // What the handle of a context stands for.
 struct Context {
     Context(const FlgContextDesc& desc, const HostMemory& host_memory, uint32_t salt)
-        : memory(host_memory),
-          jobs(HandleKind::job, salt, &memory),
-          curve_sets(HandleKind::curve_set, salt, &memory),
-          styles(HandleKind::style, salt, &memory),
-          live_strokes(HandleKind::live_stroke, salt, &memory),
-          surfaces(HandleKind::surface, salt, &memory),
-          fields(HandleKind::field, salt, &memory),
-          surface_curves(HandleKind::surface_curves, salt, &memory),
-          tangles(HandleKind::tangle, salt, &memory),
-          straight_skeletons(HandleKind::straight_skeleton, salt, &memory),
-          outlines(HandleKind::outline, salt, &memory),
-          parts(HandleKind::part, salt, &memory),
-          part_meshes(HandleKind::part_mesh, salt, &memory),
-          models(HandleKind::model, salt, &memory),
-          skins(HandleKind::skin, salt, &memory),
-          manifolds(HandleKind::manifold, salt, &memory),
-          obstacles(HandleKind::obstacles, salt, &memory),
-          splines(HandleKind::spline, salt, &memory),
-          motions(HandleKind::motion, salt, &memory),
-          runtime(desc, &memory) {}
+        : memory(host_memory, desc.memory_limit, sizeof(Context)),
+          jobs(HandleKind::job, salt, memory[MemoryKind::runtime]),
+          curve_sets(HandleKind::curve_set, salt, memory[MemoryKind::runtime]),
+          styles(HandleKind::style, salt, memory[MemoryKind::runtime]),
+          live_strokes(HandleKind::live_stroke, salt, memory[MemoryKind::runtime]),
+          surfaces(HandleKind::surface, salt, memory[MemoryKind::runtime]),
+          fields(HandleKind::field, salt, memory[MemoryKind::runtime]),
+          surface_curves(HandleKind::surface_curves, salt, memory[MemoryKind::runtime]),
+          tangles(HandleKind::tangle, salt, memory[MemoryKind::runtime]),
+          straight_skeletons(HandleKind::straight_skeleton, salt, memory[MemoryKind::runtime]),
+          outlines(HandleKind::outline, salt, memory[MemoryKind::runtime]),
+          parts(HandleKind::part, salt, memory[MemoryKind::runtime]),
+          part_meshes(HandleKind::part_mesh, salt, memory[MemoryKind::runtime]),
+          models(HandleKind::model, salt, memory[MemoryKind::runtime]),
+          skins(HandleKind::skin, salt, memory[MemoryKind::runtime]),
+          manifolds(HandleKind::manifold, salt, memory[MemoryKind::runtime]),
+          obstacles(HandleKind::obstacles, salt, memory[MemoryKind::runtime]),
+          splines(HandleKind::spline, salt, memory[MemoryKind::runtime]),
+          motions(HandleKind::motion, salt, memory[MemoryKind::runtime]),
+          runtime(desc, memory[MemoryKind::runtime]) {}
 
-    HostMemory memory;
+    ContextMemory memory;
     HandleTable<Job> jobs;
     HandleTable<CurveSet> curve_sets;
     HandleTable<Style> styles;
@@ -77,11 +78,12 @@ Context& get_context(FlgContext context);
 // After a first flgContextDestroy that had to wait, nothing else is to be done with a context.
 void refuse_after_destroy(const Context& context);
 
-// A new object in the context's memory.
+// What objects behind handles of this kind are counted as.
+MemoryKind memory_kind(HandleKind kind);
+
 template <class T, class... Arguments>
-std::shared_ptr<T> make_object(Context& context, Arguments&&... arguments) {
-    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(&context.memory),
-                                   std::forward<Arguments>(arguments)...);
+std::shared_ptr<T> make_object(Memory* memory, Arguments&&... arguments) {
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::forward<Arguments>(arguments)...);
 }
 
 // Starts a job in two steps, so that a failure in between leaves nothing behind: make one of these, start its job's
@@ -130,7 +132,9 @@ public:
     uint64_t commit(HandleTable<T>& table, std::shared_ptr<T> output, std::shared_ptr<Output> whole, FlgJob* out_job) {
         output->producer = job_;
         job_->output = std::move(whole);
-        const uint64_t id = table.add(std::move(output));
+        job_->memory.set_result(memory_kind(table.kind()));
+        Output& shown = *output;
+        const uint64_t id = shown.handle = table.add(std::move(output));
         try {
             queue(out_job);
         } catch (...) {
@@ -141,8 +145,9 @@ public:
     }
 
     // Queues a job whose output, which may be null, has no handle of its own.
-    void commit(std::shared_ptr<Output> output, FlgJob* out_job) {
+    void commit(std::shared_ptr<Output> output, MemoryKind kind, FlgJob* out_job) {
         job_->output = std::move(output);
+        job_->memory.set_result(kind);
         queue(out_job);
     }
 

@@ -61,18 +61,19 @@ FlgResult flgCurveSetCreate(FlgContext context, const FlgCurveSetView* view, Flg
     return guarded([&] {
         require(out_set, "out_set") = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgCurveSetView read = read_struct(view, sized<FlgCurveSetView>(), "view");
         check_structure(read);
         check_columns(read.columns, read.column_count, "view");
 
-        const auto set = make_object<CurveSet>(self, &self.memory);
+        const auto set = make_object<CurveSet>(memory, memory);
         set->origin = read_origin(read.origin, "view.origin");
         set->allocate_curves(read.curve_count);
         std::memcpy(set->offsets().data(), read.curve_offsets, (size_t{read.curve_count} + 1) * sizeof(uint32_t));
         for (uint32_t c = 0; c < read.curve_count; ++c) set->begin_curve(c, read.curve_flags ? read.curve_flags[c] : 0);
 
-        const auto order = column_order(read, &self.memory);
-        std::pmr::vector<CurveSet::ColumnLayout> layout(&self.memory);
+        const auto order = column_order(read, memory);
+        std::pmr::vector<CurveSet::ColumnLayout> layout(memory);
         for (uint32_t i : order) layout.push_back({read.columns[i].attribute, read.columns[i].components});
         set->allocate_columns(layout);
         for (size_t i = 0; i < order.size(); ++i) {
@@ -90,17 +91,18 @@ FlgResult flgCurveSetCreateFromPoints(FlgContext context, const float* points, u
     return guarded([&] {
         require(out_set, "out_set") = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::curves];
         require(points, "points");
         if (count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "count is 0, must be at least 1");
         if ((flags & ~FLG_CURVE_CLOSED) != 0)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "flags is %u, must be 0 or FLG_CURVE_CLOSED", flags);
 
-        const auto set = make_object<CurveSet>(self, &self.memory);
+        const auto set = make_object<CurveSet>(memory, memory);
         set->allocate_curves(1);
         set->offsets()[0] = 0;
         set->offsets()[1] = count;
         set->begin_curve(0, flags);
-        const std::pmr::vector<CurveSet::ColumnLayout> layout({{FLG_ATTRIBUTE_POSITION, 3}}, &self.memory);
+        const std::pmr::vector<CurveSet::ColumnLayout> layout({{FLG_ATTRIBUTE_POSITION, 3}}, memory);
         set->allocate_columns(layout);
         const BadValue bad =
             copy_column({FLG_ATTRIBUTE_POSITION, 3, points, 0, 0}, 0, count, set->columns()[0].values.data());

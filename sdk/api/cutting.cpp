@@ -64,16 +64,16 @@ FlgResult flgSurfaceCutIsolines(FlgContext context, const FlgSurfaceCutIsolinesD
         if (out_field) *out_field = {};
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceCutIsolinesDesc read = read_struct(desc, default_cut_isolines_desc(), "desc");
         check_first_label(read.first_label);
         Submission submission(self, read.job);
         const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         const auto surface = field->surface;
         submission.change_surface(surface, "the surface of desc.field");
-        const std::shared_ptr<Field> out = out_field ? make_object<Field>(self, surface, &self.memory) : nullptr;
-        std::pmr::vector<uint32_t> regions = list_regions(read.regions, read.region_count, &self.memory);
-        LevelRequest levels =
-            read_levels(read.levels, read.level_count, read.level_first, read.level_every, &self.memory);
+        const std::shared_ptr<Field> out = out_field ? make_object<Field>(memory, surface, memory) : nullptr;
+        std::pmr::vector<uint32_t> regions = list_regions(read.regions, read.region_count, memory);
+        LevelRequest levels = read_levels(read.levels, read.level_count, read.level_first, read.level_every, memory);
         CutIsolinesRequest request{.surface = surface,
                                    .revision = surface->order.revision() + 1,
                                    .field = field,
@@ -81,14 +81,14 @@ FlgResult flgSurfaceCutIsolines(FlgContext context, const FlgSurfaceCutIsolinesD
                                    .levels = std::move(levels),
                                    .first_label = read.first_label,
                                    .out = out};
-        const auto change = make_object<SurfaceChange>(self, surface, out);
+        const auto change = make_object<SurfaceChange>(memory, surface, out);
         submission.job().strand.start(cut_isolines(submission.pace(), std::move(request)));
         if (out) {
             // It belongs to the surface as it will be.
             ++out->revision;
             *out_field = {submission.commit(self.fields, out, change, out_job)};
         } else {
-            submission.commit(change, out_job);
+            submission.commit(change, MemoryKind::surfaces, out_job);
         }
     });
 }
@@ -101,6 +101,7 @@ FlgResult flgSurfaceCutCurves(FlgContext context, const FlgSurfaceCutCurvesDesc*
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceCutCurvesDesc read = read_struct(desc, default_cut_curves_desc(), "desc");
         check_first_label(read.first_label);
         Submission submission(self, read.job);
@@ -112,7 +113,7 @@ FlgResult flgSurfaceCutCurves(FlgContext context, const FlgSurfaceCutCurvesDesc*
                                  .curves = curves,
                                  .first_label = read.first_label};
         submission.job().strand.start(cut_curves(submission.pace(), std::move(request)));
-        submission.commit(make_object<SurfaceChange>(self, surface, nullptr), out_job);
+        submission.commit(make_object<SurfaceChange>(memory, surface, nullptr), MemoryKind::surfaces, out_job);
     });
 }
 

@@ -33,7 +33,7 @@ void check(const FlgFieldGeodesicDesc& desc) {
 }
 
 GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc, Submission& submission) {
-    Memory* memory = &context.memory;
+    Memory* memory = context.memory[MemoryKind::surfaces];
     const auto surface = context.surfaces.get(desc.surface.id, "desc.surface");
     // What may fail comes first: GCC 12 frees members of an aggregate twice if a later one throws.
     GeodesicSources sources;
@@ -42,7 +42,7 @@ GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc,
     sources.border_regions = read_border_regions(desc, memory);
     RegionSet regions = read_regions(desc.regions, desc.region_count, memory);
     Buffer<uint32_t> targets = read_indices(desc.targets, desc.target_count, "desc.targets", memory);
-    auto out = make_object<Field>(context, surface, memory);
+    auto out = make_object<Field>(memory, surface, memory);
     GeodesicRequest request{.surface = surface,
                             .sources = std::move(sources),
                             .regions = std::move(regions),
@@ -105,6 +105,7 @@ FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* va
     return guarded([&] {
         require(out_field, "out_field") = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const auto of_surface = self.surfaces.get(surface.id, "surface");
         const FlgResult result = visible_result_now(*of_surface);
         if (result != FLG_OK) return result;
@@ -113,8 +114,8 @@ FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* va
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "value_count is %u, but the surface has %u vertices", value_count,
                           of_surface->mesh().vertex_count());
         }
-        const auto field = make_object<Field>(self, of_surface, &self.memory);
-        field->data.distances = Buffer<float>(value_count, &self.memory);
+        const auto field = make_object<Field>(memory, of_surface, memory);
+        field->data.distances = Buffer<float>(value_count, memory);
         for (uint32_t v = 0; v < value_count; ++v) {
             if (std::isnan(values[v])) {
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT, "values[%u] is nan, must be a number or infinite", v);
@@ -134,6 +135,7 @@ FlgResult flgFieldRelease(FlgContext context, FlgField field) {
 FlgResult flgFieldBlend(FlgContext context, const FlgFieldBlendDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_field, "out_field", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldBlendDesc read = read_struct(desc, sized<FlgFieldBlendDesc>(), "desc");
         Submission submission(self, read.job);
         const auto from = self.fields.get(read.from.id, "desc.from");
@@ -141,7 +143,7 @@ FlgResult flgFieldBlend(FlgContext context, const FlgFieldBlendDesc* desc, FlgFi
         check_same_surface(*from, *to, "desc.to");
         submission.read(*from, "desc.from");
         submission.read(*to, "desc.to");
-        const auto out = make_object<Field>(self, from->surface, &self.memory);
+        const auto out = make_object<Field>(memory, from->surface, memory);
         out->revision = from->revision;
         submission.job().strand.start(blend_fields(submission.pace(), from, to, out));
         *out_field = {submission.commit(self.fields, out, out_job)};

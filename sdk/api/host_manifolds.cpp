@@ -91,6 +91,7 @@ FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* 
                                 FlgManifold* out_manifold) {
     return guarded([&] {
         Context& self = clear_output(context, out_manifold, "out_manifold");
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgManifoldFunctions read = read_struct(functions, default_functions(), "functions");
         require(point_near, "point_near");
         check_range(read.ambient >= 2 && read.ambient <= Manifold::max_ambient, "functions.ambient", read.ambient,
@@ -101,9 +102,9 @@ FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* 
         check_length(read.size, "functions.size");
         if (!read.project) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.project is null");
         if (!read.tangent_basis) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.tangent_basis is null");
-        const auto manifold = make_object<HostManifold>(self, read);
+        const auto manifold = make_object<HostManifold>(memory, read);
         try_functions(*manifold, point_near);
-        const auto held = make_object<ManifoldProduct>(self);
+        const auto held = make_object<ManifoldProduct>(memory);
         held->manifold = manifold;
         held->origin = read_origin_in(read.ambient, read.origin, "functions.origin");
         *out_manifold = publish_at_once(self, held);
@@ -117,11 +118,12 @@ FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint32_t struct_si
 FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* functions, FlgManifold* out_manifold) {
     return guarded([&] {
         Context& self = clear_output(context, out_manifold, "out_manifold");
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgPatchFunctions read = read_struct(functions, default_patch(), "functions");
         check_patch(read);
-        const auto patch = make_object<HostPatch>(self, read, &self.memory);
+        const auto patch = make_object<HostPatch>(memory, read, memory);
         try_patch(*patch);
-        const auto held = make_object<ManifoldProduct>(self);
+        const auto held = make_object<ManifoldProduct>(memory);
         held->manifold = patch;
         held->origin = read_origin(read.origin, "functions.origin");
         *out_manifold = publish_at_once(self, held);

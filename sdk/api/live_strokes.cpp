@@ -97,7 +97,8 @@ public:
     // Null if it isn't wanted.
     std::shared_ptr<CurveSet> add(FlgCurveSet* out, const Origin& origin, Job& producer) {
         if (!out) return nullptr;
-        auto set = make_object<CurveSet>(context_, &context_.memory);
+        Memory* const memory = context_.memory[MemoryKind::curves];
+        auto set = make_object<CurveSet>(memory, memory);
         set->origin = origin;
         set->producer = producer.shared_from_this();
         *out = {context_.curve_sets.add(set)};
@@ -131,7 +132,7 @@ FlgResult flgStyleWarm(FlgContext context, FlgStyle style, float temperature, co
         Submission submission(self, job);
         submission.read(*warmed, "style");
         submission.job().strand.start(warm_style(submission.pace(), warmed, temperature));
-        submission.commit(nullptr, out_job);
+        submission.commit(nullptr, MemoryKind::caches, out_job);
         return FLG_OK;
     });
 }
@@ -144,6 +145,7 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
     return guarded([&] {
         require(out_stroke, "out_stroke") = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
         check(read);
         LiveStrokeRequest request;
@@ -166,7 +168,7 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
         request.max_jump = read.max_jump;
         request.max_samples = read.max_samples;
         request.origin = read_origin(read.origin, "desc.origin");
-        *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(self, request, &self.memory))};
+        *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(memory, request, memory))};
         return FLG_OK;
     });
 }
@@ -239,6 +241,7 @@ FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJo
         if (out_samples) *out_samples = {};
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const std::shared_ptr<LiveStroke> ended = self.live_strokes.get(stroke.id, "stroke");
         if (ended->phase() != LiveStroke::Phase::drawing) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended already");
@@ -248,14 +251,15 @@ FlgResult flgLiveStrokeEnd(FlgContext context, FlgLiveStroke stroke, const FlgJo
         }
         Submission submission(self, job);
         NewSets sets(self);
-        const auto ending = make_object<LiveEnding>(self);
+        const auto ending = make_object<LiveEnding>(memory);
         ending->stroke = ended;
+        ending->handle = stroke.id;
         ending->stylized = sets.add(out_stylized, ended->origin, submission.job());
         ending->samples = sets.add(out_samples, ended->origin, submission.job());
         submission.job().strand.start(end_stroke(submission.pace(), *ending));
         ended->begin_end();
         try {
-            submission.commit(ending, out_job);
+            submission.commit(ending, MemoryKind::curves, out_job);
         } catch (...) {
             ended->settle(false);
             throw;
@@ -284,6 +288,7 @@ FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t 
         if (out_second) *out_second = {};
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const std::shared_ptr<LiveStroke> cut = self.live_strokes.get(stroke.id, "stroke");
         if (cut->phase() == LiveStroke::Phase::drawing) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has not ended; end it first");
@@ -294,7 +299,7 @@ FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t 
         }
         Submission submission(self, job);
         NewSets sets(self);
-        const auto split = make_object<LiveSplit>(self);
+        const auto split = make_object<LiveSplit>(memory);
         split->stroke = cut;
         split->point = point;
         split->first = sets.add(out_first, cut->origin, submission.job());
@@ -302,7 +307,7 @@ FlgResult flgLiveStrokeSplit(FlgContext context, FlgLiveStroke stroke, uint32_t 
         submission.job().strand.start(split_stroke(submission.pace(), *split));
         ++cut->readers;
         try {
-            submission.commit(split, out_job);
+            submission.commit(split, MemoryKind::curves, out_job);
         } catch (...) {
             --cut->readers;
             throw;
@@ -325,6 +330,7 @@ FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc,
         if (out_job) *out_job = {};
         require(out_set, "out_set") = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgLiveStrokeDesc read = read_struct(desc, default_live_stroke_desc(), "desc");
         check(read);
         Submission submission(self, job);
@@ -333,7 +339,7 @@ FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc,
         request.samples = self.curve_sets.get(samples.id, "samples");
         submission.read(*request.style, "desc.style");
         submission.read(*request.samples, "samples");
-        request.out = make_object<CurveSet>(self, &self.memory);
+        request.out = make_object<CurveSet>(memory, memory);
         request.out->origin = request.samples->origin;
         request.settings = settings_of(read);
         request.temperature = read.temperature;

@@ -88,7 +88,7 @@ ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThres
         std::snprintf(name, sizeof name, "desc.parts[%u].%s", number, member);
         return name;
     };
-    ModelPart out(&context.memory);
+    ModelPart out(context.memory[MemoryKind::models]);
     out.part = context.parts.get(in.part.id, field("part"));
     out.source = number;
     out.thickness = in.thickness;
@@ -146,6 +146,7 @@ FlgResult flgPartDescInit(FlgPartDesc* desc, uint32_t struct_size) {
 FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* out_part, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_part, "out_part", out_job);
+        Memory* const memory = self.memory[MemoryKind::models];
         const FlgPartDesc read = read_struct(desc, default_part_desc(), "desc");
         check_range(read.spacing == 0 || (read.spacing >= 0.0005 && read.spacing <= 0.1), "desc.spacing", read.spacing,
                     "0, or 0.0005 to 0.1");
@@ -153,8 +154,9 @@ FlgResult flgPartCreate(FlgContext context, const FlgPartDesc* desc, FlgPart* ou
         check_range(read.collapse >= 0 && read.collapse <= 10, "desc.collapse", read.collapse, "0 to 10");
         Submission submission(self, read.job);
         const bool repair = read.repair != 0;
-        const auto out = make_object<HeldPart>(self, read_contour(read.contour, &self.memory, repair), &self.memory);
+        const auto out = make_object<HeldPart>(memory, read_contour(read.contour, memory, repair), memory);
         out->repair = repair;
+        out->change.input = read.contour->point_count;
         out->spacing = read.spacing;
         out->tolerance = read.tolerance;
         out->collapse = read.collapse;
@@ -190,6 +192,7 @@ FlgResult flgModelDescInit(FlgModelDesc* desc, uint32_t struct_size) {
 FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_model, "out_model", out_job);
+        Memory* const memory = self.memory[MemoryKind::models];
         const FlgModelDesc read = read_struct(desc, default_model_desc(), "desc");
         check_range(read.part_count >= 1 && read.part_count <= most_parts, "desc.part_count", read.part_count,
                     "1 to 4096");
@@ -197,12 +200,12 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
         check_range(read.shape_weight >= 0 && read.shape_weight <= 100, "desc.shape_weight", read.shape_weight,
                     "0 to 100");
         Submission submission(self, read.job);
-        const auto out = make_object<HeldModel>(self, &self.memory);
+        const auto out = make_object<HeldModel>(memory, memory);
         out->origin = read_origin(read.origin, "desc.origin");
         out->thresholds = read_thresholds(read.thresholds, default_thresholds(), "desc.thresholds");
         out->shape_weight = read.shape_weight;
         read_mirror(read.mirror, *out);
-        std::pmr::unordered_set<std::pmr::string> names(&self.memory);
+        std::pmr::unordered_set<std::pmr::string> names(memory);
         for (uint32_t p = 0; p < read.part_count; ++p) {
             char place[32];
             std::snprintf(place, sizeof place, "desc.parts[%u]", p);

@@ -137,11 +137,12 @@ FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint32_t struct_size) {
 FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMotion* out_motion, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_motion, "out_motion", out_job);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgMotionDesc read = read_struct(desc, default_motion_desc(), "desc");
         Submission submission(self, read.job);
-        MotionInput input = read_input(read, &self.memory);
+        MotionInput input = read_input(read, memory);
         read_obstacles(self, read, input, submission);
-        const auto out = make_object<Motion>(self, std::move(input), &self.memory);
+        const auto out = make_object<Motion>(memory, std::move(input), memory);
         submission.job().strand.start(make_motion(submission.pace(), out));
         *out_motion = {submission.commit(self.motions, out, out_job)};
     });

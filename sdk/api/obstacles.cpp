@@ -27,16 +27,16 @@ FlgObstaclesDesc default_obstacles_desc() {
     return desc;
 }
 
-std::shared_ptr<const Obstacle> make_box(Context& context, const FlgObstacle& in, uint32_t dimension) {
+std::shared_ptr<const Obstacle> make_box(Memory* memory, const FlgObstacle& in, uint32_t dimension) {
     double axes[9];
     for (uint32_t r = 0; r < dimension; ++r) {
         for (uint32_t c = 0; c < dimension; ++c) axes[r * dimension + c] = in.axes[3 * r + c];
     }
-    return make_object<BoxObstacle>(context, dimension, in.centre, in.half, axes);
+    return make_object<BoxObstacle>(memory, dimension, in.centre, in.half, axes);
 }
 
 // Of a host's function: bounded by its box, and as exact and as deep as the header asks.
-std::shared_ptr<const Obstacle> make_function(Context& context, const FlgObstacle& in, uint32_t dimension) {
+std::shared_ptr<const Obstacle> make_function(Memory* memory, const FlgObstacle& in, uint32_t dimension) {
     if (!in.value) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "value is null");
     Obstacle::Box box;
     double least = HUGE_VAL;
@@ -48,17 +48,17 @@ std::shared_ptr<const Obstacle> make_function(Context& context, const FlgObstacl
         least = std::min(least, in.half[c]);
     }
     const FunctionObstacle::Function function{.value = in.value, .second = nullptr, .user = in.user_data};
-    return make_object<FunctionObstacle>(context, dimension, function, box, true, 0.1 * least, 0.5 * least);
+    return make_object<FunctionObstacle>(memory, dimension, function, box, true, 0.1 * least, 0.5 * least);
 }
 
-std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacle& in, uint32_t dimension) {
+std::shared_ptr<const Obstacle> make_obstacle(Memory* memory, const FlgObstacle& in, uint32_t dimension) {
     check_enum(in.kind, FLG_OBSTACLE_KIND_BALL, FLG_OBSTACLE_KIND_BORDER, "kind", "FLG_OBSTACLE_");
     switch (in.kind) {
-        case FLG_OBSTACLE_KIND_BALL: return make_object<BallObstacle>(context, dimension, in.centre, in.radius);
-        case FLG_OBSTACLE_KIND_BOX: return make_box(context, in, dimension);
+        case FLG_OBSTACLE_KIND_BALL: return make_object<BallObstacle>(memory, dimension, in.centre, in.radius);
+        case FLG_OBSTACLE_KIND_BOX: return make_box(memory, in, dimension);
         case FLG_OBSTACLE_KIND_CAPSULE:
-            return make_object<CapsuleObstacle>(context, dimension, in.centre, in.to, in.radius);
-        case FLG_OBSTACLE_KIND_FUNCTION: return make_function(context, in, dimension);
+            return make_object<CapsuleObstacle>(memory, dimension, in.centre, in.to, in.radius);
+        case FLG_OBSTACLE_KIND_FUNCTION: return make_function(memory, in, dimension);
         default: break;
     }
     if (in.kind >= FLG_OBSTACLE_KIND_MESH) return nullptr;
@@ -66,8 +66,7 @@ std::shared_ptr<const Obstacle> make_obstacle(Context& context, const FlgObstacl
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "kind is FLG_OBSTACLE_KIND_POLYGON, which is for the plane, dimension 2");
     require(in.points, "points");
-    return make_object<PolygonObstacle>(context, std::span<const double>(in.points, size_t{2} * in.point_count),
-                                        &context.memory);
+    return make_object<PolygonObstacle>(memory, std::span<const double>(in.points, size_t{2} * in.point_count), memory);
 }
 
 // What the job makes of a mesh.
@@ -102,6 +101,7 @@ FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, F
                              FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_obstacles, "out_obstacles", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgObstaclesDesc read = read_struct(desc, default_obstacles_desc(), "desc");
         check_range(read.dimension == 2 || read.dimension == 3, "desc.dimension", read.dimension, "2 or 3");
         check_range(read.obstacle_count >= 1 && read.obstacle_count <= ObstacleSet::max_count, "desc.obstacle_count",
@@ -109,13 +109,13 @@ FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, F
         require(read.obstacles, "desc.obstacles");
         check_range(read.clearance >= 0 && read.clearance <= 1e30, "desc.clearance", read.clearance, "0 to 1e30");
         Submission submission(self, read.job);
-        const auto held = make_object<Obstacles>(self, read.dimension, &self.memory);
+        const auto held = make_object<Obstacles>(memory, read.dimension, memory);
         held->origin = read_origin_in(read.dimension, read.origin, "desc.origin");
         held->clearance = read.clearance;
         for (uint32_t i = 0; i < read.obstacle_count; ++i) {
             try {
                 const FlgObstacle obstacle = read_element(read.obstacles, i, default_obstacle(), "obstacle");
-                held->solids.push_back(make_obstacle(self, obstacle, read.dimension));
+                held->solids.push_back(make_obstacle(memory, obstacle, read.dimension));
                 if (!held->solids.back()) read_mesh(self, obstacle, i, *held, submission);
             } catch (const Failure& failure) {
                 throw Failure(failure.result(), "desc.obstacles[%u]: %.200s", i, failure.what());

@@ -23,13 +23,14 @@ FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc*
                               FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgCurveSetResampleDesc read = read_struct(desc, sized<FlgCurveSetResampleDesc>(), "desc");
         check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
                     "finite and above 0");
         check_frame(read.frame, "desc.frame");
         Submission submission(self, read.job);
         const auto in = self.curve_sets.get(read.curves.id, "desc.curves");
-        const auto out = make_object<CurveSet>(self, &self.memory);
+        const auto out = make_object<CurveSet>(memory, memory);
         out->origin = in->origin;
         submission.read(*in, "desc.curves");
         submission.job().strand.start(

@@ -56,9 +56,10 @@ FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFrom
                                        FlgManifold* out_manifold, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgManifoldFromSurfaceDesc read = read_struct(desc, sized<FlgManifoldFromSurfaceDesc>(), "desc");
         Submission submission(self, read.job);
-        const auto held = make_object<ManifoldProduct>(self);
+        const auto held = make_object<ManifoldProduct>(memory);
         held->kind = ManifoldKind::hypersurface;
         held->surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(held->surface, "desc.surface");
@@ -76,15 +77,16 @@ FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgManifoldFromP
                                       FlgManifold* out_manifold, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgManifoldFromPointsDesc read = read_struct(desc, default_cloud_desc(), "desc");
         check_range(read.point_count >= 4 && read.point_count <= 1u << 24, "desc.point_count", read.point_count,
                     "4 to 2^24");
         check_range(read.neighbours >= 6 && read.neighbours <= 32, "desc.neighbours", read.neighbours, "6 to 32");
         require(read.points, "desc.points");
         Submission submission(self, read.job);
-        Buffer<Position> points = read_positions(read.points, read.point_count, "desc.points", &self.memory), normals;
-        if (read.normals) normals = read_positions(read.normals, read.point_count, "desc.normals", &self.memory);
-        const auto held = make_object<ManifoldProduct>(self);
+        Buffer<Position> points = read_positions(read.points, read.point_count, "desc.points", memory), normals;
+        if (read.normals) normals = read_positions(read.normals, read.point_count, "desc.normals", memory);
+        const auto held = make_object<ManifoldProduct>(memory);
         held->kind = ManifoldKind::hypersurface;
         held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(
@@ -101,17 +103,18 @@ FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgManifoldFromGri
                                     FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgManifoldFromGridDesc read = read_struct(desc, default_grid_desc(), "desc");
         const GridInput input = read_grid(read);
         require(read.values, "desc.values");
         Submission submission(self, read.job);
-        Buffer<float> values(size_t{input.counts[0]} * input.counts[1] * input.counts[2], &self.memory);
+        Buffer<float> values(size_t{input.counts[0]} * input.counts[1] * input.counts[2], memory);
         for (size_t i = 0; i < values.size(); ++i) {
             check_range(is_coordinate(read.values[i]), "a value in desc.values", read.values[i],
                         "finite and at most 1e30 in size");
             values[i] = read.values[i];
         }
-        const auto held = make_object<ManifoldProduct>(self);
+        const auto held = make_object<ManifoldProduct>(memory);
         held->kind = ManifoldKind::hypersurface;
         held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(make_grid_manifold(submission.pace(), std::move(values), input, held));

@@ -32,12 +32,13 @@ FlgResult flgSurfaceSampleDescInit(FlgSurfaceSampleDesc* desc, uint32_t struct_s
 FlgResult flgSurfaceSample(FlgContext context, const FlgSurfaceSampleDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_field, "out_field", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceSampleDesc read = read_struct(desc, default_sampling_desc(), "desc");
         check_range(read.radius > 0 && std::isfinite(read.radius), "desc.radius", read.radius, "finite and above 0");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
-        const auto out = make_object<Field>(self, surface, &self.memory);
-        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
+        const auto out = make_object<Field>(memory, surface, memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, memory);
         SamplingRequest request{.surface = surface,
                                 .regions = std::move(regions),
                                 .radius = read.radius,
@@ -59,6 +60,7 @@ FlgResult flgSurfaceSampleBorders(FlgContext context, const FlgSurfaceSampleBord
                                   FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceSampleBordersDesc read = read_struct(desc, sized<FlgSurfaceSampleBordersDesc>(), "desc");
         check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
                     "finite and above 0");
@@ -66,7 +68,7 @@ FlgResult flgSurfaceSampleBorders(FlgContext context, const FlgSurfaceSampleBord
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(surface, "desc.surface");
-        const auto out = make_object<TracedCurves>(self, surface, &self.memory);
+        const auto out = make_object<TracedCurves>(memory, surface, memory);
         submission.job().strand.start(sample_border(submission.pace(), read.region, read.spacing, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
     });

@@ -51,11 +51,12 @@ FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeleto
                                     FlgStraightSkeleton* out_skeleton, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_skeleton, "out_skeleton", out_job);
+        Memory* const memory = self.memory[MemoryKind::models];
         const FlgStraightSkeletonDesc read = read_struct(desc, default_straight_skeleton_desc(), "desc");
         Submission submission(self, read.job);
         const bool repair = read.repair != 0;
-        const auto out =
-            make_object<HeldStraightSkeleton>(self, read_contour(read.contour, &self.memory, repair), &self.memory);
+        const auto out = make_object<HeldStraightSkeleton>(memory, read_contour(read.contour, memory, repair), memory);
+        out->change.input = read.contour->point_count;
         submission.job().strand.start(make_straight_skeleton(submission.pace(), out, repair));
         *out_skeleton = {submission.commit(self.straight_skeletons, out, out_job)};
     });
@@ -81,12 +82,13 @@ FlgResult flgStraightSkeletonOffset(FlgContext context, FlgStraightSkeleton skel
         out.point_count = out.ring_count = 0;
         write_struct(polygons, out, "polygons");
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::models];
         const HeldStraightSkeleton& held = *self.straight_skeletons.get(skeleton.id, "skeleton");
         const FlgResult result = visible_result_now(held);
         if (result != FLG_OK) return result;
         check_range(distance >= 0 && std::isfinite(distance), "distance", distance, "finite and at least 0");
-        OffsetRings rings(&self.memory);
-        offset_polygons(held.skeleton, distance, rings, &self.memory);
+        OffsetRings rings(memory);
+        offset_polygons(held.skeleton, distance, rings, memory);
         write_offset(rings, out);
         write_struct(polygons, out, "polygons");
         return FLG_OK;

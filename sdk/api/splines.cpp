@@ -136,7 +136,7 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldP
     request.obstacle_radius = desc.obstacle_radius;
     if (desc.side_count > 0) require(desc.sides, "desc.sides");
     check_range(desc.side_count <= ObstacleSet::max_count, "desc.side_count", desc.side_count, "at most 256");
-    request.sides = Buffer<ObstacleSide>(desc.side_count, &context.memory);
+    request.sides = Buffer<ObstacleSide>(desc.side_count, context.memory[MemoryKind::curves]);
     for (uint32_t i = 0; i < desc.side_count; ++i) {
         const FlgObstacleSide& side = desc.sides[i];
         request.sides[i] = {side.obstacle,
@@ -170,6 +170,7 @@ FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint32_t struct_size) {
 FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_spline, "out_spline", out_job);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgSplineDesc read = read_struct(desc, default_spline_desc(), "desc");
         Submission submission(self, read.job);
         const auto manifold = self.manifolds.get(read.manifold.id, "desc.manifold");
@@ -179,18 +180,17 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         request.problem.closed = read.closed != 0;
         check_range(read.point_count <= most_points, "desc.point_count", read.point_count, "at most 65536");
         read_energy(read, request.problem);
-        read_curve(read, ambient, request, &self.memory);
+        read_curve(read, ambient, request, memory);
         read_subdivisions(read, request);
-        read_parameters(read, request.problem, &self.memory);
+        read_parameters(read, request.problem, memory);
         read_obstacles(self, read, *manifold, request, submission);
-        request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", &self.memory);
+        request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", memory);
         const Origin given = read_origin_in(ambient, read.origin, "desc.origin");
         const Origin origin = manifold->kind == ManifoldKind::space ? given : manifold->origin;
         move_points(request.points, origin_shift(given, origin));
         move_points(request.curve, origin_shift(given, origin));
-        if (read.begin_slope)
-            request.slopes[0] = read_numbers(read.begin_slope, ambient, "desc.begin_slope", &self.memory);
-        if (read.end_slope) request.slopes[1] = read_numbers(read.end_slope, ambient, "desc.end_slope", &self.memory);
+        if (read.begin_slope) request.slopes[0] = read_numbers(read.begin_slope, ambient, "desc.begin_slope", memory);
+        if (read.end_slope) request.slopes[1] = read_numbers(read.end_slope, ambient, "desc.end_slope", memory);
         if (read.warm_start.id != 0) {
             request.warm_start = self.splines.get(read.warm_start.id, "desc.warm_start");
             if (request.warm_start->manifold != manifold)
@@ -201,7 +201,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
             submission.wait_for(start_blocks(self, manifold->surface));
             submission.read_surface(manifold->surface, "the surface of desc.manifold");
         }
-        const auto out = make_object<Spline>(self, manifold);
+        const auto out = make_object<Spline>(memory, manifold);
         out->origin = origin;
         request.out = out;
         submission.job().strand.start(make_spline(submission.pace(), std::move(request)));
@@ -224,6 +224,7 @@ FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t struct_siz
 FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgSplineSampleDesc read = read_struct(desc, sized<FlgSplineSampleDesc>(), "desc");
         check_range(is_coordinate(read.height), "desc.height", read.height, "finite and at most 1e30 in size");
         Submission submission(self, read.job);
@@ -231,7 +232,7 @@ FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, F
         submission.read(*spline, "desc.spline");
         check_range(spline->manifold->given_ambient == 3, "the number of coordinates of desc.spline",
                     spline->manifold->given_ambient, "3");
-        const auto out = make_object<CurveSet>(self, &self.memory);
+        const auto out = make_object<CurveSet>(memory, memory);
         out->origin = spline->origin;
         submission.job().strand.start(spline_curves(submission.pace(), spline, read.height, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};

@@ -29,9 +29,10 @@ FlgResult flgStyleCreateFromData(FlgContext context, const void* data, size_t si
     return guarded([&] {
         require(out_style, "out_style") = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::styles];
         if (!data) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "data is null");
-        auto style = make_object<Style>(self, &self.memory);
-        read_style_file({static_cast<const std::byte*>(data), size}, style->prepared, &self.memory);
+        auto style = make_object<Style>(memory, memory, self.memory[MemoryKind::caches]);
+        read_style_file({static_cast<const std::byte*>(data), size}, style->prepared, memory);
         style->publish_complete();
         *out_style = {self.styles.add(std::move(style))};
     });

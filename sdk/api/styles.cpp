@@ -105,6 +105,7 @@ FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size) {
 FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_style, "out_style", out_job);
+        Memory* const memory = self.memory[MemoryKind::styles];
         const FlgStyleDesc read = read_struct(desc, default_style_desc(), "desc");
         check(read);
         StyleRequest request{};
@@ -123,7 +124,7 @@ FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle*
             request.guide = self.curve_sets.get(read.guide.id, "desc.guide");
             submission.read(*request.guide, "desc.guide");
         }
-        request.style = make_object<Style>(self, &self.memory);
+        request.style = make_object<Style>(memory, memory, self.memory[MemoryKind::caches]);
         const std::shared_ptr<Style> style = request.style;
         submission.job().strand.start(prepare_style(submission.pace(), std::move(request)));
         *out_style = {submission.commit(self.styles, style, out_job)};

@@ -18,7 +18,9 @@ FlgJobOptions default_job_options() {
 }  // namespace
 
 Submission::Submission(Context& context, const FlgJobOptions* job)
-    : context_(context), dependencies_(&context.memory), turns_(&context.memory) {
+    : context_(context),
+      dependencies_(context.memory[MemoryKind::runtime]),
+      turns_(context.memory[MemoryKind::runtime]) {
     refuse_after_destroy(context);
     const FlgJobOptions options = job ? read_struct(job, default_job_options(), "job") : default_job_options();
     check_enum(options.priority, FLG_PRIORITY_LOW, FLG_PRIORITY_HIGH, "job.priority", "FLG_PRIORITY_");
@@ -29,7 +31,8 @@ Submission::Submission(Context& context, const FlgJobOptions* job)
     for (uint32_t i = 0; i < options.dependency_count; ++i) {
         dependencies_.push_back(context.jobs.get(options.dependencies[i].id, "a handle in job.dependencies"));
     }
-    job_ = context.runtime.scheduler().make_job();
+    job_ = context.runtime.scheduler().make_job(context.memory[MemoryKind::scratch]);
+    job_->memory.open(context.memory);
     job_->priority = options.priority;
     job_->partial_results = options.partial_results != 0;
     job_->on_finished = options.on_finished;

@@ -30,13 +30,13 @@ std::shared_ptr<Job> start_blocks(Context& context, const std::shared_ptr<Surfac
     const SolverBuild* last = solvers.blocks_build.get();
     if (last && last->visible_result() == FLG_OK && solvers.has_blocks) return nullptr;
     if (last && last->visible_result() == FLG_NOT_READY) return last->producer.lock();
-    auto build = make_object<SolverBuild>(context);
+    auto build = make_object<SolverBuild>(context.memory[MemoryKind::caches]);
     Submission submission(context, nullptr);
     submission.read_surface(surface, "desc.surface");
     submission.job().priority = FLG_PRIORITY_HIGH;
     submission.job().strand.start(build_blocks(submission.pace(), surface));
     build->producer = submission.job().shared_from_this();
-    submission.commit(build, nullptr);
+    submission.commit(build, MemoryKind::caches, nullptr);
     solvers.blocks_build = build;
     return build->producer.lock();
 }

@@ -41,8 +41,8 @@ template <class Refuse>
 std::shared_ptr<MeshInput> copy_mesh(Context& context, const FlgMeshView& mesh, const Refuse& refuse) {
     if (mesh.triangle_count > 0) require(mesh.triangles, "desc.mesh.triangles");
     check_columns(mesh.columns, mesh.column_count, "desc.mesh");
-    Memory* memory = &context.memory;
-    auto input = make_object<MeshInput>(context, memory);
+    Memory* memory = context.memory[MemoryKind::surfaces];
+    auto input = make_object<MeshInput>(memory, memory);
     input->view = mesh;
     input->triangles = copy_words(mesh.triangles, size_t{3} * mesh.triangle_count, memory);
     input->view.triangles = input->triangles.data();
@@ -95,6 +95,7 @@ FlgResult flgSurfaceRefineDescInit(FlgSurfaceRefineDesc* desc, uint32_t struct_s
 FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceDesc read = read_struct(desc, sized<FlgSurfaceDesc>(), "desc");
         check_range(std::isfinite(read.weld_distance), "desc.weld_distance", read.weld_distance, "finite");
         Submission submission(self, read.job);
@@ -103,7 +104,7 @@ FlgResult flgSurfaceCreate(FlgContext context, const FlgSurfaceDesc* desc, FlgSu
                 throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.mesh.columns[%u] holds %g at vertex %u, %s", column,
                               static_cast<double>(bad.value), bad.row, bad.rule);
             });
-        const auto surface = make_object<Surface>(self, &self.memory);
+        const auto surface = make_object<Surface>(memory, memory, self.memory[MemoryKind::caches]);
         surface->origin = read_origin(input->view.origin, "desc.mesh.origin");
         submission.job().strand.start(make_surface(submission.pace(), surface, std::move(input), read.weld_distance));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
@@ -115,6 +116,7 @@ FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positio
                                         FlgSurface* out_surface, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         require(positions, "positions");
         require(triangles, "triangles");
         const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, positions, 0, 0};
@@ -129,7 +131,7 @@ FlgResult flgSurfaceCreateFromTriangles(FlgContext context, const float* positio
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "positions holds %g at vertex %u, %s",
                           static_cast<double>(bad.value), bad.row, bad.rule);
         });
-        const auto surface = make_object<Surface>(self, &self.memory);
+        const auto surface = make_object<Surface>(memory, memory, self.memory[MemoryKind::caches]);
         submission.job().strand.start(
             make_surface(submission.pace(), surface, std::move(input), sized<FlgSurfaceDesc>().weld_distance));
         *out_surface = {submission.commit(self.surfaces, surface, out_job)};
@@ -144,13 +146,14 @@ FlgResult flgSurfaceRefine(FlgContext context, const FlgSurfaceRefineDesc* desc,
                            FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_surface, "out_surface", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceRefineDesc read = read_struct(desc, default_refine_desc(), "desc");
         check_enum(read.scheme, FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP, "desc.scheme", "FLG_SUBDIVISION_");
         check_range(read.levels >= 1 && read.levels <= max_levels, "desc.levels", read.levels, "1 to 8");
         Submission submission(self, read.job);
         const auto coarse = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(coarse, "desc.surface");
-        const auto fine = make_object<Surface>(self, &self.memory);
+        const auto fine = make_object<Surface>(memory, memory, self.memory[MemoryKind::caches]);
         fine->origin = coarse->origin;
         const RefineRule rule = read.scheme == FLG_SUBDIVISION_LOOP ? RefineRule::loop : RefineRule::midpoint;
         submission.job().strand.start(refine_surface(submission.pace(), coarse, fine, rule, read.levels));

@@ -36,7 +36,8 @@ public:
     void commit(Task<void> task, FlgJob* out_job) {
         submission.change_surface(tangle->surface, "the surface of the tangle");
         submission.job().strand.start(std::move(task));
-        submission.commit(make_object<SurfaceChange>(context_, tangle->surface, nullptr), out_job);
+        auto change = make_object<SurfaceChange>(context_.memory[MemoryKind::surfaces], tangle->surface, nullptr);
+        submission.commit(std::move(change), MemoryKind::surfaces, out_job);
         tangle->revision = tangle->surface->order.revision();
     }
 

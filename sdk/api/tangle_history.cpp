@@ -223,7 +223,8 @@ FlgResult flgTangleGetHistory(FlgContext context, FlgTangle tangle, FlgTangleHis
         [&] { return get_context(context).tangles.get(tangle.id, "tangle"); },
         [&](Tangle& self) {
             Context& owner = get_context(context);
-            const auto shown = make_object<ShownHistory>(owner, self, &owner.memory);
+            Memory* const memory = owner.memory[MemoryKind::surfaces];
+            const auto shown = make_object<ShownHistory>(memory, self, memory);
             self.shown_history = shown;
             return describe(self, *shown);
         });

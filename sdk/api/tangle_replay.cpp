@@ -16,7 +16,7 @@ namespace flg {
 namespace {
 
 // Lines of a history. Whether their triangles exist the job finds out.
-std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurvesView& view,
+std::shared_ptr<TracedCurves> read_lines(Memory* memory, const FlgSurfaceCurvesView& view,
                                          const std::shared_ptr<Surface>& surface) {
     if (view.curve_count == 0) return nullptr;
     const uint32_t* const offsets = &require(view.curve_offsets, "curves.curve_offsets");
@@ -25,7 +25,7 @@ std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurve
     if (offsets[0] != 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curves.curve_offsets[0] is %u, must be 0", offsets[0]);
     }
-    auto lines = make_object<TracedCurves>(context, surface, &context.memory);
+    auto lines = make_object<TracedCurves>(memory, surface, memory);
     for (uint32_t c = 0; c < view.curve_count; ++c) {
         const bool closed = (flags[c] & FLG_CURVE_CLOSED) != 0;
         if (offsets[c + 1] < uint64_t{offsets[c]} + (closed ? 3 : 2)) {
@@ -39,16 +39,14 @@ std::shared_ptr<TracedCurves> read_lines(Context& context, const FlgSurfaceCurve
         lines->curves.closed.push_back(closed);
         lines->curves.values.push_back(values[c]);
     }
-    const Buffer<SurfacePoint> points =
-        read_points(view.points, offsets[view.curve_count], "curves.points", &context.memory);
+    const Buffer<SurfacePoint> points = read_points(view.points, offsets[view.curve_count], "curves.points", memory);
     lines->curves.points.assign(points.begin(), points.end());
-    run_now(&context.memory, [&](Pace& pace) { return flatten_curves(pace, *lines); });
+    run_now(memory, [&](Pace& pace) { return flatten_curves(pace, *lines); });
     return lines;
 }
 
-void read_places(Context& context, const FlgTangleSeedPlaces* given, bool placed,
-                 const std::shared_ptr<Surface>& surface, TangleSeeds& seeds, SeedAnchors& anchors) {
-    Memory* const memory = &context.memory;
+void read_places(Memory* memory, const FlgTangleSeedPlaces* given, bool placed, const std::shared_ptr<Surface>& surface,
+                 TangleSeeds& seeds, SeedAnchors& anchors) {
     const FlgTangleSeedPlaces places = read_struct(given, sized<FlgTangleSeedPlaces>(), "places");
     if (places.point_count != 0 && places.point_count != seeds.points.size()) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "places.point_count is %u, but the seeds have %zu points",
@@ -59,10 +57,10 @@ void read_places(Context& context, const FlgTangleSeedPlaces* given, bool placed
     anchors.samples = read_positions(places.samples, places.sample_count, "places.samples", memory);
     if (places.curves) {
         const FlgSurfaceCurvesView lines = read_struct(places.curves, sized<FlgSurfaceCurvesView>(), "places.curves");
-        anchors.given_curves = read_lines(context, lines, surface);
+        anchors.given_curves = read_lines(memory, lines, surface);
     }
     if (anchors.given_curves) {
-        anchors.located_curves = make_object<TracedCurves>(context, surface, memory);
+        anchors.located_curves = make_object<TracedCurves>(memory, surface, memory);
         const auto count = static_cast<uint32_t>(anchors.given_curves->curves.points.size());
         anchors.curve_points = read_positions(places.curve_points, count, "places.curve_points", memory);
     }
@@ -89,9 +87,9 @@ StepRecords read_request(const FlgTangleStep& step, Memory* memory) {
     return record_step(JoinRequest{std::move(regions)}, memory);
 }
 
-StepRecords read_step(Context& context, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface) {
+StepRecords read_step(Memory* memory, const FlgTangleStep& step, const std::shared_ptr<Surface>& surface) {
     check_enum(step.kind, FLG_TANGLE_STEP_KIND_DIVIDE, FLG_TANGLE_STEP_KIND_JOIN, "kind", "FLG_TANGLE_STEP_");
-    StepRecords records = read_request(step, &context.memory);
+    StepRecords records = read_request(step, memory);
     if (step.placed != 0 && step.place_count == 0) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "place_count is 0, but the step is placed");
     }
@@ -105,19 +103,19 @@ StepRecords read_step(Context& context, const FlgTangleStep& step, const std::sh
         for (size_t i = 0; i < records.size(); ++i) {
             auto& divide = std::get<DivideRequest>(records[i]->request);
             const bool placed = step.placed != 0;
-            read_places(context, step.places[2 * i], placed, surface, divide.a, records[i]->a);
-            read_places(context, step.places[2 * i + 1], placed, surface, divide.b, records[i]->b);
+            read_places(memory, step.places[2 * i], placed, surface, divide.a, records[i]->a);
+            read_places(memory, step.places[2 * i + 1], placed, surface, divide.b, records[i]->b);
         }
     }
     if (step.kind == FLG_TANGLE_STEP_KIND_DIVIDE) check_seeds_of(std::get<DivideRequest>(records[0]->request));
     // A macro's regions come one operator after the other; together they are followed as well.
     records.back()->first_region = step.first_region;
-    records.back()->places = read_positions(step.made, step.made_count, "made", &context.memory);
+    records.back()->places = read_positions(step.made, step.made_count, "made", memory);
     return records;
 }
 
-ReplayRequest read_history(Context& context, const FlgTangleHistory& history, const std::shared_ptr<Surface>& surface) {
-    ReplayRequest request(&context.memory);
+ReplayRequest read_history(Memory* memory, const FlgTangleHistory& history, const std::shared_ptr<Surface>& surface) {
+    ReplayRequest request(memory);
     check_range(history.made_count <= history.step_count, "history.made_count", history.made_count,
                 "at most step_count");
     if (history.step_count > 0) require(history.steps, "history.steps");
@@ -131,7 +129,7 @@ ReplayRequest read_history(Context& context, const FlgTangleHistory& history, co
     for (uint32_t i = 0; i < history.step_count; ++i) {
         try {
             const FlgTangleStep step = read_struct(history.steps[i], sized<FlgTangleStep>(), "step");
-            request.steps.push_back(read_step(context, step, surface));
+            request.steps.push_back(read_step(memory, step, surface));
         } catch (const Failure& failure) {
             throw Failure(failure.result(), "history.steps[%u]: %.200s", i, failure.what());
         }
@@ -153,7 +151,7 @@ extern "C" FlgResult flgTangleReplay(FlgContext context, FlgTangle tangle, const
         Context& self = get_context(context);
         const FlgTangleHistory read = read_struct(history, sized<FlgTangleHistory>(), "history");
         TangleChange change(self, job, tangle, "tangle");
-        ReplayRequest request = read_history(self, read, change.tangle->surface);
+        ReplayRequest request = read_history(self.memory[MemoryKind::surfaces], read, change.tangle->surface);
         change.needs_blocks();
         change.commit(replay_tangle(change.submission.pace(), change.tangle, std::move(request), change.revision()),
                       out_job);

@@ -63,10 +63,11 @@ FlgResult change_by_list(FlgContext context, FlgTangle tangle, const uint32_t* r
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         check_range(region_count >= 1, "region_count", region_count, "at least 1");
         TangleChange change(self, job, tangle, "tangle");
-        Request request{read_region_ids(regions, region_count, "regions", &self.memory)};
-        change.make_step(record_step(std::move(request), &self.memory), out_job);
+        Request request{read_region_ids(regions, region_count, "regions", memory)};
+        change.make_step(record_step(std::move(request), memory), out_job);
     });
 }
 
@@ -111,11 +112,12 @@ FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, const FlgJobOp
                           FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_tangle, "out_tangle", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         Submission submission(self, job);
         const auto on = self.surfaces.get(surface.id, "surface");
         submission.change_surface(on, "surface");
-        const auto tangle = make_object<Tangle>(self, on, &self.memory);
-        const auto change = make_object<SurfaceChange>(self, on, tangle);
+        const auto tangle = make_object<Tangle>(memory, on, memory);
+        const auto change = make_object<SurfaceChange>(memory, on, tangle);
         submission.job().strand.start(begin_tangle(submission.pace(), tangle));
         *out_tangle = {submission.commit(self.tangles, tangle, change, out_job)};
         tangle->revision = on->order.revision();
@@ -130,14 +132,15 @@ FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, F
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgTangleDivideDesc read = read_struct(desc, default_divide_desc(), "desc");
-        DivideRequest request = read_divide(read, &self.memory);
+        DivideRequest request = read_divide(read, memory);
         TangleChange change(self, read.job, read.tangle, "desc.tangle");
         request.a.curves = read_curves(self, curves_of(read.a), "desc.a.curves", change);
         request.b.curves = read_curves(self, curves_of(read.b), "desc.b.curves", change);
         check_seeds_of(request);
         change.needs_blocks();
-        change.make_step(record_step(std::move(request), &self.memory), out_job);
+        change.make_step(record_step(std::move(request), memory), out_job);
     });
 }
 
@@ -145,11 +148,12 @@ FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleApplyMacroDesc*
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgTangleApplyMacroDesc read = read_struct(desc, default_macro_desc(), "desc");
-        MacroRequest request = read_macro(read, &self.memory);
+        MacroRequest request = read_macro(read, memory);
         TangleChange change(self, read.job, read.tangle, "desc.tangle");
         change.needs_blocks();
-        change.make_step(record_macro(std::move(request), &self.memory), out_job);
+        change.make_step(record_macro(std::move(request), memory), out_job);
     });
 }
 
@@ -157,11 +161,12 @@ FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceDesc* des
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgTangleDisplaceDesc read = read_struct(desc, default_displace_desc(), "desc");
-        DisplaceRequest request = read_displace(read, &self.memory);
+        DisplaceRequest request = read_displace(read, memory);
         TangleChange change(self, read.job, read.tangle, "desc.tangle");
         change.needs_blocks();
-        change.make_step(record_step(std::move(request), &self.memory), out_job);
+        change.make_step(record_step(std::move(request), memory), out_job);
     });
 }
 
@@ -175,8 +180,9 @@ FlgResult flgTangleUngroup(FlgContext context, FlgTangle tangle, uint32_t group,
     return guarded([&] {
         if (out_job) *out_job = {};
         Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         TangleChange change(self, job, tangle, "tangle");
-        change.make_step(record_step(UngroupRequest{group}, &self.memory), out_job);
+        change.make_step(record_step(UngroupRequest{group}, memory), out_job);
     });
 }
 
@@ -189,12 +195,13 @@ FlgResult flgTangleTraceBorders(FlgContext context, FlgTangle tangle, const FlgJ
                                 FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const auto of = self.tangles.get(tangle.id, "tangle");
         Submission submission(self, job);
         submission.read(*of, "tangle");
         refuse_changed_surface(*of, "tangle");
         submission.read_surface(of->surface, "the surface of the tangle");
-        const auto out = make_object<TracedCurves>(self, of->surface, &self.memory);
+        const auto out = make_object<TracedCurves>(memory, of->surface, memory);
         submission.job().strand.start(trace_borders(submission.pace(), of, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
     });

@@ -50,12 +50,13 @@ FlgResult flgSurfaceCurvesLift(FlgContext context, const FlgSurfaceCurvesLiftDes
                                FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgSurfaceCurvesLiftDesc read = read_struct(desc, sized<FlgSurfaceCurvesLiftDesc>(), "desc");
         check_range(std::isfinite(read.height), "desc.height", read.height, "finite");
         Submission submission(self, read.job);
         const auto curves = read_current(self.surface_curves, read.curves.id, "desc.curves", submission);
         submission.read_surface(curves->surface, "the surface of desc.curves");
-        const auto out = make_object<CurveSet>(self, &self.memory);
+        const auto out = make_object<CurveSet>(memory, memory);
         out->origin = curves->surface->origin;
         submission.job().strand.start(lift_curves(submission.pace(), curves, read.height, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
@@ -70,14 +71,14 @@ FlgResult flgFieldTraceIsolines(FlgContext context, const FlgFieldTraceIsolinesD
                                 FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldTraceIsolinesDesc read = read_struct(desc, sized<FlgFieldTraceIsolinesDesc>(), "desc");
         Submission submission(self, read.job);
         const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         submission.read_surface(field->surface, "the surface of desc.field");
-        const auto out = make_object<TracedCurves>(self, field->surface, &self.memory);
-        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
-        LevelRequest levels =
-            read_levels(read.levels, read.level_count, read.level_first, read.level_every, &self.memory);
+        const auto out = make_object<TracedCurves>(memory, field->surface, memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, memory);
+        LevelRequest levels = read_levels(read.levels, read.level_count, read.level_first, read.level_every, memory);
         IsolinesRequest request{field, std::move(regions), std::move(levels), out};
         submission.job().strand.start(trace_isolines(submission.pace(), std::move(request)));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
@@ -92,14 +93,15 @@ FlgResult flgFieldTraceStreams(FlgContext context, const FlgFieldTraceStreamsDes
                                FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldTraceStreamsDesc read = read_struct(desc, default_streams_desc(), "desc");
         check_range(!std::isnan(read.end_value), "desc.end_value", read.end_value, "a number");
         Submission submission(self, read.job);
         const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         submission.read_surface(field->surface, "the surface of desc.field");
-        const auto out = make_object<TracedCurves>(self, field->surface, &self.memory);
-        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
-        Buffer<SurfacePoint> starts = read_points(read.starts, read.start_count, "desc.starts", &self.memory);
+        const auto out = make_object<TracedCurves>(memory, field->surface, memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, memory);
+        Buffer<SurfacePoint> starts = read_points(read.starts, read.start_count, "desc.starts", memory);
         StreamsRequest request{.field = field,
                                .regions = std::move(regions),
                                .starts = std::move(starts),
@@ -125,13 +127,14 @@ FlgResult flgFieldTracePaths(FlgContext context, const FlgFieldTracePathsDesc* d
                              FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldTracePathsDesc read = read_struct(desc, sized<FlgFieldTracePathsDesc>(), "desc");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
-        Buffer<uint32_t> offsets = read_path_offsets(read, &self.memory);
-        Buffer<SurfacePoint> points = read_points(read.points, *(offsets.end() - 1), "desc.points", &self.memory);
-        RegionSet regions = read_regions(read.regions, read.region_count, &self.memory);
-        const auto out = make_object<TracedCurves>(self, surface, &self.memory);
+        Buffer<uint32_t> offsets = read_path_offsets(read, memory);
+        Buffer<SurfacePoint> points = read_points(read.points, *(offsets.end() - 1), "desc.points", memory);
+        RegionSet regions = read_regions(read.regions, read.region_count, memory);
+        const auto out = make_object<TracedCurves>(memory, surface, memory);
         PathsRequest request{.paths = {.offsets = std::move(offsets),
                                        .points = std::move(points),
                                        .closed = read.closed != 0,
@@ -152,11 +155,12 @@ FlgResult flgCurveSetProject(FlgContext context, const FlgCurveSetProjectDesc* d
                              FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgCurveSetProjectDesc read = read_struct(desc, sized<FlgCurveSetProjectDesc>(), "desc");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         const auto curves = self.curve_sets.get(read.curves.id, "desc.curves");
-        const auto out = make_object<TracedCurves>(self, surface, &self.memory);
+        const auto out = make_object<TracedCurves>(memory, surface, memory);
         submission.read(*curves, "desc.curves");
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");

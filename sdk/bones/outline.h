@@ -31,6 +31,9 @@ public:
     Contour contour;
     OutlinePlane plane;
 
+    void warn(const Host& host) const noexcept override {
+        host.warn("outline", handle, "is not all that is seen", {{contour.pieces_left_out, "smaller pieces left out"}});
+    }
     const FlgOutlineView& view() const { return view_; }
 
 private:

@@ -78,6 +78,7 @@ Task<void> make_part(Pace& pace, std::shared_ptr<HeldPart> part) {
     pace.stage("contour");
     HeldPart& p = *part;
     if (p.repair) p.drawn = co_await repair_contour(pace, p.drawn);
+    p.change = co_await find_change(pace, p.drawn, p.change.input);
     p.length = co_await length_of(pace, p.drawn);
     if (p.spacing > 0) p.even = co_await even_contour(pace, p.drawn, p.spacing * p.length);
     StraightSkeleton skeleton(pace.memory());

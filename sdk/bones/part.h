@@ -9,6 +9,7 @@
 #include "runtime/pace.h"
 #include "runtime/product.h"
 #include "runtime/task.h"
+#include "skeletons/contour_repair.h"
 
 namespace flg {
 
@@ -24,12 +25,14 @@ public:
     bool repair = false;                // the drawn contour is from gather_contour, and made simple first
     double collapse = 0;                // a share of the mean arc's length
     Contour drawn;                      // cleaned
+    ContourChange change;               // of the drawn contour; `input` is set before the job
     Contour even;                       // the same with points at equal distances, if that was asked for
     Contour outline;                    // what the axis was made of
     PartSkeleton skeleton;
     double length = 0;  // of ring 0, drawn, but three times the diagonal of its box at most
 
     const Contour& line() const { return spacing > 0 ? even : drawn; }
+    void warn(const Host& host) const noexcept override { change.warn(host, "part", handle); }
     const FlgPartView& view() const { return view_; }
 
 private:

@@ -3,9 +3,11 @@
 // ABI, where it becomes the FlgResult and the sentence the host sees. None crosses the ABI.
 #pragma once
 
+#include <cinttypes>
 #include <cstdarg>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "filigree/filigree.h"
 
@@ -26,6 +28,21 @@ public:
 private:
     FlgResult result_;
     char message_[512];
+};
+
+// An allocation that the host's limit refuses: as if the allocator had returned null.
+class MemoryLimitReached final : public std::bad_alloc {
+public:
+    MemoryLimitReached(uint64_t limit, uint64_t held, uint64_t asked) {
+        std::snprintf(message_, sizeof message_,
+                      "memory_limit is %" PRIu64 " bytes, which leaves no room for %" PRIu64 " beside the %" PRIu64
+                      " in use",
+                      limit, asked, held);
+    }
+    const char* what() const noexcept override { return message_; }
+
+private:
+    char message_[160];
 };
 
 }  // namespace flg

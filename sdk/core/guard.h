@@ -21,6 +21,8 @@ inline FlgResult translate_exception(char* sentence, size_t size, const char* ou
         throw;
     } catch (const Failure& failure) {
         return tell(failure.result(), failure.what());
+    } catch (const MemoryLimitReached& reached) {
+        return tell(FLG_ERROR_OUT_OF_MEMORY, reached.what());
     } catch (const std::bad_alloc&) {
         return tell(FLG_ERROR_OUT_OF_MEMORY, out_of_memory);
     } catch (const std::exception& e) {

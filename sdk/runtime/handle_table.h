@@ -64,6 +64,8 @@ public:
         }
     }
 
+    HandleKind kind() const { return kind_; }
+
     uint64_t add(std::shared_ptr<T> object) {
         if (free_.empty()) {
             if (free_.capacity() <= slot_count_) free_.reserve(slot_count_ * 2 + 8);  // so that remove can't fail

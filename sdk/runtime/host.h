@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory_resource>
 
 #include "core/memory.h"
@@ -34,6 +35,13 @@ public:
     uint64_t now_ns() const;
 
     [[gnu::format(printf, 3, 4)]] void log(FlgLogLevel level, const char* format, ...) const;
+
+    // A warning that names an object and what became of its input, with those counts that are not 0; none if all are.
+    struct Count {
+        uint32_t count;
+        const char* what;
+    };
+    void warn(const char* object, uint64_t handle, const char* change, std::initializer_list<Count> counts) const;
 
     void zone_begin(const char* name) const {
         if (profiler_.begin) profiler_.begin(profiler_.user_data, name);

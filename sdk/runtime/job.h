@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "runtime/context_memory.h"
 #include "runtime/strand.h"
 
 namespace flg {
@@ -24,6 +25,11 @@ public:
     virtual ~Output() = default;
     virtual void publish_partial() noexcept = 0;  // for jobs with partial_results, each flgContextTick while they run
     virtual void publish(const Job& job) noexcept = 0;
+    // One sentence for the host's log, if the input was repaired or something of it was lost: after a good job was
+    // published.
+    virtual void warn(const Host&) const noexcept {}
+
+    uint64_t handle = 0;  // of the object, for such sentences
 };
 
 // A job that another one waits for.
@@ -51,8 +57,8 @@ class Job : public std::enable_shared_from_this<Job> {
 public:
     static constexpr uint32_t max_stages = 16;
 
-    Job(const Host& job_host, Memory* memory, uint32_t threads)
-        : host(job_host), concurrency(threads), strand(*this, job_host, memory), dependencies(memory) {}
+    Job(const Host& job_host, Memory* record_memory, Memory* scratch, uint32_t threads)
+        : host(job_host), concurrency(threads), strand(*this, job_host, scratch), dependencies(record_memory) {}
 
     const Host& host;
     const uint32_t concurrency;  // strands a fork may use
@@ -60,6 +66,7 @@ public:
     bool partial_results = false;
     uint64_t serial = 0;  // order of submission
     FlgJob handle{};
+    JobMemory memory;
     void (*on_finished)(void*, FlgJob, FlgResult) = nullptr;
     void* user_data = nullptr;
     std::shared_ptr<Output> output;

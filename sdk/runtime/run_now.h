@@ -14,7 +14,7 @@ namespace flg {
 template <class Make, class Around>
 auto run_haltingly(Memory* memory, const Make& make, const Around& around) {
     const Host host({}, {}, {});
-    Job job(host, memory, 1);
+    Job job(host, memory, memory, 1);
     Pace pace(job, host, memory);
     pace.begin_slice(host.now_ns(), 0);
     auto task = make(pace);
@@ -33,7 +33,7 @@ template <class Make>
 auto run_now(Memory* memory, const Make& make, bool haltingly = false) {
     if (haltingly) return run_haltingly(memory, make);
     const Host host({}, {}, {});
-    Job job(host, memory, 1);
+    Job job(host, memory, memory, 1);
     Pace pace(job, host, memory);
     pace.begin_slice(host.now_ns(), std::numeric_limits<uint64_t>::max());
     auto task = make(pace);

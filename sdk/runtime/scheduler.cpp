@@ -113,7 +113,10 @@ bool Scheduler::run_next(uint64_t deadline_ns) {
         strand->pace.begin_slice(host_.now_ns(), deadline_ns);
         const char* const stage = strand->job.stage.load(std::memory_order_relaxed);
         host_.zone_begin(*stage != '\0' ? stage : "filigree job");
-        strand->pace.resume_point.resume();
+        {
+            const JobMemory::Slice slice(strand->job.memory);
+            strand->pace.resume_point.resume();
+        }
         host_.zone_end();
         strand->pace.end_slice(host_.now_ns());
     } else {
@@ -142,6 +145,9 @@ void Scheduler::end_slice(Strand& strand) {
             } catch (const Failure& failure) {
                 result = failure.result();
                 std::snprintf(error, sizeof error, "%s", failure.what());
+            } catch (const MemoryLimitReached& reached) {
+                result = FLG_ERROR_OUT_OF_MEMORY;
+                std::snprintf(error, sizeof error, "%s, during %s", reached.what(), job.stage.load());
             } catch (const std::bad_alloc&) {
                 result = FLG_ERROR_OUT_OF_MEMORY;
                 std::snprintf(error, sizeof error, "the allocator returned null during %s", job.stage.load());
@@ -155,6 +161,7 @@ void Scheduler::end_slice(Strand& strand) {
         }
         job.end_stage(host_.now_ns(), strand.pace.slice_busy_ns());
         strand.root.reset();
+        job.memory.settle();
     }
 
     bool woke = false;
@@ -235,8 +242,8 @@ void Scheduler::add_finished(Job& job) {
 
 // ---- host's thread -------------------------------------------------------------------------------------------------
 
-std::shared_ptr<Job> Scheduler::make_job() {
-    return std::allocate_shared<Job>(std::pmr::polymorphic_allocator<Job>(memory_), host_, memory_,
+std::shared_ptr<Job> Scheduler::make_job(Memory* scratch) {
+    return std::allocate_shared<Job>(std::pmr::polymorphic_allocator<Job>(memory_), host_, memory_, scratch,
                                      std::max(1u, threads_));
 }
 
@@ -371,7 +378,10 @@ void Scheduler::publish_job(Job& job) {
     status.stage = job.stage.load(std::memory_order_relaxed);
     status.busy_us = static_cast<float>(job.busy_ns) * 1e-3f;
     status.longest_chunk_us = static_cast<float>(job.longest_chunk_ns) * 1e-3f;
-    if (job.output) job.output->publish(job);
+    if (job.output) {
+        job.output->publish(job);
+        if (job.result == FLG_OK) job.output->warn(host_);
+    }
     job.output.reset();
     job.strand.root.reset();  // of a job that never ran; others freed it when they were done
     std::erase(running_, &job);

@@ -32,8 +32,8 @@ public:
 
     // ---- host's thread ----
 
-    // A job ready to be filled in: output, task (job->strand.start), options.
-    std::shared_ptr<Job> make_job();
+    // A job ready to be filled in: output, task (job->strand.start), options. Its tasks work in `scratch`.
+    std::shared_ptr<Job> make_job(Memory* scratch);
     // Queues it once all `prerequisites` are done; fails it if one of them failed, but for those of order only.
     void submit(std::shared_ptr<Job> job, const std::pmr::vector<Prerequisite>& prerequisites);
     void cancel(Job& job);

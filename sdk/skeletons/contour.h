@@ -27,6 +27,7 @@ struct Contour {
     std::pmr::vector<Point2> points;
     std::pmr::vector<uint32_t> input_points;  // one a point: which it was before it was cleaned
     std::pmr::vector<uint32_t> offsets;       // where each ring begins, and the end
+    uint32_t pieces_left_out = 0;             // by its repair
 };
 
 // Makes a contour of rings as they were drawn, ring r from point offsets[r] to the next offset: each is turned as it

@@ -144,6 +144,7 @@ private:
     int64_t ray_outer_ = 0, ray_hole_ = 0;
     uint32_t walk_at_ = 0, walk_begin_ = 0;  // halves, on the way around a cycle or a ring
     std::optional<NodeClusters> regions_;
+    uint32_t left_out_ = 0;  // regions that are not the largest
     Buffer<uint64_t> areas_;
     uint32_t best_ = no_input_point;
     std::pmr::vector<uint8_t> is_used_;
@@ -490,13 +491,17 @@ void Repair::measure_region(uint32_t cycle) {
 
 void Repair::choose_region() {
     int64_t largest = min_area - 1;
+    uint32_t count = 0;
     for (uint32_t c = 0; c < cycles_.size(); ++c) {
-        if (const auto area = static_cast<int64_t>(areas_[c]); area > largest) {
+        const auto area = static_cast<int64_t>(areas_[c]);
+        count += area >= min_area;
+        if (area > largest) {
             largest = area;
             best_ = c;
         }
     }
     if (best_ == no_input_point) refuse();
+    left_out_ += count - 1;
     is_used_.assign(2 * segments_.size(), 0);
     ring_vertices_.clear();
     ring_begin_.assign(1, 0);
@@ -615,6 +620,7 @@ Contour Repair::contour() const {
     }
     Contour contour = clean_contour(points, offsets, memory_);
     for (uint32_t& point : contour.input_points) point = sources[point];
+    contour.pieces_left_out = left_out_;
     return contour;
 }
 
@@ -695,6 +701,23 @@ Task<Contour> repair_contour(Pace& pace, const Contour& rings) {
         co_await find_border(pace, repair);
     } while (!repair.end_borders());
     co_return repair.contour();
+}
+
+Task<ContourChange> find_change(Pace& pace, const Contour& contour, uint32_t input_points) {
+    ContourChange change{.input = input_points, .pieces = contour.pieces_left_out};
+    const uint32_t* const sources = contour.input_points.data();
+    co_await each(pace, contour.size(), Cost::some_ns,
+                  [&](uint32_t i) { change.added += sources[i] == no_input_point; });
+    // A point that the region touches itself in is there twice.
+    const uint32_t kept = contour.size() - change.added;
+    change.dropped = input_points - std::min(input_points, kept);
+    co_return change;
+}
+
+void ContourChange::warn(const Host& host, const char* object, uint64_t handle) const noexcept {
+    host.warn(
+        object, handle, "has another contour than was given",
+        {{dropped, "points dropped"}, {added, "points added where edges cross"}, {pieces, "smaller pieces left out"}});
 }
 
 }  // namespace flg

@@ -14,6 +14,7 @@
 // - In the end no two edges meet but at common points, and no point is nearer than a cell to another edge.
 #pragma once
 
+#include "runtime/host.h"
 #include "runtime/task.h"
 #include "skeletons/contour.h"
 
@@ -27,5 +28,17 @@ inline constexpr uint32_t no_input_point = ~0u;
 // size. Throws if nothing with an area is left. About linear in the points of drawings, 2 us each; quadratic where all
 // edges are above each other.
 Task<Contour> repair_contour(Pace& pace, const Contour& rings);
+
+// What cleaning and repair did to a contour of so many input points.
+struct ContourChange {
+    uint32_t input = 0;    // points
+    uint32_t dropped = 0;  // of them
+    uint32_t added = 0;    // where edges crossed
+    uint32_t pieces = 0;   // smaller than the one that is left
+
+    // One sentence for the host's log about an object, such as "part"; none if nothing changed.
+    void warn(const Host& host, const char* object, uint64_t handle) const noexcept;
+};
+Task<ContourChange> find_change(Pace& pace, const Contour& contour, uint32_t input_points);
 
 }  // namespace flg

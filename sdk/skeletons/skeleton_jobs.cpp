@@ -33,6 +33,7 @@ Task<void> make_straight_skeleton(Pace& pace, std::shared_ptr<HeldStraightSkelet
         out->contour = co_await repair_contour(pace, out->contour);
         co_await pace;
     }
+    out->change = co_await find_change(pace, out->contour, out->change.input);
     pace.stage("straight_skeleton");
     co_await straight_skeleton(pace, out->contour, out->skeleton);
 }

@@ -8,6 +8,7 @@
 #include "runtime/pace.h"
 #include "runtime/product.h"
 #include "skeletons/contour.h"
+#include "skeletons/contour_repair.h"
 #include "skeletons/skeleton_graph.h"
 
 namespace flg {
@@ -17,7 +18,10 @@ public:
     HeldStraightSkeleton(Contour of_contour, Memory* memory) : contour(std::move(of_contour)), skeleton(memory) {}
 
     Contour contour;
+    ContourChange change;  // of the contour; `input` is set before the job
     StraightSkeleton skeleton;
+
+    void warn(const Host& host) const noexcept override { change.warn(host, "straight skeleton", handle); }
 
     const FlgStraightSkeletonView& view() const { return view_; }
 

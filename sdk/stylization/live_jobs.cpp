@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stylization/live_jobs.h"
 
+#include <cinttypes>
 #include <cstring>
 
 #include "core/failure.h"
@@ -175,6 +176,13 @@ void LiveEnding::publish(const Job& job) noexcept {
     stroke->settle(job.result == FLG_OK);
     if (stylized) stylized->publish(job);
     if (samples) samples->publish(job);
+}
+
+void LiveEnding::warn(const Host& host) const noexcept {
+    if (!stroke->cut()) return;
+    host.log(FLG_LOG_LEVEL_WARNING,
+             "live stroke (0x%" PRIx64 ") was cut at %u points: its samples need more than max_points", handle,
+             stroke->point_count());
 }
 
 Task<void> end_stroke(Pace& pace, LiveEnding& ending) {

@@ -17,6 +17,7 @@ struct LiveEnding final : Output {
 
     void publish_partial() noexcept override {}
     void publish(const Job& job) noexcept override;
+    void warn(const Host& host) const noexcept override;
 };
 // Stages "live_stroke", "copy". The ending outlives the job.
 Task<void> end_stroke(Pace& pace, LiveEnding& ending);

@@ -14,8 +14,8 @@ std::shared_ptr<PathTrees> Style::trees(float asked_temperature) {
         std::rotate(found, found + 1, trees_.end());
     } else {
         if (trees_.size() == temperatures_kept) trees_.erase(trees_.begin());
-        trees_.push_back(std::allocate_shared<PathTrees>(std::pmr::polymorphic_allocator<PathTrees>(memory_),
-                                                         prepared.graph, temperature, memory_));
+        trees_.push_back(std::allocate_shared<PathTrees>(std::pmr::polymorphic_allocator<PathTrees>(caches_),
+                                                         prepared.graph, temperature, caches_));
     }
     return trees_.back();
 }

@@ -42,7 +42,7 @@ struct PreparedStyle {
 
 class Style final : public Product {
 public:
-    explicit Style(Memory* memory) : prepared(memory), memory_(memory), trees_(memory) {}
+    Style(Memory* memory, Memory* caches) : prepared(memory), caches_(caches), trees_(caches) {}
 
     PreparedStyle prepared;
 
@@ -57,7 +57,7 @@ private:
 
     static constexpr size_t temperatures_kept = 4;
 
-    Memory* memory_;
+    Memory* caches_;
     std::mutex mutex_;
     std::pmr::vector<std::shared_ptr<PathTrees>> trees_;  // the one used last at the end
 };

@@ -88,6 +88,7 @@ Task<void> project_curves(Pace& pace, std::shared_ptr<const CurveSet> set, std::
                                .positions = set->positions(),
                                .shift = origin_shift(set->origin, surface.origin)};
     co_await lay_curves(pace, surface, nearest, curves, "desc.curves", out->curves);
+    out->left_out = set->curve_count() - out->curves.curve_count();
     co_await flatten_curves(pace, *out);
 }
 

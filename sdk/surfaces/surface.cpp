@@ -67,6 +67,18 @@ void Surface::write_report() {
     store_vec3(extent.upper, report_.box_max);
 }
 
+void Surface::warn(const Host& host) const noexcept {
+    host.warn("surface", handle, "was repaired",
+              {{report_.welded_vertices, "vertices welded"},
+               {report_.unused_vertices, "unused vertices dropped"},
+               {report_.degenerate_triangles, "degenerate triangles dropped"},
+               {report_.duplicate_triangles, "duplicate triangles dropped"},
+               {report_.flipped_triangles, "triangles flipped"},
+               {report_.crowded_edges, "crowded edges parted"},
+               {report_.cut_edges, "edges cut"},
+               {report_.split_vertices, "vertices split"}});
+}
+
 void Surface::show_if_at_rest() noexcept {
     if (order.is_changing() || visible_result() != FLG_OK) return;
     const Mesh& shown = mesh();

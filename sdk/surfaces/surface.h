@@ -49,8 +49,9 @@ private:
 
 class Surface final : public Product {
 public:
-    explicit Surface(Memory* memory)
-        : order(memory), repaired(memory), columns(memory), attributes(memory), shaped_at(memory), solvers(memory) {}
+    // `caches`: for what distances are computed with.
+    Surface(Memory* memory, Memory* caches)
+        : order(memory), repaired(memory), columns(memory), attributes(memory), shaped_at(memory), solvers(caches) {}
 
     // Host's thread.
     SurfaceOrder order;
@@ -77,6 +78,7 @@ public:
     FlgSurfaceReport report() const { return report_; }
     // By the job that made it, at its end: when that is published, a cut may be under way.
     void write_report();
+    void warn(const Host& host) const noexcept override;
     // A job was published. While a later one may change the arrays they are left alone: the host does not see them
     // then.
     void show_if_at_rest() noexcept;

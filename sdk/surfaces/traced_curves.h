@@ -17,6 +17,7 @@ public:
     std::shared_ptr<Surface> surface;
     uint32_t revision;
     SurfaceCurves curves;
+    uint32_t left_out = 0;  // curves of the input that came to a single point
 
     // The same in flat arrays, for the host.
     struct Flat {
@@ -27,6 +28,9 @@ public:
     } flat;
 
     const FlgSurfaceCurvesView& view() const { return view_; }
+    void warn(const Host& host) const noexcept override {
+        host.warn("surface curves", handle, "are not all", {{left_out, "curves left out that came to a single point"}});
+    }
 
 private:
     void show() noexcept override {

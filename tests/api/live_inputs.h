@@ -70,12 +70,14 @@ inline Heard heard_of(const FlgCurveSetView& view) {
 // A host with a style that is ready and warm.
 class LiveHost : public Host {
 public:
-    explicit LiveHost(uint32_t workers = 0, const FlgClock* clock = nullptr, const FlgProfiler* profiler = nullptr)
+    explicit LiveHost(uint32_t workers = 0, const FlgClock* clock = nullptr, const FlgProfiler* profiler = nullptr,
+                      const FlgLog* log = nullptr)
         : Host([&] {
               FlgContextDesc desc = flgContextDefaults();
               desc.worker_count = workers;
               desc.clock = clock;
               desc.profiler = profiler;
+              desc.log = log;
               return desc;
           }()) {
         FlgStyleDesc desc = flgStyleDefaults();

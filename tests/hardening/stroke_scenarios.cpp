@@ -94,6 +94,9 @@ void make_contexts(Calls& calls) {
     report.struct_size = sizeof report;
     FLG_CALL(calls, flgContextTick, context, 100u, &report);
     EXPECT_EQ(report.frame, 1u);
+    FlgContextMemory memory = FLG_INIT(calls, flgContextMemoryInit);
+    FLG_CALL(calls, flgContextGetMemory, context, &memory);
+    EXPECT_EQ(memory.total.bytes, memory.runtime.bytes);
     FLG_CALL(calls, flgContextWait, context, 10u);
     FLG_CALL(calls, flgContextRun, context, nullptr, 0u, 1.0);
     FLG_CALL(calls, flgContextDestroy, context);

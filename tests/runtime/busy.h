@@ -71,7 +71,7 @@ inline Task<void> store_hash_sum(Pace& pace, uint32_t count, uint32_t chunk, uin
 template <class Make>
 std::shared_ptr<Job> submit(Runtime& runtime, Make&& make, FlgPriority priority = FLG_PRIORITY_NORMAL,
                             std::initializer_list<Prerequisite> prerequisites = {}) {
-    std::shared_ptr<Job> job = runtime.scheduler().make_job();
+    std::shared_ptr<Job> job = runtime.scheduler().make_job(runtime.memory());
     job->priority = priority;
     job->strand.start(make(job->strand.pace));
     std::pmr::vector<Prerequisite> wait_for(prerequisites, runtime.memory());

@@ -186,7 +186,7 @@ TEST_F(WithoutWorkers, MemoryThatRunsOutInSubmitLeavesNoTrace) {
             Runtime runtime(desc(clock), &memory);
             uint64_t sum = 0, never = 0;
             const auto first = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
-            std::shared_ptr<Job> job = runtime.scheduler().make_job();
+            std::shared_ptr<Job> job = runtime.scheduler().make_job(runtime.memory());
             job->strand.start(store_hash_sum(job->strand.pace, 10, 1, &never));
             const std::pmr::vector<Prerequisite> dependencies(9, Prerequisite(first), std::pmr::new_delete_resource());
             memory.fail_at = memory.calls + fail;
@@ -236,7 +236,7 @@ TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
     std::vector<std::shared_ptr<Job>> jobs;
     uint64_t sums[4];
     for (uint64_t& sum : sums) {
-        const auto job = runtime.scheduler().make_job();
+        const auto job = runtime.scheduler().make_job(runtime.memory());
         job->priority = &sum == &sums[3] ? FLG_PRIORITY_HIGH : FLG_PRIORITY_NORMAL;
         job->user_data = &order;
         job->handle = {jobs.size()};
@@ -258,7 +258,7 @@ TEST_F(WithoutWorkers, ABudgetOfCallbacksIsKept) {
     Runtime runtime(desc(clock), &memory);
     uint64_t sums[5];
     for (uint64_t& sum : sums) {
-        const auto job = runtime.scheduler().make_job();
+        const auto job = runtime.scheduler().make_job(runtime.memory());
         job->user_data = &clock;
         job->on_finished = [](void* user, FlgJob, FlgResult) { static_cast<ManualClock*>(user)->now_ns += 60'000; };
         job->strand.start(store_hash_sum(job->strand.pace, 4, 4, &sum));

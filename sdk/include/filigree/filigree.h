@@ -196,6 +196,9 @@ typedef struct FlgContextDesc {
     const FlgLog* log;
     const FlgClock* clock;
     const FlgProfiler* profiler;
+    /* The most bytes the context may hold of its allocator's, 0 = no limit. What would exceed it fails with
+     * FLG_ERROR_OUT_OF_MEMORY, as if the allocator had returned null. Default 0. */
+    uint64_t memory_limit;
 } FlgContextDesc;
 
 FLG_API FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size);
@@ -232,6 +235,33 @@ FLG_API FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_siz
  * null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was done, at
  * the cost of their release. */
 FLG_API FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
+
+/* Bytes of the host's allocator. */
+typedef struct FlgMemoryUse {
+    uint64_t bytes;      /* held now */
+    uint64_t peak_bytes; /* the most that was held at a time */
+} FlgMemoryUse;
+
+/* What a context holds, by what it is for. A later version may add kinds at the end; `total` counts all of them. */
+typedef struct FlgContextMemory {
+    uint32_t struct_size;
+    FlgMemoryUse styles;   /* styles */
+    FlgMemoryUse surfaces; /* surfaces, fields, surface curves, tangles, manifolds, obstacles */
+    FlgMemoryUse curves;   /* curve sets, live strokes, splines, motions */
+    FlgMemoryUse models;   /* skeletons, outlines, parts, their bodies, models, skins */
+    FlgMemoryUse caches;   /* what is made again when it is needed: path trees of styles, solver data of surfaces */
+    FlgMemoryUse scratch;  /* what running jobs work with, and their results until they end */
+    FlgMemoryUse runtime;  /* the context itself, handles, records of jobs */
+    FlgMemoryUse total;    /* all kinds together; its peak is at most the sum of theirs */
+} FlgContextMemory;
+
+FLG_API FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint32_t struct_size);
+
+/* [any thread] What the context holds. The kinds sum to what the allocator has handed out and not got back, to the
+ * byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that moves from one kind to
+ * another may be seen in both. An object counts as its kind once its job has ended; the copies of inputs that a job
+ * waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates nothing. */
+FLG_API FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory);
 
 /* For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the
  * timeout passes. Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise.
@@ -681,6 +711,12 @@ static inline FlgContextDesc flgContextDefaults(void) {
     FlgContextDesc desc;
     flgContextDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
+}
+
+static inline FlgContextMemory flgContextMemoryDefaults(void) {
+    FlgContextMemory memory;
+    flgContextMemoryInit(&memory, (uint32_t)sizeof memory);
+    return memory;
 }
 
 static inline FlgCurveSetView flgCurveSetViewDefaults(void) {
