@@ -3,6 +3,7 @@
 // counts, then over one that writes.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
@@ -29,25 +30,18 @@ constexpr uint32_t all_parts = 2 * FLG_DEBUG_PART_CLEARANCE - 1;
 constexpr uint32_t red = 0xff0000ff, green = 0xff00ff00, blue = 0xffff0000, grey = 0xff808080, yellow = 0xff00ffff,
                    orange = 0xff0080ff, magenta = 0xffff00ff;
 
-// 0 is red, 1/3 green, 2/3 blue.
-uint32_t rainbow(double hue) {
-    uint32_t color = 0xff000000;
-    for (const int channel : {0, 1, 2}) {
-        const double away = std::abs(std::fmod(6 * hue + 6 - 2 * channel, 6) - 3) - 1;
-        color |= static_cast<uint32_t>(std::lround(255 * std::clamp(away, 0.0, 1.0))) << (8 * channel);
-    }
-    return color;
-}
-
-// Colours of numbers: neighbouring ones are far apart.
+// Colours of numbers: neighbouring ones are far apart, none is red.
 uint32_t palette(uint32_t number) {
-    constexpr double golden = 0.6180339887498949, first = 0.55;
-    return rainbow(std::fmod(first + golden * number, 1));
+    constexpr uint32_t colors[] = {0xffffff00, orange, 0xffff0000, 0xff00ff80, magenta,   0xff80ff00,
+                                   0xffff8000, yellow, 0xffff0080, green,      0xff8000ff};
+    return colors[number % std::size(colors)];
 }
 
-// From blue at 0 to red at 1.
+// From blue at 0 over green to red at 1.
 uint32_t ramp(double value) {
-    return rainbow(2.0 / 3 * (1 - value));
+    const auto channel = [](double level) { return static_cast<uint32_t>(255 * std::clamp(level, 0.0, 1.0) + 0.5); };
+    const double at = 4 * value;
+    return channel(at - 2) | channel(std::min(at, 4 - at)) << 8 | channel(2 - at) << 16 | 0xff000000;
 }
 
 FlgDebugDrawDesc default_draw_desc() {

@@ -328,21 +328,6 @@ using PartEvent = FlgPartEvent;
 /// How a vertex follows several joints.
 using Skinning = FlgSkinning;
 
-/// Manifolds that need no data.
-using ManifoldShape = FlgManifoldShape;
-
-/// The kind of an obstacle; it determines which fields apply.
-using ObstacleKind = FlgObstacleKind;
-
-/// The energy a curve minimizes.
-using SplineEnergy = FlgSplineEnergy;
-
-/// The initial curve, before optimization.
-using SplineStart = FlgSplineStart;
-
-/// Why the optimization ended. A curve is available in each case.
-using SplineEnding = FlgSplineEnding;
-
 /// The borders an operator starts from.
 using TangleBorders = FlgTangleBorders;
 
@@ -358,11 +343,26 @@ using TangleMacro = FlgTangleMacro;
 /// The function that made a step.
 using TangleStepKind = FlgTangleStepKind;
 
-/// What to draw of an object; combined with |.
-using DebugPart = FlgDebugPart;
-
 /// Geometry of curves in .glb.
 using CurveGeometry = FlgCurveGeometry;
+
+/// Manifolds that need no data.
+using ManifoldShape = FlgManifoldShape;
+
+/// The kind of an obstacle; it determines which fields apply.
+using ObstacleKind = FlgObstacleKind;
+
+/// The energy a curve minimizes.
+using SplineEnergy = FlgSplineEnergy;
+
+/// The initial curve, before optimization.
+using SplineStart = FlgSplineStart;
+
+/// Why the optimization ended. A curve is available in each case.
+using SplineEnding = FlgSplineEnding;
+
+/// What to draw of an object; combined with |.
+using DebugPart = FlgDebugPart;
 
 /// What one flgContextTick did, and what the workers did since the previous one.
 using FrameReport = FlgFrameReport;
@@ -399,14 +399,6 @@ using AxisSample = FlgAxisSample;
 /// Where a part is attached.
 using ModelPartInfo = FlgModelPartInfo;
 
-/// FlgManifoldView of the C ABI.
-using ManifoldView = FlgManifoldView;
-
-/// The side on which a curve passes an obstacle: while the initial curve is found, the obstacle extends without end
-/// against the direction. In the plane the optimized curve stays on that side. In space a ball has no other side, and
-/// the curve may slide over it to where it bends less.
-using ObstacleSide = FlgObstacleSide;
-
 /// Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders.
 /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of the
 /// loop's length from its first vertex.
@@ -417,9 +409,6 @@ using TangleInfo = FlgTangleInfo;
 
 /// FlgTangleRegion of the C ABI.
 using TangleRegion = FlgTangleRegion;
-
-/// An end of a line, or a point.
-using DebugVertex = FlgDebugVertex;
 
 /// Data of one stroke in a .tilt file, besides its points.
 using Stroke = FlgStroke;
@@ -437,11 +426,22 @@ using LiveSample = FlgLiveSample;
 /// Progress of a stroke.
 using LiveStrokeInfo = FlgLiveStrokeInfo;
 
+/// FlgManifoldView of the C ABI.
+using ManifoldView = FlgManifoldView;
+
+/// The side on which a curve passes an obstacle: while the initial curve is found, the obstacle extends without end
+/// against the direction. In the plane the optimized curve stays on that side. In space a ball has no other side, and
+/// the curve may slide over it to where it bends less.
+using ObstacleSide = FlgObstacleSide;
+
 /// A ray.
 using Ray = FlgRay;
 
 /// The hit of a ray or a point.
 using Hit = FlgHit;
+
+/// An end of a line, or a point.
+using DebugVertex = FlgDebugVertex;
 
 /// Curves in flat arrays: curve c has the points curve_offsets[c] to curve_offsets[c + 1] - 1 of every column. For
 /// input the host owns the arrays, which must live for the call; for results the set owns them until it is released.
@@ -1095,159 +1095,6 @@ private:
     FlgSkinView c_;
 };
 
-/// What FlgSplineView shows.
-struct SplineView {
-    /// n
-    uint32_t ambient{};
-    /// FlgSplineView::node_count.
-    uint32_t node_count{};
-    /// FlgSplineView::point_count.
-    uint32_t point_count{};
-    /// as in the descriptor
-    uint32_t closed{};
-    /// FlgSplineView::ending.
-    FlgSplineEnding ending{};
-    /// n per node
-    Span<const double> nodes;
-    /// one per node, closed: one more
-    Span<const double> parameters;
-    /// 3 per node, unit: the surface's, outwards; null if it is not a surface in R^3, and while running
-    Span<const float> normals;
-    /// one per given point: its node
-    Span<const uint32_t> point_nodes;
-    /// one per given point, metres: its distance from the manifold
-    Span<const double> offsets;
-    /// the largest of these, metres
-    double largest_offset{};
-    /// of the optimization
-    uint32_t rounds{};
-    /// projections of all nodes onto the manifold
-    uint32_t projections{};
-    /// with all weights
-    double energy{};
-    /// E2: exact for the spline of R^n through the nodes
-    double bending{};
-    /// E1 of the chain
-    double stretching{};
-    /// metres, of the chain
-    double length{};
-    /// Tangential part of the fourth derivative (with tension minus w times the second; for E1 the second) at free
-    /// nodes, root mean square, divided by the mean of all elastic forces along the curve, including those at the given
-    /// points.
-    double residual{};
-    /// metres: what the nodes are relative to: the manifold's origin; on FLG_MANIFOLD_SHAPE_SPACE the descriptor's
-    double origin[3]{};
-
-    /// Empty.
-    SplineView() { flgSplineViewInit(&c_, detail::size_of<FlgSplineView>); }
-    /// Of the C struct.
-    SplineView(const FlgSplineView& c) : c_(c) {
-        ambient = c.ambient;
-        node_count = c.node_count;
-        point_count = c.point_count;
-        closed = c.closed;
-        ending = c.ending;
-        largest_offset = c.largest_offset;
-        rounds = c.rounds;
-        projections = c.projections;
-        energy = c.energy;
-        bending = c.bending;
-        stretching = c.stretching;
-        length = c.length;
-        residual = c.residual;
-        for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
-        nodes = detail::span(c.nodes, std::size_t{ambient} * node_count);
-        parameters = detail::span(c.parameters, std::size_t{node_count} + (closed != 0));
-        normals = detail::span(c.normals, std::size_t{3} * node_count);
-        point_nodes = detail::span(c.point_nodes, point_count);
-        offsets = detail::span(c.offsets, point_count);
-    }
-    /// The C struct, for C functions.
-    const FlgSplineView& get() const noexcept { return c_; }
-    /// The C struct.
-    operator FlgSplineView() const noexcept { return c_; }
-
-private:
-    FlgSplineView c_;
-};
-
-/// What FlgMotionView shows.
-struct MotionView {
-    /// FlgMotionView::position_count.
-    uint32_t position_count{};
-    /// FlgMotionView::key_count.
-    uint32_t key_count{};
-    /// as in the descriptor
-    uint32_t closed{};
-    /// one per position, closed: one more, when the first recurs; seconds
-    Span<const double> times;
-    /// 12 per position, laid out as in the descriptor
-    Span<const double> poses;
-    /// 4 per position, x, y, z, w: the same rotations, consecutive ones in the same hemisphere
-    Span<const double> quaternions;
-    /// one per key: its position
-    Span<const uint32_t> key_positions;
-    /// of the body: its point count or total mass; a box has 6
-    double mass{};
-    /// in the body's coordinates
-    double barycentre[3]{};
-    /// principal axes in the body's coordinates, one after another, right-handed
-    double axes[9]{};
-    /// distance of the body's farthest point from the barycentre, metres
-    double radius{};
-    /// half axes of its ellipsoid of inertia: sqrt(sum of mass * square along the axis / 2)
-    double inertia[3]{};
-    /// largest stretch removed from the keys' poses
-    double greatest_stretch{};
-    /// FlgMotionView::ending.
-    FlgSplineEnding ending{};
-    /// of the optimization of all positions
-    uint32_t rounds{};
-    /// with all weights, summed over the body's points
-    double energy{};
-    /// the barycentre's share: mass times its path's energy
-    double barycentre_energy{};
-    /// the rest: that of the rotations
-    double rotation_energy{};
-    /// of the rotations, see FlgSplineView
-    double residual{};
-    /// as in the descriptor
-    double origin[3]{};
-
-    /// Empty.
-    MotionView() { flgMotionViewInit(&c_, detail::size_of<FlgMotionView>); }
-    /// Of the C struct.
-    MotionView(const FlgMotionView& c) : c_(c) {
-        position_count = c.position_count;
-        key_count = c.key_count;
-        closed = c.closed;
-        mass = c.mass;
-        for (int i = 0; i < 3; ++i) barycentre[i] = c.barycentre[i];
-        for (int i = 0; i < 9; ++i) axes[i] = c.axes[i];
-        radius = c.radius;
-        for (int i = 0; i < 3; ++i) inertia[i] = c.inertia[i];
-        greatest_stretch = c.greatest_stretch;
-        ending = c.ending;
-        rounds = c.rounds;
-        energy = c.energy;
-        barycentre_energy = c.barycentre_energy;
-        rotation_energy = c.rotation_energy;
-        residual = c.residual;
-        for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
-        times = detail::span(c.times, std::size_t{position_count} + (closed != 0));
-        poses = detail::span(c.poses, std::size_t{12} * position_count);
-        quaternions = detail::span(c.quaternions, std::size_t{4} * position_count);
-        key_positions = detail::span(c.key_positions, key_count);
-    }
-    /// The C struct, for C functions.
-    const FlgMotionView& get() const noexcept { return c_; }
-    /// The C struct.
-    operator FlgMotionView() const noexcept { return c_; }
-
-private:
-    FlgMotionView c_;
-};
-
 /// All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h).
 struct TangleHistory {
     /// including undone steps
@@ -1406,6 +1253,159 @@ struct SkinFileInfo {
 
 private:
     FlgSkinFileInfo c_;
+};
+
+/// What FlgSplineView shows.
+struct SplineView {
+    /// n
+    uint32_t ambient{};
+    /// FlgSplineView::node_count.
+    uint32_t node_count{};
+    /// FlgSplineView::point_count.
+    uint32_t point_count{};
+    /// as in the descriptor
+    uint32_t closed{};
+    /// FlgSplineView::ending.
+    FlgSplineEnding ending{};
+    /// n per node
+    Span<const double> nodes;
+    /// one per node, closed: one more
+    Span<const double> parameters;
+    /// 3 per node, unit: the surface's, outwards; null if it is not a surface in R^3, and while running
+    Span<const float> normals;
+    /// one per given point: its node
+    Span<const uint32_t> point_nodes;
+    /// one per given point, metres: its distance from the manifold
+    Span<const double> offsets;
+    /// the largest of these, metres
+    double largest_offset{};
+    /// of the optimization
+    uint32_t rounds{};
+    /// projections of all nodes onto the manifold
+    uint32_t projections{};
+    /// with all weights
+    double energy{};
+    /// E2: exact for the spline of R^n through the nodes
+    double bending{};
+    /// E1 of the chain
+    double stretching{};
+    /// metres, of the chain
+    double length{};
+    /// Tangential part of the fourth derivative (with tension minus w times the second; for E1 the second) at free
+    /// nodes, root mean square, divided by the mean of all elastic forces along the curve, including those at the given
+    /// points.
+    double residual{};
+    /// metres: what the nodes are relative to: the manifold's origin; on FLG_MANIFOLD_SHAPE_SPACE the descriptor's
+    double origin[3]{};
+
+    /// Empty.
+    SplineView() { flgSplineViewInit(&c_, detail::size_of<FlgSplineView>); }
+    /// Of the C struct.
+    SplineView(const FlgSplineView& c) : c_(c) {
+        ambient = c.ambient;
+        node_count = c.node_count;
+        point_count = c.point_count;
+        closed = c.closed;
+        ending = c.ending;
+        largest_offset = c.largest_offset;
+        rounds = c.rounds;
+        projections = c.projections;
+        energy = c.energy;
+        bending = c.bending;
+        stretching = c.stretching;
+        length = c.length;
+        residual = c.residual;
+        for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
+        nodes = detail::span(c.nodes, std::size_t{ambient} * node_count);
+        parameters = detail::span(c.parameters, std::size_t{node_count} + (closed != 0));
+        normals = detail::span(c.normals, std::size_t{3} * node_count);
+        point_nodes = detail::span(c.point_nodes, point_count);
+        offsets = detail::span(c.offsets, point_count);
+    }
+    /// The C struct, for C functions.
+    const FlgSplineView& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgSplineView() const noexcept { return c_; }
+
+private:
+    FlgSplineView c_;
+};
+
+/// What FlgMotionView shows.
+struct MotionView {
+    /// FlgMotionView::position_count.
+    uint32_t position_count{};
+    /// FlgMotionView::key_count.
+    uint32_t key_count{};
+    /// as in the descriptor
+    uint32_t closed{};
+    /// one per position, closed: one more, when the first recurs; seconds
+    Span<const double> times;
+    /// 12 per position, laid out as in the descriptor
+    Span<const double> poses;
+    /// 4 per position, x, y, z, w: the same rotations, consecutive ones in the same hemisphere
+    Span<const double> quaternions;
+    /// one per key: its position
+    Span<const uint32_t> key_positions;
+    /// of the body: its point count or total mass; a box has 6
+    double mass{};
+    /// in the body's coordinates
+    double barycentre[3]{};
+    /// principal axes in the body's coordinates, one after another, right-handed
+    double axes[9]{};
+    /// distance of the body's farthest point from the barycentre, metres
+    double radius{};
+    /// half axes of its ellipsoid of inertia: sqrt(sum of mass * square along the axis / 2)
+    double inertia[3]{};
+    /// largest stretch removed from the keys' poses
+    double greatest_stretch{};
+    /// FlgMotionView::ending.
+    FlgSplineEnding ending{};
+    /// of the optimization of all positions
+    uint32_t rounds{};
+    /// with all weights, summed over the body's points
+    double energy{};
+    /// the barycentre's share: mass times its path's energy
+    double barycentre_energy{};
+    /// the rest: that of the rotations
+    double rotation_energy{};
+    /// of the rotations, see FlgSplineView
+    double residual{};
+    /// as in the descriptor
+    double origin[3]{};
+
+    /// Empty.
+    MotionView() { flgMotionViewInit(&c_, detail::size_of<FlgMotionView>); }
+    /// Of the C struct.
+    MotionView(const FlgMotionView& c) : c_(c) {
+        position_count = c.position_count;
+        key_count = c.key_count;
+        closed = c.closed;
+        mass = c.mass;
+        for (int i = 0; i < 3; ++i) barycentre[i] = c.barycentre[i];
+        for (int i = 0; i < 9; ++i) axes[i] = c.axes[i];
+        radius = c.radius;
+        for (int i = 0; i < 3; ++i) inertia[i] = c.inertia[i];
+        greatest_stretch = c.greatest_stretch;
+        ending = c.ending;
+        rounds = c.rounds;
+        energy = c.energy;
+        barycentre_energy = c.barycentre_energy;
+        rotation_energy = c.rotation_energy;
+        residual = c.residual;
+        for (int i = 0; i < 3; ++i) origin[i] = c.origin[i];
+        times = detail::span(c.times, std::size_t{position_count} + (closed != 0));
+        poses = detail::span(c.poses, std::size_t{12} * position_count);
+        quaternions = detail::span(c.quaternions, std::size_t{4} * position_count);
+        key_positions = detail::span(c.key_positions, key_count);
+    }
+    /// The C struct, for C functions.
+    const FlgMotionView& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgMotionView() const noexcept { return c_; }
+
+private:
+    FlgMotionView c_;
 };
 
 /// All memory of a context, including that of its jobs. Called from any thread; must be thread-safe. `allocate` may
@@ -1942,6 +1942,230 @@ struct SkinAnimation : FlgSkinAnimation {
     void set_translations(std::initializer_list<float>) = delete;
 };
 
+/// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
+struct TangleSeeds : FlgTangleSeeds {
+    /// The defaults.
+    TangleSeeds() { flgTangleSeedsInit(this, detail::size_of<FlgTangleSeeds>); }
+    /// Of the C struct.
+    TangleSeeds(const FlgTangleSeeds& c) : FlgTangleSeeds(c) {}
+    /// Sets points and point_count. The array must live until the descriptor is used.
+    void set_points(Span<const FlgSurfacePoint> values) {
+        points = values.data();
+        point_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_points(std::initializer_list<FlgSurfacePoint>) = delete;
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// An operator. It numbers parts as follows. Between isolines: outwards from the seeds. Between streams: along a. For a
+/// polyline: 0 left of its curves (where most of the border is) and 1 elsewhere. Otherwise: in the order of their first
+/// triangles.
+struct TangleDivideDesc : FlgTangleDivideDesc {
+    /// The defaults.
+    TangleDivideDesc() { flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>); }
+    /// Of the C struct.
+    TangleDivideDesc(const FlgTangleDivideDesc& c) : FlgTangleDivideDesc(c) {}
+    /// The defaults, with tangle.
+    TangleDivideDesc(FlgTangle tangle_) {
+        flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>);
+        tangle = tangle_;
+    }
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// Common combinations of operators, sec. 3.4 and Fig. 13.
+struct TangleApplyMacroDesc : FlgTangleApplyMacroDesc {
+    /// The defaults.
+    TangleApplyMacroDesc() { flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>); }
+    /// Of the C struct.
+    TangleApplyMacroDesc(const FlgTangleApplyMacroDesc& c) : FlgTangleApplyMacroDesc(c) {}
+    /// The defaults, with tangle.
+    TangleApplyMacroDesc(FlgTangle tangle_) {
+        flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>);
+        tangle = tangle_;
+    }
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount` at
+/// the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In between, the
+/// height is a profile of the distance, by the bias and gain of Schlick (1994). Later distances are measured on the new
+/// surface.
+struct TangleDisplaceDesc : FlgTangleDisplaceDesc {
+    /// The defaults.
+    TangleDisplaceDesc() { flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>); }
+    /// Of the C struct.
+    TangleDisplaceDesc(const FlgTangleDisplaceDesc& c) : FlgTangleDisplaceDesc(c) {}
+    /// The defaults, with tangle.
+    TangleDisplaceDesc(FlgTangle tangle_) {
+        flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>);
+        tangle = tangle_;
+    }
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+};
+
+/// Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z in
+/// metres.
+struct TangleSeedPlaces : FlgTangleSeedPlaces {
+    /// The defaults.
+    TangleSeedPlaces() { flgTangleSeedPlacesInit(this, detail::size_of<FlgTangleSeedPlaces>); }
+    /// Of the C struct.
+    TangleSeedPlaces(const FlgTangleSeedPlaces& c) : FlgTangleSeedPlaces(c) {}
+    /// Sets points and point_count. The array must live until the descriptor is used.
+    void set_points(Span<const float> values) {
+        points = values.data();
+        point_count = detail::count(values.size() / 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_points(std::initializer_list<float>) = delete;
+    /// Sets loops and loop_count. The array must live until the descriptor is used.
+    void set_loops(Span<const float> values) {
+        loops = values.data();
+        loop_count = detail::count(values.size() / 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_loops(std::initializer_list<float>) = delete;
+    /// Sets samples and sample_count. The array must live until the descriptor is used.
+    void set_samples(Span<const float> values) {
+        samples = values.data();
+        sample_count = detail::count(values.size() / 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_samples(std::initializer_list<float>) = delete;
+};
+
+/// The arguments of a step, and the data needed to repeat it.
+struct TangleStep : FlgTangleStep {
+    /// The defaults.
+    TangleStep() { flgTangleStepInit(this, detail::size_of<FlgTangleStep>); }
+    /// Of the C struct.
+    TangleStep(const FlgTangleStep& c) : FlgTangleStep(c) {}
+    /// Sets regions and region_count. The array must live until the descriptor is used.
+    void set_regions(Span<const uint32_t> values) {
+        regions = values.data();
+        region_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_regions(std::initializer_list<uint32_t>) = delete;
+    /// Sets places and place_count. The array must live until the descriptor is used.
+    void set_places(Span<const FlgTangleSeedPlaces* const> values) {
+        places = values.data();
+        place_count = detail::count(values.size());
+    }
+    /// Sets made and made_count. The array must live until the descriptor is used.
+    void set_made(Span<const float> values) {
+        made = values.data();
+        made_count = detail::count(values.size() / 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_made(std::initializer_list<float>) = delete;
+};
+
+/// FlgCurveFileWriteDesc with its defaults.
+struct CurveFileWriteDesc : FlgCurveFileWriteDesc {
+    /// The defaults.
+    CurveFileWriteDesc() { flgCurveFileWriteDescInit(this, detail::size_of<FlgCurveFileWriteDesc>); }
+    /// Of the C struct.
+    CurveFileWriteDesc(const FlgCurveFileWriteDesc& c) : FlgCurveFileWriteDesc(c) {}
+};
+
+/// FlgMeshFileWriteDesc with its defaults.
+struct MeshFileWriteDesc : FlgMeshFileWriteDesc {
+    /// The defaults.
+    MeshFileWriteDesc() { flgMeshFileWriteDescInit(this, detail::size_of<FlgMeshFileWriteDesc>); }
+    /// Of the C struct.
+    MeshFileWriteDesc(const FlgMeshFileWriteDesc& c) : FlgMeshFileWriteDesc(c) {}
+    /// Sets face_columns and face_column_count. The array must live until the descriptor is used.
+    void set_face_columns(Span<const FlgMeshFaceColumn> values) {
+        face_columns = values.data();
+        face_column_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_face_columns(std::initializer_list<FlgMeshFaceColumn>) = delete;
+    /// Sets materials and material_count. The array must live until the descriptor is used.
+    void set_materials(Span<const FlgMeshMaterial> values) {
+        materials = values.data();
+        material_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_materials(std::initializer_list<FlgMeshMaterial>) = delete;
+};
+
+/// FlgSkinFileWriteDesc with its defaults.
+struct SkinFileWriteDesc : FlgSkinFileWriteDesc {
+    /// The defaults.
+    SkinFileWriteDesc() { flgSkinFileWriteDescInit(this, detail::size_of<FlgSkinFileWriteDesc>); }
+    /// Of the C struct.
+    SkinFileWriteDesc(const FlgSkinFileWriteDesc& c) : FlgSkinFileWriteDesc(c) {}
+    /// Sets animations and animation_count. The array must live until the descriptor is used.
+    void set_animations(Span<const FlgSkinAnimation> values) {
+        animations = values.data();
+        animation_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_animations(std::initializer_list<FlgSkinAnimation>) = delete;
+    /// Sets materials and material_count. The array must live until the descriptor is used.
+    void set_materials(Span<const FlgMeshMaterial> values) {
+        materials = values.data();
+        material_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_materials(std::initializer_list<FlgMeshMaterial>) = delete;
+};
+
+/// FlgMotionFileWriteDesc with its defaults.
+struct MotionFileWriteDesc : FlgMotionFileWriteDesc {
+    /// The defaults.
+    MotionFileWriteDesc() { flgMotionFileWriteDescInit(this, detail::size_of<FlgMotionFileWriteDesc>); }
+    /// Of the C struct.
+    MotionFileWriteDesc(const FlgMotionFileWriteDesc& c) : FlgMotionFileWriteDesc(c) {}
+    /// Sets poses and position_count. The array must live until the descriptor is used.
+    void set_poses(Span<const double> values) {
+        poses = values.data();
+        position_count = detail::count(values.size() / 12);
+    }
+    /// A list would end before the descriptor is used.
+    void set_poses(std::initializer_list<double>) = delete;
+};
+
+/// FlgLiveStrokeDesc with its defaults.
+struct LiveStrokeDesc : FlgLiveStrokeDesc {
+    /// The defaults.
+    LiveStrokeDesc() { flgLiveStrokeDescInit(this, detail::size_of<FlgLiveStrokeDesc>); }
+    /// Of the C struct.
+    LiveStrokeDesc(const FlgLiveStrokeDesc& c) : FlgLiveStrokeDesc(c) {}
+    /// The defaults, with style.
+    LiveStrokeDesc(FlgStyle style_) {
+        flgLiveStrokeDescInit(this, detail::size_of<FlgLiveStrokeDesc>);
+        style = style_;
+    }
+};
+
 /// FlgManifoldShapeDesc with its defaults.
 struct ManifoldShapeDesc : FlgManifoldShapeDesc {
     /// The defaults.
@@ -2121,246 +2345,6 @@ struct MotionDesc : FlgMotionDesc {
     void set_sides(std::initializer_list<FlgObstacleSide>) = delete;
 };
 
-/// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
-struct TangleSeeds : FlgTangleSeeds {
-    /// The defaults.
-    TangleSeeds() { flgTangleSeedsInit(this, detail::size_of<FlgTangleSeeds>); }
-    /// Of the C struct.
-    TangleSeeds(const FlgTangleSeeds& c) : FlgTangleSeeds(c) {}
-    /// Sets points and point_count. The array must live until the descriptor is used.
-    void set_points(Span<const FlgSurfacePoint> values) {
-        points = values.data();
-        point_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_points(std::initializer_list<FlgSurfacePoint>) = delete;
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// An operator. It numbers parts as follows. Between isolines: outwards from the seeds. Between streams: along a. For a
-/// polyline: 0 left of its curves (where most of the border is) and 1 elsewhere. Otherwise: in the order of their first
-/// triangles.
-struct TangleDivideDesc : FlgTangleDivideDesc {
-    /// The defaults.
-    TangleDivideDesc() { flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>); }
-    /// Of the C struct.
-    TangleDivideDesc(const FlgTangleDivideDesc& c) : FlgTangleDivideDesc(c) {}
-    /// The defaults, with tangle.
-    TangleDivideDesc(FlgTangle tangle_) {
-        flgTangleDivideDescInit(this, detail::size_of<FlgTangleDivideDesc>);
-        tangle = tangle_;
-    }
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Common combinations of operators, sec. 3.4 and Fig. 13.
-struct TangleApplyMacroDesc : FlgTangleApplyMacroDesc {
-    /// The defaults.
-    TangleApplyMacroDesc() { flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>); }
-    /// Of the C struct.
-    TangleApplyMacroDesc(const FlgTangleApplyMacroDesc& c) : FlgTangleApplyMacroDesc(c) {}
-    /// The defaults, with tangle.
-    TangleApplyMacroDesc(FlgTangle tangle_) {
-        flgTangleApplyMacroDescInit(this, detail::size_of<FlgTangleApplyMacroDesc>);
-        tangle = tangle_;
-    }
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Moves vertices of regions along the surface's normals, sec. 3.4, after an operator. Each leaf rises by `amount` at
-/// the point farthest from its borders, or wherever the borders are `reach` or more away; borders stay. In between, the
-/// height is a profile of the distance, by the bias and gain of Schlick (1994). Later distances are measured on the new
-/// surface.
-struct TangleDisplaceDesc : FlgTangleDisplaceDesc {
-    /// The defaults.
-    TangleDisplaceDesc() { flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>); }
-    /// Of the C struct.
-    TangleDisplaceDesc(const FlgTangleDisplaceDesc& c) : FlgTangleDisplaceDesc(c) {}
-    /// The defaults, with tangle.
-    TangleDisplaceDesc(FlgTangle tangle_) {
-        flgTangleDisplaceDescInit(this, detail::size_of<FlgTangleDisplaceDesc>);
-        tangle = tangle_;
-    }
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-};
-
-/// Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z in
-/// metres.
-struct TangleSeedPlaces : FlgTangleSeedPlaces {
-    /// The defaults.
-    TangleSeedPlaces() { flgTangleSeedPlacesInit(this, detail::size_of<FlgTangleSeedPlaces>); }
-    /// Of the C struct.
-    TangleSeedPlaces(const FlgTangleSeedPlaces& c) : FlgTangleSeedPlaces(c) {}
-    /// Sets points and point_count. The array must live until the descriptor is used.
-    void set_points(Span<const float> values) {
-        points = values.data();
-        point_count = detail::count(values.size() / 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_points(std::initializer_list<float>) = delete;
-    /// Sets loops and loop_count. The array must live until the descriptor is used.
-    void set_loops(Span<const float> values) {
-        loops = values.data();
-        loop_count = detail::count(values.size() / 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_loops(std::initializer_list<float>) = delete;
-    /// Sets samples and sample_count. The array must live until the descriptor is used.
-    void set_samples(Span<const float> values) {
-        samples = values.data();
-        sample_count = detail::count(values.size() / 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_samples(std::initializer_list<float>) = delete;
-};
-
-/// The arguments of a step, and the data needed to repeat it.
-struct TangleStep : FlgTangleStep {
-    /// The defaults.
-    TangleStep() { flgTangleStepInit(this, detail::size_of<FlgTangleStep>); }
-    /// Of the C struct.
-    TangleStep(const FlgTangleStep& c) : FlgTangleStep(c) {}
-    /// Sets regions and region_count. The array must live until the descriptor is used.
-    void set_regions(Span<const uint32_t> values) {
-        regions = values.data();
-        region_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_regions(std::initializer_list<uint32_t>) = delete;
-    /// Sets places and place_count. The array must live until the descriptor is used.
-    void set_places(Span<const FlgTangleSeedPlaces* const> values) {
-        places = values.data();
-        place_count = detail::count(values.size());
-    }
-    /// Sets made and made_count. The array must live until the descriptor is used.
-    void set_made(Span<const float> values) {
-        made = values.data();
-        made_count = detail::count(values.size() / 3);
-    }
-    /// A list would end before the descriptor is used.
-    void set_made(std::initializer_list<float>) = delete;
-};
-
-/// What to draw, and how.
-struct DebugDrawDesc : FlgDebugDrawDesc {
-    /// The defaults.
-    DebugDrawDesc() { flgDebugDrawDescInit(this, detail::size_of<FlgDebugDrawDesc>); }
-    /// Of the C struct.
-    DebugDrawDesc(const FlgDebugDrawDesc& c) : FlgDebugDrawDesc(c) {}
-};
-
-/// A drawing. The host owns the arrays; an array that is null is counted, but not written.
-struct DebugDrawing : FlgDebugDrawing {
-    /// The defaults.
-    DebugDrawing() { flgDebugDrawingInit(this, detail::size_of<FlgDebugDrawing>); }
-    /// Of the C struct.
-    DebugDrawing(const FlgDebugDrawing& c) : FlgDebugDrawing(c) {}
-};
-
-/// FlgCurveFileWriteDesc with its defaults.
-struct CurveFileWriteDesc : FlgCurveFileWriteDesc {
-    /// The defaults.
-    CurveFileWriteDesc() { flgCurveFileWriteDescInit(this, detail::size_of<FlgCurveFileWriteDesc>); }
-    /// Of the C struct.
-    CurveFileWriteDesc(const FlgCurveFileWriteDesc& c) : FlgCurveFileWriteDesc(c) {}
-};
-
-/// FlgMeshFileWriteDesc with its defaults.
-struct MeshFileWriteDesc : FlgMeshFileWriteDesc {
-    /// The defaults.
-    MeshFileWriteDesc() { flgMeshFileWriteDescInit(this, detail::size_of<FlgMeshFileWriteDesc>); }
-    /// Of the C struct.
-    MeshFileWriteDesc(const FlgMeshFileWriteDesc& c) : FlgMeshFileWriteDesc(c) {}
-    /// Sets face_columns and face_column_count. The array must live until the descriptor is used.
-    void set_face_columns(Span<const FlgMeshFaceColumn> values) {
-        face_columns = values.data();
-        face_column_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_face_columns(std::initializer_list<FlgMeshFaceColumn>) = delete;
-    /// Sets materials and material_count. The array must live until the descriptor is used.
-    void set_materials(Span<const FlgMeshMaterial> values) {
-        materials = values.data();
-        material_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_materials(std::initializer_list<FlgMeshMaterial>) = delete;
-};
-
-/// FlgSkinFileWriteDesc with its defaults.
-struct SkinFileWriteDesc : FlgSkinFileWriteDesc {
-    /// The defaults.
-    SkinFileWriteDesc() { flgSkinFileWriteDescInit(this, detail::size_of<FlgSkinFileWriteDesc>); }
-    /// Of the C struct.
-    SkinFileWriteDesc(const FlgSkinFileWriteDesc& c) : FlgSkinFileWriteDesc(c) {}
-    /// Sets animations and animation_count. The array must live until the descriptor is used.
-    void set_animations(Span<const FlgSkinAnimation> values) {
-        animations = values.data();
-        animation_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_animations(std::initializer_list<FlgSkinAnimation>) = delete;
-    /// Sets materials and material_count. The array must live until the descriptor is used.
-    void set_materials(Span<const FlgMeshMaterial> values) {
-        materials = values.data();
-        material_count = detail::count(values.size());
-    }
-    /// A list would end before the descriptor is used.
-    void set_materials(std::initializer_list<FlgMeshMaterial>) = delete;
-};
-
-/// FlgMotionFileWriteDesc with its defaults.
-struct MotionFileWriteDesc : FlgMotionFileWriteDesc {
-    /// The defaults.
-    MotionFileWriteDesc() { flgMotionFileWriteDescInit(this, detail::size_of<FlgMotionFileWriteDesc>); }
-    /// Of the C struct.
-    MotionFileWriteDesc(const FlgMotionFileWriteDesc& c) : FlgMotionFileWriteDesc(c) {}
-    /// Sets poses and position_count. The array must live until the descriptor is used.
-    void set_poses(Span<const double> values) {
-        poses = values.data();
-        position_count = detail::count(values.size() / 12);
-    }
-    /// A list would end before the descriptor is used.
-    void set_poses(std::initializer_list<double>) = delete;
-};
-
-/// FlgLiveStrokeDesc with its defaults.
-struct LiveStrokeDesc : FlgLiveStrokeDesc {
-    /// The defaults.
-    LiveStrokeDesc() { flgLiveStrokeDescInit(this, detail::size_of<FlgLiveStrokeDesc>); }
-    /// Of the C struct.
-    LiveStrokeDesc(const FlgLiveStrokeDesc& c) : FlgLiveStrokeDesc(c) {}
-    /// The defaults, with style.
-    LiveStrokeDesc(FlgStyle style_) {
-        flgLiveStrokeDescInit(this, detail::size_of<FlgLiveStrokeDesc>);
-        style = style_;
-    }
-};
-
 /// FlgPickSceneDesc with its defaults.
 struct PickSceneDesc : FlgPickSceneDesc {
     /// The defaults.
@@ -2381,6 +2365,22 @@ struct CurveSetProjectDesc : FlgCurveSetProjectDesc {
         surface = surface_;
         curves = curves_;
     }
+};
+
+/// What to draw, and how.
+struct DebugDrawDesc : FlgDebugDrawDesc {
+    /// The defaults.
+    DebugDrawDesc() { flgDebugDrawDescInit(this, detail::size_of<FlgDebugDrawDesc>); }
+    /// Of the C struct.
+    DebugDrawDesc(const FlgDebugDrawDesc& c) : FlgDebugDrawDesc(c) {}
+};
+
+/// A drawing. The host owns the arrays; an array that is null is counted, but not written.
+struct DebugDrawing : FlgDebugDrawing {
+    /// The defaults.
+    DebugDrawing() { flgDebugDrawingInit(this, detail::size_of<FlgDebugDrawing>); }
+    /// Of the C struct.
+    DebugDrawing(const FlgDebugDrawing& c) : FlgDebugDrawing(c) {}
 };
 
 /// A running or finished piece of work.
@@ -2891,102 +2891,6 @@ public:
     }
 };
 
-/// A surface of dimension k in R^n that curves stay on. Never changes once ready.
-class Manifold : public detail::Owner<FlgManifold, flgManifoldRelease> {
-public:
-    using Owner::Owner;
-
-    /// FLG_NOT_READY until the manifold's job is published, the job's error if it failed.
-    /// Calls flgManifoldGetView.
-    Result<ManifoldView> view() const {
-        FlgManifoldView out_view;
-        flgManifoldViewInit(&out_view, detail::size_of<FlgManifoldView>);
-        const FlgResult result = flgManifoldGetView(context_, handle_, &out_view);
-        return detail::made(result, out_view);
-    }
-
-    /// Projects up to 64 points, relative to the manifold's origin, onto it at once, such as a cursor's. out_distances
-    /// (metres) may be null; a point that cannot be projected stays unchanged and gets HUGE_VAL. FLG_NOT_READY until
-    /// the manifold's job is published. Cost: some us a point.
-    /// Calls flgManifoldProject.
-    Result<bool> project(double* points, uint32_t point_count, double* out_distances = nullptr) const {
-        const FlgResult result = flgManifoldProject(context_, handle_, points, point_count, out_distances);
-        return detail::done(result);
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgManifoldView shown;
-        flgManifoldViewInit(&shown, detail::size_of<FlgManifoldView>);
-        return detail::done(flgManifoldGetView(context_, handle_, &shown));
-    }
-};
-
-/// A curve through points of a manifold. Never changes once ready.
-class Spline : public detail::Owner<FlgSpline, flgSplineRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the spline is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
-    /// its job is published (with partial_results: until its first round), the job's error if it failed.
-    /// Calls flgSplineGetView.
-    Result<SplineView> view() const {
-        FlgSplineView out_view;
-        flgSplineViewInit(&out_view, detail::size_of<FlgSplineView>);
-        const FlgResult result = flgSplineGetView(context_, handle_, &out_view);
-        return detail::made(result, SplineView(out_view));
-    }
-
-    /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3,
-    /// NORMAL. Stylize it in the surface's frame (FLG_FRAME_METHOD_SUPPLIED), draw it, project it, or cut along it.
-    /// Cost: about 3 ns a node.
-    /// Calls flgSplineSample.
-    Result<CurveSet> sample(SplineSampleDesc desc = {}, Job* out_job = nullptr) const {
-        desc.spline = handle_;
-        FlgCurveSet out_set{};
-        FlgJob job_made{};
-        const FlgResult result = flgSplineSample(context_, &desc, &out_set, out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(context_, job_made);
-        return detail::made(result, CurveSet(context_, out_set));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgSplineView shown;
-        flgSplineViewInit(&shown, detail::size_of<FlgSplineView>);
-        return detail::done(flgSplineGetView(context_, handle_, &shown));
-    }
-};
-
-/// Solids that curves in the plane or in space avoid. Never change once ready.
-class Obstacles : public detail::Owner<FlgObstacles, flgObstaclesRelease> {
-public:
-    using Owner::Owner;
-};
-
-/// A motion of a rigid body. Never changes once ready.
-class Motion : public detail::Owner<FlgMotion, flgMotionRelease> {
-public:
-    using Owner::Owner;
-
-    /// The arrays live until the motion is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
-    /// its job is published (with partial_results: until its first round), the job's error if it failed.
-    /// Calls flgMotionGetView.
-    Result<MotionView> view() const {
-        FlgMotionView out_view;
-        flgMotionViewInit(&out_view, detail::size_of<FlgMotionView>);
-        const FlgResult result = flgMotionGetView(context_, handle_, &out_view);
-        return detail::made(result, MotionView(out_view));
-    }
-
-    /// Whether view() has something to show. Fails as the job that makes it did.
-    Result<bool> ready() const {
-        FlgMotionView shown;
-        flgMotionViewInit(&shown, detail::size_of<FlgMotionView>);
-        return detail::done(flgMotionGetView(context_, handle_, &shown));
-    }
-};
-
 /// A surface, the tree of its regions, and the steps that made them.
 class Tangle : public detail::Owner<FlgTangle, flgTangleRelease> {
 public:
@@ -3258,6 +3162,102 @@ public:
             out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(context_, job_made);
         return detail::made(result, SplitResults{CurveSet(context_, out_first), CurveSet(context_, out_second)});
+    }
+};
+
+/// A surface of dimension k in R^n that curves stay on. Never changes once ready.
+class Manifold : public detail::Owner<FlgManifold, flgManifoldRelease> {
+public:
+    using Owner::Owner;
+
+    /// FLG_NOT_READY until the manifold's job is published, the job's error if it failed.
+    /// Calls flgManifoldGetView.
+    Result<ManifoldView> view() const {
+        FlgManifoldView out_view;
+        flgManifoldViewInit(&out_view, detail::size_of<FlgManifoldView>);
+        const FlgResult result = flgManifoldGetView(context_, handle_, &out_view);
+        return detail::made(result, out_view);
+    }
+
+    /// Projects up to 64 points, relative to the manifold's origin, onto it at once, such as a cursor's. out_distances
+    /// (metres) may be null; a point that cannot be projected stays unchanged and gets HUGE_VAL. FLG_NOT_READY until
+    /// the manifold's job is published. Cost: some us a point.
+    /// Calls flgManifoldProject.
+    Result<bool> project(double* points, uint32_t point_count, double* out_distances = nullptr) const {
+        const FlgResult result = flgManifoldProject(context_, handle_, points, point_count, out_distances);
+        return detail::done(result);
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgManifoldView shown;
+        flgManifoldViewInit(&shown, detail::size_of<FlgManifoldView>);
+        return detail::done(flgManifoldGetView(context_, handle_, &shown));
+    }
+};
+
+/// A curve through points of a manifold. Never changes once ready.
+class Spline : public detail::Owner<FlgSpline, flgSplineRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the spline is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
+    /// its job is published (with partial_results: until its first round), the job's error if it failed.
+    /// Calls flgSplineGetView.
+    Result<SplineView> view() const {
+        FlgSplineView out_view;
+        flgSplineViewInit(&out_view, detail::size_of<FlgSplineView>);
+        const FlgResult result = flgSplineGetView(context_, handle_, &out_view);
+        return detail::made(result, SplineView(out_view));
+    }
+
+    /// Starts a job that copies a spline into a curve set with POSITION, TIME (its parameter) and, on a surface in R^3,
+    /// NORMAL. Stylize it in the surface's frame (FLG_FRAME_METHOD_SUPPLIED), draw it, project it, or cut along it.
+    /// Cost: about 3 ns a node.
+    /// Calls flgSplineSample.
+    Result<CurveSet> sample(SplineSampleDesc desc = {}, Job* out_job = nullptr) const {
+        desc.spline = handle_;
+        FlgCurveSet out_set{};
+        FlgJob job_made{};
+        const FlgResult result = flgSplineSample(context_, &desc, &out_set, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, CurveSet(context_, out_set));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgSplineView shown;
+        flgSplineViewInit(&shown, detail::size_of<FlgSplineView>);
+        return detail::done(flgSplineGetView(context_, handle_, &shown));
+    }
+};
+
+/// Solids that curves in the plane or in space avoid. Never change once ready.
+class Obstacles : public detail::Owner<FlgObstacles, flgObstaclesRelease> {
+public:
+    using Owner::Owner;
+};
+
+/// A motion of a rigid body. Never changes once ready.
+class Motion : public detail::Owner<FlgMotion, flgMotionRelease> {
+public:
+    using Owner::Owner;
+
+    /// The arrays live until the motion is released; while it runs, until the next flgContextTick. FLG_NOT_READY until
+    /// its job is published (with partial_results: until its first round), the job's error if it failed.
+    /// Calls flgMotionGetView.
+    Result<MotionView> view() const {
+        FlgMotionView out_view;
+        flgMotionViewInit(&out_view, detail::size_of<FlgMotionView>);
+        const FlgResult result = flgMotionGetView(context_, handle_, &out_view);
+        return detail::made(result, MotionView(out_view));
+    }
+
+    /// Whether view() has something to show. Fails as the job that makes it did.
+    Result<bool> ready() const {
+        FlgMotionView shown;
+        flgMotionViewInit(&shown, detail::size_of<FlgMotionView>);
+        return detail::done(flgMotionGetView(context_, handle_, &shown));
     }
 };
 
@@ -3866,6 +3866,46 @@ public:
         return detail::made(result, Skin(handle_, out_skin));
     }
 
+    /// Starts a job that makes a whole surface the root of a tangle: all labels become 0. The surface's own job may
+    /// still run. Cost: about 5 ns a triangle.
+    /// Calls flgTangleCreate.
+    Result<Tangle> tangle(FlgSurface surface, const FlgJobOptions* job = nullptr, Job* out_job = nullptr) const {
+        FlgTangle out_tangle{};
+        FlgJob job_made{};
+        const FlgResult result = flgTangleCreate(handle_, surface, job, &out_tangle, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(handle_, job_made);
+        return detail::made(result, Tangle(handle_, out_tangle));
+    }
+
+    /// Begins a stroke. FLG_NOT_READY while the style is not prepared, or not warm at this temperature (flgStyleWarm);
+    /// flgErrorGetMessage() says which. Returns the error of the style's job if that failed. Cost: the allocation of
+    /// its memory, which it does not touch. (An allocator that returns pages touched before spares pushes the system's
+    /// cost of first touches.)
+    /// Calls flgLiveStrokeBegin.
+    Result<LiveStroke> begin(const LiveStrokeDesc& desc) const {
+        FlgLiveStroke out_stroke{};
+        const FlgResult result = flgLiveStrokeBegin(handle_, &desc, &out_stroke);
+        return detail::made(result, LiveStroke(handle_, out_stroke));
+    }
+
+    /// The batch form: starts a job that draws every curve of a set of recorded samples as a live stroke, and ends it.
+    /// Curve c equals a live stroke through these samples with the same descriptor and seed `seed + c`, bit for bit.
+    /// Missing columns mean: no orientation, pressure 1, all times 0 s; without TIME, `smoothing` must be 0. Values
+    /// that flgLiveStrokePush would refuse fail the job with the same result. So does a curve of more than max_points
+    /// points: FLG_ERROR_LIMIT, before memory is taken (for the points needed, not for max_points). max_samples does
+    /// not apply. Closed curves are drawn open. The style need not be ready or warm. `job` may be null. Cost: about 0.3
+    /// us a point.
+    /// Calls flgLiveStrokeReplay.
+    Result<CurveSet> replay(const LiveStrokeDesc& desc, FlgCurveSet samples, const FlgJobOptions* job = nullptr,
+        Job* out_job = nullptr) const {
+        FlgCurveSet out_set{};
+        FlgJob job_made{};
+        const FlgResult result = flgLiveStrokeReplay(handle_, &desc, samples, job, &out_set,
+            out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(handle_, job_made);
+        return detail::made(result, CurveSet(handle_, out_set));
+    }
+
     /// Makes a manifold at once. Cost: 0.1 ms at most.
     /// Calls flgManifoldCreateShape.
     Result<Manifold> manifold_shape(const ManifoldShapeDesc& desc) const {
@@ -3990,46 +4030,6 @@ public:
         return detail::made(result, Motion(handle_, out_motion));
     }
 
-    /// Starts a job that makes a whole surface the root of a tangle: all labels become 0. The surface's own job may
-    /// still run. Cost: about 5 ns a triangle.
-    /// Calls flgTangleCreate.
-    Result<Tangle> tangle(FlgSurface surface, const FlgJobOptions* job = nullptr, Job* out_job = nullptr) const {
-        FlgTangle out_tangle{};
-        FlgJob job_made{};
-        const FlgResult result = flgTangleCreate(handle_, surface, job, &out_tangle, out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(handle_, job_made);
-        return detail::made(result, Tangle(handle_, out_tangle));
-    }
-
-    /// Begins a stroke. FLG_NOT_READY while the style is not prepared, or not warm at this temperature (flgStyleWarm);
-    /// flgErrorGetMessage() says which. Returns the error of the style's job if that failed. Cost: the allocation of
-    /// its memory, which it does not touch. (An allocator that returns pages touched before spares pushes the system's
-    /// cost of first touches.)
-    /// Calls flgLiveStrokeBegin.
-    Result<LiveStroke> begin(const LiveStrokeDesc& desc) const {
-        FlgLiveStroke out_stroke{};
-        const FlgResult result = flgLiveStrokeBegin(handle_, &desc, &out_stroke);
-        return detail::made(result, LiveStroke(handle_, out_stroke));
-    }
-
-    /// The batch form: starts a job that draws every curve of a set of recorded samples as a live stroke, and ends it.
-    /// Curve c equals a live stroke through these samples with the same descriptor and seed `seed + c`, bit for bit.
-    /// Missing columns mean: no orientation, pressure 1, all times 0 s; without TIME, `smoothing` must be 0. Values
-    /// that flgLiveStrokePush would refuse fail the job with the same result. So does a curve of more than max_points
-    /// points: FLG_ERROR_LIMIT, before memory is taken (for the points needed, not for max_points). max_samples does
-    /// not apply. Closed curves are drawn open. The style need not be ready or warm. `job` may be null. Cost: about 0.3
-    /// us a point.
-    /// Calls flgLiveStrokeReplay.
-    Result<CurveSet> replay(const LiveStrokeDesc& desc, FlgCurveSet samples, const FlgJobOptions* job = nullptr,
-        Job* out_job = nullptr) const {
-        FlgCurveSet out_set{};
-        FlgJob job_made{};
-        const FlgResult result = flgLiveStrokeReplay(handle_, &desc, samples, job, &out_set,
-            out_job ? &job_made : nullptr);
-        if (out_job) *out_job = Job(handle_, job_made);
-        return detail::made(result, CurveSet(handle_, out_set));
-    }
-
     /// Starts a job that projects curves in space onto a surface, ready to be cut along: each point snaps to the
     /// nearest point of the surface. Between two points the curve follows the plane through both and the surface's
     /// normal there or, if that leads nowhere, a shortest path. curve_values are lengths. Curves that collapse to a
@@ -4105,10 +4105,49 @@ inline Result<bool> skin_animation_sample(Span<const FlgSkinAnimation> animation
     return detail::done(result);
 }
 
+/// [any thread] As flgErrorGetMessage, for the functions of this header. Sentences start with FILE:PLACE, where
+/// PLACE is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE alone
+/// if the whole file is meant, such as when it cannot be opened.
+/// Calls flgIoErrorGetMessage.
+inline const char* io_error_message() {
+    return flgIoErrorGetMessage();
+}
+
+/// Writes a motion to .glb, completely or not at all, as flgCurveFileWrite: one node, with the mesh and the camera
+/// if given, and an animation with one translation and rotation per position; both interpolate linearly in between
+/// (LINEAR). Without an animation the node stands at the first pose. Rotations of poses may be off by 0.001;
+/// quaternions have length 1, to float precision, and consecutive ones are in the same hemisphere. Cost: about 1 us
+/// a position, and what the mesh takes. Errors: FLG_ERROR_INVALID_ARGUMENT (also for poses that are no rotations),
+/// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB).
+/// Calls flgMotionFileWrite.
+inline Result<bool> motion_file_write(const char* path, const MotionFileWriteDesc& desc) {
+    const FlgResult result = flgMotionFileWrite(path, &desc);
+    return detail::done<flgIoErrorGetMessage>(result);
+}
+
+/// [any thread] The name of a tangle operator in documents and scripts, such as "contour", by FlgTangleOperator
+/// value. Null beyond the last one. A static string. Cost: nanoseconds.
+/// Calls flgTangleOperatorGetName.
+inline const char* tangle_operator_name(uint32_t number) {
+    return flgTangleOperatorGetName(number);
+}
+
+/// [any thread] Likewise for a macro, such as "sunburst", by FlgTangleMacro value. Cost: nanoseconds.
+/// Calls flgTangleMacroGetName.
+inline const char* tangle_macro_name(uint32_t number) {
+    return flgTangleMacroGetName(number);
+}
+
 /// The names of formulas, from index 0 on; null beyond the last one. Static strings.
 /// Calls flgFormulaGetName.
 inline const char* formula_name(uint32_t number) {
     return flgFormulaGetName(number);
+}
+
+/// [any thread] As flgErrorGetMessage, for the functions of this header.
+/// Calls flgPickErrorGetMessage.
+inline const char* pick_error_message() {
+    return flgPickErrorGetMessage();
 }
 
 /// Curves. LINES and POINTS; FRAMES, where the set has a NORMAL column; SEAMS, where it has STYLE_INDEX. Tangents
@@ -4244,45 +4283,6 @@ inline Result<bool> debug_draw_spline(FlgSpline spline, const DebugDrawDesc& des
 inline Result<bool> debug_draw_motion(FlgMotion motion, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
     const FlgResult result = flgDebugDrawMotion(context_, motion, &desc, &drawing);
     return detail::done(result);
-}
-
-/// [any thread] As flgErrorGetMessage, for the functions of this header. Sentences start with FILE:PLACE, where
-/// PLACE is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE alone
-/// if the whole file is meant, such as when it cannot be opened.
-/// Calls flgIoErrorGetMessage.
-inline const char* io_error_message() {
-    return flgIoErrorGetMessage();
-}
-
-/// Writes a motion to .glb, completely or not at all, as flgCurveFileWrite: one node, with the mesh and the camera
-/// if given, and an animation with one translation and rotation per position; both interpolate linearly in between
-/// (LINEAR). Without an animation the node stands at the first pose. Rotations of poses may be off by 0.001;
-/// quaternions have length 1, to float precision, and consecutive ones are in the same hemisphere. Cost: about 1 us
-/// a position, and what the mesh takes. Errors: FLG_ERROR_INVALID_ARGUMENT (also for poses that are no rotations),
-/// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB).
-/// Calls flgMotionFileWrite.
-inline Result<bool> motion_file_write(const char* path, const MotionFileWriteDesc& desc) {
-    const FlgResult result = flgMotionFileWrite(path, &desc);
-    return detail::done<flgIoErrorGetMessage>(result);
-}
-
-/// [any thread] The name of a tangle operator in documents and scripts, such as "contour", by FlgTangleOperator
-/// value. Null beyond the last one. A static string. Cost: nanoseconds.
-/// Calls flgTangleOperatorGetName.
-inline const char* tangle_operator_name(uint32_t number) {
-    return flgTangleOperatorGetName(number);
-}
-
-/// [any thread] Likewise for a macro, such as "sunburst", by FlgTangleMacro value. Cost: nanoseconds.
-/// Calls flgTangleMacroGetName.
-inline const char* tangle_macro_name(uint32_t number) {
-    return flgTangleMacroGetName(number);
-}
-
-/// [any thread] As flgErrorGetMessage, for the functions of this header.
-/// Calls flgPickErrorGetMessage.
-inline const char* pick_error_message() {
-    return flgPickErrorGetMessage();
 }
 
 #ifdef FILIGREE_NO_EXCEPTIONS

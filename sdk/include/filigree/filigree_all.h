@@ -6,11 +6,11 @@
 #define FILIGREE_FILIGREE_ALL_H
 
 #include "filigree_brush.h"
-#include "filigree_debug.h"
 #include "filigree_io.h"
 #include "filigree_live.h"
 #include "filigree_motion.h"
 #include "filigree_pick.h"
 #include "filigree_project.h"
+#include "filigree_debug.h"
 
 #endif
