@@ -11,6 +11,7 @@
 #include <typeindex>
 #include <vector>
 
+#include "filigree/filigree_debug.h"
 #include "filigree/filigree_live.h"
 #include "filigree/filigree_model.h"
 #include "filigree/filigree_motion.h"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "api/surface_inputs.h"
+#include "filigree/filigree_debug.h"
 #include "hardening/heap.h"
 
 namespace flg::test {
@@ -110,6 +111,24 @@ public:
         return made;
     }
 
+    // All that an object has to draw, by FLG_DRAW: counted, written, noted.
+    template <class Handle>
+    void draw(const char* name, FlgResult (*function)(FlgContext, Handle, const FlgDebugDrawDesc*, FlgDebugDrawing*),
+              Handle handle) {
+        FlgDebugDrawDesc desc = init("flgDebugDrawDescInit", flgDebugDrawDescInit);
+        FlgDebugDrawing drawing = init("flgDebugDrawingInit", flgDebugDrawingInit);
+        desc.parts = 2 * FLG_DEBUG_PART_CLEARANCE - 1;
+        call(name, function, context, handle, &desc, &drawing);
+        std::vector<FlgDebugVertex> lines(size_t{2} * drawing.line_count), points(drawing.point_count);
+        drawing.lines = lines.data();
+        drawing.points = points.data();
+        drawing.line_capacity = drawing.line_count;
+        drawing.point_capacity = drawing.point_count;
+        call(name, function, context, handle, &desc, &drawing);
+        note(lines.data(), lines.size() * sizeof(FlgDebugVertex));
+        note(points.data(), points.size() * sizeof(FlgDebugVertex));
+    }
+
     // Where the next call is to write a handle. It must do so, whatever happens.
     template <class Handle>
     Handle* out(Handle& handle) {
@@ -151,6 +170,7 @@ private:
 
 #define FLG_CALL(calls, function, ...) (calls).call(#function, function __VA_OPT__(, ) __VA_ARGS__)
 #define FLG_VALUE(calls, function, ...) (calls).value(#function, function __VA_OPT__(, ) __VA_ARGS__)
+#define FLG_DRAW(calls, function, handle) (calls).draw(#function, function, handle)
 #define FLG_INIT(calls, function) (calls).init(#function, function)
 
 }  // namespace flg::test

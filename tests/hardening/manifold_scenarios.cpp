@@ -38,6 +38,7 @@ void look_at(Calls& calls, FlgSpline spline) {
     FlgSplineView view = FLG_INIT(calls, flgSplineViewInit);
     FLG_CALL(calls, flgSplineGetView, calls.context, spline, &view);
     calls.note(view.nodes, size_t{view.ambient} * view.node_count * sizeof(double));
+    FLG_DRAW(calls, flgDebugDrawSpline, spline);
 }
 
 FlgManifold make_shape(Calls& calls, FlgManifoldShape shape, const char* name = nullptr) {

@@ -66,6 +66,7 @@ void make_straight_skeletons(Calls& calls) {
         FLG_CALL(calls, flgStraightSkeletonGetView, calls.context, skeleton, &view);
         calls.note(view.nodes, size_t{3} * view.node_count * sizeof(double));
         calls.note(view.arcs, size_t{4} * view.arc_count * sizeof(uint32_t));
+        FLG_DRAW(calls, flgDebugDrawStraightSkeleton, skeleton);
         FlgOffsetPolygons polygons = FLG_INIT(calls, flgOffsetPolygonsInit);
         FLG_CALL(calls, flgStraightSkeletonOffset, calls.context, skeleton, 0.2, &polygons);
         std::vector<double> front(2 * size_t{polygons.point_count});
@@ -106,6 +107,10 @@ void make_models(Calls& calls) {
     FLG_CALL(calls, flgSkinGetView, calls.context, skin, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
     calls.note(view.vertex_weights, size_t{4} * view.vertex_count * sizeof(float));
+    FLG_DRAW(calls, flgDebugDrawPart, body.part);
+    FLG_DRAW(calls, flgDebugDrawPartMesh, mesh);
+    FLG_DRAW(calls, flgDebugDrawModel, desc.model);
+    FLG_DRAW(calls, flgDebugDrawSkin, skin);
     FLG_CALL(calls, flgSkinRelease, calls.context, skin);
     FLG_CALL(calls, flgModelRelease, calls.context, desc.model);
     FLG_CALL(calls, flgPartMeshRelease, calls.context, mesh);
@@ -125,6 +130,7 @@ void make_outlines(Calls& calls) {
     FlgOutlineView view = FLG_INIT(calls, flgOutlineViewInit);
     FLG_CALL(calls, flgOutlineGetView, calls.context, outline, &view);
     calls.note(view.contour->points, size_t{2} * view.contour->point_count * sizeof(double));
+    FLG_DRAW(calls, flgDebugDrawOutline, outline);
     FLG_CALL(calls, flgOutlineRelease, calls.context, outline);
 }
 

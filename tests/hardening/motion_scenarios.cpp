@@ -85,6 +85,7 @@ void avoid_obstacles(Calls& calls) {
         {obstacle(calls, FLG_OBSTACLE_KIND_BALL, 0, -3, 0, 0.5), obstacle(calls, FLG_OBSTACLE_KIND_BOX, 3, 0, 0, 0.4),
          obstacle(calls, FLG_OBSTACLE_KIND_CAPSULE, -3, 0, 0, 0.3), function, solid});
     fit(calls, 3, {-1.6, 0, 0.1, 1.6, 0.1, 0}, space);
+    FLG_DRAW(calls, flgDebugDrawObstacles, space);
 
     FlgObstacle layer = obstacle(calls, FLG_OBSTACLE_KIND_LAYER, 0, 0, 0, 0.6);
     layer.cells = 20;
@@ -117,6 +118,7 @@ void move_bodies(Calls& calls) {
         FlgMotionView view = FLG_INIT(calls, flgMotionViewInit);
         FLG_CALL(calls, flgMotionGetView, calls.context, motion, &view);
         calls.note(view.poses, size_t{12} * view.position_count * sizeof(double));
+        FLG_DRAW(calls, flgDebugDrawMotion, motion);
         FLG_CALL(calls, flgMotionRelease, calls.context, motion);
     }
 }

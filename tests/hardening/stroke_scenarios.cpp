@@ -134,6 +134,7 @@ void make_styles(Calls& calls) {
     info.struct_size = sizeof info;
     FLG_CALL(calls, flgStyleGetInfo, calls.context, style, &info);
     calls.note(info.matching, info.point_count * sizeof(float));
+    FLG_DRAW(calls, flgDebugDrawStyle, style);
     FLG_CALL(calls, flgStyleGetGuide, calls.context, style, calls.out(guide));
     calls.note(guide);
 
@@ -178,6 +179,7 @@ void stylize_curves(Calls& calls) {
     FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(one), calls.job());
     calls.finish();
     calls.note(one);
+    FLG_DRAW(calls, flgDebugDrawCurveSet, one);
     desc.target = one;
     desc.strokes = 1;
     desc.scale = 0.5f;

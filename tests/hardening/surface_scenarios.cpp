@@ -58,6 +58,7 @@ void make_surfaces(Calls& calls) {
     FLG_CALL(calls, flgSurfaceGetReport, calls.context, surface, &report);
     EXPECT_EQ(report.degenerate_triangles, 1u);
     calls.note(surface);
+    FLG_DRAW(calls, flgDebugDrawSurface, surface);
     for (const FlgSubdivision scheme : {FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP}) {
         FlgSurfaceRefineDesc refine = FLG_INIT(calls, flgSurfaceRefineDescInit);
         refine.surface = surface;
@@ -105,6 +106,7 @@ void measure_surfaces(Calls& calls) {
     FLG_CALL(calls, flgFieldCreate, calls.context, surface, values.data(), 49u, calls.out(own));
     for (const FlgField field : {from, to, blended, sampled, perturbed, own}) {
         calls.note(field);
+        FLG_DRAW(calls, flgDebugDrawField, field);
         FLG_CALL(calls, flgFieldRelease, calls.context, field);
     }
     calls.note(points);
@@ -146,6 +148,7 @@ void trace_surfaces(Calls& calls) {
         FlgSurfaceCurvesView view = FLG_INIT(calls, flgSurfaceCurvesViewInit);
         FLG_CALL(calls, flgSurfaceCurvesGetView, calls.context, curves, &view);
         calls.bits += bits(view);
+        FLG_DRAW(calls, flgDebugDrawSurfaceCurves, curves);
         FLG_CALL(calls, flgSurfaceCurvesRelease, calls.context, curves);
     }
 }

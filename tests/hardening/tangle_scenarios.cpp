@@ -80,6 +80,7 @@ void divide_tangles(Calls& calls) {
     FLG_CALL(calls, flgTangleTraceBorders, calls.context, decorated.tangle, nullptr, calls.out(seen), calls.job());
     calls.finish();
     calls.note(seen);
+    FLG_DRAW(calls, flgDebugDrawTangle, decorated.tangle);
     FLG_CALL(calls, flgTangleRelease, calls.context, decorated.tangle);
 }
 

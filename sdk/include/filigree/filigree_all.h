@@ -11,5 +11,6 @@
 #include "filigree_motion.h"
 #include "filigree_pick.h"
 #include "filigree_project.h"
+#include "filigree_debug.h"
 
 #endif

@@ -24,6 +24,34 @@ int crossing(const Obstacle::Place& p, const double* a, const double* b) {
 
 }  // namespace
 
+void Obstacle::draw(double clearance, Wires& wires) const {
+    Place centre{}, half{};
+    std::array<Place, max_dimension> axes{};
+    for (uint32_t k = 0; k < dimension_; ++k) {
+        centre[k] = 0.5 * (box_.lower[k] + box_.upper[k]);
+        half[k] = 0.5 * (box_.upper[k] - box_.lower[k]) + clearance;
+        axes[k][k] = 1;
+    }
+    draw_box(centre, half, axes, wires);
+}
+
+void Obstacle::draw_box(const Place& centre, const Place& half, const std::array<Place, max_dimension>& axes,
+                        Wires& wires) const {
+    const auto corner = [&](uint32_t signs) {
+        Place at = centre;
+        for (uint32_t i = 0; i < dimension_; ++i) {
+            const double along = (signs >> i & 1) != 0 ? half[i] : -half[i];
+            for (uint32_t k = 0; k < dimension_; ++k) at[k] += along * axes[i][k];
+        }
+        return at;
+    };
+    for (uint32_t signs = 0; signs < 1u << dimension_; ++signs) {
+        for (uint32_t i = 0; i < dimension_; ++i) {
+            if ((signs >> i & 1) == 0) wires.line(corner(signs), corner(signs | 1u << i));
+        }
+    }
+}
+
 ObstacleSet::ObstacleSet(std::span<const Obstacle* const> obstacles, double clearance, Memory* memory)
     : obstacles_(obstacles.begin(), obstacles.end(), memory), clearance_(clearance) {
     if (obstacles_.empty() || obstacles_.size() > max_count) {

@@ -27,12 +27,24 @@ public:
     struct Box {
         Place lower{}, upper{};
     };
+    // Takes the lines of a wireframe.
+    class Wires {
+    public:
+        virtual void line(const Place& a, const Place& b) = 0;
+
+    protected:
+        ~Wires() = default;
+    };
 
     virtual ~Obstacle() = default;
 
     // The signed distance of x, its gradient (d numbers) and its second derivatives (d x d), each but the value may be
     // null. Finite x. Any thread. 1 us at most.
     virtual double evaluate(const double* x, double* gradient, double* second) const = 0;
+
+    // A wireframe of the boundary, moved outwards by `clearance` >= 0 without rounding corners; that of the box if the
+    // shape has none of its own.
+    virtual void draw(double clearance, Wires& wires) const;
 
     uint32_t dimension() const { return dimension_; }  // d, 2 or 3
     // Has all of the boundary in it.
@@ -53,6 +65,9 @@ protected:
         : dimension_(dimension), box_(box), bounded_(bounded), core_depth_(core_depth), reach_(reach) {
         for (uint32_t k = 0; k < max_dimension; ++k) core_[k] = 0.5 * (box.lower[k] + box.upper[k]);
     }
+    // The edges of a box with unit axes.
+    void draw_box(const Place& centre, const Place& half, const std::array<Place, max_dimension>& axes,
+                  Wires& wires) const;
     // The box's middle is it otherwise.
     void set_core(const Place& core) { core_ = core; }
     Obstacle(const Obstacle&) = default;

@@ -194,4 +194,13 @@ double PolygonObstacle::evaluate(const double* x, double* gradient, double* seco
     return (p.x - a.x) * g[0] + (p.y - a.y) * g[1];
 }
 
+void PolygonObstacle::draw(double clearance, Wires& wires) const {
+    for (uint32_t i = 0; i < vertices_.size(); ++i) {
+        const Vertex &a = vertices_[i], &b = vertices_[next(i)];
+        const double out = clearance / std::hypot(b.x - a.x, b.y - a.y);
+        const double x = out * (b.y - a.y), y = out * (a.x - b.x);
+        wires.line({a.x + x, a.y + y}, {b.x + x, b.y + y});
+    }
+}
+
 }  // namespace flg

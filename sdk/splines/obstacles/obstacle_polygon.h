@@ -16,6 +16,7 @@ public:
     // lie on each other. 0.2 ms with 256 vertices.
     PolygonObstacle(std::span<const double> vertices, Memory* memory);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    void draw(double clearance, Wires& wires) const override;
 
 private:
     static constexpr uint32_t run_size = 16;  // edges that share a box

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "core/vec.h"
 
 namespace flg {
 
@@ -96,6 +97,34 @@ double diagonal(uint32_t d, const Obstacle::Box& box) {
     return std::sqrt(square);
 }
 
+// A ball moved along `axis`, a unit vector, by `length`, which may be 0: both ends' arcs, and what joins them.
+void draw_capsule(uint32_t d, const Place& from, const Place& axis, double length, double radius,
+                  Obstacle::Wires& wires) {
+    constexpr uint32_t steps = 32;  // of a full circle; a multiple of 4
+    const Vec3 along = length > 0 ? Vec3(axis.data()) : Vec3::UnitX();
+    const Vec3 sides[] = {d == 2 ? Vec3(-along.y(), along.x(), 0) : along.unitOrthogonal(),
+                          along.cross(along.unitOrthogonal())};
+    const auto line = [&](const Vec3& a, const Vec3& b) { wires.line({a[0], a[1], a[2]}, {b[0], b[1], b[2]}); };
+    const auto arc = [&](const Vec3& centre, const Vec3& u, const Vec3& v, uint32_t count) {
+        const auto at = [&](uint32_t i) -> Vec3 {
+            const double angle = 2 * M_PI * i / steps;
+            return centre + radius * (std::cos(angle) * u + std::sin(angle) * v);
+        };
+        for (uint32_t i = 0; i < count; ++i) line(at(i), at(i + 1));
+    };
+    const Vec3 begin(from.data()), end = begin + length * along;
+    for (uint32_t s = 0; s < d - 1; ++s) {
+        arc(begin, sides[s], -along, steps / 2);
+        arc(end, sides[s], along, steps / 2);
+        if (length == 0) continue;
+        line(begin + radius * sides[s], end + radius * sides[s]);
+        line(begin - radius * sides[s], end - radius * sides[s]);
+    }
+    if (d == 2) return;
+    arc(begin, sides[0], sides[1], steps);
+    if (length > 0) arc(end, sides[0], sides[1], steps);
+}
+
 }  // namespace
 
 BallObstacle::BallObstacle(uint32_t dimension, const double* centre, double radius)
@@ -110,6 +139,10 @@ double BallObstacle::evaluate(const double* x, double* gradient, double* second)
     Place to{};
     for (uint32_t k = 0; k < dimension(); ++k) to[k] = x[k] - centre_[k];
     return radial(dimension(), to, {}, gradient, second) - radius_;
+}
+
+void BallObstacle::draw(double clearance, Wires& wires) const {
+    draw_capsule(dimension(), centre_, {}, 0, radius_ + clearance, wires);
 }
 
 BoxObstacle::BoxObstacle(uint32_t dimension, const double* centre, const double* half, const double* axes)
@@ -175,6 +208,12 @@ double BoxObstacle::evaluate(const double* x, double* gradient, double* second) 
     return value;
 }
 
+void BoxObstacle::draw(double clearance, Wires& wires) const {
+    Place half = half_;
+    for (double& side : half) side += clearance;
+    draw_box(centre_, half, axes_, wires);
+}
+
 CapsuleObstacle::CapsuleObstacle(uint32_t dimension, const double* from, const double* to, double radius)
     : Obstacle(dimension,
                around(dimension, checked_place("from", dimension, from), checked_place("to", dimension, to),
@@ -196,6 +235,10 @@ double CapsuleObstacle::evaluate(const double* x, double* gradient, double* seco
     for (uint32_t k = 0; k < d; ++k) to[k] -= nearest * along_[k];
     const bool beside = at > 0 && at < length_;
     return radial(d, to, beside ? along_ : Place{}, gradient, second) - radius_;
+}
+
+void CapsuleObstacle::draw(double clearance, Wires& wires) const {
+    draw_capsule(dimension(), from_, along_, length_, radius_ + clearance, wires);
 }
 
 FunctionObstacle::FunctionObstacle(uint32_t dimension, const Function& function, const Box& box, bool bounded,

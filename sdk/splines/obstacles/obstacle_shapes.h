@@ -12,6 +12,7 @@ public:
     // centre: `dimension` numbers.
     BallObstacle(uint32_t dimension, const double* centre, double radius);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    void draw(double clearance, Wires& wires) const override;
 
 private:
     Place centre_{};
@@ -25,6 +26,7 @@ public:
     // half: half its sides along them.
     BoxObstacle(uint32_t dimension, const double* centre, const double* half, const double* axes);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    void draw(double clearance, Wires& wires) const override;
 
 private:
     Place centre_{}, half_{};
@@ -36,6 +38,7 @@ class CapsuleObstacle final : public Obstacle {
 public:
     CapsuleObstacle(uint32_t dimension, const double* from, const double* to, double radius);
     double evaluate(const double* x, double* gradient, double* second) const override;
+    void draw(double clearance, Wires& wires) const override;
 
 private:
     Place from_{}, along_{};  // the unit vector along it; 0 if it has no length
