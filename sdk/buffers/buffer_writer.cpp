@@ -185,10 +185,11 @@ void store_indices(const BufferPlan& plan, uint32_t begin, uint32_t end) {
     }
 }
 
+// Labels of triangles, which all have one.
 ColumnCopy label_copy(const BufferPlan& plan) {
     ColumnCopy column{};
-    column.from = {FLG_ATTRIBUTE_LABEL, FLG_NUMBER_FORMAT_UINT32, 1, sizeof(uint32_t), plan.regions};
-    column.to.attribute = FLG_ATTRIBUTE_LABEL;
+    column.from = {FLG_ATTRIBUTE_PART, FLG_NUMBER_FORMAT_UINT32, 1, sizeof(uint32_t), plan.regions};
+    column.to.attribute = FLG_ATTRIBUTE_PART;
     column.to.format = plan.label_format;
     column.to.data = plan.labels;
     column.to.components = 1;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * SPDX-FileCopyrightText: 2026 The Filigree authors
  *
- * Results into the host's own buffers: vertex and index buffers, mapped memory of a graphics card included. Same grammar
- * and rules as filigree.h. Each column gets its own address, stride and number format.
+ * Results into the host's own buffers: vertex and index buffers, mapped memory of a graphics card included. Same
+ * grammar and rules as filigree.h. Each column gets its own address, stride and number format.
  *
  *     FlgBufferColumn columns[2] = {{0}};
  *     columns[0].attribute = FLG_ATTRIBUTE_POSITION;      columns[0].data = map;
@@ -13,14 +13,14 @@
  *     output.column_count = 2;                            output.row_capacity = 100000;
  *     flgCurveSetWrite(context, curves, &output, NULL, &job);
  *
- * At once      flgColumnsWrite and flgIndicesWrite write what a view shows: of live strokes, tips and partial results too.
- *              They need no context and allocate nothing.
+ * At once      flgColumnsWrite and flgIndicesWrite write what a view shows: of live strokes, tips and partial results
+ *              too. They need no context and allocate nothing.
  * By a job     The other functions take a handle, whose job may still run, and write where jobs run: on a worker, or
  *              inside flgContextTick. The handle may be released at once. The buffers must live until the job is
  *              published; the structs that describe them only for the call.
  * Room         The counts of a result's view say how many rows and indices it has.
- * Writing      From front to back, only the components, nothing between them; buffers are never read. They must not overlap
- *              each other, nor the input.
+ * Writing      From front to back, only the components, nothing between them; buffers are never read. They must not
+ *              overlap each other, nor the input.
  * Failure      Everything is checked before the first byte is written: a job or call that fails has written nothing. A
  *              job that is cancelled may have written a part.
  * Determinism  The same bits at once and by a job, under any number of workers. FLOAT32 keeps the bits of the view.
@@ -37,14 +37,15 @@ extern "C" {
 #endif
 
 /* Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and SNORM16 for
- * NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the host's
- * own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL. */
+ * NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the
+ * host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL. */
 typedef struct FlgBufferColumn {
     FlgAttribute attribute; /* each at most once */
     FlgNumberFormat format;
     void* data;             /* of the first row written; aligned to the numbers' size */
     uint32_t stride;        /* bytes between rows, a multiple of the numbers' size; 0 = tightly packed */
-    uint32_t components;    /* numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: the result's */
+    /* Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has. */
+    uint32_t components;
     /* Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1. Each
      * finite and at most 1e30 in size; 0 for whole numbers, which can't be filled. */
     float fill[4];
@@ -70,8 +71,9 @@ typedef struct FlgBufferOutput {
     uint64_t region_capacity;       /* labels that `regions` has room for */
     FlgNumberFormat index_format;   /* UINT32 or UINT16. Default UINT32 */
     FlgNumberFormat region_format;  /* UINT32, UINT16 or UINT8. Default UINT32 */
-    /* 3 doubles, metres, magnitude at most 1e30, read during the call: what the host counts positions from. The result's
-     * own origin minus this is added in doubles. Null: positions stay as they are, relative to the result's origin. */
+    /* 3 doubles, metres, magnitude at most 1e30, read during the call: what the host counts positions from. The
+     * result's own origin minus this is added in doubles. Null: positions stay as they are, relative to the result's
+     * origin. */
     const double* origin;
     uint32_t base_vertex;           /* added to all indices: the buffer's vertices before these. Default 0 */
     /* Nonzero: for left-handed hosts with y up. Negates z of positions, normals, tangents and displacements, x and y of
@@ -96,14 +98,14 @@ typedef struct FlgColumnsWriteDesc {
 
 FLG_API FlgResult flgColumnsWriteDescInit(FlgColumnsWriteDesc* desc, uint32_t struct_size);
 
-/* [any thread] Writes columns of any view. Values may be infinite, as distances are, or no numbers: see FlgNumberFormat.
- * Errors: FLG_ERROR_INVALID_ARGUMENT, also for buffers that are too small, unaligned or overlap. Cost: as memcpy for
- * packed floats; else 1 to 3 ns a number. */
+/* [any thread] Writes columns of any view. Values may be infinite, as distances are, or no numbers: see
+ * FlgNumberFormat. Errors: FLG_ERROR_INVALID_ARGUMENT, also for buffers that are too small, unaligned or overlap. Cost:
+ * as memcpy for packed floats; else 1 to 3 ns a number. */
 FLG_API FlgResult flgColumnsWrite(const FlgColumnsWriteDesc* desc);
 
 /* [any thread] Writes indices of triangles: `index_count`, 3 each. Errors: FLG_ERROR_INVALID_ARGUMENT as above;
- * FLG_ERROR_LIMIT for indices that the format cannot hold: 65534 is the largest of UINT16, 2^32 - 2 of UINT32. Cost: one
- * pass to check and one to write, below 1 ns an index. */
+ * FLG_ERROR_LIMIT for indices that the format cannot hold: 65534 is the largest of UINT16, 2^32 - 2 of UINT32. Cost:
+ * one pass to check and one to write, below 1 ns an index. */
 FLG_API FlgResult flgIndicesWrite(const uint32_t* indices, uint32_t index_count, const FlgBufferOutput* output);
 
 /* ---- By jobs --------------------------------------------------------------------------------------------------- */
@@ -120,14 +122,14 @@ FLG_API FlgResult flgCurveSetWrite(FlgContext context, FlgCurveSet curves, const
 FLG_API FlgResult flgSurfaceWrite(FlgContext context, FlgSurface surface, const FlgBufferOutput* output,
                                   const FlgJobOptions* job, FlgJob* out_job);
 
-/* Starts a job that writes a field's columns: VALUE and, if it has labels, LABEL; FLG_NO_INDEX becomes the largest number
- * of a narrow format. Cost: that of flgColumnsWrite. */
+/* Starts a job that writes a field's columns: VALUE and, if it has labels, LABEL; FLG_NO_INDEX becomes the largest
+ * number of a narrow format. Cost: that of flgColumnsWrite. */
 FLG_API FlgResult flgFieldWrite(FlgContext context, FlgField field, const FlgBufferOutput* output,
                                 const FlgJobOptions* job, FlgJob* out_job);
 
-/* Starts a job that writes a skin's indices and columns: POSITION, NORMAL, JOINTS, WEIGHTS and PART. As UNORM8 and UNORM16
- * the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the host's memory anyway.)
- * Cost: that of flgColumnsWrite and flgIndicesWrite. */
+/* Starts a job that writes a skin's indices and columns: POSITION, NORMAL, JOINTS, WEIGHTS and PART. As UNORM8 and
+ * UNORM16 the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the host's memory
+ * anyway.) Cost: that of flgColumnsWrite and flgIndicesWrite. */
 FLG_API FlgResult flgSkinWrite(FlgContext context, FlgSkin skin, const FlgBufferOutput* output,
                                const FlgJobOptions* job, FlgJob* out_job);
 
