@@ -39,10 +39,10 @@ inline int32_t to_nearest(float value) {
 }
 
 inline uint8_t to_unorm8(float value) {
-    return static_cast<uint8_t>(to_nearest(clamped(value, 0, 1) * 255.0f));
+    return static_cast<uint8_t>(static_cast<int32_t>(clamped(value, 0, 1) * 255.0f + 0.5f));
 }
 inline uint16_t to_unorm16(float value) {
-    return static_cast<uint16_t>(to_nearest(clamped(value, 0, 1) * 65535.0f));
+    return static_cast<uint16_t>(static_cast<int32_t>(clamped(value, 0, 1) * 65535.0f + 0.5f));
 }
 inline int8_t to_snorm8(float value) {
     return static_cast<int8_t>(to_nearest(clamped(value, -1, 1) * 127.0f));
