@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * SPDX-FileCopyrightText: 2026 The Filigree authors
  *
- * Results into the host's own buffers: vertex and index buffers, mapped memory of a graphics card included. Same
- * grammar and rules as filigree.h. Each column gets its own address, stride and number format.
+ * Results into the host's own buffers: vertex and index buffers, mapped memory of a graphics card included. Each
+ * column gets its own address, stride and number format. Same grammar and rules as filigree.h.
  *
  *     FlgBufferColumn columns[2] = {{0}};
  *     columns[0].attribute = FLG_ATTRIBUTE_POSITION;      columns[0].data = map;
@@ -13,14 +13,14 @@
  *     output.column_count = 2;                            output.row_capacity = 100000;
  *     flgCurveSetWrite(context, curves, &output, NULL, &job);
  *
- * At once      flgColumnsWrite and flgIndicesWrite write what a view shows: of live strokes, tips and partial results
- *              too. They need no context and allocate nothing.
+ * At once      flgColumnsWrite and flgIndicesWrite write what a view shows, of live strokes, tips and partial
+ *              results too. They need no context and allocate nothing.
  * By a job     The other functions take a handle, whose job may still run, and write where jobs run: on a worker, or
  *              inside flgContextTick. The handle may be released at once. The buffers must live until the job is
  *              published; the structs that describe them only for the call.
  * Room         The counts of a result's view say how many rows and indices it has.
- * Writing      From front to back, only the components, nothing between them; buffers are never read. They must not
- *              overlap each other, nor the input.
+ * Writing      From front to back, only the components, nothing between them; buffers are never read. They must
+ *              not overlap each other, nor the input.
  * Failure      Everything is checked before the first byte is written: a job or call that fails has written nothing. A
  *              job that is cancelled may have written a part.
  * Determinism  The same bits at once and by a job, under any number of workers. FLOAT32 keeps the bits of the view.

@@ -21,7 +21,9 @@ namespace Filigree
         public void* data;
         /// <summary>bytes between rows, a multiple of the numbers' size; 0 = tightly packed</summary>
         public uint stride;
-        /// <summary>numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: the result's</summary>
+        /// <summary>
+        /// Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has.
+        /// </summary>
         public uint components;
         /// <summary>
         /// Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1.
