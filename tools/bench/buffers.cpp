@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results into the host's buffers: the points of the Thomas attractor, as packed floats and as a vertex of 24 bytes. What
-// the memory alone takes is measured beside it: the same bytes, copied.
+// Results into the host's buffers: the points of the Thomas attractor, as packed floats and as a vertex of 24 bytes.
+// What the memory alone takes is measured beside it: the same bytes, copied.
 #include <cstdio>
 #include <cstring>
 

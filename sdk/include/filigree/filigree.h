@@ -360,8 +360,8 @@ typedef struct FlgColumn {
     uint32_t reserved;
 } FlgColumn;
 
-/* How a number is stored in the host's buffers. Values beyond a format's range become the nearest that it holds; what is
- * no number (NaN) becomes its least. FLOAT32 keeps all bits. */
+/* How a number is stored in the host's buffers. Values beyond a format's range become the nearest that it holds; what
+ * is no number (NaN) becomes its least. FLOAT32 keeps all bits. */
 typedef enum FlgNumberFormat {
     FLG_NUMBER_FORMAT_FLOAT32 = 0,
     FLG_NUMBER_FORMAT_FLOAT16 = 1, /* IEEE half: -65504 to 65504, rounded to the nearest */
