@@ -35,15 +35,45 @@ Ogre::SkeletonPtr skeleton_of(const FlgSkinView& skin) {
 }
 
 // One buffer a column, so that OGRE may blend positions and normals and leave colours alone.
-template <class Value>
-void add_column(Ogre::VertexData& data, Ogre::VertexElementType type, Ogre::VertexElementSemantic semantic,
-                const Value* values) {
+Ogre::HardwareVertexBufferSharedPtr add_column(Ogre::VertexData& data, Ogre::VertexElementType type,
+                                               Ogre::VertexElementSemantic semantic) {
     const auto source = static_cast<unsigned short>(data.vertexBufferBinding->getBufferCount());
     const size_t size = data.vertexDeclaration->addElement(source, 0, type, semantic).getSize();
     const Ogre::HardwareVertexBufferSharedPtr buffer = Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
         size, data.vertexCount, Ogre::HBU_GPU_ONLY, true);
-    buffer->writeData(0, size * data.vertexCount, values, true);
     data.vertexBufferBinding->setBinding(source, buffer);
+    return buffer;
+}
+
+// The SDK writes positions, normals and indices, these as narrow as they can be, into OGRE's buffers itself.
+void write_shape(const FlgSkinView& skin, Ogre::VertexData& data, Ogre::IndexData& index_data) {
+    const auto whole = Ogre::HardwareBuffer::HBL_DISCARD;
+    const Ogre::HardwareBufferLockGuard positions(add_column(data, Ogre::VET_FLOAT3, Ogre::VES_POSITION), whole),
+        normals(add_column(data, Ogre::VET_FLOAT3, Ogre::VES_NORMAL), whole);
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, skin.positions, 0, 0},
+                                 {FLG_ATTRIBUTE_NORMAL, 3, skin.normals, 0, 0}};
+    const FlgBufferColumn to[] = {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.pData, 0, 0, {}, 0, 0},
+                                  {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, normals.pData, 0, 0, {}, 0, 0}};
+    filigree::BufferOutput vertices;
+    vertices.set_columns(to);
+    vertices.row_capacity = skin.vertex_count;
+    filigree::ColumnsWriteDesc desc;
+    desc.set_columns(columns);
+    desc.row_count = skin.vertex_count;
+    desc.output = &vertices;
+    filigree::columns_write(desc);
+
+    const bool narrow = skin.vertex_count <= 65535;
+    index_data.indexCount = size_t{3} * skin.triangle_count;
+    index_data.indexBuffer = Ogre::HardwareBufferManager::getSingleton().createIndexBuffer(
+        narrow ? Ogre::HardwareIndexBuffer::IT_16BIT : Ogre::HardwareIndexBuffer::IT_32BIT, index_data.indexCount,
+        Ogre::HBU_GPU_ONLY);
+    const Ogre::HardwareBufferLockGuard numbers(index_data.indexBuffer, whole);
+    filigree::BufferOutput indices;
+    indices.indices = numbers.pData;
+    indices.index_capacity = index_data.indexCount;
+    indices.index_format = narrow ? FLG_NUMBER_FORMAT_UINT16 : FLG_NUMBER_FORMAT_UINT32;
+    filigree::indices_write({skin.triangles, index_data.indexCount}, indices);
 }
 
 void add_weights(Ogre::Mesh& mesh, const FlgSkinView& skin) {
@@ -59,15 +89,9 @@ Ogre::MeshPtr mesh_of(const FlgSkinView& skin, const std::vector<Ogre::uint32>& 
     Ogre::MeshPtr mesh = Ogre::MeshManager::getSingleton().createManual("drawn.mesh", group);
     mesh->sharedVertexData = OGRE_NEW Ogre::VertexData();
     mesh->sharedVertexData->vertexCount = skin.vertex_count;
-    add_column(*mesh->sharedVertexData, Ogre::VET_FLOAT3, Ogre::VES_POSITION, skin.positions);
-    add_column(*mesh->sharedVertexData, Ogre::VET_FLOAT3, Ogre::VES_NORMAL, skin.normals);
-    add_column(*mesh->sharedVertexData, Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE, colours.data());
-    Ogre::SubMesh* const sub = mesh->createSubMesh();
-    const size_t indices = size_t{3} * skin.triangle_count;
-    sub->indexData->indexCount = indices;
-    sub->indexData->indexBuffer = Ogre::HardwareBufferManager::getSingleton().createIndexBuffer(
-        Ogre::HardwareIndexBuffer::IT_32BIT, indices, Ogre::HBU_GPU_ONLY);
-    sub->indexData->indexBuffer->writeData(0, indices * sizeof(uint32_t), skin.triangles, true);
+    write_shape(skin, *mesh->sharedVertexData, *mesh->createSubMesh()->indexData);
+    add_column(*mesh->sharedVertexData, Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE)
+        ->writeData(0, sizeof(Ogre::uint32) * colours.size(), colours.data(), true);
     Ogre::AxisAlignedBox box;
     for (uint32_t v = 0; v < skin.vertex_count; ++v) box.merge(Ogre::Vector3(skin.positions + size_t{3} * v));
     box.scale(Ogre::Vector3(1.2f));  // it moves

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Brush meshes: descriptors, curves and buffers checked whole before anything is written.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
 #include "api/columns.h"
 #include "api/descriptors.h"
 #include "api/error.h"
+#include "api/host_buffers.h"
 #include "api/inputs.h"
 #include "brush/brush_mesh.h"
-#include "brush/number_formats.h"
+#include "core/number_formats.h"
 #include "filigree/filigree_brush.h"
 
 namespace flg {
@@ -18,7 +18,6 @@ namespace {
 
 constexpr uint32_t most_columns = 5;
 constexpr uint64_t most_vertices = UINT32_MAX;
-constexpr uint64_t narrow_vertices = 65535;  // the last number has another meaning
 
 static_assert(sizeof(brush::Growth) + sizeof(uint64_t) <= sizeof FlgBrushMeshState::opaque);
 
@@ -291,26 +290,6 @@ bool takes(FlgVertexAttribute attribute, FlgNumberFormat format) {
     }
 }
 
-// Memory that is written or read: its name for sentences, and its elements.
-struct Block {
-    char name[32];
-    uintptr_t begin = 0;
-    uint64_t stride = 0, size = 0;  // bytes of an element and of what is used of it
-    uint64_t count = 0;
-
-    uintptr_t end() const { return count == 0 ? begin : begin + (count - 1) * stride + size; }
-    bool meets(const Block& other) const {
-        if (begin >= other.end() || other.begin >= end() || count == 0 || other.count == 0) return false;
-        if (stride != other.stride) return true;
-        // Interleaved: one lies in the gaps of the other.
-        const uintptr_t low = std::min(begin, other.begin), high = std::max(begin, other.begin);
-        const uint64_t low_size = begin <= other.begin ? size : other.size;
-        const uint64_t high_size = begin <= other.begin ? other.size : size;
-        const uint64_t offset = (high - low) % stride;
-        return offset < low_size || offset + high_size > stride;
-    }
-};
-
 // What a call writes to, checked.
 class Buffers {
 public:
@@ -318,13 +297,11 @@ public:
         check_range(given.column_count <= most_columns, "output.column_count", given.column_count, "0 to 5");
         if (given.column_count > 0) require(given.columns, "output.columns");
         for (uint32_t i = 0; i < given.column_count; ++i) add_column(i);
-        if (given.column_count > 0 && request.sizes.vertex_count > given.vertex_capacity) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.vertex_capacity is %llu, must be at least %llu",
-                          static_cast<unsigned long long>(given.vertex_capacity),
-                          static_cast<unsigned long long>(request.sizes.vertex_count));
-        }
+        if (given.column_count > 0)
+            check_capacity(given.vertex_capacity, request.sizes.vertex_count, "output.vertex_capacity");
         if (given.indices) add_indices();
-        check_overlaps();
+        add_inputs();
+        blocks_.check_apart();
         output_.first_index_value = static_cast<uint32_t>(request.desc.base_vertex + request.sizes.first_vertex);
     }
     brush::Output& output() { return output_; }
@@ -339,23 +316,15 @@ private:
         };
         check_enum(column.attribute, FLG_VERTEX_ATTRIBUTE_POSITION, FLG_VERTEX_ATTRIBUTE_UV, named("attribute"),
                    "FLG_VERTEX_ATTRIBUTE_");
-        check_enum(column.format, FLG_NUMBER_FORMAT_FLOAT32, FLG_NUMBER_FORMAT_UINT32, named("format"),
+        check_enum(column.format, FLG_NUMBER_FORMAT_FLOAT32, FLG_NUMBER_FORMAT_UINT8, named("format"),
                    "FLG_NUMBER_FORMAT_");
         if (!takes(column.attribute, column.format)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].format is %d, which attribute %d cannot have",
                           i, static_cast<int>(column.format), static_cast<int>(column.attribute));
         }
-        if (!column.data) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s is null", named("data"));
-        const uint32_t number = brush::bytes_of(column.format), size = number * components[column.attribute];
-        if (reinterpret_cast<uintptr_t>(column.data) % number != 0) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].data is %p, must be aligned to %u bytes", i,
-                          column.data, number);
-        }
-        if (column.stride != 0 && (column.stride % number != 0 || column.stride < size)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
-                          "output.columns[%u].stride is %u bytes, must be 0 or a multiple of %u and at least %u", i,
-                          column.stride, number, size);
-        }
+        const uint32_t number = bytes_of(column.format), size = number * components[column.attribute];
+        check_aligned(column.data, number, named("data"));
+        const uint32_t stride = checked_stride(column.stride, number, size, named("stride"));
         if (column.attribute == FLG_VERTEX_ATTRIBUTE_UV && request_.desc.uv == 0)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u] are texture coordinates, but desc.uv is 0",
                           i);
@@ -364,69 +333,29 @@ private:
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].attribute is %d once more", i,
                           static_cast<int>(column.attribute));
         slot = column;
-        slot.stride = column.stride ? column.stride : size;
-        add_block(column.data, slot.stride, size, request_.sizes.vertex_count, "output.columns[%u]", i);
+        slot.stride = stride;
+        blocks_.add_output(
+            {BlockName("output.columns[%u]", i), column.data, stride, size, request_.sizes.vertex_count});
     }
     void add_indices() {
-        const FlgNumberFormat& format = given_.index_format;
-        check_enum(format, FLG_NUMBER_FORMAT_UINT16, FLG_NUMBER_FORMAT_UINT32, "output.index_format",
-                   "FLG_NUMBER_FORMAT_UINT");
-        const uint32_t number = brush::bytes_of(format);
-        if (reinterpret_cast<uintptr_t>(given_.indices) % number != 0) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.indices is %p, must be aligned to %u bytes",
-                          given_.indices, number);
-        }
-        if (request_.sizes.index_count > given_.index_capacity) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.index_capacity is %llu, must be at least %llu",
-                          static_cast<unsigned long long>(given_.index_capacity),
-                          static_cast<unsigned long long>(request_.sizes.index_count));
-        }
-        output_.narrow_indices = format == FLG_NUMBER_FORMAT_UINT16;
-        if (output_.narrow_indices && request_.end_vertex() > narrow_vertices) {
-            throw Failure(FLG_ERROR_LIMIT,
-                          "output.index_format is FLG_NUMBER_FORMAT_UINT16, but the last vertex is number "
-                          "%llu; the limit is 65534",
-                          static_cast<unsigned long long>(request_.end_vertex() - 1));
-        }
+        check_indices(given_.indices, given_.index_format, given_.index_capacity, request_.sizes.index_count,
+                      request_.end_vertex());
+        output_.narrow_indices = given_.index_format == FLG_NUMBER_FORMAT_UINT16;
         output_.indices = given_.indices;
-        add_block(given_.indices, number, number, request_.sizes.index_count, "output.indices", 0);
+        const uint32_t number = bytes_of(given_.index_format);
+        blocks_.add_output({BlockName("output.indices"), given_.indices, number, number, request_.sizes.index_count});
     }
-    void add_block(const void* begin, uint64_t stride, uint64_t size, uint64_t count, const char* name, uint32_t i) {
-        Block& block = blocks_[block_count_++];
-        if (std::strchr(name, '%'))
-            std::snprintf(block.name, sizeof block.name, "output.columns[%u]", i);
-        else
-            std::snprintf(block.name, sizeof block.name, "%s", name);
-        block.begin = reinterpret_cast<uintptr_t>(begin);
-        block.stride = stride;
-        block.size = size;
-        block.count = count;
-    }
-    void check_overlaps() {
+    void add_inputs() {
         const FlgCurveSetView& view = request_.curves.view();
-        for (uint32_t a = 0; a < block_count_; ++a) {
-            for (uint32_t b = 0; b < a; ++b) {
-                if (!blocks_[a].meets(blocks_[b])) continue;
-                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s overlaps %s", blocks_[a].name, blocks_[b].name);
-            }
-            for (uint32_t c = 0; c < view.column_count; ++c) {
-                const FlgColumn& column = view.columns[c];
-                Block input;
-                input.begin = reinterpret_cast<uintptr_t>(column.data);
-                input.size = column.components * sizeof(float);
-                input.stride = column.stride ? column.stride : input.size;
-                input.count = view.curve_offsets[view.curve_count];
-                if (!blocks_[a].meets(input)) continue;
-                throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s overlaps desc.curves.columns[%u]", blocks_[a].name, c);
-            }
-        }
+        for (uint32_t c = 0; c < view.column_count; ++c)
+            blocks_.add_input(view.columns[c], view.curve_offsets[view.curve_count],
+                              BlockName("desc.curves.columns[%u]", c));
     }
 
     const FlgBrushMeshOutput& given_;
     const Request& request_;
     brush::Output output_;
-    std::array<Block, most_columns + 1> blocks_;
-    uint32_t block_count_ = 0;
+    Blocks blocks_;
 };
 
 }  // namespace

@@ -13,27 +13,11 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t max_user_components = 16;
-
-// Floats a point that an attribute has; 0 for user attributes, which choose, and -1 for numbers that mean nothing.
-int components_of(int32_t attribute) {
-    switch (attribute) {
-        case FLG_ATTRIBUTE_POSITION:
-        case FLG_ATTRIBUTE_TANGENT:
-        case FLG_ATTRIBUTE_NORMAL:
-        case FLG_ATTRIBUTE_RADII:
-        case FLG_ATTRIBUTE_DISPLACEMENT: return 3;
-        case FLG_ATTRIBUTE_RADIUS:
-        case FLG_ATTRIBUTE_TIME:
-        case FLG_ATTRIBUTE_PRESSURE:
-        case FLG_ATTRIBUTE_STYLE_INDEX:
-        case FLG_ATTRIBUTE_ANGLE:
-        case FLG_ATTRIBUTE_WIDTH:
-        case FLG_ATTRIBUTE_SPEED: return 1;
-        case FLG_ATTRIBUTE_COLOR:
-        case FLG_ATTRIBUTE_ORIENTATION: return 4;
-        default: return attribute >= FLG_ATTRIBUTE_USER ? 0 : -1;
-    }
+// Whether a float column may have it.
+bool is_of(ColumnsOf whose, int32_t attribute) {
+    const bool of_points = attribute < FLG_ATTRIBUTE_JOINTS || attribute >= FLG_ATTRIBUTE_USER;
+    return of_points ||
+           (whose == ColumnsOf::any && (attribute == FLG_ATTRIBUTE_WEIGHTS || attribute == FLG_ATTRIBUTE_VALUE));
 }
 
 // The least value that a component may have.
@@ -55,7 +39,32 @@ const char* rule_broken_by(FlgAttribute attribute, float value) {
 
 }  // namespace
 
-void check_columns(const FlgColumn* columns, uint32_t count, const char* owner) {
+int components_of(int32_t attribute) {
+    switch (attribute) {
+        case FLG_ATTRIBUTE_POSITION:
+        case FLG_ATTRIBUTE_TANGENT:
+        case FLG_ATTRIBUTE_NORMAL:
+        case FLG_ATTRIBUTE_RADII:
+        case FLG_ATTRIBUTE_DISPLACEMENT: return 3;
+        case FLG_ATTRIBUTE_RADIUS:
+        case FLG_ATTRIBUTE_TIME:
+        case FLG_ATTRIBUTE_PRESSURE:
+        case FLG_ATTRIBUTE_STYLE_INDEX:
+        case FLG_ATTRIBUTE_ANGLE:
+        case FLG_ATTRIBUTE_WIDTH:
+        case FLG_ATTRIBUTE_SPEED:
+        case FLG_ATTRIBUTE_PART:
+        case FLG_ATTRIBUTE_VALUE:
+        case FLG_ATTRIBUTE_LABEL: return 1;
+        case FLG_ATTRIBUTE_COLOR:
+        case FLG_ATTRIBUTE_ORIENTATION:
+        case FLG_ATTRIBUTE_JOINTS:
+        case FLG_ATTRIBUTE_WEIGHTS: return 4;
+        default: return attribute >= FLG_ATTRIBUTE_USER ? 0 : -1;
+    }
+}
+
+void check_columns(const FlgColumn* columns, uint32_t count, const char* owner, ColumnsOf whose) {
     if (count < 1 || count > max_columns) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.column_count is %u, must be 1 to %u", owner, count, max_columns);
     }
@@ -65,7 +74,7 @@ void check_columns(const FlgColumn* columns, uint32_t count, const char* owner) 
         const FlgColumn& column = columns[i];
         const int32_t attribute = number_of(column.attribute);
         const int components = components_of(attribute);
-        if (components < 0) {
+        if (components < 0 || !is_of(whose, attribute)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.columns[%u].attribute is %d, not one of FLG_ATTRIBUTE_...",
                           owner, i, attribute);
         }
@@ -94,7 +103,7 @@ void check_columns(const FlgColumn* columns, uint32_t count, const char* owner) 
         }
         has_positions = has_positions || column.attribute == FLG_ATTRIBUTE_POSITION;
     }
-    if (!has_positions) {
+    if (whose == ColumnsOf::points && !has_positions) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "%s.columns has no FLG_ATTRIBUTE_POSITION", owner);
     }
 }

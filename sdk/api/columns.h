@@ -9,9 +9,16 @@
 namespace flg {
 
 constexpr uint32_t max_columns = 16;
+constexpr uint32_t max_user_components = 16;
 
-// Refuses what is no set of columns with one of positions; sentences name `owner`.columns.
-void check_columns(const FlgColumn* columns, uint32_t count, const char* owner);
+// Numbers a row that an attribute has; 0 for user attributes, which choose, and -1 for numbers that mean nothing.
+int components_of(int32_t attribute);
+
+// Whose columns: those of points have positions, and nothing that only results have.
+enum class ColumnsOf { points, any };
+
+// Refuses what is no set of columns; sentences name `owner`.columns.
+void check_columns(const FlgColumn* columns, uint32_t count, const char* owner, ColumnsOf whose = ColumnsOf::points);
 
 // A value that can't be; its rule is null if there is none.
 struct BadValue {

@@ -17,6 +17,7 @@ public:
 
     // The surface as hosts see it, vertex by vertex.
     void show_vertex(const Vec3& at);
+    const float* positions() const { return positions_.data(); }
     const FlgPartMeshView& view() const { return view_; }
 
 private:

@@ -19,6 +19,8 @@ public:
 
     // The mesh as hosts see it, vertex by vertex.
     void show_vertex(size_t vertex);
+    const float* positions() const { return columns_.positions.data(); }
+    const float* normals() const { return columns_.normals.data(); }
     const FlgSkinView& view() const { return view_; }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "brush/row_writer.h"
 
-#include "brush/number_formats.h"
+#include "core/number_formats.h"
 
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
@@ -17,25 +17,16 @@ Floats floats(const Vec3& v, bool left_handed) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), left_handed ? -z : z};
 }
 
-template <uint32_t components, class Number, class Convert>
-void store_as(const FlgVertexColumn& column, int64_t first, const float* const* values, uint32_t count,
-              const Convert& convert) {
-    char* at = static_cast<char*>(column.data) + static_cast<size_t>(first) * column.stride;
-    for (uint32_t v = 0; v < count; ++v, at += column.stride) {
-        auto* const numbers = reinterpret_cast<Number*>(at);
-        for (uint32_t k = 0; k < components; ++k) numbers[k] = convert(values[k][v]);
-    }
-}
-
 template <uint32_t components>
 void store_components(const FlgVertexColumn& column, int64_t first, const float* const* values, uint32_t count) {
-    switch (column.format) {
-        case FLG_NUMBER_FORMAT_FLOAT16: return store_as<components, uint16_t>(column, first, values, count, to_half);
-        case FLG_NUMBER_FORMAT_UNORM8: return store_as<components, uint8_t>(column, first, values, count, to_unorm8);
-        case FLG_NUMBER_FORMAT_SNORM8: return store_as<components, int8_t>(column, first, values, count, to_snorm8);
-        case FLG_NUMBER_FORMAT_SNORM16: return store_as<components, int16_t>(column, first, values, count, to_snorm16);
-        default: return store_as<components, float>(column, first, values, count, [](float value) { return value; });
-    }
+    with_conversion(column.format, [&](auto convert) {
+        using Number = decltype(convert(0.0f));
+        char* at = static_cast<char*>(column.data) + static_cast<size_t>(first) * column.stride;
+        for (uint32_t v = 0; v < count; ++v, at += column.stride) {
+            auto* const numbers = reinterpret_cast<Number*>(at);
+            for (uint32_t k = 0; k < components; ++k) numbers[k] = convert(values[k][v]);
+        }
+    });
 }
 
 }  // namespace

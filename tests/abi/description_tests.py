@@ -40,7 +40,7 @@ class Grammar(unittest.TestCase):
     """flg + noun + verb; constants prefixed by their enum; descriptors named like their function."""
 
     # Nouns that are no types of the interface.
-    NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Debug"}
+    NOUNS = {"Version", "Error", "IoError", "PickError", "Formula", "BrushMesh", "Columns", "Debug", "Indices"}
     VERBS = ("Apply|Begin|Blend|Cancel|Cast|Commit|Create|Cut|Deform|Destroy|Displace|Divide|Draw|End|Find|Get|Group|Init|Join|"
              "Lift|Offset|Pose|Project|Push|Read|Redo|Refine|Release|Remove|Replay|Resample|Resume|Run|Sample|Set|Split|"
              "Stylize|Tick|Trace|Undo|Ungroup|Wait|Warm|Write").split("|")
@@ -255,7 +255,8 @@ class Umbrella(unittest.TestCase):
             for compiler, language in ((COMPILER, "c11"), (CXX_COMPILER, "c++17")):
                 umbrella.write_text(whole, encoding="utf-8")
                 self.assertTrue(self.compiles(Path(folder), compiler, language), language)
-                for header in ("filigree_pick.h", "filigree_brush.h", "filigree_debug.h", "filigree_project.h"):
+                for header in ("filigree_pick.h", "filigree_brush.h", "filigree_buffers.h", "filigree_debug.h",
+                               "filigree_project.h"):
                     umbrella.write_text(whole.replace(f'#include "{header}"', ""), encoding="utf-8")
                     self.assertFalse(self.compiles(Path(folder), compiler, language), f"{language}, {header}")
 

@@ -20,6 +20,7 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/core", {"filigree"}},
     {"sdk/brush", {"filigree", "core"}},
     {"sdk/runtime", {"filigree", "core"}},
+    {"sdk/buffers", {"filigree", "core", "runtime"}},
     {"sdk/linear", {"filigree", "core", "runtime"}},
     {"sdk/curves", {"filigree", "core", "runtime"}},
     {"sdk/stylization", {"filigree", "core", "runtime", "curves"}},
@@ -30,8 +31,8 @@ const std::map<std::string, Rooms> allowed = {
     {"sdk/bones", {"filigree", "core", "runtime", "curves", "surfaces", "skeletons", "inflation"}},
     {"sdk/tangles", {"filigree", "core", "runtime", "curves", "surfaces"}},
     {"sdk/api",
-     {"filigree", "core", "brush", "runtime", "curves", "stylization", "surfaces", "splines", "skeletons", "inflation",
-      "bones", "tangles"}},
+     {"filigree", "core", "brush", "runtime", "buffers", "curves", "stylization", "surfaces", "splines", "skeletons",
+      "inflation", "bones", "tangles"}},
     {"sdk/io", {"filigree", "core", "brush"}},
     {"sdk/pick", {"filigree", "core"}},
     {"sdk/include", {"filigree"}},
@@ -59,9 +60,9 @@ const std::map<std::string, Rooms> allowed_within = {
     {"io/tangle", {"base"}},
     {"io/", {"base", "gltf", "text", "tilt", "svg"}},
 };
-const Rooms rooms = {"filigree",    "core",     "brush",   "runtime",   "linear",           "curves",
-                     "stylization", "surfaces", "splines", "skeletons", "inflation",        "bones",
-                     "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
+const Rooms rooms = {"filigree", "core",        "brush",    "runtime", "buffers",   "linear",
+                     "curves",   "stylization", "surfaces", "splines", "skeletons", "inflation",
+                     "bones",    "tangles",     "api",      "io",      "pick",      "filigree_renderer"};
 
 bool is_source(const fs::path& file) {
     const std::string extension = file.extension();

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "brush/number_formats.h"
 #include "brush/strokes.h"
+#include "core/number_formats.h"
 
 namespace flg::test {
 namespace {
@@ -197,13 +197,13 @@ TEST(BrushRefusals, GrowingCurves) {
 }
 
 TEST(BrushFormats, HalvesAreTheNearest) {
-    EXPECT_EQ(brush::to_half(0.0f), 0);
-    EXPECT_EQ(brush::to_half(-0.0f), 0x8000);
-    EXPECT_EQ(brush::to_half(1.0f), 0x3c00);
-    EXPECT_EQ(brush::to_half(-2.0f), 0xc000);
-    EXPECT_EQ(brush::to_half(65504.0f), 0x7bff);
-    EXPECT_EQ(brush::to_half(1e30f), 0x7bff);
-    EXPECT_EQ(brush::to_half(-1e30f), 0xfbff);
+    EXPECT_EQ(to_half(0.0f), 0);
+    EXPECT_EQ(to_half(-0.0f), 0x8000);
+    EXPECT_EQ(to_half(1.0f), 0x3c00);
+    EXPECT_EQ(to_half(-2.0f), 0xc000);
+    EXPECT_EQ(to_half(65504.0f), 0x7bff);
+    EXPECT_EQ(to_half(1e30f), 0x7bff);
+    EXPECT_EQ(to_half(-1e30f), 0xfbff);
     // Every half that is finite, and halfway to the next.
     for (uint32_t half = 0; half < 0x7bff; ++half) {
         const auto value = [](uint32_t h) {
@@ -212,9 +212,9 @@ TEST(BrushFormats, HalvesAreTheNearest) {
             return exponent == 0 ? std::ldexp(fraction, -14) : std::ldexp(1 + fraction, exponent - 15);
         };
         const double at = value(half), next = value(half + 1);
-        ASSERT_EQ(brush::to_half(static_cast<float>(at)), half);
+        ASSERT_EQ(to_half(static_cast<float>(at)), half);
         const uint32_t even = half % 2 == 0 ? half : half + 1;
-        ASSERT_EQ(brush::to_half(static_cast<float>((at + next) / 2)), even) << half;
+        ASSERT_EQ(to_half(static_cast<float>((at + next) / 2)), even) << half;
     }
 }
 
@@ -250,14 +250,14 @@ TEST(BrushFormats, ColumnsInSmallFormatsAreTheFloatsRounded) {
     for (size_t v = 0; v < small.size(); ++v) {
         const Vertex& exact = mesh.vertices[v];
         for (int k = 0; k < 3; ++k) {
-            ASSERT_EQ(small[v].position[k], brush::to_half(exact.position[k]));
+            ASSERT_EQ(small[v].position[k], to_half(exact.position[k]));
             ASSERT_NEAR(small[v].normal[k] / 32767.0, exact.normal[k], 0.503 / 32767);  // floats count in 0.002
         }
         for (int k = 0; k < 4; ++k) {
             ASSERT_NEAR(small[v].tangent[k] / 127.0, exact.tangent[k], 0.5001 / 127);
             ASSERT_NEAR(small[v].color[k] / 255.0, exact.color[k], 0.5001 / 255);
         }
-        for (int k = 0; k < 2; ++k) ASSERT_EQ(small[v].uv[k], brush::to_half(exact.uv[k]));
+        for (int k = 0; k < 2; ++k) ASSERT_EQ(small[v].uv[k], to_half(exact.uv[k]));
         ASSERT_EQ(small[v].untouched, 0x1234);
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Straight skeletons, models of parts with their skins, outlines, poses.
 #include "filigree/filigree_model.h"
+#include "hardening/host_buffers.h"
 #include "hardening/scenarios.h"
 
 namespace flg::test {
@@ -92,7 +93,17 @@ void make_models(Calls& calls) {
     desc.vertex_count = 100;
     FlgSkin skin{};
     FLG_CALL(calls, flgSkinCreate, calls.context, &desc, calls.out(skin), calls.job());
+    FlgBufferOutput output = output_to_buffers(calls, {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32},
+                                                       {FLG_ATTRIBUTE_JOINTS, FLG_NUMBER_FORMAT_UINT8},
+                                                       {FLG_ATTRIBUTE_WEIGHTS, FLG_NUMBER_FORMAT_UNORM8}});
+    add_triangles(output);
+    FLG_CALL(calls, flgSkinWrite, calls.context, skin, &output, nullptr, calls.job());
     calls.finish();
+    note_buffers(calls, output);
+    output.column_count = 1;
+    FLG_CALL(calls, flgPartMeshWrite, calls.context, mesh, &output, nullptr, calls.job());
+    calls.finish();
+    note_buffers(calls, output);
 
     FlgPartView part = FLG_INIT(calls, flgPartViewInit);
     FLG_CALL(calls, flgPartGetView, calls.context, body.part, &part);

@@ -8,6 +8,7 @@
 #include "filigree/filigree_model.h"
 #include "filigree/filigree_surface.h"
 #include "filigree/filigree_tangle.h"
+#include "hardening/host_buffers.h"
 #include "hardening/scenarios.h"
 
 namespace flg::test {
@@ -53,6 +54,25 @@ void sweep(Calls& calls, const FlgCurveSetView& view) {
         calls.bits.append(reinterpret_cast<const char*>(positions.data()), positions.size() * sizeof(float));
         calls.bits.append(reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(uint32_t));
     }
+}
+
+// At once: of any view, and of any triangles.
+void write_at_once(Calls& calls, const FlgCurveSetView& view) {
+    FlgBufferOutput output = output_to_buffers(calls, {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT16}});
+    output.left_handed = 1;
+    FlgColumnsWriteDesc desc = FLG_INIT(calls, flgColumnsWriteDescInit);
+    desc.columns = view.columns;
+    desc.column_count = view.column_count;
+    desc.row_count = view.curve_offsets[view.curve_count];
+    desc.output = &output;
+    FLG_CALL(calls, flgColumnsWrite, &desc);
+    note_buffers(calls, output);
+    const uint32_t triangle[] = {0, 1, 2};
+    FlgBufferOutput indices = output_to_buffers(calls, {});
+    add_triangles(indices);
+    indices.index_format = FLG_NUMBER_FORMAT_UINT16;
+    FLG_CALL(calls, flgIndicesWrite, triangle, 3u, &indices);
+    note_buffers(calls, indices);
 }
 
 }  // namespace
@@ -109,6 +129,7 @@ void make_curves(Calls& calls) {
     FlgCurveSetView view = FLG_INIT(calls, flgCurveSetViewInit);
     FLG_CALL(calls, flgCurveSetGetView, calls.context, lone, &view);
     sweep(calls, view);
+    write_at_once(calls, view);
     EXPECT_EQ(FLG_VALUE(calls, flgCurveSetViewGetColumn, &std::as_const(view), FLG_ATTRIBUTE_POSITION), view.columns);
     calls.bits += bits(view);
     FLG_CALL(calls, flgCurveSetRelease, calls.context, lone);
@@ -120,8 +141,12 @@ void make_curves(Calls& calls) {
     desc.curves = even;
     desc.frame = FLG_FRAME_METHOD_FRENET;
     FLG_CALL(calls, flgCurveSetResample, calls.context, &desc, calls.out(framed), calls.job());
+    const FlgBufferOutput output = output_to_buffers(calls, {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32},
+                                                             {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_SNORM16}});
+    FLG_CALL(calls, flgCurveSetWrite, calls.context, even, &output, nullptr, calls.job());
     calls.finish();
     calls.note(framed);
+    note_buffers(calls, output);
 
     FLG_CALL(calls, flgCurveSetRelease, calls.context, even);
 }

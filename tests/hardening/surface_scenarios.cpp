@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Surfaces: made, measured, traced, cut.
 #include "filigree/filigree_project.h"
+#include "hardening/host_buffers.h"
 #include "hardening/scenarios.h"
 
 namespace flg::test {
@@ -59,6 +60,14 @@ void make_surfaces(Calls& calls) {
     EXPECT_EQ(report.degenerate_triangles, 1u);
     calls.note(surface);
     FLG_DRAW(calls, flgDebugDrawSurface, surface);
+    FlgBufferOutput output = output_to_buffers(calls, {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32}});
+    add_triangles(output);
+    output.regions = host_buffers().regions.data();
+    output.region_capacity = host_buffers().regions.size();
+    output.region_format = FLG_NUMBER_FORMAT_UINT8;
+    FLG_CALL(calls, flgSurfaceWrite, calls.context, surface, &output, nullptr, calls.job());
+    calls.finish();
+    note_buffers(calls, output);
     for (const FlgSubdivision scheme : {FLG_SUBDIVISION_MIDPOINT, FLG_SUBDIVISION_LOOP}) {
         FlgSurfaceRefineDesc refine = FLG_INIT(calls, flgSurfaceRefineDescInit);
         refine.surface = surface;
@@ -74,6 +83,11 @@ void make_surfaces(Calls& calls) {
 void measure_surfaces(Calls& calls) {
     const FlgSurface surface = create(calls, plane(6));
     const FlgField from = distances(calls, surface, 0), to = distances(calls, surface, 48);
+    const FlgBufferOutput output = output_to_buffers(
+        calls, {{FLG_ATTRIBUTE_VALUE, FLG_NUMBER_FORMAT_FLOAT16}, {FLG_ATTRIBUTE_LABEL, FLG_NUMBER_FORMAT_UINT8}});
+    FLG_CALL(calls, flgFieldWrite, calls.context, from, &output, nullptr, calls.job());
+    calls.finish();
+    note_buffers(calls, output);
     FlgFieldBlendDesc blend = FLG_INIT(calls, flgFieldBlendDescInit);
     blend.from = from;
     blend.to = to;

@@ -64,6 +64,12 @@ namespace Filigree.Tests
             return new FlgColumn { attribute = attribute, components = components, data = data, stride = 20 };
         }
 
+        struct Vertex
+        {
+            public float Before;
+            public Vector3 Place;
+        }
+
         static void ColumnsAreWhatTheySay(FiligreeContext context, Style style)
         {
             CurveSet made;
@@ -90,6 +96,19 @@ namespace Filigree.Tests
                     () => { int n = set.View.Column<Quaternion>(FlgAttribute.Position).Length; }, "four of three");
                 Expect.Throws<ArgumentOutOfRangeException>(() => set.View.IsClosed(1), "a curve too many");
                 Expect.True(!set.View.IsClosed(0) && set.View.Offsets[1] == 2, "an open curve of two points");
+                var vertices = new Vertex[2];
+                set.View.Write<Vertex>(FlgAttribute.Position, FlgNumberFormat.Float32, vertices, 4);
+                Expect.Equal(0f, vertices[1].Before, "what stands before it");
+                Expect.Equal(new Vector3(3, 4, -5), vertices[1].Place, "a place in a vertex, for Unity");
+                set.View.Write<Vertex>(FlgAttribute.User, FlgNumberFormat.Unorm8, vertices);
+                Expect.Equal(3f, vertices[1].Place.x, "what stands beside two bytes");
+                Expect.Throws<FiligreeException>(
+                    () => set.View.Write<Vertex>(FlgAttribute.Color, FlgNumberFormat.Unorm8, new Vertex[2]), "colours");
+                Expect.Throws<FiligreeException>(
+                    () => set.View.Write<Vertex>(FlgAttribute.User, FlgNumberFormat.Unorm8, new Vertex[1]), "room");
+                Expect.Throws<ArgumentOutOfRangeException>(
+                    () => set.View.Write<Vertex>(FlgAttribute.Position, FlgNumberFormat.Float32, new Vertex[2], 16),
+                    "beyond a vertex");
             }
         }
     }

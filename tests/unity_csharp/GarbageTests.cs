@@ -3,6 +3,7 @@
 // again and again. None of it makes garbage.
 using System;
 using System.Runtime.InteropServices;
+using UnityEngine;
 
 namespace Filigree.Tests
 {
@@ -84,8 +85,8 @@ namespace Filigree.Tests
             void Draw(int frame)
             {
                 CurveSetView made = stroke.Push(Scenes.Hand(frame));
-                ReadOnlySpan<float> positions = made.Floats(FlgAttribute.Position);
-                positions.CopyTo(new Span<float>(strokeMesh, 3 * StrokePoints, positions.Length));
+                var room = new Span<float>(strokeMesh, 3 * StrokePoints, 3 * made.PointCount);
+                made.Write(FlgAttribute.Position, FlgNumberFormat.Float32, MemoryMarshal.Cast<float, Vector3>(room));
                 StrokePoints += made.PointCount;
                 TipPoints += stroke.Tip.PointCount;
             }

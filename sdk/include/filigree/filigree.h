@@ -371,6 +371,12 @@ typedef enum FlgAttribute {
     FLG_ATTRIBUTE_WIDTH = 11,        /* 1, metres, >= 0: of a ribbon */
     FLG_ATTRIBUTE_SPEED = 12,        /* 1, metres a second, > 0: of a motion along the curve */
     FLG_ATTRIBUTE_DISPLACEMENT = 13, /* 3, metres: what the style adds at magnitude 1 */
+    /* In no curve set: what skins and fields hand to the host's buffers (filigree_buffers.h). */
+    FLG_ATTRIBUTE_JOINTS = 32,       /* 4 whole numbers: joints that move a vertex */
+    FLG_ATTRIBUTE_WEIGHTS = 33,      /* 4, 0 to 1: of these joints, the largest first */
+    FLG_ATTRIBUTE_PART = 34,         /* 1 whole number: the part that a vertex lies on */
+    FLG_ATTRIBUTE_VALUE = 35,        /* 1: a field's */
+    FLG_ATTRIBUTE_LABEL = 36,        /* 1 whole number: a field's nearest source */
     FLG_ATTRIBUTE_USER = 64,         /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
     FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgAttribute;
@@ -383,6 +389,21 @@ typedef struct FlgColumn {
     uint32_t stride;        /* bytes between consecutive points, a multiple of 4; 0 = tightly packed */
     uint32_t reserved;
 } FlgColumn;
+
+/* How a number is stored in the host's buffers. Values beyond a format's range become the nearest that it holds; what
+ * is no number (NaN) becomes its least. FLOAT32 keeps all bits. */
+typedef enum FlgNumberFormat {
+    FLG_NUMBER_FORMAT_FLOAT32 = 0,
+    FLG_NUMBER_FORMAT_FLOAT16 = 1, /* IEEE half: -65504 to 65504, rounded to the nearest */
+    FLG_NUMBER_FORMAT_UNORM8 = 2,  /* 0 to 1 as 0 to 255 */
+    FLG_NUMBER_FORMAT_SNORM8 = 3,  /* -1 to 1 as -127 to 127 */
+    FLG_NUMBER_FORMAT_SNORM16 = 4, /* -1 to 1 as -32767 to 32767 */
+    FLG_NUMBER_FORMAT_UINT16 = 5,  /* whole numbers; indices up to 65534 */
+    FLG_NUMBER_FORMAT_UINT32 = 6,  /* whole numbers, indices */
+    FLG_NUMBER_FORMAT_UNORM16 = 7, /* 0 to 1 as 0 to 65535 */
+    FLG_NUMBER_FORMAT_UINT8 = 8,   /* whole numbers */
+    FLG_NUMBER_FORMAT_FORCE_32BIT = 0x7fffffff
+} FlgNumberFormat;
 
 enum {
     FLG_CURVE_CLOSED = 1 /* the last point joins the first, which is not repeated */

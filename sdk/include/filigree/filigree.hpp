@@ -292,6 +292,10 @@ using JobState = FlgJobState;
 /// What a column of a curve set means, and its number of floats per point:
 using Attribute = FlgAttribute;
 
+/// How a number is stored in the host's buffers. Values beyond a format's range become the nearest that it holds; what
+/// is no number (NaN) becomes its least. FLOAT32 keeps all bits.
+using NumberFormat = FlgNumberFormat;
+
 /// Which moving frame to carry along a curve.
 using FrameMethod = FlgFrameMethod;
 
@@ -315,9 +319,6 @@ using BrushUv = FlgBrushUv;
 
 /// What a column of vertices holds, and its components:
 using VertexAttribute = FlgVertexAttribute;
-
-/// How a number is stored. Values beyond the format's range become the nearest that it holds.
-using NumberFormat = FlgNumberFormat;
 
 /// How triangles are refined.
 using Subdivision = FlgSubdivision;
@@ -404,6 +405,11 @@ using AxisSample = FlgAxisSample;
 
 /// Where a part is attached.
 using ModelPartInfo = FlgModelPartInfo;
+
+/// Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and SNORM16
+/// for NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the
+/// host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
+using BufferColumn = FlgBufferColumn;
 
 /// Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders.
 /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of the
@@ -1948,6 +1954,36 @@ struct SkinAnimation : FlgSkinAnimation {
     void set_translations(std::initializer_list<float>) = delete;
 };
 
+/// The buffers, and which part of a result they get.
+struct BufferOutput : FlgBufferOutput {
+    /// The defaults.
+    BufferOutput() { flgBufferOutputInit(this, detail::size_of<FlgBufferOutput>); }
+    /// Of the C struct.
+    BufferOutput(const FlgBufferOutput& c) : FlgBufferOutput(c) {}
+    /// Sets columns and column_count. The array must live until the descriptor is used.
+    void set_columns(Span<const FlgBufferColumn> values) {
+        columns = values.data();
+        column_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_columns(std::initializer_list<FlgBufferColumn>) = delete;
+};
+
+/// Columns of any view, and where they go.
+struct ColumnsWriteDesc : FlgColumnsWriteDesc {
+    /// The defaults.
+    ColumnsWriteDesc() { flgColumnsWriteDescInit(this, detail::size_of<FlgColumnsWriteDesc>); }
+    /// Of the C struct.
+    ColumnsWriteDesc(const FlgColumnsWriteDesc& c) : FlgColumnsWriteDesc(c) {}
+    /// Sets columns and column_count. The array must live until the descriptor is used.
+    void set_columns(Span<const FlgColumn> values) {
+        columns = values.data();
+        column_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_columns(std::initializer_list<FlgColumn>) = delete;
+};
+
 /// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
 struct TangleSeeds : FlgTangleSeeds {
     /// The defaults.
@@ -2473,6 +2509,14 @@ public:
         return detail::made(result, CurveSet(context_, out_set));
     }
 
+    /// Starts a job that writes the columns of curves. Cost: that of flgColumnsWrite.
+    /// Calls flgCurveSetWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgCurveSetWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
     /// Whether view() has something to show. Fails as the job that makes it did.
     Result<bool> ready() const {
         FlgCurveSetView shown;
@@ -2681,6 +2725,15 @@ public:
         return detail::made(result, SurfaceCurves(context_, out_curves));
     }
 
+    /// Starts a job that writes a field's columns: VALUE and, if it has labels, LABEL; FLG_NO_INDEX becomes the largest
+    /// number of a narrow format. Cost: that of flgColumnsWrite.
+    /// Calls flgFieldWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgFieldWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
     /// Whether view() has something to show. Fails as the job that makes it did.
     Result<bool> ready() const {
         FlgFieldView shown;
@@ -2774,6 +2827,15 @@ public:
         return detail::made(result, SurfaceCurves(context_, out_curves));
     }
 
+    /// Starts a job that writes columns, indices and regions of a surface, as it is after the changes that were started
+    /// before. Later changes wait for the job. Cost: that of flgColumnsWrite and flgIndicesWrite.
+    /// Calls flgSurfaceWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgSurfaceWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
     /// Whether view() has something to show. Fails as the job that makes it did.
     Result<bool> ready() const {
         FlgSurfaceView shown;
@@ -2843,6 +2905,15 @@ public:
         return detail::made(result, PartMeshView(out_view));
     }
 
+    /// Starts a job that writes indices and column POSITION of a part's body. Cost: that of flgColumnsWrite and
+    /// flgIndicesWrite.
+    /// Calls flgPartMeshWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgPartMeshWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
+    }
+
     /// Whether view() has something to show. Fails as the job that makes it did.
     Result<bool> ready() const {
         FlgPartMeshView shown;
@@ -2887,6 +2958,16 @@ public:
         flgSkinViewInit(&out_view, detail::size_of<FlgSkinView>);
         const FlgResult result = flgSkinGetView(context_, handle_, &out_view);
         return detail::made(result, SkinView(out_view));
+    }
+
+    /// Starts a job that writes a skin's indices and columns: POSITION, NORMAL, JOINTS, WEIGHTS and PART. As UNORM8 and
+    /// UNORM16 the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the host's
+    /// memory anyway.) Cost: that of flgColumnsWrite and flgIndicesWrite.
+    /// Calls flgSkinWrite.
+    Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
+        FlgJob out_job{};
+        const FlgResult result = flgSkinWrite(context_, handle_, &output, job, &out_job);
+        return detail::made(result, Job(context_, out_job));
     }
 
     /// Whether view() has something to show. Fails as the job that makes it did.
@@ -4120,6 +4201,24 @@ inline Result<bool> skin_animation_sample(Span<const FlgSkinAnimation> animation
     float* out_translation) {
     const FlgResult result = flgSkinAnimationSample(animation.data(), detail::count(animation.size()), time,
         out_rotations, out_translation);
+    return detail::done(result);
+}
+
+/// [any thread] Writes columns of any view. Values may be infinite, as distances are, or no numbers: see
+/// FlgNumberFormat. Errors: FLG_ERROR_INVALID_ARGUMENT, also for buffers that are too small, unaligned or overlap.
+/// Cost: as memcpy for packed floats; else 1 to 3 ns a number.
+/// Calls flgColumnsWrite.
+inline Result<bool> columns_write(const ColumnsWriteDesc& desc) {
+    const FlgResult result = flgColumnsWrite(&desc);
+    return detail::done(result);
+}
+
+/// [any thread] Writes indices of triangles: `index_count`, 3 each. Errors: FLG_ERROR_INVALID_ARGUMENT as above;
+/// FLG_ERROR_LIMIT for indices that the format cannot hold: 65534 is the largest of UINT16, 2^32 - 2 of UINT32.
+/// Cost: one pass to check and one to write, below 1 ns an index.
+/// Calls flgIndicesWrite.
+inline Result<bool> indices_write(Span<const uint32_t> indices, const BufferOutput& output) {
+    const FlgResult result = flgIndicesWrite(indices.data(), detail::count(indices.size()), &output);
     return detail::done(result);
 }
 

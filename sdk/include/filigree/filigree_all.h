@@ -6,6 +6,7 @@
 #define FILIGREE_FILIGREE_ALL_H
 
 #include "filigree_brush.h"
+#include "filigree_buffers.h"
 #include "filigree_io.h"
 #include "filigree_live.h"
 #include "filigree_motion.h"

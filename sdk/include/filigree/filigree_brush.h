@@ -149,22 +149,10 @@ typedef enum FlgVertexAttribute {
     FLG_VERTEX_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgVertexAttribute;
 
-/* How a number is stored. Values beyond the format's range become the nearest that it holds. */
-typedef enum FlgNumberFormat {
-    FLG_NUMBER_FORMAT_FLOAT32 = 0,
-    FLG_NUMBER_FORMAT_FLOAT16 = 1, /* IEEE half */
-    FLG_NUMBER_FORMAT_UNORM8 = 2,  /* 0 to 1 as 0 to 255 */
-    FLG_NUMBER_FORMAT_SNORM8 = 3,  /* -1 to 1 as -127 to 127 */
-    FLG_NUMBER_FORMAT_SNORM16 = 4, /* -1 to 1 as -32767 to 32767 */
-    FLG_NUMBER_FORMAT_UINT16 = 5,  /* indices up to 65534 */
-    FLG_NUMBER_FORMAT_UINT32 = 6,  /* indices */
-    FLG_NUMBER_FORMAT_FORCE_32BIT = 0x7fffffff
-} FlgNumberFormat;
-
 /* Where a column of vertices goes; several may be interleaved. Only the components are written, nothing between. */
 typedef struct FlgVertexColumn {
     FlgVertexAttribute attribute; /* each at most once */
-    FlgNumberFormat format;
+    FlgNumberFormat format; /* see the attribute */
     void* data;      /* of the first vertex written; aligned to the numbers' size */
     uint32_t stride; /* bytes between vertices, a multiple of the numbers' size; 0 = tightly packed */
     uint32_t reserved;

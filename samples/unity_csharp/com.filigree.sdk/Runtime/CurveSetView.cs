@@ -75,5 +75,38 @@ namespace Filigree
             }
             return values;
         }
+
+        /// <summary>
+        /// Writes a column into the vertices of a mesh, `offset` bytes into each, such as positions as Float32 or
+        /// colours as Unorm8. As Unity has it: z points away. Throws if there is no such column or not enough room;
+        /// then nothing is written. Allocates nothing.
+        /// </summary>
+        public void Write<TVertex>(FlgAttribute attribute, FlgNumberFormat format, Span<TVertex> vertices,
+            int offset = 0)
+            where TVertex : struct
+        {
+            if (PointCount == 0) return;
+            if (vertices.Length == 0) throw new ArgumentException("there are none", nameof(vertices));
+            Span<byte> memory = MemoryMarshal.AsBytes(vertices);
+            uint size = (uint)(memory.Length / vertices.Length);
+            if ((uint)offset >= size) throw new ArgumentOutOfRangeException(nameof(offset));
+            fixed (byte* bytes = &MemoryMarshal.GetReference(memory))
+            {
+                FlgBufferColumn column = new FlgBufferColumn { attribute = attribute, format = format };
+                column.data = bytes + offset;
+                column.stride = size;
+                FlgBufferOutput output = Native.flgBufferOutputDefaults();
+                output.columns = &column;
+                output.column_count = 1;
+                output.row_capacity = (ulong)vertices.Length;
+                output.left_handed = 1;
+                FlgColumnsWriteDesc desc = Native.flgColumnsWriteDefaults();
+                desc.columns = view.columns;
+                desc.column_count = view.column_count;
+                desc.row_count = (uint)PointCount;
+                desc.output = &output;
+                FiligreeException.Check(Native.flgColumnsWrite(&desc));
+            }
+        }
     }
 }

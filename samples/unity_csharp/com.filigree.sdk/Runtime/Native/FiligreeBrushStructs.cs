@@ -110,6 +110,7 @@ namespace Filigree
     {
         /// <summary>each at most once</summary>
         public FlgVertexAttribute attribute;
+        /// <summary>see the attribute</summary>
         public FlgNumberFormat format;
         /// <summary>of the first vertex written; aligned to the numbers' size</summary>
         public void* data;

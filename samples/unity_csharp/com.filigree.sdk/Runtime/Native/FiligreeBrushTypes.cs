@@ -74,23 +74,4 @@ namespace Filigree
         /// <summary>FLG_VERTEX_ATTRIBUTE_UV: 2: FLOAT32, FLOAT16</summary>
         Uv = 4,
     }
-
-    /// <summary>How a number is stored. Values beyond the format's range become the nearest that it holds.</summary>
-    public enum FlgNumberFormat
-    {
-        /// <summary>FLG_NUMBER_FORMAT_FLOAT32</summary>
-        Float32 = 0,
-        /// <summary>FLG_NUMBER_FORMAT_FLOAT16: IEEE half</summary>
-        Float16 = 1,
-        /// <summary>FLG_NUMBER_FORMAT_UNORM8: 0 to 1 as 0 to 255</summary>
-        Unorm8 = 2,
-        /// <summary>FLG_NUMBER_FORMAT_SNORM8: -1 to 1 as -127 to 127</summary>
-        Snorm8 = 3,
-        /// <summary>FLG_NUMBER_FORMAT_SNORM16: -1 to 1 as -32767 to 32767</summary>
-        Snorm16 = 4,
-        /// <summary>FLG_NUMBER_FORMAT_UINT16: indices up to 65534</summary>
-        Uint16 = 5,
-        /// <summary>FLG_NUMBER_FORMAT_UINT32: indices</summary>
-        Uint32 = 6,
-    }
 }

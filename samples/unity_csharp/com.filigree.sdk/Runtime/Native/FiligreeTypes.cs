@@ -125,8 +125,44 @@ namespace Filigree
         Speed = 12,
         /// <summary>FLG_ATTRIBUTE_DISPLACEMENT: 3, metres: what the style adds at magnitude 1</summary>
         Displacement = 13,
+        /// <summary>FLG_ATTRIBUTE_JOINTS: 4 whole numbers: joints that move a vertex</summary>
+        Joints = 32,
+        /// <summary>FLG_ATTRIBUTE_WEIGHTS: 4, 0 to 1: of these joints, the largest first</summary>
+        Weights = 33,
+        /// <summary>FLG_ATTRIBUTE_PART: 1 whole number: the part that a vertex lies on</summary>
+        Part = 34,
+        /// <summary>FLG_ATTRIBUTE_VALUE: 1: a field's</summary>
+        Value = 35,
+        /// <summary>FLG_ATTRIBUTE_LABEL: 1 whole number: a field's nearest source</summary>
+        Label = 36,
         /// <summary>FLG_ATTRIBUTE_USER: this and above: the host's own, 1 to 16 floats, interpolated linearly</summary>
         User = 64,
+    }
+
+    /// <summary>
+    /// How a number is stored in the host's buffers. Values beyond a format's range become the nearest that it holds;
+    /// what is no number (NaN) becomes its least. FLOAT32 keeps all bits.
+    /// </summary>
+    public enum FlgNumberFormat
+    {
+        /// <summary>FLG_NUMBER_FORMAT_FLOAT32</summary>
+        Float32 = 0,
+        /// <summary>FLG_NUMBER_FORMAT_FLOAT16: IEEE half: -65504 to 65504, rounded to the nearest</summary>
+        Float16 = 1,
+        /// <summary>FLG_NUMBER_FORMAT_UNORM8: 0 to 1 as 0 to 255</summary>
+        Unorm8 = 2,
+        /// <summary>FLG_NUMBER_FORMAT_SNORM8: -1 to 1 as -127 to 127</summary>
+        Snorm8 = 3,
+        /// <summary>FLG_NUMBER_FORMAT_SNORM16: -1 to 1 as -32767 to 32767</summary>
+        Snorm16 = 4,
+        /// <summary>FLG_NUMBER_FORMAT_UINT16: whole numbers; indices up to 65534</summary>
+        Uint16 = 5,
+        /// <summary>FLG_NUMBER_FORMAT_UINT32: whole numbers, indices</summary>
+        Uint32 = 6,
+        /// <summary>FLG_NUMBER_FORMAT_UNORM16: 0 to 1 as 0 to 65535</summary>
+        Unorm16 = 7,
+        /// <summary>FLG_NUMBER_FORMAT_UINT8: whole numbers</summary>
+        Uint8 = 8,
     }
 
     /// <summary>Which moving frame to carry along a curve.</summary>

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Structs of filigree_buffers.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
+
+using System;
+using System.Runtime.InteropServices;
+
+namespace Filigree
+{
+    /// <summary>
+    /// Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and
+    /// SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS,
+    /// VALUE and the host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct FlgBufferColumn
+    {
+        /// <summary>each at most once</summary>
+        public FlgAttribute attribute;
+        public FlgNumberFormat format;
+        /// <summary>of the first row written; aligned to the numbers' size</summary>
+        public void* data;
+        /// <summary>bytes between rows, a multiple of the numbers' size; 0 = tightly packed</summary>
+        public uint stride;
+        /// <summary>
+        /// Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has.
+        /// </summary>
+        public uint components;
+        /// <summary>
+        /// Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1.
+        /// Each finite and at most 1e30 in size; 0 for whole numbers, which can't be filled.
+        /// </summary>
+        public fixed float fill[4];
+        /// <summary>nonzero: without such a column all components are `fill`. 0: it is refused</summary>
+        public uint optional;
+        public uint reserved;
+    }
+
+    /// <summary>The buffers, and which part of a result they get.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct FlgBufferOutput
+    {
+        public uint struct_size;
+        /// <summary>0 to 16</summary>
+        public uint column_count;
+        /// <summary>those that are wanted</summary>
+        public FlgBufferColumn* columns;
+        /// <summary>rows that every column has room for</summary>
+        public ulong row_capacity;
+        /// <summary>
+        /// The points or vertices to write: `row_count` from `first_row` on, 0 = all the rest. Default 0.
+        /// </summary>
+        public uint first_row;
+        public uint row_count;
+        /// <summary>
+        /// The triangles to write: `triangle_count` from `first_triangle` on, 0 = all the rest. Default 0.
+        /// </summary>
+        public uint first_triangle;
+        public uint triangle_count;
+        /// <summary>three a triangle, for meshes alone; null: not wanted</summary>
+        public void* indices;
+        /// <summary>indices that `indices` has room for</summary>
+        public ulong index_capacity;
+        /// <summary>a label a triangle, for surfaces alone; null: not wanted</summary>
+        public void* regions;
+        /// <summary>labels that `regions` has room for</summary>
+        public ulong region_capacity;
+        /// <summary>UINT32 or UINT16. Default UINT32</summary>
+        public FlgNumberFormat index_format;
+        /// <summary>UINT32, UINT16 or UINT8. Default UINT32</summary>
+        public FlgNumberFormat region_format;
+        /// <summary>
+        /// 3 doubles, metres, magnitude at most 1e30, read during the call: what the host counts positions from. The
+        /// result's own origin minus this is added in doubles. Null: positions stay as they are, relative to the
+        /// result's origin.
+        /// </summary>
+        public double* origin;
+        /// <summary>added to all indices: the buffer's vertices before these. Default 0</summary>
+        public uint base_vertex;
+        /// <summary>
+        /// Nonzero: for left-handed hosts with y up. Negates z of positions, normals, tangents and displacements, x and
+        /// y of orientations, angles about the tangent; and reverses triangles. Default 0.
+        /// </summary>
+        public uint left_handed;
+    }
+
+    /// <summary>Columns of any view, and where they go.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct FlgColumnsWriteDesc
+    {
+        public uint struct_size;
+        /// <summary>1 to 16, each attribute at most once</summary>
+        public uint column_count;
+        /// <summary>those of a view, or made of its arrays: FlgAttribute.Value of a field's, say</summary>
+        public FlgColumn* columns;
+        /// <summary>rows that every column has</summary>
+        public uint row_count;
+        public uint reserved;
+        public FlgBufferOutput* output;
+        /// <summary>metres: what positions are relative to; the view's. Default 0</summary>
+        public fixed double origin[3];
+    }
+}
