@@ -3,7 +3,8 @@
 //
 // The side file's name has the checksum of its bytes in it, and the JSON, which names it, is renamed into its place
 // last: a save that is cut short anywhere leaves the document as it was, at most with a side file too many.
-#include <memory>
+#include <new>
+#include <optional>
 
 #include "filigree/filigree_io.h"
 #include "io/base/entry_point.h"
@@ -27,27 +28,33 @@ String present_side_file(const Path& path) {
         const ByteBlock text = read_file(path, "", max_tangle_json);
         const JsonDocument json(text.bytes(), most_levels);
         return read_side_file(JsonValue(json.root(), "")).name;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception&) {
         return {};
     }
 }
 
-void remove_side_file(const Path& path, const String& name) {
-    // Only such as were written with this document.
+// The side file of this name, if it was written with this document.
+std::optional<Path> removable(const Path& path, const String& name) {
     const String file(path.filename());
-    if (name.starts_with(file + ".") && name.ends_with(".bin")) remove_file(path.beside(name));
+    if (!name.starts_with(file + ".") || !name.ends_with(".bin")) return {};
+    return path.beside(name);
 }
 
 void save(const Path& path, const TangleText& text) {
     const String before = present_side_file(path);
-    if (!text.side.name.empty()) write_file(path.beside(text.side.name), text.arrays);
+    // All memory is taken before the first file is written.
+    const std::optional<Path> side = removable(path, text.side.name);
+    const std::optional<Path> obsolete = before != text.side.name ? removable(path, before) : std::nullopt;
+    if (side) write_file(*side, text.arrays);
     try {
         write_file(path, text.json);
     } catch (...) {
-        if (text.side.name != before) remove_side_file(path, text.side.name);
+        if (side && text.side.name != before) remove_file(*side);
         throw;
     }
-    if (before != text.side.name) remove_side_file(path, before);
+    if (obsolete) remove_file(*obsolete);
 }
 
 ByteBlock read_arrays(const Path& path, const SideFile& side) {
