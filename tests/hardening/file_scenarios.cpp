@@ -67,10 +67,13 @@ void keep_curve_files(Calls& calls) {
     const std::string path = folder.at("curves.glb");
     Curves curves = arcs(2, 9);
     const FlgCurveSetView given = curves.view();
-    const FlgCurveFileWriteDesc desc = FLG_INIT(calls, flgCurveFileWriteDescInit);
+    const FlgFileHooks hooks = FLG_INIT(calls, flgFileHooksInit);
+    EXPECT_EQ(FLG_INIT(calls, flgFileSystemInit).open, nullptr);
+    FlgCurveFileWriteDesc desc = FLG_INIT(calls, flgCurveFileWriteDescInit);
+    desc.hooks = &hooks;
     FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, &desc);
     Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
-    FLG_CALL(calls, flgCurveFileRead, path.c_str(), nullptr, &read.file);
+    FLG_CALL(calls, flgCurveFileRead, path.c_str(), &hooks, &read.file);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
     calls.bits += bits(view);

@@ -2,7 +2,8 @@
 #include "io/base/memory.h"
 
 #include <charconv>
-#include <new>
+
+#include "core/host_memory.h"
 
 namespace flg::io {
 
@@ -23,16 +24,11 @@ const FlgAllocator& current_allocator() {
 }
 
 void* take_memory(size_t size, size_t alignment) {
-    if (!current->allocate) return ::operator new (size, std::align_val_t{alignment});
-    if (void* const memory = current->allocate(current->user_data, size, alignment)) return memory;
-    throw std::bad_alloc();
+    return HostMemory(*current).allocate(size, alignment);
 }
 
 void give_memory_back(void* memory, size_t size, size_t alignment) noexcept {
-    if (current->free)
-        current->free(current->user_data, memory, size, alignment);
-    else
-        ::operator delete (memory, size, std::align_val_t{alignment});
+    HostMemory(*current).deallocate(memory, size, alignment);
 }
 
 String to_text(uint64_t number) {
