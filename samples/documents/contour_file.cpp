@@ -66,7 +66,7 @@ void put_first(ContourArrays& contour, uint32_t ring) {
 
 ContourArrays read_svg(const std::string& path) {
     FlgCurveFile file = nullptr;
-    if (flgCurveFileRead(path.c_str(), &file) < 0) throw InputError(flgIoErrorGetMessage());
+    if (flgCurveFileRead(path.c_str(), nullptr, &file) < 0) throw InputError(flgIoErrorGetMessage());
     const std::unique_ptr<FlgCurveFileT, decltype(&flgCurveFileRelease)> owner(file, flgCurveFileRelease);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     if (flgCurveFileGetView(file, &view) < 0) throw InputError(flgIoErrorGetMessage());

@@ -79,7 +79,7 @@ MeshFile::MeshFile(const std::string& name) : name_(name) {
         return;
     }
     FlgMeshFile file = nullptr;
-    check_io(flgMeshFileRead(name.c_str(), &file));
+    check_io(flgMeshFileRead(name.c_str(), nullptr, &file));
     file_.reset(file);
     view_.struct_size = sizeof view_;
     check_io(flgMeshFileGetView(file, &view_));

@@ -42,7 +42,7 @@ void SpaceLines::end_line(bool closed) {
 
 SpaceLines read_lines(const std::string& file, Report& report) {
     FlgCurveFile curves = nullptr;
-    if (flgCurveFileRead(file.c_str(), &curves) != FLG_OK) throw InputError(flgIoErrorGetMessage());
+    if (flgCurveFileRead(file.c_str(), nullptr, &curves) != FLG_OK) throw InputError(flgIoErrorGetMessage());
     FlgCurveSetView view = flgCurveSetViewDefaults();
     flgCurveFileGetView(curves, &view);
     FlgCurveFileInfo info = {};

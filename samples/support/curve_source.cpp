@@ -25,7 +25,7 @@ CurveSource::CurveSource(const std::string& name) : name_(name), view_(flgCurveS
         make(std::string_view(name).substr(kPrefix.size()));
         return;
     }
-    if (flgCurveFileRead(name.c_str(), &file_) != FLG_OK) throw SourceError(flgIoErrorGetMessage());
+    if (flgCurveFileRead(name.c_str(), nullptr, &file_) != FLG_OK) throw SourceError(flgIoErrorGetMessage());
     if (flgCurveFileGetView(file_, &view_) != FLG_OK) {
         flgCurveFileRelease(file_);
         throw SourceError(flgIoErrorGetMessage());

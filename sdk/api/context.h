@@ -2,6 +2,7 @@
 // A context: the runtime and the handles of its objects.
 #pragma once
 
+#include "core/host_memory.h"
 #include "curves/curve_set.h"
 #include "runtime/context_memory.h"
 #include "runtime/handle_table.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <string>
 
 #include "filigree/filigree_io.h"
 #include "io/base/box.h"
@@ -28,11 +27,11 @@ struct CurveMeasures {
 
 }  // namespace flg::io
 
-struct FlgCurveFileT {
+struct FlgCurveFileT : flg::io::HostFile {
     flg::io::CurveData data;
     flg::io::CurveMeasures measures;
-    std::vector<FlgColumn> columns;
-    std::vector<const char*> warnings;
+    flg::io::Vector<FlgColumn> columns;
+    flg::io::Vector<const char*> warnings;
 };
 
 namespace flg::io {
@@ -85,8 +84,8 @@ constexpr uint32_t default_sides = 8;
 constexpr uint32_t least_sides = 3;
 constexpr uint32_t most_sides = 64;
 
-CurveData read_from(const std::filesystem::path& path, const Origin& origin) {
-    const std::string extension = extension_of(path);
+CurveData read_from(const Path& path, const Origin& origin) {
+    const String extension = path.extension();
     const auto in_floats = [](CurveData data) {
         data.placing.stored = Origin{};
         return data;
@@ -103,7 +102,7 @@ CurveData read_from(const std::filesystem::path& path, const Origin& origin) {
     return obj ? read_obj(as_text(file.bytes()), origin) : read_xyz(as_text(file.bytes()), origin);
 }
 
-CurveData read_curves(const std::filesystem::path& path) {
+CurveData read_curves(const Path& path) {
     const auto visit_edges = [](const CurveData& data, const auto& visit) {
         for (size_t c = 0; c < data.curve_count(); ++c) {
             for (size_t i = data.offsets[c] + size_t{1}; i < data.offsets[c + 1]; ++i) visit(i - 1, i);
@@ -112,7 +111,7 @@ CurveData read_curves(const std::filesystem::path& path) {
     return read_placed([&](const Origin& origin) { return read_from(path, origin); }, visit_edges);
 }
 
-void add_column(FlgCurveFileT& file, FlgAttribute attribute, uint32_t components, const std::vector<float>& values) {
+void add_column(FlgCurveFileT& file, FlgAttribute attribute, uint32_t components, const Vector<float>& values) {
     if (values.empty() && attribute != FLG_ATTRIBUTE_POSITION) return;
     file.columns.push_back({attribute, components, values.data(), 0, 0});
 }
@@ -145,7 +144,7 @@ FlgCurveFileWriteDesc checked_desc(const FlgCurveFileWriteDesc* given, const Che
     for (uint32_t c = 0; desc.geometries && c < curves.curve_count(); ++c) {
         const uint8_t geometry = desc.geometries[c];
         if (geometry == FLG_CURVE_GEOMETRY_RIBBON || geometry == FLG_CURVE_GEOMETRY_TUBE) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.geometries[" + std::to_string(c) + "]",
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.geometries[" + to_text(c) + "]",
              "is %u, must be FLG_CURVE_GEOMETRY_RIBBON or FLG_CURVE_GEOMETRY_TUBE", unsigned{geometry});
     }
     return desc;
@@ -161,9 +160,9 @@ using flg::write_origin;
 
 extern "C" {
 
-FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
-    return read_into(out_file, "flgCurveFileRead", path, [](const std::filesystem::path& source) {
-        auto file = std::make_unique<FlgCurveFileT>();
+FlgResult flgCurveFileRead(const char* path, const FlgFileHooks* hooks, FlgCurveFile* out_file) {
+    return read_into(out_file, "flgCurveFileRead", path, hooks, [](const Path& source) {
+        auto file = make_owned<FlgCurveFileT>();
         file->data = read_curves(source);
         CurveData& data = file->data;
         file->measures = measure(data);
@@ -176,7 +175,7 @@ FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file) {
         for (const VertexColumn& column : data.columns) {
             add_column(*file, column.attribute, column.components, column.values);
         }
-        for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
+        for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
         return file;
     });
 }
@@ -217,7 +216,7 @@ FlgResult flgCurveFileGetStrokes(FlgCurveFile file, const FlgStroke** out_stroke
 }
 
 void flgCurveFileRelease(FlgCurveFile file) {
-    delete file;
+    release(file);
 }
 
 FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint32_t struct_size) {
@@ -229,11 +228,11 @@ FlgResult flgCurveFileInfoInit(FlgCurveFileInfo* info, uint32_t struct_size) {
 }
 
 FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc) {
-    return guarded_path("flgCurveFileWrite", path, [&](const std::filesystem::path& target) {
-        const std::string extension = extension_of(target);
+    return write_to("flgCurveFileWrite", path, hooks_of(desc), [&](const Path& target) {
+        const String extension = target.extension();
         const CheckedView curves(view);
         const FlgCurveFileWriteDesc checked = checked_desc(desc, curves);
-        std::string content;
+        String content;
         if (extension == ".xyz" || extension == ".txt") {
             content = write_xyz(curves, checked);
         } else if (extension == ".obj") {

@@ -25,22 +25,22 @@ struct MeshMeasures {
 
 }  // namespace flg::io
 
-struct FlgMeshFileT {
+struct FlgMeshFileT : flg::io::HostFile {
     flg::io::MeshData data;
     flg::io::MeshMeasures measures;
-    std::vector<FlgColumn> columns;
-    std::vector<FlgMeshFaceColumn> face_columns;
-    std::vector<FlgMeshMaterial> materials;
-    std::vector<const char*> warnings;
+    flg::io::Vector<FlgColumn> columns;
+    flg::io::Vector<FlgMeshFaceColumn> face_columns;
+    flg::io::Vector<FlgMeshMaterial> materials;
+    flg::io::Vector<const char*> warnings;
 };
 
 namespace flg::io {
 
 namespace {
 
-uint32_t count_different(const std::vector<uint32_t>& labels) {
+uint32_t count_different(const Vector<uint32_t>& labels) {
     // Neighbours mostly share their label: only where one changes it is kept.
-    std::vector<uint32_t> changes;
+    Vector<uint32_t> changes;
     for (uint32_t label : labels) {
         if (changes.empty() || changes.back() != label) changes.push_back(label);
     }
@@ -54,7 +54,7 @@ MeshMeasures measure(MeshData& data) {
     result.box = box_of(data.positions);
     if (!data.regions.empty()) result.region_count = count_different(data.regions);
 
-    std::vector<uint8_t> used(data.vertex_count());
+    Vector<uint8_t> used(data.vertex_count());
     Tally repeats, unused;
     for (size_t i = 0; i < data.triangles.size(); i += 3) {
         const uint32_t a = data.triangles[i], b = data.triangles[i + 1], c = data.triangles[i + 2];
@@ -69,8 +69,8 @@ MeshMeasures measure(MeshData& data) {
     return result;
 }
 
-MeshData read_from(const std::filesystem::path& path, const Origin& origin) {
-    const std::string extension = extension_of(path);
+MeshData read_from(const Path& path, const Origin& origin) {
+    const String extension = path.extension();
     if (extension == ".gltf" || extension == ".glb") return read_gltf_mesh(path, origin);
     if (extension != ".ply" && extension != ".obj" && extension != ".off") {
         fail(FLG_ERROR_FORMAT, "", "is of no known format: %s is none of .ply .obj .off .gltf .glb",
@@ -81,7 +81,7 @@ MeshData read_from(const std::filesystem::path& path, const Origin& origin) {
     return extension == ".obj" ? read_obj_mesh(as_text(file.bytes()), origin) : read_off(as_text(file.bytes()), origin);
 }
 
-MeshData read_mesh(const std::filesystem::path& path) {
+MeshData read_mesh(const Path& path) {
     const auto visit_edges = [](const MeshData& data, const auto& visit) {
         for (size_t i = 0; i < data.triangles.size(); i += 3) {
             for (size_t k = 0; k < 3; ++k) visit(data.triangles[i + k], data.triangles[i + (k + 1) % 3]);
@@ -90,7 +90,7 @@ MeshData read_mesh(const std::filesystem::path& path) {
     return read_placed([&](const Origin& origin) { return read_from(path, origin); }, visit_edges);
 }
 
-std::string write_mesh(const std::string& extension, const CheckedMesh& mesh) {
+String write_mesh(const String& extension, const CheckedMesh& mesh) {
     if (extension == ".ply") return write_ply(mesh);
     if (extension == ".obj") return write_obj_mesh(mesh);
     if (extension == ".off") return write_off(mesh);
@@ -108,9 +108,9 @@ using flg::write_origin;
 
 extern "C" {
 
-FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file) {
-    return read_into(out_file, "flgMeshFileRead", path, [](const std::filesystem::path& source) {
-        auto file = std::make_unique<FlgMeshFileT>();
+FlgResult flgMeshFileRead(const char* path, const FlgFileHooks* hooks, FlgMeshFile* out_file) {
+    return read_into(out_file, "flgMeshFileRead", path, hooks, [](const Path& source) {
+        auto file = make_owned<FlgMeshFileT>();
         file->data = read_mesh(source);
         MeshData& data = file->data;
         split_concave_polygons(data);
@@ -123,7 +123,7 @@ FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file) {
             file->face_columns.push_back({column.name.c_str(), column.values.data()});
         }
         for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
-        for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
+        for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
         return file;
     });
 }
@@ -170,7 +170,7 @@ FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info) {
 }
 
 void flgMeshFileRelease(FlgMeshFile file) {
-    delete file;
+    release(file);
 }
 
 FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint32_t struct_size) {
@@ -182,9 +182,9 @@ FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_s
 }
 
 FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc) {
-    return guarded_path("flgMeshFileWrite", path, [&](const std::filesystem::path& target) {
+    return write_to("flgMeshFileWrite", path, hooks_of(desc), [&](const Path& target) {
         const CheckedMesh mesh(view, desc);
-        write_file(target, write_mesh(extension_of(target), mesh));
+        write_file(target, write_mesh(target.extension(), mesh));
     });
 }
 

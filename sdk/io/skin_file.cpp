@@ -11,12 +11,12 @@
 #include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_skin.h"
 
-struct FlgSkinFileT {
+struct FlgSkinFileT : flg::io::HostFile {
     flg::io::SkinData data;
     flg::io::Box box;
     uint32_t part_count = 1;
-    std::vector<const char*> joint_names, warnings;
-    std::vector<FlgMeshMaterial> materials;
+    flg::io::Vector<const char*> joint_names, warnings;
+    flg::io::Vector<FlgMeshMaterial> materials;
 };
 
 namespace flg::io {
@@ -33,14 +33,14 @@ FlgSkinAnimation view_of(const AnimationData& data) {
     return view;
 }
 
-std::unique_ptr<FlgSkinFileT> make_file(SkinData&& read) {
-    auto file = std::make_unique<FlgSkinFileT>();
+Owned<FlgSkinFileT> make_file(SkinData&& read) {
+    auto file = make_owned<FlgSkinFileT>();
     file->data = std::move(read);
     const SkinData& data = file->data;
     file->box = box_of(data.positions);
     file->part_count = 1 + *std::max_element(data.parts.begin(), data.parts.end());
-    for (const std::string& name : data.joint_names) file->joint_names.push_back(name.c_str());
-    for (const std::string& warning : data.warnings) file->warnings.push_back(warning.c_str());
+    for (const String& name : data.joint_names) file->joint_names.push_back(name.c_str());
+    for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
     for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
     return file;
 }
@@ -54,9 +54,9 @@ using flg::sized;
 
 extern "C" {
 
-FlgResult flgSkinFileRead(const char* path, FlgSkinFile* out_file) {
-    return read_into(out_file, "flgSkinFileRead", path, [](const std::filesystem::path& source) {
-        const std::string extension = extension_of(source);
+FlgResult flgSkinFileRead(const char* path, const FlgFileHooks* hooks, FlgSkinFile* out_file) {
+    return read_into(out_file, "flgSkinFileRead", path, hooks, [](const Path& source) {
+        const String extension = source.extension();
         if (extension != ".gltf" && extension != ".glb") {
             fail(FLG_ERROR_FORMAT, "", "holds no skin: %s is none of .gltf .glb", cited(extension).c_str());
         }
@@ -87,7 +87,7 @@ FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view) {
 
 FlgResult flgSkinFileGetAnimation(FlgSkinFile file, uint32_t animation, FlgSkinAnimation* out_animation) {
     return show("flgSkinFileGetAnimation", file, out_animation, "out_animation", [&](const FlgSkinFileT& shown) {
-        const std::vector<AnimationData>& animations = shown.data.animations;
+        const Vector<AnimationData>& animations = shown.data.animations;
         if (animation >= animations.size()) {
             fail(FLG_ERROR_INVALID_ARGUMENT, "animation", "is %u, but there are %zu", animation, animations.size());
         }
@@ -113,7 +113,7 @@ FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info) {
 }
 
 void flgSkinFileRelease(FlgSkinFile file) {
-    delete file;
+    release(file);
 }
 
 FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint32_t struct_size) {
@@ -125,7 +125,7 @@ FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_s
 }
 
 FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileWriteDesc* desc) {
-    return guarded_path("flgSkinFileWrite", path, [&](const std::filesystem::path& target) {
+    return write_to("flgSkinFileWrite", path, hooks_of(desc), [&](const Path& target) {
         const CheckedSkin skin(desc);
         check_is_glb(target);
         write_file(target, write_glb_skin(skin));

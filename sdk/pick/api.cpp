@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/guard.h"
+#include "core/host_memory.h"
 #include "core/sized_struct.h"
 #include "pick/pick_scene.h"
 
@@ -13,7 +14,10 @@ using flg::sized;
 using flg::pick::PickScene;
 
 struct FlgPickSceneT {
-    FlgPickSceneT(uint32_t threads, const flg::Origin& origin) : scene(threads, origin) {}
+    FlgPickSceneT(const FlgPickSceneDesc& desc, const FlgAllocator& allocator, const flg::Origin& origin)
+        : memory(allocator), embree{desc.embree_memory, desc.user_data}, scene(desc.threads, origin, embree, &memory) {}
+    flg::HostMemory memory;
+    flg::pick::EmbreeMemory embree;
     PickScene scene;
 };
 
@@ -31,6 +35,25 @@ template <class Body>
 FlgResult guarded(Body&& body) noexcept {
     return flg::guarded(std::forward<Body>(body),
                         [] { return flg::translate_exception(last_error, sizeof last_error, "no memory is left"); });
+}
+
+// A body that has Embree take memory; where the host refuses it some, Embree may name another error.
+template <class Body>
+FlgResult guarded_change(FlgPickScene scene, Body&& body) noexcept {
+    if (scene) scene->embree.was_refused = false;
+    const FlgResult result = guarded(std::forward<Body>(body));
+    if (result != FLG_ERROR_INTERNAL || !scene || !scene->embree.was_refused) return result;
+    return guarded([] { throw std::bad_alloc(); });
+}
+
+FlgAllocator read_allocator(const FlgAllocator* given) {
+    if (!given) return sized<FlgAllocator>();
+    const FlgAllocator allocator = flg::read_struct<Longer::cut>(given, sized<FlgAllocator>(), "desc.allocator");
+    if (!allocator.allocate != !allocator.free) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.allocator.%s is null, but the other function is not",
+                      allocator.allocate ? "free" : "allocate");
+    }
+    return allocator;
 }
 
 flg::Origin read_origin(const double (&origin)[3], const char* argument) {
@@ -126,17 +149,23 @@ FlgResult flgPickSceneCreate(const FlgPickSceneDesc* desc, FlgPickScene* out_sce
         require(out_scene, "out_scene") = nullptr;
         const FlgPickSceneDesc read =
             desc ? flg::read_struct<Longer::cut>(desc, default_desc(), "desc") : default_desc();
-        *out_scene = new FlgPickSceneT(read.threads, read_origin(read.origin, "desc.origin"));
+        const flg::Origin origin = read_origin(read.origin, "desc.origin");
+        const FlgAllocator allocator = read_allocator(read.allocator);
+        flg::HostMemory memory(allocator);
+        std::pmr::polymorphic_allocator<FlgPickSceneT> to(&memory);
+        *out_scene = to.new_object<FlgPickSceneT>(read, allocator, origin);
     });
 }
 
 void flgPickSceneDestroy(FlgPickScene scene) {
-    delete scene;
+    if (!scene) return;
+    flg::HostMemory memory = scene->memory;
+    std::pmr::polymorphic_allocator<FlgPickSceneT>(&memory).delete_object(scene);
 }
 
 FlgResult flgPickSceneSetSurface(FlgPickScene scene, uint32_t object, const FlgSurfaceView* surface,
                                  const uint32_t* changed, uint32_t changed_count) {
-    return guarded([&] {
+    return guarded_change(scene, [&] {
         FlgSurfaceView read = flg::read_struct<Longer::cut>(surface, flg::sized<FlgSurfaceView>(), "surface");
         const FlgMeshView mesh = flg::read_struct<Longer::cut>(read.mesh, flg::sized<FlgMeshView>(), "surface.mesh");
         check_mesh(mesh, changed, changed_count);
@@ -147,7 +176,7 @@ FlgResult flgPickSceneSetSurface(FlgPickScene scene, uint32_t object, const FlgS
 
 FlgResult flgPickSceneSetCurves(FlgPickScene scene, uint32_t object, const FlgCurveSetView* curves,
                                 float least_radius) {
-    return guarded([&] {
+    return guarded_change(scene, [&] {
         const FlgCurveSetView read = flg::read_struct<Longer::cut>(curves, flg::sized<FlgCurveSetView>(), "curves");
         check_curves(read, least_radius);
         require(scene, "scene").scene.set_curves(object, read, least_radius);
@@ -159,7 +188,7 @@ FlgResult flgPickSceneRemove(FlgPickScene scene, uint32_t object) {
 }
 
 FlgResult flgPickSceneCommit(FlgPickScene scene) {
-    return guarded([&] { require(scene, "scene").scene.commit(); });
+    return guarded_change(scene, [&] { require(scene, "scene").scene.commit(); });
 }
 
 FlgResult flgPickSceneCastRays(FlgPickScene scene, const FlgRay* rays, uint32_t ray_count, FlgHit* out_hits) {

@@ -50,8 +50,9 @@ uint32_t entry_cell(const FlgRay& ray, const Vec3f& lower, const Vec3f& upper) {
 }
 
 // Indices of the rays, each once. `lower` and `upper`: the scene's box, not empty. Memory: 20 bytes a ray.
-std::vector<uint32_t> order_rays(const FlgRay* rays, uint32_t count, const Vec3f& lower, const Vec3f& upper) {
-    std::vector<Entry> entries(count), sorted(count);
+std::pmr::vector<uint32_t> order_rays(const FlgRay* rays, uint32_t count, const Vec3f& lower, const Vec3f& upper,
+                                      Memory* memory) {
+    std::pmr::vector<Entry> entries(count, memory), sorted(count, memory);
     for (uint32_t i = 0; i < count; ++i) entries[i] = {entry_cell(rays[i], lower, upper), i};
     for (uint32_t digit = 0; digit < digits; ++digit) {
         constexpr uint32_t mask = (1u << digit_bits) - 1;
@@ -62,7 +63,7 @@ std::vector<uint32_t> order_rays(const FlgRay* rays, uint32_t count, const Vec3f
         for (const Entry& entry : entries) sorted[places[value(entry)]++] = entry;
         entries.swap(sorted);
     }
-    std::vector<uint32_t> order(count);
+    std::pmr::vector<uint32_t> order(count, memory);
     for (uint32_t i = 0; i < count; ++i) order[i] = entries[i].ray;
     return order;
 }
@@ -78,11 +79,19 @@ constexpr FlgHit no_hit = {.object = FLG_NO_INDEX,
                            .normal = {},
                            .region = FLG_NO_INDEX};
 
-Device make_device(uint32_t threads) {
+bool ask_host(void* embree, ssize_t bytes, bool) {
+    const EmbreeMemory& memory = *static_cast<const EmbreeMemory*>(embree);
+    if (memory.ask(memory.user_data, bytes) != 0 || bytes <= 0) return true;
+    memory.was_refused = true;
+    return false;
+}
+
+Device make_device(uint32_t threads, const EmbreeMemory& embree) {
     char config[32];
     std::snprintf(config, sizeof config, "threads=%u", threads);
     Device device(rtcNewDevice(config));
     if (!device) check(nullptr, "start");
+    if (embree.ask) rtcSetDeviceMemoryMonitorFunction(device.get(), ask_host, const_cast<EmbreeMemory*>(&embree));
     return device;
 }
 
@@ -119,11 +128,16 @@ float scaled(float value, int exponent) {
 
 }  // namespace
 
-PickScene::PickScene(uint32_t threads, const Origin& origin)
-    : origin_(origin),
-      device_(make_device(threads)),
+PickScene::PickScene(uint32_t threads, const Origin& origin, const EmbreeMemory& embree, Memory* memory)
+    : memory_(memory),
+      origin_(origin),
+      device_(make_device(threads, embree)),
       scene_(rtcNewScene(device_.get())),
-      boxes_(rtcNewScene(device_.get())) {
+      boxes_(rtcNewScene(device_.get())),
+      objects_(memory),
+      parts_(memory),
+      box_parts_(memory) {
+    check(device_.get(), "make a scene");
     // Low quality is Embree's name for scenes of two levels; each object's own structure is of the usual quality.
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST);
@@ -139,13 +153,15 @@ void PickScene::set_surface(uint32_t object, const FlgSurfaceView& surface, cons
         there->second.surface->update(surface, changed, changed_count)) {
         return;
     }
-    auto made = std::make_unique<SurfaceTarget>(device_.get(), scene_.get(), origin_, surface);
+    auto made = std::allocate_shared<SurfaceTarget>(std::pmr::polymorphic_allocator<SurfaceTarget>(memory_),
+                                                    device_.get(), scene_.get(), origin_, surface, memory_);
     SurfaceTarget* const target = made.get();
     objects_[object] = {std::move(made), target};
 }
 
 void PickScene::set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius) {
-    auto made = std::make_unique<CurveTarget>(device_.get(), scene_.get(), boxes_.get(), origin_, curves, least_radius);
+    auto made = std::allocate_shared<CurveTarget>(std::pmr::polymorphic_allocator<CurveTarget>(memory_), device_.get(),
+                                                  scene_.get(), boxes_.get(), origin_, curves, least_radius, memory_);
     objects_[object] = {std::move(made), nullptr};
 }
 
@@ -179,8 +195,8 @@ void PickScene::commit() {
 }
 
 void PickScene::pick(const FlgRay* rays, uint32_t count, FlgHit* hits) const {
-    std::vector<uint32_t> order;
-    if (count >= fewest_to_order) order = order_rays(rays, count, lower_, upper_);
+    std::pmr::vector<uint32_t> order(memory_);
+    if (count >= fewest_to_order) order = order_rays(rays, count, lower_, upper_, memory_);
     for (uint32_t first = 0; first < count; first += packet) {
         const uint32_t size = std::min(packet, count - first);
         uint32_t next[packet];

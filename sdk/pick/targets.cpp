@@ -55,8 +55,8 @@ constexpr uint8_t no_part = UINT8_MAX;
 
 // Room for what cuts add.
 template <class T>
-std::vector<T> with_slack(size_t size) {
-    std::vector<T> made;
+std::pmr::vector<T> with_slack(size_t size, Memory* memory) {
+    std::pmr::vector<T> made(memory);
     made.reserve(size + size / delta_share);
     made.resize(size);
     return made;
@@ -78,7 +78,7 @@ const FlgColumn& position_column(const FlgMeshView& mesh) {
     return *column;
 }
 
-void check_precision(const FlgMeshView& mesh, const std::vector<float>& positions) {
+void check_precision(const FlgMeshView& mesh, const std::pmr::vector<float>& positions) {
     EdgePrecision precision;
     for (size_t t = 0; t < mesh.triangle_count; ++t) {
         const uint32_t* const corners = mesh.triangles + 3 * t;
@@ -118,15 +118,16 @@ void ScenePositions::copy(size_t vertex, float* to) const {
 }
 
 SurfaceTarget::SurfaceTarget(RTCDevice device, RTCScene scene, const Origin& scene_origin,
-                             const FlgSurfaceView& surface)
+                             const FlgSurfaceView& surface, Memory* memory)
     : device_(device),
       scene_(scene),
       scene_origin_(scene_origin),
       origin_{surface.mesh->origin[0], surface.mesh->origin[1], surface.mesh->origin[2]},
-      positions_(with_slack<float>(size_t{3} * surface.mesh->vertex_count)),
-      triangles_(with_slack<uint32_t>(size_t{3} * surface.mesh->triangle_count)),
-      regions_(with_slack<uint32_t>(surface.mesh->triangle_count)),
-      part_of_(with_slack<uint8_t>(surface.mesh->triangle_count)),
+      positions_(with_slack<float>(size_t{3} * surface.mesh->vertex_count, memory)),
+      triangles_(with_slack<uint32_t>(size_t{3} * surface.mesh->triangle_count, memory)),
+      regions_(with_slack<uint32_t>(surface.mesh->triangle_count, memory)),
+      part_of_(with_slack<uint8_t>(surface.mesh->triangle_count, memory)),
+      parts_(memory),
       base_count_(surface.mesh->triangle_count) {
     const FlgMeshView& mesh = *surface.mesh;
     const ScenePositions positions(position_column(mesh), mesh.origin, scene_origin);
@@ -135,7 +136,7 @@ SurfaceTarget::SurfaceTarget(RTCDevice device, RTCScene scene, const Origin& sce
     if (positions.are_moved()) check_precision(mesh, positions_);
     std::copy_n(mesh.triangles, triangles_.size(), triangles_.begin());
     if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
-    parts_.push_back(std::make_unique<Part>(Part{.target = this, .number = 0, .level = no_level, .triangles = {}}));
+    parts_.push_back(make_part(0, no_level));
     attach_base(*parts_[0]);
 }
 
@@ -192,14 +193,22 @@ void SurfaceTarget::pass_changed(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+std::shared_ptr<SurfaceTarget::Part> SurfaceTarget::make_part(size_t number, uint32_t level) {
+    std::pmr::memory_resource* const memory = positions_.get_allocator().resource();
+    return std::allocate_shared<Part>(std::pmr::polymorphic_allocator<Part>(memory),
+                                      Part{.target = this,
+                                           .number = static_cast<uint8_t>(number),
+                                           .level = level,
+                                           .triangles = std::pmr::vector<uint32_t>(memory)});
+}
+
 // What becomes one with the changes that come now: the last parts, if they are as many of a level, and so on.
-std::unique_ptr<SurfaceTarget::Part> SurfaceTarget::join_last_parts() {
+std::shared_ptr<SurfaceTarget::Part> SurfaceTarget::join_last_parts() {
     size_t kept = parts_.size();
     uint32_t level = 0;
     constexpr size_t others = parts_a_level - 1;
     for (; kept > others && parts_[kept - others]->level == level; ++level) kept -= others;
-    auto joined = std::make_unique<Part>(
-        Part{.target = this, .number = static_cast<uint8_t>(kept), .level = level, .triangles = {}});
+    const std::shared_ptr<Part> joined = make_part(kept, level);
     for (size_t p = kept; p < parts_.size(); ++p) {
         for (const uint32_t triangle : parts_[p]->triangles) {
             if (part_of_[triangle] != p) continue;
@@ -232,7 +241,7 @@ bool SurfaceTarget::update(const FlgSurfaceView& surface, const uint32_t* change
     regions_.resize(mesh.triangle_count);
     part_of_.resize(mesh.triangle_count, no_part);
     if (mesh.regions) std::copy_n(mesh.regions, mesh.triangle_count, regions_.begin());
-    std::unique_ptr<Part> part = join_last_parts();
+    std::shared_ptr<Part> part = join_last_parts();
     // Vertices that moved belong to changed triangles.
     const auto take = [&](uint32_t triangle) {
         for (size_t i = size_t{3} * triangle; i < size_t{3} * triangle + 3; ++i) {
@@ -320,8 +329,8 @@ Reader reader_of(const FlgCurveSetView& curves, FlgAttribute attribute, float fa
 }  // namespace
 
 CurveTarget::CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const Origin& scene_origin,
-                         const FlgCurveSetView& curves, float least_radius)
-    : scene_(scene), boxes_(boxes) {
+                         const FlgCurveSetView& curves, float least_radius, Memory* memory)
+    : scene_(scene), boxes_(boxes), vertices_(memory), segments_(memory) {
     const ScenePositions positions(position_column(curves), curves.origin, scene_origin);
     Reader radii = reader_of(curves, FLG_ATTRIBUTE_RADIUS);
     if (!radii.data) radii = reader_of(curves, FLG_ATTRIBUTE_WIDTH, 0.5f);

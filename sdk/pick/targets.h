@@ -17,9 +17,11 @@
 #include <embree3/rtcore.h>
 #include <array>
 #include <memory>
+#include <memory_resource>
 #include <vector>
 
 #include "core/failure.h"
+#include "core/memory.h"
 #include "core/origin.h"
 #include "filigree/filigree_pick.h"
 
@@ -116,7 +118,8 @@ private:
 
 class SurfaceTarget final : public Target {
 public:
-    SurfaceTarget(RTCDevice device, RTCScene scene, const Origin& scene_origin, const FlgSurfaceView& surface);
+    SurfaceTarget(RTCDevice device, RTCScene scene, const Origin& scene_origin, const FlgSurfaceView& surface,
+                  Memory* memory);
     ~SurfaceTarget() override;
 
     // Takes in what changed; triangles beyond those known count as changed. False if so much has that the whole is
@@ -133,9 +136,9 @@ private:
 
     struct Part {
         const SurfaceTarget* target;
-        uint8_t number;                   // its place among the parts
-        uint32_t level;                   // of updates; of the base none
-        std::vector<uint32_t> triangles;  // of the base none: it holds those there were, in their order
+        uint8_t number;                        // its place among the parts
+        uint32_t level;                        // of updates; of the base none
+        std::pmr::vector<uint32_t> triangles;  // of the base none: it holds those there were, in their order
         uint32_t id = RTC_INVALID_GEOMETRY_ID;
 
         uint32_t triangle(uint32_t primitive) const { return number == 0 ? primitive : triangles[primitive]; }
@@ -146,7 +149,8 @@ private:
         Vec3f corners[3];
     };
     Face face(uint32_t triangle) const;
-    std::unique_ptr<Part> join_last_parts();
+    std::shared_ptr<Part> make_part(size_t number, uint32_t level);
+    std::shared_ptr<Part> join_last_parts();
     void attach_base(Part& part) const;
     void attach_changed(Part& part) const;
     void attach(Part& part, const Geometry& geometry) const;
@@ -154,20 +158,20 @@ private:
 
     RTCDevice device_;
     RTCScene scene_;
-    const Origin scene_origin_, origin_;  // of the scene; of the surface
-    std::vector<float> positions_;        // 3 a vertex
-    std::vector<uint32_t> triangles_;     // 3 a triangle
-    std::vector<uint32_t> regions_;       // one a triangle
-    std::vector<uint8_t> part_of_;        // one a triangle: the part that it counts in
-    std::vector<std::unique_ptr<Part>> parts_;
-    uint32_t base_count_;         // triangles of the base
-    bool is_incomplete_ = false;  // an update threw
+    const Origin scene_origin_, origin_;             // of the scene; of the surface
+    std::pmr::vector<float> positions_;              // 3 a vertex
+    std::pmr::vector<uint32_t> triangles_;           // 3 a triangle
+    std::pmr::vector<uint32_t> regions_;             // one a triangle
+    std::pmr::vector<uint8_t> part_of_;              // one a triangle: the part that it counts in
+    std::pmr::vector<std::shared_ptr<Part>> parts_;  // (shared only as unique_ptr knows no resource)
+    uint32_t base_count_;                            // triangles of the base
+    bool is_incomplete_ = false;                     // an update threw
 };
 
 class CurveTarget final : public Target {
 public:
     CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const Origin& scene_origin,
-                const FlgCurveSetView& curves, float least_radius);
+                const FlgCurveSetView& curves, float least_radius, Memory* memory);
     ~CurveTarget() override;
 
     uint32_t part_count() const override { return 1; }
@@ -187,8 +191,8 @@ private:
     static void bound(const RTCBoundsFunctionArguments* arguments);
 
     RTCScene scene_, boxes_;
-    std::vector<std::array<float, 4>> vertices_;  // position and radius; closed curves repeat their first point
-    std::vector<Segment> segments_;
+    std::pmr::vector<std::array<float, 4>> vertices_;  // position and radius; closed curves repeat their first point
+    std::pmr::vector<Segment> segments_;
     uint32_t id_ = RTC_INVALID_GEOMETRY_ID;
     uint32_t box_id_ = RTC_INVALID_GEOMETRY_ID;
 };

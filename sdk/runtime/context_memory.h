@@ -13,7 +13,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "core/memory.h"
+#include "core/host_memory.h"
 #include "runtime/host.h"
 
 namespace flg {

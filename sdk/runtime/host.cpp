@@ -5,24 +5,8 @@
 #include <cinttypes>
 #include <cstdarg>
 #include <cstdio>
-#include <new>
 
 namespace flg {
-
-void* HostMemory::do_allocate(size_t size, size_t alignment) {
-    if (!allocator_.allocate) return ::operator new(size, std::align_val_t(alignment));
-    void* memory = allocator_.allocate(allocator_.user_data, size, alignment);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-void HostMemory::do_deallocate(void* memory, size_t size, size_t alignment) {
-    if (!allocator_.free) {
-        ::operator delete(memory, std::align_val_t(alignment));
-    } else {
-        allocator_.free(allocator_.user_data, memory, size, alignment);
-    }
-}
 
 uint64_t Host::now_ns() const {
     if (clock_.now_ns) return clock_.now_ns(clock_.user_data);

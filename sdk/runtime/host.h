@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The host's hooks (allocator, clock, log, profiler) as the rest of the SDK sees them. One per context; nothing here is
-// shared between contexts.
+// The host's clock, log and profiler as the rest of the SDK sees them (its allocator: core/host_memory.h). One per
+// context; nothing here is shared between contexts.
 #pragma once
 
 #include <cstdint>
 #include <initializer_list>
-#include <memory_resource>
 
-#include "core/memory.h"
 #include "filigree/filigree.h"
 
 namespace flg {
-
-// The host's allocator as a memory resource; std::bad_alloc when the hook returns null.
-class HostMemory final : public std::pmr::memory_resource {
-public:
-    // A hook with null functions stands for aligned operator new and delete.
-    explicit HostMemory(const FlgAllocator& allocator) : allocator_(allocator) {}
-
-private:
-    void* do_allocate(size_t size, size_t alignment) override;
-    void do_deallocate(void* memory, size_t size, size_t alignment) override;
-    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
-
-    FlgAllocator allocator_;
-};
 
 // Clock, log and profiler. Thread-safe as the hooks are; log only on the host's thread.
 class Host {

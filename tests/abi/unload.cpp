@@ -101,9 +101,9 @@ float work(void* library) {
 // Libraries beside: a call or two each.
 void touch(void* library, const std::string& path) {
     if (path.find("filigree_io") != path.npos) {
-        const auto read = look_up<FlgResult (*)(const char*, void**)>(library, "flgCurveFileRead");
+        const auto read = look_up<FlgResult (*)(const char*, const void*, void**)>(library, "flgCurveFileRead");
         void* file = nullptr;
-        if (read("no such file.xyz", &file) != FLG_ERROR_FILE) FAIL("a missing file was read");
+        if (read("no such file.xyz", nullptr, &file) != FLG_ERROR_FILE) FAIL("a missing file was read");
     } else {
         const float farthest = work(library);
         if (farthest < 50 || farthest > 60) FAIL("the farthest vertex is %g metres away", double{farthest});

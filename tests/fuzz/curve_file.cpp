@@ -40,7 +40,7 @@ void demand_same_when_written(const FlgCurveSetView& view) {
     FLG_DEMAND(flgCurveFileWrite(path, &view, nullptr) == FLG_OK);
     FlgCurveFile again = nullptr;
     FlgCurveSetView same = view;
-    FLG_DEMAND(flgCurveFileRead(path, &again) == FLG_OK && flgCurveFileGetView(again, &same) == FLG_OK);
+    FLG_DEMAND(flgCurveFileRead(path, nullptr, &again) == FLG_OK && flgCurveFileGetView(again, &same) == FLG_OK);
     FLG_DEMAND(same.curve_count == view.curve_count);
     const size_t points = view.curve_offsets[view.curve_count];
     FLG_DEMAND(same.curve_offsets[same.curve_count] == points);
@@ -53,7 +53,7 @@ void demand_same_when_written(const FlgCurveSetView& view) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const InputFile input(FLG_EXTENSION);
     FlgCurveFile file = nullptr;
-    const FlgResult result = flgCurveFileRead(input.holding(data, size), &file);
+    const FlgResult result = flgCurveFileRead(input.holding(data, size), nullptr, &file);
     if (result != FLG_OK) {
         FLG_DEMAND(file == nullptr);
         flg::fuzz::demand_refusal(result, flgIoErrorGetMessage());

@@ -27,7 +27,7 @@ void demand_same_when_written(const FlgMeshView& view) {
     FLG_DEMAND(flgMeshFileWrite(path, &view, nullptr) == FLG_OK);
     FlgMeshFile again = nullptr;
     FlgMeshView same = view;
-    FLG_DEMAND(flgMeshFileRead(path, &again) == FLG_OK && flgMeshFileGetView(again, &same) == FLG_OK);
+    FLG_DEMAND(flgMeshFileRead(path, nullptr, &again) == FLG_OK && flgMeshFileGetView(again, &same) == FLG_OK);
     FLG_DEMAND(same.vertex_count == view.vertex_count && same.triangle_count == view.triangle_count);
     FLG_DEMAND(std::memcmp(same.columns[0].data, view.columns[0].data, size_t{3} * view.vertex_count * sizeof(float)) ==
                0);
@@ -40,7 +40,7 @@ void demand_same_when_written(const FlgMeshView& view) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const InputFile input(FLG_EXTENSION);
     FlgMeshFile file = nullptr;
-    const FlgResult result = flgMeshFileRead(input.holding(data, size), &file);
+    const FlgResult result = flgMeshFileRead(input.holding(data, size), nullptr, &file);
     if (result != FLG_OK) {
         FLG_DEMAND(file == nullptr);
         flg::fuzz::demand_refusal(result, flgIoErrorGetMessage());

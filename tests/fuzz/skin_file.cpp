@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const flg::fuzz::InputFile input(FLG_EXTENSION), copy(".copy.glb");
     FlgSkinFile file = nullptr;
-    const FlgResult result = flgSkinFileRead(input.holding(data, size), &file);
+    const FlgResult result = flgSkinFileRead(input.holding(data, size), nullptr, &file);
     if (result != FLG_OK) {
         FLG_DEMAND(file == nullptr);
         flg::fuzz::demand_refusal(result, flgIoErrorGetMessage());

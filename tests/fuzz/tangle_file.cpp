@@ -19,7 +19,7 @@ std::string contents(const char* path) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const flg::fuzz::InputFile input(".json"), copy(".copy.json");
     FlgTangleFile file = nullptr, again = nullptr;
-    const FlgResult result = flgTangleFileRead(input.holding(data, size), &file);
+    const FlgResult result = flgTangleFileRead(input.holding(data, size), nullptr, &file);
     if (result != FLG_OK) {
         FLG_DEMAND(file == nullptr);
         flg::fuzz::demand_refusal(result, flgIoErrorGetMessage());
@@ -29,10 +29,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     history.struct_size = sizeof history;
     FLG_DEMAND(flgTangleFileGetHistory(file, &history) == FLG_OK);
     const char* const path = copy.holding(nullptr, 0);
-    FLG_DEMAND(flgTangleFileWrite(path, &history) == FLG_OK);
+    FLG_DEMAND(flgTangleFileWrite(path, &history, nullptr) == FLG_OK);
     const std::string first = contents(path);
-    FLG_DEMAND(flgTangleFileRead(path, &again) == FLG_OK && flgTangleFileGetHistory(again, &history) == FLG_OK);
-    FLG_DEMAND(flgTangleFileWrite(path, &history) == FLG_OK);
+    FLG_DEMAND(flgTangleFileRead(path, nullptr, &again) == FLG_OK &&
+               flgTangleFileGetHistory(again, &history) == FLG_OK);
+    FLG_DEMAND(flgTangleFileWrite(path, &history, nullptr) == FLG_OK);
     FLG_DEMAND(contents(path) == first);
     flgTangleFileRelease(again);
     flgTangleFileRelease(file);

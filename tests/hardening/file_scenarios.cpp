@@ -45,7 +45,7 @@ void keep_plain_files(Calls& calls) {
         const std::string path = folder.at(name);
         FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, nullptr);
         Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
-        FLG_CALL(calls, flgCurveFileRead, path.c_str(), &read.file);
+        FLG_CALL(calls, flgCurveFileRead, path.c_str(), nullptr, &read.file);
         FlgCurveSetView view = flgCurveSetViewDefaults();
         FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
         calls.bits += bits(view);
@@ -54,7 +54,7 @@ void keep_plain_files(Calls& calls) {
         const std::string path = folder.at(name);
         FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &shape, nullptr);
         Owned<FlgMeshFile> read(calls, flgMeshFileRelease, "flgMeshFileRelease");
-        FLG_CALL(calls, flgMeshFileRead, path.c_str(), &read.file);
+        FLG_CALL(calls, flgMeshFileRead, path.c_str(), nullptr, &read.file);
         FlgMeshView view = flgMeshViewDefaults();
         FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
         calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
@@ -67,10 +67,13 @@ void keep_curve_files(Calls& calls) {
     const std::string path = folder.at("curves.glb");
     Curves curves = arcs(2, 9);
     const FlgCurveSetView given = curves.view();
-    const FlgCurveFileWriteDesc desc = FLG_INIT(calls, flgCurveFileWriteDescInit);
+    const FlgFileHooks hooks = FLG_INIT(calls, flgFileHooksInit);
+    EXPECT_EQ(FLG_INIT(calls, flgFileSystemInit).open, nullptr);
+    FlgCurveFileWriteDesc desc = FLG_INIT(calls, flgCurveFileWriteDescInit);
+    desc.hooks = &hooks;
     FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, &desc);
     Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
-    FLG_CALL(calls, flgCurveFileRead, path.c_str(), &read.file);
+    FLG_CALL(calls, flgCurveFileRead, path.c_str(), &hooks, &read.file);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
     calls.bits += bits(view);
@@ -105,7 +108,7 @@ void keep_mesh_files(Calls& calls) {
         }
         FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &given, &desc);
         Owned<FlgMeshFile> read(calls, flgMeshFileRelease, "flgMeshFileRelease");
-        FLG_CALL(calls, flgMeshFileRead, path.c_str(), &read.file);
+        FLG_CALL(calls, flgMeshFileRead, path.c_str(), nullptr, &read.file);
         FlgMeshView view = flgMeshViewDefaults();
         FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
         calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
@@ -141,7 +144,7 @@ void keep_skin_files(Calls& calls) {
     const std::string path = folder.at("skin.glb"), motion_path = folder.at("motion.glb");
     FLG_CALL(calls, flgSkinFileWrite, path.c_str(), &desc);
     Owned<FlgSkinFile> read(calls, flgSkinFileRelease, "flgSkinFileRelease");
-    FLG_CALL(calls, flgSkinFileRead, path.c_str(), &read.file);
+    FLG_CALL(calls, flgSkinFileRead, path.c_str(), nullptr, &read.file);
     FlgSkinView view = flgSkinViewDefaults();
     FLG_CALL(calls, flgSkinFileGetView, read.file, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
@@ -182,9 +185,9 @@ void keep_tangle_files(Calls& calls) {
     history.steps = steps;
     history.box_max[0] = 1;
     const std::string path = folder.at("tangle.json");
-    FLG_CALL(calls, flgTangleFileWrite, path.c_str(), &history);
+    FLG_CALL(calls, flgTangleFileWrite, path.c_str(), &history, nullptr);
     Owned<FlgTangleFile> read(calls, flgTangleFileRelease, "flgTangleFileRelease");
-    FLG_CALL(calls, flgTangleFileRead, path.c_str(), &read.file);
+    FLG_CALL(calls, flgTangleFileRead, path.c_str(), nullptr, &read.file);
     FlgTangleHistory shown{};
     shown.struct_size = sizeof shown;
     FLG_CALL(calls, flgTangleFileGetHistory, read.file, &shown);

@@ -93,9 +93,8 @@ TEST_P(MemoryFailures, AreSaidAndLoseNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Of, MemoryFailures, testing::ValuesIn(scenarios), name_of);
 
-// Functions that have no context take the C++ runtime's memory. It fails in the same way. (Not here: files of JSON,
-// whose parser's values take memory to be destroyed and end the process where there is none, and picking, where Embree
-// gives any error then.)
+// Functions that have no context take the C++ runtime's memory. It fails in the same way. (Not here: picking, where
+// Embree takes it too, and gives any error then.)
 class HeapFailures : public testing::TestWithParam<Scenario> {};
 
 TEST_P(HeapFailures, AreSaidAndLoseNothing) {
@@ -135,6 +134,10 @@ constexpr Scenario heap_scenarios[] = {
     {"poses", pose_skins},
 #ifdef FLG_WITH_IO
     {"plain_files", keep_plain_files},
+    {"curve_files", keep_curve_files},
+    {"mesh_files", keep_mesh_files},
+    {"skin_files", keep_skin_files},
+    {"tangle_files", keep_tangle_files},
 #endif
 };
 

@@ -51,12 +51,12 @@ FlgResult save_tangle(const std::string& path, uint32_t version) {
     history.step_count = history.made_count = 1;
     history.steps = steps;
     history.box_max[0] = 1;
-    return flgTangleFileWrite(path.c_str(), &history);
+    return flgTangleFileWrite(path.c_str(), &history, nullptr);
 }
 
 std::string load_tangle(const std::string& path) {
     FlgTangleFile file = nullptr;
-    if (flgTangleFileRead(path.c_str(), &file) != FLG_OK) return flgIoErrorGetMessage();
+    if (flgTangleFileRead(path.c_str(), nullptr, &file) != FLG_OK) return flgIoErrorGetMessage();
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
     EXPECT_EQ(flgTangleFileGetHistory(file, &history), FLG_OK);
@@ -74,7 +74,7 @@ FlgResult save_curves(const std::string& path, uint32_t version) {
 
 std::string load_curves(const std::string& path) {
     FlgCurveFile file = nullptr;
-    if (flgCurveFileRead(path.c_str(), &file) != FLG_OK) return flgIoErrorGetMessage();
+    if (flgCurveFileRead(path.c_str(), nullptr, &file) != FLG_OK) return flgIoErrorGetMessage();
     FlgCurveSetView view = flgCurveSetViewDefaults();
     EXPECT_EQ(flgCurveFileGetView(file, &view), FLG_OK);
     std::string all = bits(view);
@@ -90,7 +90,7 @@ FlgResult save_mesh(const std::string& path, uint32_t version) {
 
 std::string load_mesh(const std::string& path) {
     FlgMeshFile file = nullptr;
-    if (flgMeshFileRead(path.c_str(), &file) != FLG_OK) return flgIoErrorGetMessage();
+    if (flgMeshFileRead(path.c_str(), nullptr, &file) != FLG_OK) return flgIoErrorGetMessage();
     FlgMeshView view = flgMeshViewDefaults();
     EXPECT_EQ(flgMeshFileGetView(file, &view), FLG_OK);
     std::string all;

@@ -28,10 +28,10 @@ TEST(CurveFile, MissingFilesAndUnknownFormats) {
 
 TEST(CurveFile, NullsAreRefusedAndOutputsCleared) {
     FlgCurveFile file = reinterpret_cast<FlgCurveFile>(1);
-    EXPECT_EQ(flgCurveFileRead(nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgCurveFileRead(nullptr, nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(file, nullptr);
     EXPECT_EQ(last_error(), "flgCurveFileRead:path: is null");
-    EXPECT_EQ(flgCurveFileRead("a.xyz", nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgCurveFileRead("a.xyz", nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     FlgCurveSetView view = {};
     view.struct_size = sizeof view;
     view.curve_count = 3;
@@ -56,7 +56,7 @@ TEST(CurveFile, NullsAreRefusedAndOutputsCleared) {
 TEST(CurveFile, StructSizesAreHonoured) {
     const Folder folder;
     FlgCurveFile file = nullptr;
-    ASSERT_EQ(flgCurveFileRead(folder.put("a.xyz", "0 0 0\n0 3 4\n").c_str(), &file), FLG_OK);
+    ASSERT_EQ(flgCurveFileRead(folder.put("a.xyz", "0 0 0\n0 3 4\n").c_str(), nullptr, &file), FLG_OK);
     // A host of a later version, with a longer struct: what is beyond ours stays.
     struct {
         FlgCurveFileInfo info = {};

@@ -72,7 +72,7 @@ struct Read {
 inline Read read(const std::string& path) {
     Read read;
     FlgCurveFile file = nullptr;
-    read.result = flgCurveFileRead(path.c_str(), &file);
+    read.result = flgCurveFileRead(path.c_str(), nullptr, &file);
     if (read.result != FLG_OK) {
         EXPECT_EQ(file, nullptr);
         read.error = flgIoErrorGetMessage();

@@ -258,8 +258,8 @@ TEST_F(ForeignSkin, FilesWithoutASkinAreNoError) {
     EXPECT_EQ(read_skin(folder_.put("a.obj", "v 0 0 0\n")).result, FLG_ERROR_FORMAT);
     EXPECT_EQ(read_skin(folder_.at("nosuch.glb")).result, FLG_ERROR_FILE);
     FlgSkinFile file = nullptr;
-    EXPECT_EQ(flgSkinFileRead(nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(flgSkinFileRead("a", nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgSkinFileRead(nullptr, nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgSkinFileRead("a", nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     flgSkinFileRelease(nullptr);
 }
 

@@ -36,10 +36,10 @@ TEST(MeshFile, RefusesFilesThatAreNone) {
 
 TEST(MeshFile, ArgumentsAreChecked) {
     FlgMeshFile file = reinterpret_cast<FlgMeshFile>(1);
-    EXPECT_EQ(flgMeshFileRead(nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgMeshFileRead(nullptr, nullptr, &file), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileRead:path: is null");
     EXPECT_EQ(file, nullptr);
-    EXPECT_EQ(flgMeshFileRead("a.ply", nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgMeshFileRead("a.ply", nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_STREQ(flgIoErrorGetMessage(), "a.ply:out_file: is null");
 
     FlgMeshView view = {};

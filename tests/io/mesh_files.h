@@ -42,7 +42,7 @@ struct ReadMesh {
 inline ReadMesh read_mesh(const std::string& path) {
     ReadMesh read;
     FlgMeshFile file = nullptr;
-    read.result = flgMeshFileRead(path.c_str(), &file);
+    read.result = flgMeshFileRead(path.c_str(), nullptr, &file);
     if (read.result != FLG_OK) {
         EXPECT_EQ(file, nullptr);
         read.error = flgIoErrorGetMessage();

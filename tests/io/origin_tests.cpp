@@ -94,7 +94,7 @@ struct Loaded {
 Loaded load(const std::string& path) {
     Loaded loaded;
     FlgMeshFile file = nullptr;
-    EXPECT_EQ(flgMeshFileRead(path.c_str(), &file), FLG_OK) << flgIoErrorGetMessage();
+    EXPECT_EQ(flgMeshFileRead(path.c_str(), nullptr, &file), FLG_OK) << flgIoErrorGetMessage();
     FlgMeshView view = sized<FlgMeshView>();
     EXPECT_EQ(flgMeshFileGetView(file, &view), FLG_OK);
     std::copy(view.origin, view.origin + 3, loaded.origin.begin());
@@ -197,7 +197,7 @@ TEST(FilesOfLargeWorlds, WrittenCurvesAreWhereTheirOriginIs) {
         const std::string path = folder.at(name);
         ASSERT_EQ(flgCurveFileWrite(path.c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
         FlgCurveFile file = nullptr;
-        ASSERT_EQ(flgCurveFileRead(path.c_str(), &file), FLG_OK) << flgIoErrorGetMessage();
+        ASSERT_EQ(flgCurveFileRead(path.c_str(), nullptr, &file), FLG_OK) << flgIoErrorGetMessage();
         FlgCurveSetView back = sized<FlgCurveSetView>();
         ASSERT_EQ(flgCurveFileGetView(file, &back), FLG_OK);
         ASSERT_EQ(back.curve_offsets[1], 4u) << name;

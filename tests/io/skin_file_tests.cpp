@@ -219,7 +219,7 @@ TEST(SkinFile, HostsStructsAreChecked) {
     TestSkin skin = bar();
     ASSERT_EQ(write_skin(folder.at("a.glb"), skin), FLG_OK);
     FlgSkinFile file = nullptr;
-    ASSERT_EQ(flgSkinFileRead(folder.at("a.glb").c_str(), &file), FLG_OK);
+    ASSERT_EQ(flgSkinFileRead(folder.at("a.glb").c_str(), nullptr, &file), FLG_OK);
     FlgSkinView view = {};
     EXPECT_EQ(flgSkinFileGetView(file, &view), FLG_ERROR_INVALID_ARGUMENT);  // no struct_size
     view.struct_size = sizeof view;

@@ -38,7 +38,7 @@ struct ReadSkin {
 inline ReadSkin read_skin(const std::string& path) {
     ReadSkin read;
     FlgSkinFile file = nullptr;
-    read.result = flgSkinFileRead(path.c_str(), &file);
+    read.result = flgSkinFileRead(path.c_str(), nullptr, &file);
     read.has_skin = file != nullptr;
     if (read.result != FLG_OK) {
         EXPECT_EQ(file, nullptr);

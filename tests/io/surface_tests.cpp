@@ -428,7 +428,7 @@ TEST(Surface, CurvesHaveEachTheirOwnGeometry) {
 std::vector<Point> corners_of(const std::string& path) {
     FlgMeshFile file = nullptr;
     std::vector<Point> corners;
-    EXPECT_EQ(flgMeshFileRead(path.c_str(), &file), FLG_OK) << flgIoErrorGetMessage();
+    EXPECT_EQ(flgMeshFileRead(path.c_str(), nullptr, &file), FLG_OK) << flgIoErrorGetMessage();
     if (file == nullptr) return corners;
     FlgMeshView view = {};
     view.struct_size = sizeof view;

@@ -136,7 +136,7 @@ struct Opened {
 
     explicit Opened(const std::string& path) {
         history.struct_size = sizeof history;
-        result = flgTangleFileRead(path.c_str(), &file);
+        result = flgTangleFileRead(path.c_str(), nullptr, &file);
         if (result == FLG_OK) {
             EXPECT_EQ(flgTangleFileGetHistory(file, &history), FLG_OK);
         } else {
@@ -173,7 +173,8 @@ void expect_same(const FlgTangleSeeds& a, const FlgTangleSeeds& b) {
 TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
     const Folder folder;
     const MadeUp made;
-    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoErrorGetMessage();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history, nullptr), FLG_OK)
+        << flgIoErrorGetMessage();
     EXPECT_EQ(folder.entries(), 2u);
     const Opened read(folder.at("a.json"));
     ASSERT_EQ(read.result, FLG_OK) << read.error;
@@ -232,9 +233,10 @@ TEST(TangleFile, WhatIsWrittenIsReadToTheBit) {
     expect_same(made.points.data(), places[1]->curves->points, 23);
     expect_same(made.positions.data(), places[1]->curve_points, 69);
     // The same history gives the same bytes; so does what was read.
-    ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history), FLG_ERROR_FILE);
+    ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history, nullptr), FLG_ERROR_FILE);
     std::filesystem::create_directory(folder.at("b"));
-    ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history), FLG_OK) << flgIoErrorGetMessage();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("b/a.json").c_str(), &read.history, nullptr), FLG_OK)
+        << flgIoErrorGetMessage();
     EXPECT_EQ(slurp(folder.at("a.json")), slurp(folder.at("b/a.json")));
 }
 
@@ -242,7 +244,8 @@ TEST(TangleFile, ShortHistoriesNeedNoSideFile) {
     const Folder folder;
     MadeUp made;
     made.history.step_count = made.history.made_count = 0;
-    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoErrorGetMessage();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history, nullptr), FLG_OK)
+        << flgIoErrorGetMessage();
     EXPECT_EQ(folder.entries(), 1u);
     const Opened read(folder.at("a.json"));
     EXPECT_EQ(read.result, FLG_OK) << read.error;
@@ -282,11 +285,11 @@ std::string side_file(const Folder& folder, const std::string& name) {
 TEST(TangleFile, ASaveThatIsCutShortLeavesTheDocumentAsItWas) {
     const Folder before, after;
     MadeUp made;
-    ASSERT_EQ(flgTangleFileWrite(before.at("a.json").c_str(), &made.history), FLG_OK);
+    ASSERT_EQ(flgTangleFileWrite(before.at("a.json").c_str(), &made.history, nullptr), FLG_OK);
     const std::string old_json = slurp(before.at("a.json")), old_side = side_file(before, "a.json");
     const std::string old_arrays = slurp(before.at(old_side));
     made.positions[40] += 1;
-    ASSERT_EQ(flgTangleFileWrite(after.at("a.json").c_str(), &made.history), FLG_OK);
+    ASSERT_EQ(flgTangleFileWrite(after.at("a.json").c_str(), &made.history, nullptr), FLG_OK);
     const std::string new_json = slurp(after.at("a.json")), new_side = side_file(after, "a.json");
     const std::string new_arrays = slurp(after.at(new_side));
     ASSERT_NE(old_side, new_side);
@@ -316,7 +319,8 @@ TEST(TangleFile, ASaveThatIsCutShortLeavesTheDocumentAsItWas) {
     }
     // The next save passes over what was left, and removes the side file that it takes the place of.
     made.positions[41] += 1;
-    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_OK) << flgIoErrorGetMessage();
+    ASSERT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history, nullptr), FLG_OK)
+        << flgIoErrorGetMessage();
     EXPECT_FALSE(std::filesystem::exists(folder.at(new_side)));
     EXPECT_EQ(Opened(folder.at("a.json")).result, FLG_OK);
 }
@@ -325,12 +329,12 @@ TEST(TangleFile, ASaveThatFailsLeavesNothingBehind) {
     const Folder folder;
     MadeUp made;
     std::filesystem::create_directory(folder.at("a.json"));  // a folder can't be renamed over
-    EXPECT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history), FLG_ERROR_FILE);
+    EXPECT_EQ(flgTangleFileWrite(folder.at("a.json").c_str(), &made.history, nullptr), FLG_ERROR_FILE);
     EXPECT_EQ(folder.entries(), 1u);
-    ASSERT_EQ(flgTangleFileWrite(folder.at("b.json").c_str(), &made.history), FLG_OK);
+    ASSERT_EQ(flgTangleFileWrite(folder.at("b.json").c_str(), &made.history, nullptr), FLG_OK);
     const std::string text = slurp(folder.at("b.json"));
     made.positions[5] = NAN;
-    EXPECT_EQ(flgTangleFileWrite(folder.at("b.json").c_str(), &made.history), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgTangleFileWrite(folder.at("b.json").c_str(), &made.history, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(std::string(flgIoErrorGetMessage()).find("finite"), std::string::npos) << flgIoErrorGetMessage();
     EXPECT_EQ(slurp(folder.at("b.json")), text);
     EXPECT_EQ(folder.entries(), 3u);
@@ -342,11 +346,11 @@ TEST(TangleFile, HistoriesThatPointToNothingAreRefused) {
     const auto refused = [&](const std::function<void(MadeUp&)>& spoil, const std::string& part) {
         MadeUp made;
         spoil(made);
-        EXPECT_EQ(flgTangleFileWrite(path.c_str(), &made.history), FLG_ERROR_INVALID_ARGUMENT) << part;
+        EXPECT_EQ(flgTangleFileWrite(path.c_str(), &made.history, nullptr), FLG_ERROR_INVALID_ARGUMENT) << part;
         EXPECT_NE(std::string(flgIoErrorGetMessage()).find(part), std::string::npos) << flgIoErrorGetMessage();
     };
-    EXPECT_EQ(flgTangleFileWrite(nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(flgTangleFileWrite(path.c_str(), nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgTangleFileWrite(nullptr, nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgTangleFileWrite(path.c_str(), nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     refused([](MadeUp& made) { made.history.struct_size = 8; }, "struct_size");
     refused([](MadeUp& made) { made.history.steps = nullptr; }, "history.steps");
     refused([](MadeUp& made) { made.history.made_count = 7; }, "history.made_count");
@@ -364,7 +368,7 @@ TEST(TangleFile, HistoriesThatPointToNothingAreRefused) {
 class HostileTangleFile : public testing::Test {
 protected:
     void SetUp() override {
-        ASSERT_EQ(flgTangleFileWrite(path.c_str(), &made.history), FLG_OK);
+        ASSERT_EQ(flgTangleFileWrite(path.c_str(), &made.history, nullptr), FLG_OK);
         json = slurp(path);
         side = side_file(folder, "a.json");
         arrays = slurp(folder.at(side));

@@ -16,7 +16,6 @@ import sys
 TEXTS = {
     "eigen3": ("eigen.txt", ["Mozilla Public License Version 2.0", "gitlab.com/libeigen/eigen", "Exhibit A"]),
     "embree": ("embree.txt", ["Apache License", "Version 2.0, January 2004", "END OF TERMS AND CONDITIONS"]),
-    "nlohmann-json3": ("nlohmann-json.txt", ["Niels Lohmann", "Permission is hereby granted, free of charge"]),
     "zlib": ("zlib.txt", ["Jean-loup Gailly", "This software is provided 'as-is'"]),
 }
 # The compiler's and the system's own: no notice is asked for.

@@ -45,7 +45,6 @@ endfunction()
 
 # What the project finds is what the port depends on, part by part.
 set(port_of_Eigen3 eigen3)
-set(port_of_nlohmann_json nlohmann-json)
 set(port_of_ZLIB zlib)
 set(port_of_embree embree3)
 function(expect_dependencies what names file)

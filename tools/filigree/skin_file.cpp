@@ -26,7 +26,7 @@ FlgSkinAnimation find_animation(const SkinFile& skin, const std::string& wanted)
 
 std::optional<SkinFile> SkinFile::read(const std::string& name) {
     FlgSkinFile file = nullptr;
-    check_io(flgSkinFileRead(name.c_str(), &file));
+    check_io(flgSkinFileRead(name.c_str(), nullptr, &file));
     if (file == nullptr) return {};
     SkinFile skin(name);
     skin.file_.reset(file);

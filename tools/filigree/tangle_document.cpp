@@ -22,7 +22,7 @@ bool is_document(const nlohmann::json& file) {
 
 void replay_document(Session& session, FlgTangle tangle, const std::string& name, Report& report) {
     FlgTangleFile read = nullptr;
-    check_io(flgTangleFileRead(name.c_str(), &read));
+    check_io(flgTangleFileRead(name.c_str(), nullptr, &read));
     const std::unique_ptr<FlgTangleFileT, void (*)(FlgTangleFile)> file(read, flgTangleFileRelease);
     FlgTangleHistory history = {};
     history.struct_size = sizeof history;
@@ -36,7 +36,7 @@ void write_document(const Session& session, FlgTangle tangle, const std::string&
     FlgTangleHistory history = {};
     history.struct_size = sizeof history;
     check(flgTangleGetHistory(session.context(), tangle, &history), name);
-    check_io(flgTangleFileWrite(name.c_str(), &history));
+    check_io(flgTangleFileWrite(name.c_str(), &history, nullptr));
 }
 
 }  // namespace flg::cli

@@ -64,7 +64,7 @@ std::future<MeshFile> read_mesh(const std::string& path) {
     if (!std::ifstream(path, std::ios::binary)) throw StudioError(path + " cannot be read: there is no such file.");
     return std::async(std::launch::async, [path] {
         FlgMeshFile read = nullptr;
-        if (flgMeshFileRead(path.c_str(), &read) != FLG_OK) return MeshFile{nullptr, flgIoErrorGetMessage()};
+        if (flgMeshFileRead(path.c_str(), nullptr, &read) != FLG_OK) return MeshFile{nullptr, flgIoErrorGetMessage()};
         return MeshFile{std::shared_ptr<FlgMeshFileT>(read, flgMeshFileRelease), {}};
     });
 }

@@ -101,7 +101,7 @@ bool is_stroke_file(const std::string& path) {
     if (extension != ".txt") return extension == ".tilt" || extension == ".xyz";
     // Contours are such files, too.
     FlgCurveFile file = nullptr;
-    const bool readable = flgCurveFileRead(path.c_str(), &file) == FLG_OK;
+    const bool readable = flgCurveFileRead(path.c_str(), nullptr, &file) == FLG_OK;
     flgCurveFileRelease(file);
     return readable;
 }

@@ -84,7 +84,7 @@ void check_io(FlgResult result) {
 
 nlohmann::json history_to_json(const FlgTangleHistory& history) {
     const Folder folder;
-    check_io(flgTangleFileWrite(folder.file(kName).c_str(), &history));
+    check_io(flgTangleFileWrite(folder.file(kName).c_str(), &history, nullptr));
     nlohmann::json json = {{"document", nlohmann::json::parse(contents(folder.file(kName)))}};
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path()))
         if (entry.path().filename() != kName) json["arrays"] = encode(contents(entry.path()));
@@ -107,7 +107,7 @@ HistoryFile history_from_json(const nlohmann::json& json) {
 
 HistoryFile read_history(const std::string& path) {
     FlgTangleFile read = nullptr;
-    check_io(flgTangleFileRead(path.c_str(), &read));
+    check_io(flgTangleFileRead(path.c_str(), nullptr, &read));
     return {read, flgTangleFileRelease};
 }
 

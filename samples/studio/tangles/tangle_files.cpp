@@ -164,7 +164,7 @@ void TanglesWorkspace::write(const Export& what, const std::string& path) {
     if (!ornament->idle()) throw StudioError("A step is still running. Export again when it is done.");
     if (std::string(what.extension) == ".json") {
         const FlgTangleHistory history = ornament->tangle.history();
-        if (flgTangleFileWrite(path.c_str(), &history) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
+        if (flgTangleFileWrite(path.c_str(), &history, nullptr) != FLG_OK) throw StudioError(flgIoErrorGetMessage());
         return;
     }
     FlgMeshView mesh = ornament->mesh()->surface.view().mesh;

@@ -344,6 +344,9 @@ using TangleMacro = FlgTangleMacro;
 /// The function that made a step.
 using TangleStepKind = FlgTangleStepKind;
 
+/// What a file is opened for.
+using FileAccess = FlgFileAccess;
+
 /// Geometry of curves in .glb.
 using CurveGeometry = FlgCurveGeometry;
 
@@ -2128,6 +2131,24 @@ struct TangleStep : FlgTangleStep {
     void set_made(std::initializer_list<float>) = delete;
 };
 
+/// Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on their
+/// threads. Paths are those the host passes, and names beside them that files or this library give, put together with
+/// `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a time in a call.
+struct FileSystem : FlgFileSystem {
+    /// The defaults.
+    FileSystem() { flgFileSystemInit(this, detail::size_of<FlgFileSystem>); }
+    /// Of the C struct.
+    FileSystem(const FlgFileSystem& c) : FlgFileSystem(c) {}
+};
+
+/// What a call uses of the host. The structs are copied; what they point to must live as long as what the call makes.
+struct FileHooks : FlgFileHooks {
+    /// The defaults.
+    FileHooks() { flgFileHooksInit(this, detail::size_of<FlgFileHooks>); }
+    /// Of the C struct.
+    FileHooks(const FlgFileHooks& c) : FlgFileHooks(c) {}
+};
+
 /// FlgCurveFileWriteDesc with its defaults.
 struct CurveFileWriteDesc : FlgCurveFileWriteDesc {
     /// The defaults.
@@ -3354,12 +3375,13 @@ public:
     using Object::Object;
 
     /// Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere oddities
-    /// become warnings (flgCurveFileGetInfo). Limits: 2 GiB a file (unpacked too), 2^31 points. Errors: FLG_ERROR_FILE,
-    /// FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: 0.1 to 0.2 us a point.
+    /// become warnings (flgCurveFileGetInfo). `hooks` may be null: all defaults. Limits: 2 GiB a file (unpacked too),
+    /// 2^31 points. Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT, FLG_ERROR_OUT_OF_MEMORY. Cost: 0.1 to
+    /// 0.2 us a point.
     /// Calls flgCurveFileRead.
-    static Result<CurveFile> read(const char* path) {
+    static Result<CurveFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
         FlgCurveFile out_file{};
-        const FlgResult result = flgCurveFileRead(path, &out_file);
+        const FlgResult result = flgCurveFileRead(path, hooks, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, CurveFile(out_file));
     }
 
@@ -3391,11 +3413,11 @@ public:
     }
 
     /// Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when
-    /// complete. `desc` may be null. Curves without a NORMAL column get frames by double reflection. Colours in .glb
-    /// are clamped to 0 to 1; .glb cannot hold USER columns of more than 4 floats. Lines of one point are written with
-    /// that point twice; ribbons and tubes omit zero-length curves. Errors: FLG_ERROR_INVALID_ARGUMENT (also for no
-    /// curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1
-    /// us a point, text 0.5 to 0.8.
+    /// complete (for an FlgFileSystem its `close` does so). `desc` may be null. Curves without a NORMAL column get
+    /// frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4
+    /// floats. Lines of one point are written with that point twice; ribbons and tubes omit zero-length curves. Errors:
+    /// FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
+    /// FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8.
     /// Calls flgCurveFileWrite.
     static Result<bool> write(const char* path, const FlgCurveSetView& view, const CurveFileWriteDesc& desc =
         CurveFileWriteDesc()) {
@@ -3414,12 +3436,12 @@ public:
     /// first corner, others of at most 1024 corners by ear clipping. Like flgCurveFileRead, refuses errors (indices out
     /// of range, faces of fewer than three corners, values that are not finite, counts too large for the file, no faces
     /// at all) and warns of oddities. Cost: one core, some 400 MB/s of binary and 250 MB/s of text (2 M triangles: 0.1
-    /// s and 0.3 s). Limits: 2 GiB a file, and 2 GiB for the result. Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT,
-    /// FLG_ERROR_LIMIT.
+    /// s and 0.3 s). `hooks` may be null: all defaults. Limits: 2 GiB a file, and 2 GiB for the result. Errors:
+    /// FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT.
     /// Calls flgMeshFileRead.
-    static Result<MeshFile> read(const char* path) {
+    static Result<MeshFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
         FlgMeshFile out_file{};
-        const FlgResult result = flgMeshFileRead(path, &out_file);
+        const FlgResult result = flgMeshFileRead(path, hooks, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, MeshFile(out_file));
     }
 
@@ -3489,12 +3511,12 @@ public:
     /// Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an animation moves away from
     /// their parents, roots that move differently, keys that are not LINEAR. Also refused: missing, out-of-range or
     /// non-finite joints or weights, cycles of nodes, inconsistent counts. If the scene has no skin the result is
-    /// FLG_OK and `out_file` null. Cost: one core, about 0.4 us a vertex. Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT,
-    /// FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535 joints).
+    /// FLG_OK and `out_file` null. `hooks` may be null: all defaults. Cost: one core, about 0.4 us a vertex. Errors:
+    /// FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535 joints).
     /// Calls flgSkinFileRead.
-    static Result<SkinFile> read(const char* path) {
+    static Result<SkinFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
         FlgSkinFile out_file{};
-        const FlgResult result = flgSkinFileRead(path, &out_file);
+        const FlgResult result = flgSkinFileRead(path, hooks, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, SkinFile(out_file));
     }
 
@@ -3558,22 +3580,23 @@ public:
     /// Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in a
     /// side file beside it: `PATH.CHECKSUM.bin`. The JSON is put in place last; then the previous document's side file
     /// is removed: an interrupted save leaves the previous document intact. No side file is written if none is needed.
-    /// The same history gives the same bytes. Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that are not finite),
-    /// FLG_ERROR_FILE, FLG_ERROR_LIMIT (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what the disk takes.
+    /// The same history gives the same bytes. `hooks` may be null: all defaults. An FlgFileSystem opens and closes one
+    /// file after the other. Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that are not finite), FLG_ERROR_FILE,
+    /// FLG_ERROR_LIMIT (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what the disk takes.
     /// Calls flgTangleFileWrite.
-    static Result<bool> write(const char* path, const FlgTangleHistory& history) {
-        const FlgResult result = flgTangleFileWrite(path, &history);
+    static Result<bool> write(const char* path, const FlgTangleHistory& history, const FlgFileHooks* hooks = nullptr) {
+        const FlgResult result = flgTangleFileWrite(path, &history, hooks);
         return detail::done<flgIoErrorGetMessage>(result);
     }
 
     /// Reads a document and checks what can be checked without its mesh: version, keys, types, sizes, the side file's
     /// size and checksum, finite numbers. flgTangleReplay checks the values' ranges. Nothing is read twice, so the
-    /// result is at most some multiple of the file's size. Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT.
-    /// Cost: some us a step and what the disk takes.
+    /// result is at most some multiple of the file's size. `hooks` may be null: all defaults. Errors: FLG_ERROR_FILE,
+    /// FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: some us a step and what the disk takes.
     /// Calls flgTangleFileRead.
-    static Result<TangleFile> read(const char* path) {
+    static Result<TangleFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
         FlgTangleFile out_file{};
-        const FlgResult result = flgTangleFileRead(path, &out_file);
+        const FlgResult result = flgTangleFileRead(path, hooks, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, TangleFile(out_file));
     }
 

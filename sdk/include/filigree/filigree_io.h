@@ -2,7 +2,8 @@
  * SPDX-FileCopyrightText: 2026 The Filigree authors
  *
  * Filigree's file formats, in a separate library (filigree_io) that hosts may leave out. Follows the grammar of
- * filigree.h but needs no context: its functions block on the disk, so call them where your engine loads assets.
+ * filigree.h but needs no context: its functions block on the disk, so call them where your engine loads assets. Memory
+ * and files may be the host's (FlgFileHooks).
  *
  * [any thread] All functions here; calls on one FlgCurveFile, FlgMeshFile, FlgSkinFile or FlgTangleFile must not
  * overlap.
@@ -18,7 +19,8 @@
  *                 floats) if all curves have them; node transforms apply to lengths, speeds and directions too. .glb is
  *                 written, as lines, ribbons or tubes; colours of these have 16 bits. Buffers only embedded or
  *                 below the file's folder
- *   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system
+ *   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system. In
+ *                 an FlgFileSystem a directory is a path that does not open, with a `data.sketch` below it that does
  *   .svg          outlines of shapes and paths, read only; y upwards, one metre per px, curves flattened to 1/1000 of
  *                 their size
  * Mesh formats, by extension; read and written, .gltf only read:
@@ -53,6 +55,54 @@
 extern "C" {
 #endif
 
+/* ---- The host's memory and files ----------------------------------------------------------------------------- */
+
+/* What a file is opened for. */
+typedef enum FlgFileAccess {
+    FLG_FILE_ACCESS_READ = 0,  /* from its start */
+    FLG_FILE_ACCESS_WRITE = 1, /* anew: what is there is replaced when the file is closed as complete */
+    FLG_FILE_ACCESS_FORCE_32BIT = 0x7fffffff
+} FlgFileAccess;
+
+/* Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on their
+ * threads. Paths are those the host passes, and names beside them that files or this library give, put together with
+ * `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a time in a call. */
+typedef struct FlgFileSystem {
+    uint32_t struct_size;
+    uint32_t reserved;
+    void* user_data; /* passed to all */
+    /* An open file; null if it cannot be opened. */
+    void* (*open)(void* user_data, const char* path, FlgFileAccess access);
+    /* Of a file that is read, bytes; above 2 GiB where it has none. */
+    uint64_t (*size)(void* user_data, void* file);
+    /* Reads the next bytes, at most `size`, and returns how many; 0 at the end, and when it fails. */
+    size_t (*read)(void* user_data, void* file, void* out_bytes, size_t size);
+    /* Appends bytes, and returns how many; fewer than `size` when it fails. Null: no file can be written. */
+    size_t (*write)(void* user_data, void* file, const void* bytes, size_t size);
+    /* Called once for each open file. Of one that is written, `complete` tells whether to keep it: with 0 what was
+     * there before must stay. Returns 0 if it could not be kept. */
+    uint32_t (*close)(void* user_data, void* file, uint32_t complete);
+    /* Removes a side file that no document names any more. Null: it stays. */
+    void (*remove)(void* user_data, const char* path);
+} FlgFileSystem;
+
+FLG_API FlgResult flgFileSystemInit(FlgFileSystem* files, uint32_t struct_size);
+
+/* What a call uses of the host. The structs are copied; what they point to must live as long as what the call makes. */
+typedef struct FlgFileHooks {
+    uint32_t struct_size;
+    uint32_t reserved;
+    /* All memory of the call and of what it makes. Where it returns null, the call fails with FLG_ERROR_OUT_OF_MEMORY.
+     * Null: the C++ runtime's. Not included: what the C++ runtime takes for the exceptions that stop a failing call,
+     * and for names and buffers of the operating system's files. Called on the threads that use this library. */
+    const FlgAllocator* allocator;
+    const FlgFileSystem* files; /* null: the operating system's */
+} FlgFileHooks;
+
+FLG_API FlgResult flgFileHooksInit(FlgFileHooks* hooks, uint32_t struct_size);
+
+/* ---- Curves -------------------------------------------------------------------------------------------------- */
+
 /* Curves read from a file, with their memory. */
 typedef struct FlgCurveFileT* FlgCurveFile;
 
@@ -62,9 +112,9 @@ typedef struct FlgCurveFileT* FlgCurveFile;
 FLG_API const char* flgIoErrorGetMessage(void);
 
 /* Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere oddities become
- * warnings (flgCurveFileGetInfo). Limits: 2 GiB a file (unpacked too), 2^31 points.
- * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: 0.1 to 0.2 us a point. */
-FLG_API FlgResult flgCurveFileRead(const char* path, FlgCurveFile* out_file);
+ * warnings (flgCurveFileGetInfo). `hooks` may be null: all defaults. Limits: 2 GiB a file (unpacked too), 2^31 points.
+ * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT, FLG_ERROR_OUT_OF_MEMORY. Cost: 0.1 to 0.2 us a point. */
+FLG_API FlgResult flgCurveFileRead(const char* path, const FlgFileHooks* hooks, FlgCurveFile* out_file);
 
 /* The curves, ready for flgCurveSetCreate; lives until the file is released. */
 FLG_API FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view);
@@ -125,14 +175,15 @@ typedef struct FlgCurveFileWriteDesc {
                                   colours in 8 bits. Halves the size. Not all programs read it. Default 0 */
     const uint8_t* geometries; /* for .glb: FLG_CURVE_GEOMETRY_RIBBON or FLG_CURVE_GEOMETRY_TUBE for each curve, in
                                   place of `geometry`. Default null */
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
 } FlgCurveFileWriteDesc;
 
 FLG_API FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint32_t struct_size);
 
-/* Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when complete.
- * `desc` may be null. Curves without a NORMAL column get frames by double reflection. Colours in .glb are clamped to
- * 0 to 1; .glb cannot hold USER columns of more than 4 floats. Lines of one point are written with that point twice;
- * ribbons and tubes omit zero-length curves.
+/* Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when complete
+ * (for an FlgFileSystem its `close` does so). `desc` may be null. Curves without a NORMAL column get frames by double
+ * reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4 floats. Lines of one
+ * point are written with that point twice; ribbons and tubes omit zero-length curves.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension,
  * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
 FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc);
@@ -147,9 +198,9 @@ typedef struct FlgMeshFileT* FlgMeshFile;
  * corner, others of at most 1024 corners by ear clipping. Like flgCurveFileRead, refuses errors (indices out of range,
  * faces of fewer than three corners, values that are not finite, counts too large for the file, no faces at all) and
  * warns of oddities. Cost: one core, some 400 MB/s of binary and 250 MB/s of text (2 M triangles: 0.1 s and 0.3 s).
- * Limits: 2 GiB a file, and 2 GiB for the result.
+ * `hooks` may be null: all defaults. Limits: 2 GiB a file, and 2 GiB for the result.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. */
-FLG_API FlgResult flgMeshFileRead(const char* path, FlgMeshFile* out_file);
+FLG_API FlgResult flgMeshFileRead(const char* path, const FlgFileHooks* hooks, FlgMeshFile* out_file);
 
 /* The mesh; lives until the file is released. `regions` is null if the file has none. */
 FLG_API FlgResult flgMeshFileGetView(FlgMeshFile file, FlgMeshView* out_view);
@@ -212,6 +263,7 @@ typedef struct FlgMeshFileWriteDesc {
     uint32_t material_count;               /* with split_regions: above all regions' labels. Default 0: named, without
                                               colour */
     const FlgMeshMaterial* materials;      /* for .glb, by label; materials without a region are omitted */
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
 } FlgMeshFileWriteDesc;
 
 FLG_API FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_size);
@@ -236,9 +288,10 @@ typedef struct FlgSkinFileT* FlgSkinFile;
  * Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an animation moves away from their
  * parents, roots that move differently, keys that are not LINEAR. Also refused: missing, out-of-range or non-finite
  * joints or weights, cycles of nodes, inconsistent counts.
- * If the scene has no skin the result is FLG_OK and `out_file` null. Cost: one core, about 0.4 us a vertex.
+ * If the scene has no skin the result is FLG_OK and `out_file` null. `hooks` may be null: all defaults. Cost: one core,
+ * about 0.4 us a vertex.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535 joints). */
-FLG_API FlgResult flgSkinFileRead(const char* path, FlgSkinFile* out_file);
+FLG_API FlgResult flgSkinFileRead(const char* path, const FlgFileHooks* hooks, FlgSkinFile* out_file);
 
 /* The skin; lives until the file is released. */
 FLG_API FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
@@ -279,6 +332,7 @@ typedef struct FlgSkinFileWriteDesc {
     uint32_t reserved;
     const FlgMeshMaterial* materials;   /* by part. A triangle belongs to the part of two of its corners, else of its
                                            first corner */
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
 } FlgSkinFileWriteDesc;
 
 FLG_API FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_size);
@@ -302,13 +356,15 @@ typedef struct FlgMotionFileWriteDesc {
                                               metres. Point p of the body is at rotation p + position */
     double end_time;                       /* when the first pose recurs, after the last time; 0: never. Default 0 */
     const FlgMeshView* mesh;               /* moves with the body; null: none */
-    const FlgMeshFileWriteDesc* mesh_desc; /* its materials, as for flgMeshFileWrite; null: defaults */
+    const FlgMeshFileWriteDesc* mesh_desc; /* its materials, as for flgMeshFileWrite; its hooks are not used; null:
+                                              defaults */
     float camera_fov_rad;                  /* above 0 and below pi: the vertical field of view of a camera that looks
                                               along the body's -z, with y up. Default 0: no camera */
     uint32_t reserved;
     const char* name;                  /* of the body, UTF-8, at most 255 bytes; null: "motion" */
     double origin[3];                  /* metres: what the poses are relative to: a node above the body's is there.
                                           Default 0 */
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
 } FlgMotionFileWriteDesc;
 
 FLG_API FlgResult flgMotionFileWriteDescInit(FlgMotionFileWriteDesc* desc, uint32_t struct_size);
@@ -336,16 +392,18 @@ typedef struct FlgTangleFileT* FlgTangleFile;
 /* Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in a side
  * file beside it: `PATH.CHECKSUM.bin`. The JSON is put in place last; then the previous document's side file is
  * removed: an interrupted save leaves the previous document intact. No side file is written if none is needed. The same
- * history gives the same bytes.
+ * history gives the same bytes. `hooks` may be null: all defaults. An FlgFileSystem opens and closes one file after the
+ * other.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that are not finite), FLG_ERROR_FILE, FLG_ERROR_LIMIT (8 MiB of
  * JSON, 2 GiB of arrays). Cost: some us a step and what the disk takes. */
-FLG_API FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history);
+FLG_API FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history,
+                                     const FlgFileHooks* hooks);
 
 /* Reads a document and checks what can be checked without its mesh: version, keys, types, sizes, the side file's size
  * and checksum, finite numbers. flgTangleReplay checks the values' ranges. Nothing is read twice, so the result is at
- * most some multiple of the file's size.
+ * most some multiple of the file's size. `hooks` may be null: all defaults.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: some us a step and what the disk takes. */
-FLG_API FlgResult flgTangleFileRead(const char* path, FlgTangleFile* out_file);
+FLG_API FlgResult flgTangleFileRead(const char* path, const FlgFileHooks* hooks, FlgTangleFile* out_file);
 
 /* The history, ready for flgTangleReplay; lives until the file is released. */
 FLG_API FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* out_history);
@@ -354,6 +412,18 @@ FLG_API FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* 
 FLG_API void flgTangleFileRelease(FlgTangleFile file);
 
 /* ---- Defaults by value ------------------------------------------------------------------------------------------- */
+
+static inline FlgFileSystem flgFileSystemDefaults(void) {
+    FlgFileSystem files;
+    flgFileSystemInit(&files, (uint32_t)sizeof files);
+    return files;
+}
+
+static inline FlgFileHooks flgFileHooksDefaults(void) {
+    FlgFileHooks hooks;
+    flgFileHooksInit(&hooks, (uint32_t)sizeof hooks);
+    return hooks;
+}
 
 static inline FlgCurveFileInfo flgCurveFileInfoDefaults(void) {
     FlgCurveFileInfo info;

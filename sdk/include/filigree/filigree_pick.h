@@ -31,6 +31,14 @@ typedef struct FlgPickSceneDesc {
     uint32_t threads; /* for Embree's builds; 0: one per core. Default 1: the calling thread */
     /* Metres: what rays, points and hits are relative to. Objects near it are picked most precisely. Default 0 */
     double origin[3];
+    /* The scene's memory: copies of positions, triangles and curves, and what queries need. Called from any thread.
+     * Null: the C++ runtime's. Not included: Embree's structures and buffers, which are half of the whole and more. */
+    const FlgAllocator* allocator;
+    /* Told of Embree's memory, which no hook provides: of `bytes` that it is about to take (above 0) or gave back
+     * (below 0: the return value is not used). 0 refuses: what needed the memory returns FLG_ERROR_OUT_OF_MEMORY; set
+     * that object and commit again. Called from Embree's threads, too. Null: all is granted. */
+    uint32_t (*embree_memory)(void* user_data, int64_t bytes);
+    void* user_data; /* passed to embree_memory */
 } FlgPickSceneDesc;
 
 FLG_API FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint32_t struct_size);

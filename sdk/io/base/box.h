@@ -3,7 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
+
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -19,7 +20,7 @@ struct Box {
     }
 };
 
-inline Box box_of(const std::vector<float>& positions) {
+inline Box box_of(const Vector<float>& positions) {
     Box box;
     if (positions.empty()) return box;
     std::copy_n(positions.data(), 3, box.min);

@@ -8,6 +8,7 @@
 
 #include "io/base/failure.h"
 #include "io/base/files.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -23,7 +24,7 @@ public:
 
     size_t position() const { return position_; }
     size_t left() const { return bytes_.size() - position_; }
-    std::string place() const { return byte_place(part_, position_); }
+    String place() const { return byte_place(part_, position_); }
 
     template <class T>
     T read(const char* what) {

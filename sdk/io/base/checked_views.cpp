@@ -38,8 +38,8 @@ Column resolved(const FlgColumn& column) {
     return {column.data, column.stride == 0 ? column.components * sizeof(float) : column.stride};
 }
 
-std::vector<float> packed(const Column& column, size_t point_count, uint32_t components) {
-    std::vector<float> values;
+Vector<float> packed(const Column& column, size_t point_count, uint32_t components) {
+    Vector<float> values;
     values.reserve(point_count * components);
     for (size_t i = 0; i < point_count; ++i) values.insert(values.end(), column.at(i), column.at(i) + components);
     return values;
@@ -66,7 +66,7 @@ Column CheckedColumns::find(FlgAttribute attribute) const {
 
 void CheckedColumns::check(uint32_t index, size_t point_count) const {
     const FlgColumn& column = columns_[index];
-    const std::string place = "view.columns[" + std::to_string(index) + "]";
+    const String place = "view.columns[" + to_text(index) + "]";
     for (uint32_t i = 0; i < index; ++i) {
         if (columns_[i].attribute == column.attribute) {
             fail(FLG_ERROR_INVALID_ARGUMENT, place, "has the same attribute (%d) as column %u", column.attribute, i);
@@ -109,7 +109,7 @@ void CheckedColumns::check(uint32_t index, size_t point_count) const {
 void check_origin(const double (&origin)[3], const char* name) {
     for (size_t k = 0; k < 3; ++k) {
         if (std::abs(origin[k]) <= double{max_coordinate}) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, std::string(name) + "[" + std::to_string(k) + "]",
+        fail(FLG_ERROR_INVALID_ARGUMENT, String(name) + "[" + to_text(k) + "]",
              "is %g, must be finite and at most 1e30 in size", origin[k]);
     }
 }
@@ -133,7 +133,7 @@ void CheckedView::check_curves() const {
     }
     for (uint32_t c = 0; c < view_.curve_count; ++c) {
         if (view_.curve_offsets[c + 1] <= view_.curve_offsets[c]) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, "view.curve_offsets[" + std::to_string(c + 1) + "]",
+            fail(FLG_ERROR_INVALID_ARGUMENT, "view.curve_offsets[" + to_text(c + 1) + "]",
                  "is %u, not above %u: every curve needs a point", view_.curve_offsets[c + 1], view_.curve_offsets[c]);
         }
     }
@@ -142,7 +142,7 @@ void CheckedView::check_curves() const {
     }
 }
 
-void check_material(const FlgMeshMaterial& material, const std::string& place) {
+void check_material(const FlgMeshMaterial& material, const String& place) {
     constexpr size_t longest_name = 255;
     constexpr float widest_border_px = 64;
     const auto check_in = [&](float value, float most, const char* member) {
@@ -177,7 +177,7 @@ CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* de
     if (desc_.material_count == 0) return;
     check_argument(desc_.materials, "desc.materials");
     for (uint32_t i = 0; i < desc_.material_count; ++i)
-        check_material(desc_.materials[i], "desc.materials[" + std::to_string(i) + "].");
+        check_material(desc_.materials[i], "desc.materials[" + to_text(i) + "].");
     if (split_regions()) check_labels();
 }
 
@@ -193,14 +193,14 @@ void CheckedMesh::check_triangles() const {
     const size_t corner_count = 3 * triangle_count();
     for (size_t i = 0; i < corner_count; ++i) {
         if (view_.triangles[i] < view_.vertex_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, "view.triangles[" + std::to_string(i) + "]",
-             "is %u, but there are %u vertices", view_.triangles[i], view_.vertex_count);
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.triangles[" + to_text(i) + "]", "is %u, but there are %u vertices",
+             view_.triangles[i], view_.vertex_count);
     }
 }
 
 void CheckedMesh::check_face_column(uint32_t index) const {
     constexpr size_t longest_name = 63;
-    const std::string place = "desc.face_columns[" + std::to_string(index) + "]";
+    const String place = "desc.face_columns[" + to_text(index) + "]";
     const FlgMeshFaceColumn& column = desc_.face_columns[index];
     check_argument(column.name, (place + ".name").c_str());
     check_argument(column.values, (place + ".values").c_str());
@@ -222,7 +222,7 @@ void CheckedMesh::check_face_column(uint32_t index) const {
 void CheckedMesh::check_labels() const {
     for (size_t t = 0; t < triangle_count(); ++t) {
         if (region(t) < desc_.material_count) continue;
-        fail(FLG_ERROR_INVALID_ARGUMENT, "view.regions[" + std::to_string(t) + "]", "is %u, but there are %u materials",
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.regions[" + to_text(t) + "]", "is %u, but there are %u materials",
              region(t), desc_.material_count);
     }
 }
@@ -234,11 +234,11 @@ constexpr double sum_tolerance = 1e-4;
 constexpr size_t longest_name = 255;
 constexpr uint32_t most_parts = 1u << 24;  // floats tell them apart
 
-std::string at(const std::string& array, size_t index) {
-    return array + "[" + std::to_string(index) + "]";
+String at(const String& array, size_t index) {
+    return array + "[" + to_text(index) + "]";
 }
 
-void check_floats(const float* values, size_t count, const std::string& name) {
+void check_floats(const float* values, size_t count, const String& name) {
     check_argument(values, name.c_str());
     for (size_t i = 0; i < count; ++i) {
         if (std::abs(values[i]) <= max_coordinate) continue;
@@ -247,7 +247,7 @@ void check_floats(const float* values, size_t count, const std::string& name) {
     }
 }
 
-void check_name(const char* name, const std::string& place) {
+void check_name(const char* name, const String& place) {
     if (!name || (strnlen(name, longest_name + 1) <= longest_name && is_utf8(name))) return;
     fail(FLG_ERROR_INVALID_ARGUMENT, place, "must be UTF-8 of at most 255 bytes");
 }
@@ -264,7 +264,7 @@ CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
     check_triangles();
     if (desc_.animation_count != 0) check_argument(desc_.animations, "desc.animations");
     for (uint32_t i = 0; i < desc_.animation_count; ++i) {
-        const std::string place = at("desc.animations", i);
+        const String place = at("desc.animations", i);
         animations_.push_back(read_element<Longer::cut>(desc_.animations, i, sized<FlgSkinAnimation>(), place.c_str()));
         check_animation(animations_.back(), place);
     }
@@ -342,7 +342,7 @@ void CheckedSkin::check_triangles() const {
     }
 }
 
-void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const std::string& place) const {
+void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const String& place) const {
     check_name(animation.name, place + ".name");
     if (animation.key_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, place + ".key_count", "is 0, must be at least 1");
     check_floats(animation.times, animation.key_count, place + ".times");

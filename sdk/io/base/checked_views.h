@@ -6,12 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "core/origin.h"
 #include "filigree/filigree.h"
 #include "filigree/filigree_io.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -43,7 +42,7 @@ private:
 Column resolved(const FlgColumn& column);
 
 // The values of a column back to back.
-std::vector<float> packed(const Column& column, size_t point_count, uint32_t components);
+Vector<float> packed(const Column& column, size_t point_count, uint32_t components);
 
 // Refuses what no object can be relative to.
 void check_origin(const double (&origin)[3], const char* name);
@@ -70,7 +69,7 @@ private:
 };
 
 // Refuses what no material can be; `place` names it, and ends with a dot.
-void check_material(const FlgMeshMaterial& material, const std::string& place);
+void check_material(const FlgMeshMaterial& material, const String& place);
 
 class CheckedMesh {
 public:
@@ -108,10 +107,10 @@ public:
     const FlgSkinView& skin() const { return skin_; }
     size_t vertex_count() const { return skin_.vertex_count; }
     size_t joint_count() const { return skin_.joint_count; }
-    const std::vector<FlgSkinAnimation>& animations() const { return animations_; }
+    const Vector<FlgSkinAnimation>& animations() const { return animations_; }
     std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
     Origin origin() const { return {skin_.origin[0], skin_.origin[1], skin_.origin[2]}; }
-    std::string name() const { return desc_.name ? desc_.name : "model"; }
+    String name() const { return desc_.name ? desc_.name : "model"; }
     uint32_t part(size_t vertex) const { return skin_.vertex_parts ? skin_.vertex_parts[vertex] : 0; }
 
 private:
@@ -119,12 +118,12 @@ private:
     void check_binding(size_t vertex) const;
     void check_triangles() const;
     void check_joints() const;
-    void check_animation(const FlgSkinAnimation& animation, const std::string& place) const;
+    void check_animation(const FlgSkinAnimation& animation, const String& place) const;
     void check_materials() const;
 
     FlgSkinFileWriteDesc desc_ = {};
     FlgSkinView skin_ = {};
-    std::vector<FlgSkinAnimation> animations_;
+    Vector<FlgSkinAnimation> animations_;
 };
 
 }  // namespace flg::io

@@ -51,23 +51,23 @@ bool has_column(std::span<const std::string_view> names, FlgAttribute attribute,
 
 }  // namespace
 
-std::string column_name(FlgAttribute attribute, uint32_t components, uint32_t component) {
+String column_name(FlgAttribute attribute, uint32_t components, uint32_t component) {
     constexpr const char* positions[] = {"x", "y", "z"};
     constexpr const char* normals[] = {"nx", "ny", "nz"};
     constexpr const char* colors[] = {"red", "green", "blue", "alpha"};
     if (attribute == FLG_ATTRIBUTE_POSITION) return positions[component];
     if (attribute == FLG_ATTRIBUTE_NORMAL) return normals[component];
     if (attribute == FLG_ATTRIBUTE_COLOR) return colors[component];
-    std::string name(user_prefix);
-    if (attribute >= FLG_ATTRIBUTE_USER) name += std::to_string(attribute - FLG_ATTRIBUTE_USER);
+    String name(user_prefix);
+    if (attribute >= FLG_ATTRIBUTE_USER) name += to_text(attribute - FLG_ATTRIBUTE_USER);
     for (const NamedAttribute& known : named) {
         if (known.attribute == attribute) name = known.name;
     }
-    return components == 1 ? name : name + "_" + std::to_string(component);
+    return components == 1 ? name : name + "_" + to_text(component);
 }
 
-std::vector<VertexColumn> columns_of_names(std::span<const std::string_view> names) {
-    std::vector<VertexColumn> columns;
+Vector<VertexColumn> columns_of_names(std::span<const std::string_view> names) {
+    Vector<VertexColumn> columns;
     const auto add = [&](FlgAttribute attribute, uint32_t components) {
         const bool known = std::any_of(columns.begin(), columns.end(),
                                        [&](const VertexColumn& column) { return column.attribute == attribute; });

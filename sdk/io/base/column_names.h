@@ -4,25 +4,24 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "filigree/filigree.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
 struct VertexColumn {
     FlgAttribute attribute;
     uint32_t components;
-    std::vector<float> values;
+    Vector<float> values;
 };
 
-std::string column_name(FlgAttribute attribute, uint32_t components, uint32_t component);
+String column_name(FlgAttribute attribute, uint32_t components, uint32_t component);
 
 // The columns besides positions that these names make up, at most 15, still without values. Names that make up none are
 // passed over.
-std::vector<VertexColumn> columns_of_names(std::span<const std::string_view> names);
+Vector<VertexColumn> columns_of_names(std::span<const std::string_view> names);
 
 // What an attribute's value breaks, such as "must be >= 0"; null: nothing.
 const char* rule_broken_by(FlgAttribute attribute, uint32_t component, float value);

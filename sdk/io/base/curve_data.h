@@ -3,11 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "filigree/filigree_io.h"
 #include "io/base/column_names.h"
+#include "io/base/memory.h"
 #include "io/base/placing.h"
 #include "io/base/tally.h"
 
@@ -16,19 +15,19 @@ namespace flg::io {
 struct CurveData {
     const char* format = "";
     const char* units = "as given";
-    std::vector<uint32_t> offsets{0};
-    std::vector<uint8_t> flags;
+    Vector<uint32_t> offsets{0};
+    Vector<uint8_t> flags;
     // Columns: empty, or of as many values as there are points.
-    std::vector<float> positions;
+    Vector<float> positions;
     Placing placing;
-    std::vector<float> radii;
-    std::vector<float> colors;
-    std::vector<float> times;
-    std::vector<float> pressures;
-    std::vector<float> orientations;
-    std::vector<VertexColumn> columns;  // further ones
-    std::vector<FlgStroke> strokes;
-    std::vector<std::string> warnings;
+    Vector<float> radii;
+    Vector<float> colors;
+    Vector<float> times;
+    Vector<float> pressures;
+    Vector<float> orientations;
+    Vector<VertexColumn> columns;  // further ones
+    Vector<FlgStroke> strokes;
+    Vector<String> warnings;
 
     size_t point_count() const { return positions.size() / 3; }
     size_t curve_count() const { return flags.size(); }

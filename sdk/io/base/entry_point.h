@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What all functions of the C ABI here share: failures become results and sentences, arguments are checked, structs are
-// handed out as far as the host knows them. Memory is the C++ runtime's: there is no context here.
+// handed out as far as the host knows them, and a call has the host's memory and files.
 #pragma once
 
-#include <filesystem>
 #include <functional>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "core/guard.h"
 #include "core/sized_struct.h"
 #include "io/base/failure.h"
+#include "io/base/files.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -33,30 +31,52 @@ FlgResult guarded(const char* file, Body&& body) noexcept {
     return flg::guarded(std::forward<Body>(body), [&] { return take_exception(file); });
 }
 
-std::filesystem::path to_path(const char* utf8);
-
-// In lower case, with its dot.
-std::string extension_of(const std::filesystem::path& path);
-
 // Refuses to write any other format, for writers that know one.
-void check_is_glb(const std::filesystem::path& target);
+void check_is_glb(const Path& target);
+
+// The hooks of a call, checked: memory, and the file system, null for the operating system's.
+struct CheckedHooks {
+    CheckedHooks(const FlgFileHooks* hooks, bool writes);
+    FlgAllocator allocator = runtime_memory;
+    FlgFileSystem files = {};
+    bool has_files = false;
+};
+
+// Those that a descriptor names, if it is long enough to name any.
+template <class Desc>
+const FlgFileHooks* hooks_of(const Desc* desc) {
+    return desc && desc->struct_size >= sizeof *desc ? desc->hooks : nullptr;
+}
 
 // Likewise an entry point's body that takes the path of a file.
 template <class Body>
-FlgResult guarded_path(const char* function, const char* path, Body&& body) noexcept {
+FlgResult guarded_path(const char* function, const char* path, const FlgFileHooks* hooks, bool writes,
+                       Body&& body) noexcept {
+    // Outermost: the sentence of a failure is in the host's memory, too.
+    FlgAllocator allocator = runtime_memory;
+    const MemoryScope scope(allocator);
     return guarded(path ? path : function, [&] {
         check_argument(path, "path");
-        body(to_path(path));
+        const CheckedHooks checked(hooks, writes);
+        allocator = checked.allocator;
+        body(Path(path, checked.has_files ? &checked.files : nullptr));
     });
+}
+
+// The whole of an entry point that writes a file.
+template <class Body>
+FlgResult write_to(const char* function, const char* path, const FlgFileHooks* hooks, Body&& body) noexcept {
+    return guarded_path(function, path, hooks, true, std::forward<Body>(body));
 }
 
 // The whole of an entry point that reads a file: `read` takes its path and makes what the host gets, or null.
 template <class File, class Read>
-FlgResult read_into(File** out_file, const char* function, const char* path, Read read) noexcept {
+FlgResult read_into(File** out_file, const char* function, const char* path, const FlgFileHooks* hooks,
+                    Read read) noexcept {
     if (out_file) *out_file = nullptr;
-    return guarded_path(function, path, [&](const std::filesystem::path& source) {
+    return guarded_path(function, path, hooks, false, [&](const Path& source) {
         check_argument(out_file, "out_file");
-        std::unique_ptr<File> file = read(source);
+        Owned<File> file = read(source);
         *out_file = file.release();
     });
 }
@@ -70,6 +90,7 @@ FlgResult init(const char* function, T* out, uint32_t struct_size, const T& defa
 // The whole of an entry point that shows something of a file: `describe` takes the file.
 template <class File, class Out, class Describe>
 FlgResult show(const char* function, File* file, Out* out, const char* name, Describe describe) {
+    const MemoryScope scope(file ? file->allocator : runtime_memory);
     return guarded(function, [&] {
         write_struct<Longer::cut>(out, sized<Out>(), name);
         check_argument(file, "file");
@@ -84,11 +105,12 @@ FlgResult show_list(const char* function, File* file, List list, const Item** ou
                     uint32_t* out_count) {
     if (out_items) *out_items = nullptr;
     if (out_count) *out_count = 0;
+    const MemoryScope scope(file ? file->allocator : runtime_memory);
     return guarded(function, [&] {
         check_argument(file, "file");
         check_argument(out_items, name);
         check_argument(out_count, "out_count");
-        const std::vector<Item>& items = std::invoke(list, *file);
+        const Vector<Item>& items = std::invoke(list, *file);
         if (items.empty()) return;
         *out_items = items.data();
         *out_count = static_cast<uint32_t>(items.size());

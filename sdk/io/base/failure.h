@@ -6,26 +6,26 @@
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
-#include <string>
 #include <string_view>
 
 #include "core/failure.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
 class Failure : public flg::Failure {
 public:
     // An empty `place` means the file as a whole.
-    Failure(FlgResult result, std::string place, const char* reason)
+    Failure(FlgResult result, String place, const char* reason)
         : flg::Failure(result, "%s", reason), place_(std::move(place)) {}
-    const std::string& place() const { return place_; }
+    const String& place() const { return place_; }
 
 private:
-    std::string place_;
+    String place_;
 };
 
 // Throws a Failure; `format` and what follows as for printf.
-[[noreturn, gnu::format(printf, 3, 4)]] inline void fail(FlgResult result, std::string place, const char* format, ...) {
+[[noreturn, gnu::format(printf, 3, 4)]] inline void fail(FlgResult result, String place, const char* format, ...) {
     char reason[512];
     va_list arguments;
     va_start(arguments, format);
@@ -35,18 +35,18 @@ private:
 }
 
 // No place for line 0, of a file without lines.
-inline std::string line_place(uint64_t line) {
-    return line == 0 ? std::string() : std::to_string(line);
+inline String line_place(uint64_t line) {
+    return line == 0 ? String() : to_text(line);
 }
 
-inline std::string byte_place(std::string_view part, uint64_t offset) {
-    return std::string(part) + "@" + std::to_string(offset);
+inline String byte_place(std::string_view part, uint64_t offset) {
+    return String(part) + "@" + to_text(offset);
 }
 
 // A piece of a file fit for a sentence: in quotes, cut short, with nothing unprintable in it.
-inline std::string cited(std::string_view text) {
+inline String cited(std::string_view text) {
     constexpr size_t longest = 40;
-    std::string result = "'";
+    String result = "'";
     for (char c : text.substr(0, longest)) result += (c >= ' ' && c <= '~') ? c : '?';
     return result + (text.size() > longest ? "...'" : "'");
 }

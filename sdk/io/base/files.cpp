@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+// The operating system's part is the C++ runtime's: it takes a little memory of its own for names and buffers.
 #include "io/base/files.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 
@@ -10,22 +14,137 @@
 
 namespace flg::io {
 
-ByteBlock read_file(const std::filesystem::path& path, const std::string& place, uint64_t limit) {
+namespace {
+
+#ifdef _WIN32
+constexpr std::string_view os_separators = "/\\";
+#else
+constexpr std::string_view os_separators = "/";
+#endif
+
+std::filesystem::path os_path(const Path& path) {
+    return std::u8string_view(reinterpret_cast<const char8_t*>(path.name().data()), path.name().size());
+}
+
+Path with_name(const Path& path, const std::filesystem::path& name) {
+    const std::u8string text = name.u8string();
+    return {String(reinterpret_cast<const char*>(text.data()), text.size()), path.host()};
+}
+
+// The part of a name that is its folder, with the separator.
+std::string_view folder_of(const Path& path) {
+    const std::string_view name = path.name();
+    const size_t last = name.find_last_of(path.host() ? "/" : os_separators);
+    return name.substr(0, last == name.npos ? 0 : last + 1);
+}
+
+}  // namespace
+
+Path::Path(String name, const FlgFileSystem* host) : name_(std::move(name)), host_(host) {
+    // Of a folder's name, not of the root's.
+    while (name_.size() > 1 && folder_of(*this).size() == name_.size()) name_.pop_back();
+}
+
+std::string_view Path::filename() const {
+    return std::string_view(name_).substr(folder_of(*this).size());
+}
+
+String Path::extension() const {
+    const std::string_view file = filename();
+    const size_t dot = file.find_last_of('.');
+    String extension(dot == file.npos || dot == 0 || file == ".." ? "" : file.substr(dot));
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+Path Path::beside(std::string_view file) const {
+    return {String(folder_of(*this)).append(file), host_};
+}
+
+Path Path::within(std::string_view file) const {
+    return {(name_ + "/").append(file), host_};
+}
+
+namespace {
+
+void check_size(uint64_t size, uint64_t limit, const String& place) {
+    if (size <= limit) return;
+    fail(FLG_ERROR_LIMIT, place, "has %llu bytes, more than the limit of %s", static_cast<unsigned long long>(size),
+         size_text(limit).c_str());
+}
+
+// A file that the host's functions opened; discarded, unless it is closed before.
+class HostHandle {
+public:
+    HostHandle(const Path& path, FlgFileAccess access)
+        : files_(*path.host()), handle_(files_.open(files_.user_data, path.name().c_str(), access)) {}
+    ~HostHandle() {
+        if (handle_) files_.close(files_.user_data, handle_, 0);
+    }
+    HostHandle(const HostHandle&) = delete;
+    HostHandle& operator=(const HostHandle&) = delete;
+
+    explicit operator bool() const { return handle_; }
+    uint64_t size() const { return files_.size(files_.user_data, handle_); }
+    // As many as come before the end.
+    size_t read(uint8_t* out, size_t size, const String& place) const {
+        size_t come = 0;
+        while (come < size) {
+            const size_t more = files_.read(files_.user_data, handle_, out + come, size - come);
+            if (more > size - come) {
+                fail(FLG_ERROR_FILE, place, "can't be read: the host's read returned %zu for %zu bytes", more,
+                     size - come);
+            }
+            if (more == 0) break;
+            come += more;
+        }
+        return come;
+    }
+    bool write(std::string_view content) const {
+        return files_.write(files_.user_data, handle_, content.data(), content.size()) == content.size();
+    }
+    bool close() { return files_.close(files_.user_data, std::exchange(handle_, nullptr), 1) != 0; }
+
+private:
+    const FlgFileSystem& files_;
+    void* handle_;
+};
+
+ByteBlock read_from_host(const Path& path, const String& place, uint64_t limit) {
+    const HostHandle file(path, FLG_FILE_ACCESS_READ);
+    if (!file) fail(FLG_ERROR_FILE, place, "can't be opened by the host's functions");
+    const uint64_t size = file.size();
+    check_size(size, limit, place);
+    ByteBlock block(size);
+    if (const size_t come = file.read(block.data(), size, place); come != size) {
+        fail(FLG_ERROR_FILE, place, "can't be read: %zu of %llu bytes came", come,
+             static_cast<unsigned long long>(size));
+    }
+    uint8_t beyond;
+    if (file.read(&beyond, 1, place) != 0) {
+        fail(FLG_ERROR_FILE, place, "can't be read: more than its %llu bytes came",
+             static_cast<unsigned long long>(size));
+    }
+    return block;
+}
+
+}  // namespace
+
+ByteBlock read_file(const Path& path, const String& place, uint64_t limit) {
+    if (path.host()) return read_from_host(path, place, limit);
+    const std::filesystem::path name = os_path(path);
     std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    const std::filesystem::file_status status = std::filesystem::status(name, error);
     if (!std::filesystem::exists(status)) {
         fail(FLG_ERROR_FILE, place, "can't be opened: %s", error ? error.message().c_str() : "No such file");
     }
     // Pipes and devices have no size to check before reading, and may never end.
     if (!std::filesystem::is_regular_file(status)) fail(FLG_ERROR_FILE, place, "is not a regular file");
-    const uint64_t size = std::filesystem::file_size(path, error);
+    const uint64_t size = std::filesystem::file_size(name, error);
     if (error) fail(FLG_ERROR_FILE, place, "can't be read: %s", error.message().c_str());
-    if (size > limit) {
-        fail(FLG_ERROR_LIMIT, place, "has %llu bytes, more than the limit of %s", static_cast<unsigned long long>(size),
-             size_text(limit).c_str());
-    }
+    check_size(size, limit, place);
     errno = 0;
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(name, std::ios::binary);
     if (!file) {
         fail(FLG_ERROR_FILE, place, "can't be opened: %s", std::generic_category().message(errno).c_str());
     }
@@ -46,6 +165,13 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 [[noreturn]] void fail_writing(int error) {
     fail(FLG_ERROR_FILE, "", "can't be written: %s", std::generic_category().message(error).c_str());
+}
+
+void write_to_host(const Path& path, std::string_view content) {
+    HostHandle file(path, FLG_FILE_ACCESS_WRITE);
+    if (!file) fail(FLG_ERROR_FILE, "", "can't be opened by the host's functions");
+    if (!file.write(content)) fail(FLG_ERROR_FILE, "", "can't be written: the host took only a part");
+    if (!file.close()) fail(FLG_ERROR_FILE, "", "can't be written: the host could not close it");
 }
 
 // Where a file of this name is: renaming over a symbolic link would replace the link.
@@ -71,11 +197,12 @@ File open_beside(const std::filesystem::path& path, std::filesystem::path& tempo
 
 }  // namespace
 
-void write_file(const std::filesystem::path& name, std::string_view content) {
+void write_file(const Path& name, std::string_view content) {
     if (content.size() > max_bytes) {
         fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", content.size());
     }
-    const std::filesystem::path path = followed(name);
+    if (name.host()) return write_to_host(name, content);
+    const std::filesystem::path path = followed(os_path(name));
     if (std::filesystem::is_directory(path)) fail_writing(EISDIR);
     std::filesystem::path temporary;
     File file = open_beside(path, temporary);
@@ -90,6 +217,37 @@ void write_file(const std::filesystem::path& name, std::string_view content) {
         std::filesystem::remove(temporary, ignored);
         fail_writing(error);
     }
+}
+
+bool file_exists(const Path& path) {
+    if (path.host()) return static_cast<bool>(HostHandle(path, FLG_FILE_ACCESS_READ));
+    return std::filesystem::exists(os_path(path));
+}
+
+bool is_folder(const Path& path, std::string_view file) {
+    if (path.host()) return !file_exists(path) && file_exists(path.within(file));
+    return std::filesystem::is_directory(os_path(path));
+}
+
+Path resolved(const Path& path) {
+    return path.host() ? path : with_name(path, std::filesystem::weakly_canonical(os_path(path)));
+}
+
+bool stays_beside(const Path& path, const Path& document) {
+    if (path.host()) return true;
+    const std::filesystem::path folder = os_path(document).parent_path();
+    const auto base = std::filesystem::weakly_canonical(folder.empty() ? "." : folder);
+    const auto target = std::filesystem::weakly_canonical(os_path(path));
+    return std::mismatch(base.begin(), base.end(), target.begin(), target.end()).first == base.end();
+}
+
+void remove_file(const Path& path) {
+    if (path.host()) {
+        if (path.host()->remove) path.host()->remove(path.host()->user_data, path.name().c_str());
+        return;
+    }
+    std::error_code ignored;
+    std::filesystem::remove(os_path(path), ignored);
 }
 
 }  // namespace flg::io

@@ -2,30 +2,59 @@
 #include "io/base/json_text.h"
 
 #include <charconv>
-#include <nlohmann/json.hpp>
+#include <cstdio>
 
 namespace flg::io {
 
-bool is_utf8(std::string_view text) {
-    try {
-        json_text(text);
-        return true;
-    } catch (const nlohmann::json::exception&) {
-        return false;
+size_t utf8_size(std::string_view text) {
+    const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    const size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4) return 0;
+    for (size_t i = 1; i < size; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return 0;
     }
+    // Neither longer than needed, nor half of a pair, nor beyond the last character.
+    const bool sound = !(first == 0xe0 && byte(1) < 0xa0) && !(first == 0xed && byte(1) >= 0xa0) &&
+                       !(first == 0xf0 && byte(1) < 0x90) && !(first == 0xf4 && byte(1) >= 0x90);
+    return sound ? size : 0;
 }
 
-std::string json_text(std::string_view text) {
-    return nlohmann::json(text).dump();
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const size_t size = utf8_size(text);
+        if (size == 0) return false;
+        text.remove_prefix(size);
+    }
+    return true;
 }
 
-std::string json_number(double value) {
+String json_text(std::string_view text) {
+    constexpr std::string_view names = "\"\\bfnrt", values = "\"\\\b\f\n\r\t";
+    String result = "\"";
+    for (const char c : text) {
+        if (const size_t known = values.find(c); known != values.npos) {
+            result += '\\';
+            result += names[known];
+        } else if (static_cast<unsigned char>(c) < ' ') {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", c);
+            result += escape;
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+String json_number(double value) {
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
-std::string json_triple(double x, double y, double z) {
-    std::string text = "[";
+String json_triple(double x, double y, double z) {
+    String text = "[";
     text += json_number(x);
     text += ',';
     text += json_number(y);
@@ -35,7 +64,7 @@ std::string json_triple(double x, double y, double z) {
     return text;
 }
 
-std::string json_translation(const Origin& origin) {
+String json_translation(const Origin& origin) {
     if (origin == Origin{}) return "";
     return ",\"translation\":" + json_triple(origin[0], origin[1], origin[2]);
 }

@@ -3,23 +3,17 @@
 #pragma once
 
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 
 #include "io/base/failure.h"
-#include "io/base/files.h"
+#include "io/base/json.h"
 
 namespace flg::io {
 
 class JsonValue {
 public:
-    using Json = nlohmann::json;
-
-    // Refuses what is no JSON, and what nests deeper than `most_levels`.
-    static Json parse(Bytes text, int most_levels);
-
-    JsonValue(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
+    JsonValue(const Json& value, String place) : value_(&value), place_(std::move(place)) {}
 
     // Of objects: refuses all keys but these.
     void allow(std::initializer_list<const char*> keys) const;
@@ -30,7 +24,7 @@ public:
     JsonValue operator[](size_t index) const;
 
     bool is_list() const { return value_->is_array(); }
-    std::string text() const;
+    String text() const;
     bool flag() const;
     // Finite, at most max_coordinate in size.
     float number() const;
@@ -38,11 +32,11 @@ public:
     // One of these words: its place in the list.
     size_t word(std::span<const char* const> words) const;
 
-    [[noreturn]] void refuse(const std::string& why) const { fail(FLG_ERROR_FORMAT, place_, "%s", why.c_str()); }
+    [[noreturn]] void refuse(const String& why) const { fail(FLG_ERROR_FORMAT, place_, "%s", why.c_str()); }
 
 private:
     const Json* value_;
-    std::string place_;
+    String place_;
 };
 
 }  // namespace flg::io

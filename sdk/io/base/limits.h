@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -13,9 +14,9 @@ constexpr uint64_t max_bytes = uint64_t{1} << 31;
 constexpr uint64_t max_metadata_bytes = uint64_t{16} << 20;
 constexpr uint64_t max_points = uint64_t{1} << 31;
 // A limit in a sentence: whole GiB or MiB.
-inline std::string size_text(uint64_t bytes) {
+inline String size_text(uint64_t bytes) {
     constexpr int mib = 20, gib = 30;
-    return bytes >> gib != 0 ? std::to_string(bytes >> gib) + " GiB" : std::to_string(bytes >> mib) + " MiB";
+    return bytes >> gib != 0 ? to_text(bytes >> gib) + " GiB" : to_text(bytes >> mib) + " MiB";
 }
 // Positions and radii, in size; beyond it squares overflow in float.
 constexpr float max_coordinate = 1e30f;

@@ -5,13 +5,12 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "filigree/filigree_io.h"
 #include "io/base/column_names.h"
 #include "io/base/failure.h"
 #include "io/base/limits.h"
+#include "io/base/memory.h"
 #include "io/base/placing.h"
 #include "io/base/tally.h"
 
@@ -20,13 +19,13 @@ namespace flg::io {
 constexpr uint32_t most_face_columns = 16;
 
 struct FaceColumn {
-    std::string name;
-    std::vector<uint32_t> values;
+    String name;
+    Vector<uint32_t> values;
 };
 
 // Of a region; as FlgMeshMaterial.
 struct MaterialData {
-    std::string name;
+    String name;
     float color[3] = {1, 1, 1};
     float metallic = 1, roughness = 1;
     float border_color[3] = {0, 0, 0};
@@ -41,16 +40,16 @@ struct PolygonFan {
 
 struct MeshData {
     const char* format = "";
-    std::vector<float> positions;
+    Vector<float> positions;
     Placing placing;
-    std::vector<VertexColumn> columns;  // besides positions
-    std::vector<uint32_t> triangles;    // three vertices each
-    std::vector<uint32_t> regions;      // one a triangle, or empty
-    std::vector<FaceColumn> face_columns;
-    std::vector<MaterialData> materials;  // by region, or empty
-    std::vector<PolygonFan> fans;
+    Vector<VertexColumn> columns;  // besides positions
+    Vector<uint32_t> triangles;    // three vertices each
+    Vector<uint32_t> regions;      // one a triangle, or empty
+    Vector<FaceColumn> face_columns;
+    Vector<MaterialData> materials;  // by region, or empty
+    Vector<PolygonFan> fans;
     uint64_t polygon_count = 0;
-    std::vector<std::string> warnings;
+    Vector<String> warnings;
 
     size_t vertex_count() const { return positions.size() / 3; }
     size_t triangle_count() const { return triangles.size() / 3; }
@@ -73,7 +72,7 @@ struct MeshData {
     }
 
     // Faces may share vertices, and meshes be shown many times: a small file could ask for very much.
-    void check_room(uint64_t more_vertices, uint64_t more_triangles, const std::string& place) const {
+    void check_room(uint64_t more_vertices, uint64_t more_triangles, const String& place) const {
         // As if all vertices had colours.
         uint64_t vertex_bytes = (3 + 4) * sizeof(float);
         for (const VertexColumn& column : columns) vertex_bytes += column.components * sizeof(float);

@@ -25,7 +25,7 @@ void EdgeLoss::add(const float* a, const float* b) {
     ++(square >= least * least ? kept_ : lost_);
 }
 
-Origin origin_near(const std::vector<float>& positions, const Placing& placing) {
+Origin origin_near(const Vector<float>& positions, const Placing& placing) {
     const Box box = box_of(positions);
     Origin origin;
     for (size_t k = 0; k < 3; ++k)

@@ -6,10 +6,10 @@
 
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "core/float_precision.h"
 #include "core/origin.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -33,7 +33,7 @@ private:
 };
 
 // Near the middle of the positions or where they are stored, in whole metres.
-Origin origin_near(const std::vector<float>& positions, const Placing& placing);
+Origin origin_near(const Vector<float>& positions, const Placing& placing);
 
 // `read(origin)` reads the file; its edges are visited by `visit(data, add)`.
 template <class Read, class Visit>

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "io/base/memory.h"
 
 namespace flg::io {
 
 struct Polylines {
-    std::vector<uint32_t> indices;
-    std::vector<uint32_t> offsets{0};
-    std::vector<bool> closed;
+    Vector<uint32_t> indices;
+    Vector<uint32_t> offsets{0};
+    Vector<bool> closed;
 
     size_t count() const { return closed.size(); }
     bool open() const { return indices.size() > offsets.back(); }

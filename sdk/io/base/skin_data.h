@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
+#include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
@@ -14,20 +13,20 @@ constexpr uint32_t most_joints = 65535;
 constexpr uint32_t joints_a_vertex = 4;
 
 struct AnimationData {
-    std::string name;
-    std::vector<float> times, rotations, translations;  // no translations: the roots stay
+    String name;
+    Vector<float> times, rotations, translations;  // no translations: the roots stay
 };
 
 struct SkinData {
-    std::vector<float> positions, normals, weights;
-    std::vector<uint32_t> triangles, parts;
-    std::vector<uint16_t> joints;
-    std::vector<float> joint_positions;
-    std::vector<uint32_t> joint_parents;
-    std::vector<std::string> joint_names;
-    std::vector<AnimationData> animations;
-    std::vector<MaterialData> materials;  // by part, one for all, or empty
-    std::vector<std::string> warnings;
+    Vector<float> positions, normals, weights;
+    Vector<uint32_t> triangles, parts;
+    Vector<uint16_t> joints;
+    Vector<float> joint_positions;
+    Vector<uint32_t> joint_parents;
+    Vector<String> joint_names;
+    Vector<AnimationData> animations;
+    Vector<MaterialData> materials;  // by part, one for all, or empty
+    Vector<String> warnings;
 
     size_t vertex_count() const { return positions.size() / 3; }
     size_t triangle_count() const { return triangles.size() / 3; }

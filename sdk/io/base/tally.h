@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
+
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -18,11 +18,11 @@ struct Tally {
 };
 
 // One sentence a kind of oddity: "2 strokes: <what> (first: stroke 7)"; none for what was never met.
-inline void warn(std::vector<std::string>& warnings, const Tally& tally, const std::string& unit, const char* what) {
+inline void warn(Vector<String>& warnings, const Tally& tally, const String& unit, const char* what) {
     if (tally.count == 0) return;
-    const std::string plural = unit == "vertex" ? "vertices" : unit + "s";
-    warnings.push_back(std::to_string(tally.count) + " " + (tally.count == 1 ? unit : plural) + ": " + what +
-                       " (first: " + unit + " " + std::to_string(tally.first) + ")");
+    const String plural = unit == "vertex" ? "vertices" : unit + "s";
+    warnings.push_back(to_text(tally.count) + " " + (tally.count == 1 ? unit : plural) + ": " + what +
+                       " (first: " + unit + " " + to_text(tally.first) + ")");
 }
 
 }  // namespace flg::io

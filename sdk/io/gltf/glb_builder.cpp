@@ -16,7 +16,7 @@ constexpr uint32_t target_vertices = 34962;
 constexpr uint32_t target_indices = 34963;
 constexpr size_t glb_alignment = 4;
 
-void separate(std::string& list) {
+void separate(String& list) {
     if (!list.empty()) list += ',';
 }
 
@@ -24,7 +24,7 @@ void separate(std::string& list) {
 
 size_t GlbBuilder::add_view(std::span<const float> values, uint32_t components) {
     return add_bytes(values.data(), values.size_bytes(), target_vertices,
-                     ",\"byteStride\":" + std::to_string(components * sizeof(float)));
+                     ",\"byteStride\":" + to_text(components * sizeof(float)));
 }
 
 size_t GlbBuilder::add_view(std::span<const uint32_t> indices) {
@@ -35,7 +35,7 @@ size_t GlbBuilder::add_indices(std::span<const uint32_t> indices) {
     constexpr uint32_t restart = 65535;  // of 16 bits
     const uint32_t most = *std::max_element(indices.begin(), indices.end());
     if (most >= restart) return add_accessor(add_view(indices), 0, indices.size(), glb_unsigned, "SCALAR");
-    const std::vector<uint16_t> narrow(indices.begin(), indices.end());
+    const Vector<uint16_t> narrow(indices.begin(), indices.end());
     const size_t view = add_bytes(narrow.data(), narrow.size() * sizeof(uint16_t), target_indices, "");
     return add_accessor(view, 0, narrow.size(), glb_unsigned_short, "SCALAR");
 }
@@ -52,17 +52,17 @@ size_t GlbBuilder::add_plain_view(std::span<const float> values) {
     return add_bytes(values.data(), values.size_bytes(), 0, "");
 }
 
-size_t GlbBuilder::add_colors(std::vector<float> colors) {
+size_t GlbBuilder::add_colors(Vector<float> colors) {
     for (float& value : colors) value = std::clamp(value, 0.0f, 1.0f);
     return add_view(colors, 4);
 }
 
 size_t GlbBuilder::add_accessor(size_t view, size_t byte_offset, size_t count, uint32_t component_type,
-                                const char* type, const std::string& bounds) {
+                                const char* type, const String& bounds) {
     separate(accessors_);
-    accessors_ += "{\"bufferView\":" + std::to_string(view) + ",\"byteOffset\":" + std::to_string(byte_offset) +
-                  ",\"componentType\":" + std::to_string(component_type) + ",\"count\":" + std::to_string(count) +
-                  ",\"type\":\"" + type + "\"" + bounds + "}";
+    accessors_ += "{\"bufferView\":" + to_text(view) + ",\"byteOffset\":" + to_text(byte_offset) +
+                  ",\"componentType\":" + to_text(component_type) + ",\"count\":" + to_text(count) + ",\"type\":\"" +
+                  type + "\"" + bounds + "}";
     return accessor_count_++;
 }
 
@@ -82,7 +82,7 @@ size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, 
             high[k] = std::max(high[k], positions[i * components + k]);
         }
     }
-    std::string bounds;
+    String bounds;
     for (const auto& [name, values] : {std::pair(",\"min\":[", low), std::pair(",\"max\":[", high)}) {
         bounds += name;
         for (size_t k = 0; k < components; ++k) {
@@ -94,9 +94,9 @@ size_t GlbBuilder::add_positions(size_t view, std::span<const float> positions, 
     return add_accessor(view, first * components * sizeof(float), count, glb_float, "VEC3", bounds);
 }
 
-void GlbBuilder::add_primitive(const std::string& attributes, int mode, const std::string& rest) {
+void GlbBuilder::add_primitive(const String& attributes, int mode, const String& rest) {
     separate(primitives_);
-    primitives_ += "{\"attributes\":{" + attributes + "},\"mode\":" + std::to_string(mode) + rest + "}";
+    primitives_ += "{\"attributes\":{" + attributes + "},\"mode\":" + to_text(mode) + rest + "}";
 }
 
 size_t GlbBuilder::end_mesh() {
@@ -106,24 +106,24 @@ size_t GlbBuilder::end_mesh() {
     return mesh_count_++;
 }
 
-std::string GlbBuilder::finish(const std::string& materials, const Origin& origin) const {
+String GlbBuilder::finish(const String& materials, const Origin& origin) const {
     return finish_scene("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0" + json_translation(origin) +
                             "}]," + materials,
                         "");
 }
 
-std::string GlbBuilder::finish_scene(const std::string& top, const std::string& mesh_name) const {
-    const std::string name = mesh_name.empty() ? "" : "\"name\":" + json_text(mesh_name) + ",";
-    const std::string list = meshes_.empty() ? "{" + name + "\"primitives\":[" + primitives_ + "]}" : meshes_;
-    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top +
-                       (primitives_.empty() && meshes_.empty() ? "" : "\"meshes\":[" + list + "],") +
-                       "\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
-                       "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
+String GlbBuilder::finish_scene(const String& top, const String& mesh_name) const {
+    const String name = mesh_name.empty() ? "" : "\"name\":" + json_text(mesh_name) + ",";
+    const String list = meshes_.empty() ? "{" + name + "\"primitives\":[" + primitives_ + "]}" : meshes_;
+    String json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Filigree\"}," + top +
+                  (primitives_.empty() && meshes_.empty() ? "" : "\"meshes\":[" + list + "],") + "\"accessors\":[" +
+                  accessors_ + "],\"bufferViews\":[" + views_ +
+                  "],\"buffers\":[{\"byteLength\":" + to_text(binary_.size()) + "}]}";
     json.resize((json.size() + glb_alignment - 1) / glb_alignment * glb_alignment, ' ');
     constexpr size_t headers = 7 * sizeof(uint32_t);
     const size_t total = headers + json.size() + binary_.size();
     if (total > max_bytes) fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", total);
-    std::string glb;
+    String glb;
     glb.reserve(total);
     const auto append = [&](size_t value) {
         const uint32_t word = static_cast<uint32_t>(value);
@@ -138,11 +138,10 @@ std::string GlbBuilder::finish_scene(const std::string& top, const std::string& 
 }
 
 // Views begin at multiples of 4 bytes. Target 0: none.
-size_t GlbBuilder::add_bytes(const void* data, size_t size, uint32_t target, const std::string& rest) {
+size_t GlbBuilder::add_bytes(const void* data, size_t size, uint32_t target, const String& rest) {
     separate(views_);
-    views_ += "{\"buffer\":0,\"byteOffset\":" + std::to_string(binary_.size()) +
-              ",\"byteLength\":" + std::to_string(size) + (target == 0 ? "" : ",\"target\":" + std::to_string(target)) +
-              rest + "}";
+    views_ += "{\"buffer\":0,\"byteOffset\":" + to_text(binary_.size()) + ",\"byteLength\":" + to_text(size) +
+              (target == 0 ? "" : ",\"target\":" + to_text(target)) + rest + "}";
     binary_.append(static_cast<const char*>(data), size);
     binary_.resize((binary_.size() + glb_alignment - 1) / glb_alignment * glb_alignment, '\0');
     return view_count_++;

@@ -6,10 +6,9 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "core/origin.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -36,31 +35,31 @@ public:
     // Floats that are no vertices': keys of animations, matrices.
     size_t add_plain_view(std::span<const float> values);
     // Four floats each, clamped to 0..1, as COLOR_0 asks for.
-    size_t add_colors(std::vector<float> colors);
+    size_t add_colors(Vector<float> colors);
 
     size_t add_accessor(size_t view, size_t byte_offset, size_t count, uint32_t component_type, const char* type,
-                        const std::string& bounds = "");
+                        const String& bounds = "");
     // Numbers with their least and largest, as times must be.
     size_t add_times(std::span<const float> times);
     // Points first .. first + count - 1 of a view of positions.
     size_t add_positions(size_t view, std::span<const float> positions, size_t first, size_t count);
 
     // `rest` is what follows the mode, such as `,"indices":3`.
-    void add_primitive(const std::string& attributes, int mode, const std::string& rest);
+    void add_primitive(const String& attributes, int mode, const String& rest);
 
     // The primitives since the last become a mesh; returns its index.
     size_t end_mesh();
 
     // `materials` is empty or ends with a comma. The mesh's node is at the origin.
-    std::string finish(const std::string& materials, const Origin& origin) const;
+    String finish(const String& materials, const Origin& origin) const;
     // The same, with nodes that show the meshes that were ended, or else mesh 0 of all primitives, if there are any:
     // `top` is JSON from `"scene":` on, and ends with a comma.
-    std::string finish_scene(const std::string& top, const std::string& mesh_name) const;
+    String finish_scene(const String& top, const String& mesh_name) const;
 
 private:
-    size_t add_bytes(const void* data, size_t size, uint32_t target, const std::string& rest);
+    size_t add_bytes(const void* data, size_t size, uint32_t target, const String& rest);
 
-    std::string binary_, views_, accessors_, primitives_, meshes_;
+    String binary_, views_, accessors_, primitives_, meshes_;
     size_t view_count_ = 0, accessor_count_ = 0, mesh_count_ = 0;
 };
 

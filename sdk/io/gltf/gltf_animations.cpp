@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <vector>
 
 #include "io/base/failure.h"
 #include "io/base/limits.h"
@@ -27,7 +25,7 @@ namespace {
 class TurnLimit {
 public:
     // Refuses more than 2^26.
-    void add(uint64_t turns, const std::string& place);
+    void add(uint64_t turns, const String& place);
 
 private:
     uint64_t count_ = 0;
@@ -36,11 +34,11 @@ private:
 class GltfChannels {
 public:
     // Reads those of nodes that `is_needed`; refuses what is not LINEAR, not finite, or does not fit.
-    GltfChannels(const GltfDocument& document, const GltfNodes& nodes, const std::vector<bool>& is_needed,
-                 const Json& animation, const std::string& place, TurnLimit& limit);
+    GltfChannels(const GltfDocument& document, const GltfNodes& nodes, const Vector<bool>& is_needed,
+                 const Json& animation, const String& place, TurnLimit& limit);
 
     // All of their times, rising.
-    std::vector<float> keys() const;
+    Vector<float> keys() const;
     bool moves(uint64_t node) const { return channels_.contains(node); }
     // A node's transform to its parent.
     Transform local_at(uint64_t node, float time) const;
@@ -48,31 +46,30 @@ public:
 private:
     enum Path { translation, rotation, scale, path_count };
     struct Channel {
-        const std::vector<float>* times;
+        const Vector<float>* times;
         GltfValues values;
     };
     using Channels = std::array<std::optional<Channel>, path_count>;
 
-    void read_channel(const Json& channel, const Json* samplers, const std::vector<bool>& is_needed,
-                      const std::string& place);
-    Channel read_sampler(const Json& sampler, Path path, const std::string& place);
-    const std::vector<float>& read_times(uint64_t accessor, const std::string& place);
+    void read_channel(const Json& channel, const Json* samplers, const Vector<bool>& is_needed, const String& place);
+    Channel read_sampler(const Json& sampler, Path path, const String& place);
+    const Vector<float>& read_times(uint64_t accessor, const String& place);
     template <size_t N>
     static void sample(const std::optional<Channel>& channel, float time, std::array<double, N>& to);
 
     const GltfDocument& document_;
     const GltfNodes& nodes_;
-    const std::string place_;
+    const String place_;
     TurnLimit& limit_;
-    std::map<uint64_t, Channels> channels_;         // by node
-    std::map<uint64_t, std::vector<float>> times_;  // by accessor
+    Map<uint64_t, Channels> channels_;    // by node
+    Map<uint64_t, Vector<float>> times_;  // by accessor
 };
 
 constexpr uint64_t most_turns = uint64_t{1} << 26;
 constexpr double length_tolerance = 0.02;  // of quaternions; bytes hold no better ones
 constexpr const char* path_names[] = {"translation", "rotation", "scale"};
 
-void TurnLimit::add(uint64_t turns, const std::string& place) {
+void TurnLimit::add(uint64_t turns, const String& place) {
     count_ += turns;
     if (count_ > most_turns) {
         fail(FLG_ERROR_LIMIT, place, "all animations together have more than %llu keys times nodes",
@@ -80,46 +77,46 @@ void TurnLimit::add(uint64_t turns, const std::string& place) {
     }
 }
 
-GltfChannels::GltfChannels(const GltfDocument& document, const GltfNodes& nodes, const std::vector<bool>& is_needed,
-                           const Json& animation, const std::string& place, TurnLimit& limit)
+GltfChannels::GltfChannels(const GltfDocument& document, const GltfNodes& nodes, const Vector<bool>& is_needed,
+                           const Json& animation, const String& place, TurnLimit& limit)
     : document_(document), nodes_(nodes), place_(place), limit_(limit) {
     const Json* channels = gltf_array(animation, "channels", place);
     const Json* samplers = gltf_array(animation, "samplers", place);
     for (size_t i = 0; channels && i < channels->size(); ++i)
-        read_channel((*channels)[i], samplers, is_needed, place + ".channels[" + std::to_string(i) + "]");
+        read_channel((*channels)[i], samplers, is_needed, place + ".channels[" + to_text(i) + "]");
 }
 
-void GltfChannels::read_channel(const Json& channel, const Json* samplers, const std::vector<bool>& is_needed,
-                                const std::string& here) {
-    if (!channel.is_object() || !channel.contains("target") || !channel["target"].is_object())
-        fail(FLG_ERROR_FORMAT, here, "has no target");
-    const Json& target = channel["target"];
-    if (!target.contains("node")) return;  // an extension's
+void GltfChannels::read_channel(const Json& channel, const Json* samplers, const Vector<bool>& is_needed,
+                                const String& here) {
+    const Json* const given = channel.find("target");
+    if (!given || !given->is_object()) fail(FLG_ERROR_FORMAT, here, "has no target");
+    const Json& target = *given;
+    if (!target.find("node")) return;  // an extension's
     const uint64_t node = gltf_required(target, "node", here + ".target");
     document_.element("nodes", node, here + ".target.node");
-    const auto path = target.find("path");
+    const Json* const path = target.find("path");
     const auto found = std::find_if(std::begin(path_names), std::end(path_names),
-                                    [&](const char* name) { return path != target.end() && *path == name; });
+                                    [&](const char* name) { return path && *path == name; });
     if (found == std::end(path_names)) return;  // shapes, not joints
     if (!is_needed[node]) return;
     std::optional<Channel>& to = channels_[node][static_cast<size_t>(found - path_names)];
     if (to) fail(FLG_ERROR_FORMAT, here, "moves a node that another channel moves");
-    if (nodes_.json(node).contains("matrix"))
+    if (nodes_.json(node).find("matrix"))
         fail(FLG_ERROR_FORMAT, here, "moves nodes[%llu], which has a matrix", static_cast<unsigned long long>(node));
     const uint64_t sampler = gltf_required(channel, "sampler", here);
     if (!samplers || sampler >= samplers->size())
         fail(FLG_ERROR_FORMAT, here + ".sampler", "is %llu, but there are %zu",
              static_cast<unsigned long long>(sampler), samplers ? samplers->size() : 0);
     to = read_sampler((*samplers)[sampler], static_cast<Path>(found - path_names),
-                      place_ + ".samplers[" + std::to_string(sampler) + "]");
+                      place_ + ".samplers[" + to_text(sampler) + "]");
 }
 
-GltfChannels::Channel GltfChannels::read_sampler(const Json& sampler, Path path, const std::string& here) {
+GltfChannels::Channel GltfChannels::read_sampler(const Json& sampler, Path path, const String& here) {
     if (!sampler.is_object()) fail(FLG_ERROR_FORMAT, here, "is no object");
-    const auto interpolation = sampler.find("interpolation");
-    if (interpolation != sampler.end() && *interpolation != "LINEAR")
+    const Json* const interpolation = sampler.find("interpolation");
+    if (interpolation && !(*interpolation == "LINEAR"))
         fail(FLG_ERROR_FORMAT, here + ".interpolation", "is %s; only LINEAR is supported",
-             cited(interpolation->dump()).c_str());
+             cited(interpolation->string_or("no text")).c_str());
     const Channel channel{&read_times(gltf_required(sampler, "input", here), here + ".input"),
                           document_.accessor(gltf_required(sampler, "output", here), here + ".output")};
     const GltfValues& values = channel.values;
@@ -146,7 +143,7 @@ GltfChannels::Channel GltfChannels::read_sampler(const Json& sampler, Path path,
     return channel;
 }
 
-const std::vector<float>& GltfChannels::read_times(uint64_t accessor, const std::string& here) {
+const Vector<float>& GltfChannels::read_times(uint64_t accessor, const String& here) {
     const auto [found, is_new] = times_.try_emplace(accessor);
     if (!is_new) return found->second;
     const GltfValues values = document_.accessor(accessor, here);
@@ -164,8 +161,8 @@ const std::vector<float>& GltfChannels::read_times(uint64_t accessor, const std:
     return found->second;
 }
 
-std::vector<float> GltfChannels::keys() const {
-    std::vector<float> keys;
+Vector<float> GltfChannels::keys() const {
+    Vector<float> keys;
     for (const auto& [accessor, times] : times_) keys.insert(keys.end(), times.begin(), times.end());
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
@@ -175,7 +172,7 @@ std::vector<float> GltfChannels::keys() const {
 template <size_t N>
 void GltfChannels::sample(const std::optional<Channel>& channel, float time, std::array<double, N>& to) {
     if (!channel) return;
-    const std::vector<float>& times = *channel->times;
+    const Vector<float>& times = *channel->times;
     const auto after = std::upper_bound(times.begin(), times.end(), time);
     const uint64_t second = std::min(static_cast<size_t>(after - times.begin()), times.size() - 1);
     const uint64_t first = after == times.begin() ? 0 : static_cast<size_t>(after - times.begin()) - 1;
@@ -203,7 +200,7 @@ Transform GltfChannels::local_at(uint64_t node, float time) const {
     return motion.transform();
 }
 
-using Vector = std::array<double, 3>;
+using Triple = std::array<double, 3>;
 
 constexpr double stretch_tolerance = 1e-3;  // of rigid motions
 constexpr double move_tolerance = 1e-4;     // of the model's size
@@ -228,14 +225,13 @@ public:
     }
 
     void read(uint64_t index) {
-        place_ = "animations[" + std::to_string(index) + "]";
+        place_ = "animations[" + to_text(index) + "]";
         const Json& json = document_.element("animations", index, place_);
         const GltfChannels channels(document_, nodes_, is_needed_, json, place_, limit_);
-        std::vector<float> keys = channels.keys();
-        const auto name = json.find("name");
+        Vector<float> keys = channels.keys();
+        const Json* const name = json.find("name");
         AnimationData animation;
-        animation.name =
-            name != json.end() && name->is_string() ? name->get<std::string>() : "animation " + std::to_string(index);
+        animation.name = name && name->is_string() ? String(name->string()) : "animation " + to_text(index);
         if (keys.empty()) {
             data_.warnings.push_back(place_ + " moves no joint of the skin: left out");
             return;
@@ -257,7 +253,7 @@ private:
                 const uint64_t parent = nodes_.parent(node);
                 globals_[node] = parent == no_node ? locals_[node] : compose(globals_[parent], locals_[node]);
             }
-            const Vector moved = take_apart(time);
+            const Triple moved = take_apart(time);
             for (const double value : moved) {
                 roots_move |= value != 0;
                 animation.translations.push_back(static_cast<float>(value));
@@ -281,8 +277,8 @@ private:
     }
 
     // Fills `motions_` and `turns_` from the nodes; returns how far the roots are moved.
-    Vector take_apart(float time) {
-        Vector moved = {0, 0, 0};
+    Triple take_apart(float time) {
+        Triple moved = {0, 0, 0};
         bool has_root = false;
         for (size_t j = 0; j < motions_.size(); ++j) {
             const GltfJoint& joint = skeleton_.joints()[j];
@@ -295,15 +291,15 @@ private:
             turns_[j] = rotation_of(motions_[j]);
             const double at[3] = {data_.joint_positions[3 * j], data_.joint_positions[3 * j + 1],
                                   data_.joint_positions[3 * j + 2]};
-            const Vector is = place_by(motions_[j], at);
-            Vector should = {at[0] + moved[0], at[1] + moved[1], at[2] + moved[2]};
+            const Triple is = place_by(motions_[j], at);
+            Triple should = {at[0] + moved[0], at[1] + moved[1], at[2] + moved[2]};
             if (joint.parent != FLG_NO_INDEX) should = place_by(motions_[joint.parent], at);
-            const Vector off = {is[0] - should[0], is[1] - should[1], is[2] - should[2]};
+            const Triple off = {is[0] - should[0], is[1] - should[1], is[2] - should[2]};
             const double distance = std::hypot(off[0], off[1], off[2]);
             if (joint.parent == FLG_NO_INDEX && !has_root) {
                 has_root = true;
                 // What is smaller than a float can say of the model is no motion.
-                moved = distance > 1e-3 * move_limit_ ? off : Vector{0, 0, 0};
+                moved = distance > 1e-3 * move_limit_ ? off : Triple{0, 0, 0};
             } else if (!(distance <= move_limit_)) {
                 refuse(joint.parent == FLG_NO_INDEX ? "moves otherwise than the other roots" : "leaves its parent");
             }
@@ -316,13 +312,13 @@ private:
     const GltfSkeleton& skeleton_;
     const double move_limit_;
     SkinData& data_;
-    std::vector<uint64_t> needed_;  // joints and what is above them, parents first
-    std::vector<bool> is_needed_;   // by node
-    std::string place_;
+    Vector<uint64_t> needed_;  // joints and what is above them, parents first
+    Vector<bool> is_needed_;   // by node
+    String place_;
     TurnLimit limit_;
-    std::vector<Transform> locals_, globals_;  // by node
-    std::vector<Transform> motions_;           // by joint, from rest
-    std::vector<Rotation> turns_;
+    Vector<Transform> locals_, globals_;  // by node
+    Vector<Transform> motions_;           // by joint, from rest
+    Vector<Rotation> turns_;
 };
 
 }  // namespace

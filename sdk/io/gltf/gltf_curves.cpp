@@ -18,7 +18,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "io/base/column_names.h"
 #include "io/base/failure.h"
@@ -45,7 +44,7 @@ struct GltfColumn {
 };
 
 // A vertex' values, placed: `components` of them are added to `out`.
-void append_placed(const GltfColumn& column, uint32_t vertex, const Transform& transform, std::vector<float>& out);
+void append_placed(const GltfColumn& column, uint32_t vertex, const Transform& transform, Vector<float>& out);
 
 struct NamedAttribute {
     FlgAttribute attribute;
@@ -96,23 +95,21 @@ NamedAttribute attribute_of(std::string_view name) {
 }
 
 // "NORMAL", "_WIDTH", "_USER3"; empty for what has no name in glTF lines, or is named elsewhere.
-std::string gltf_column_name(FlgAttribute attribute) {
-    if (attribute >= FLG_ATTRIBUTE_USER)
-        return std::string(user_prefix) + std::to_string(attribute - FLG_ATTRIBUTE_USER);
+String gltf_column_name(FlgAttribute attribute) {
+    if (attribute >= FLG_ATTRIBUTE_USER) return String(user_prefix) + to_text(attribute - FLG_ATTRIBUTE_USER);
     for (const NamedAttribute& known : named) {
         if (known.attribute == attribute) return known.name;
     }
     return "";
 }
 
-std::vector<GltfColumn> read_columns(const GltfDocument& document, const GltfPrimitive& primitive,
-                                     uint64_t vertex_count) {
+Vector<GltfColumn> read_columns(const GltfDocument& document, const GltfPrimitive& primitive, uint64_t vertex_count) {
     constexpr size_t most_columns = 13;  // beside positions, colours and radii
-    std::vector<GltfColumn> columns;
-    for (const auto& [name, accessor] : primitive.json.at("attributes").items()) {
-        const NamedAttribute known = attribute_of(name);
+    Vector<GltfColumn> columns;
+    for (const JsonMember& member : primitive.json.find("attributes")->members()) {
+        const NamedAttribute known = attribute_of(member.name);
         if (known.attribute == FLG_ATTRIBUTE_POSITION) continue;
-        GltfValues values = *read_attribute(document, primitive, name.c_str());
+        GltfValues values = *read_attribute(document, primitive, String(member.name).c_str());
         const bool fits =
             known.components == 0 ? values.components <= most_gltf_components : values.components == known.components;
         if (!fits || values.count != vertex_count) {
@@ -128,7 +125,7 @@ std::vector<GltfColumn> read_columns(const GltfDocument& document, const GltfPri
     return columns;
 }
 
-void append_placed(const GltfColumn& column, uint32_t vertex, const Transform& t, std::vector<float>& out) {
+void append_placed(const GltfColumn& column, uint32_t vertex, const Transform& t, Vector<float>& out) {
     const uint32_t count = column.values.components;
     double values[most_gltf_components];
     for (uint32_t k = 0; k < count; ++k) values[k] = column.values.number(vertex, k);
@@ -157,7 +154,7 @@ constexpr uint64_t floats_per_point = 8;
 
 class GltfReader {
 public:
-    GltfReader(const std::filesystem::path& path, const Origin& origin) : document_(path), origin_(origin) {}
+    GltfReader(const Path& path, const Origin& origin) : document_(path), origin_(origin) {}
 
     CurveData read() {
         data_.format = "gltf";
@@ -184,7 +181,7 @@ private:
             fail(FLG_ERROR_FORMAT, radii->place, "holds no radii fit for %llu vertices",
                  static_cast<unsigned long long>(vertices.positions.count));
         }
-        const std::vector<GltfColumn> columns = read_columns(document_, primitive, vertices.positions.count);
+        const Vector<GltfColumn> columns = read_columns(document_, primitive, vertices.positions.count);
         begin_columns(columns);
         const Polylines lines = read_polylines(primitive, vertices.positions);
         if (!data_.placing.stored) data_.placing.stored = place_of(primitive);
@@ -195,7 +192,7 @@ private:
     Polylines read_polylines(const GltfPrimitive& primitive, const GltfValues& positions) const {
         const std::optional<GltfValues> values = read_index_values(document_, primitive);
         check_room(values ? values->count : positions.count, primitive.place);
-        std::vector<uint32_t> indices = read_indices(values, positions.count);
+        Vector<uint32_t> indices = read_indices(values, positions.count);
 
         Polylines lines;
         if (primitive.mode != gltf_lines) {
@@ -217,7 +214,7 @@ private:
     }
 
     // Meshes may be shown many times, and primitives share vertices: a small file could ask for very much.
-    void check_room(uint64_t points, const std::string& place) const {
+    void check_room(uint64_t points, const String& place) const {
         uint64_t floats = floats_per_point;
         for (const VertexColumn& column : data_.columns) floats += column.components;
         if ((data_.point_count() + points) * floats * sizeof(float) > max_bytes) {
@@ -245,7 +242,7 @@ private:
     }
 
     // Columns are kept while all curves have them.
-    void begin_columns(const std::vector<GltfColumn>& columns) {
+    void begin_columns(const Vector<GltfColumn>& columns) {
         if (data_.point_count() == 0) {
             for (const GltfColumn& column : columns) {
                 data_.columns.push_back({column.attribute, column.values.components, {}});
@@ -259,7 +256,7 @@ private:
         }
     }
 
-    static const GltfColumn* find(const std::vector<GltfColumn>& columns, const VertexColumn& column) {
+    static const GltfColumn* find(const Vector<GltfColumn>& columns, const VertexColumn& column) {
         const auto same = [&](const GltfColumn& other) {
             return other.attribute == column.attribute && other.values.components == column.components;
         };
@@ -267,7 +264,7 @@ private:
         return place == columns.end() ? nullptr : &*place;
     }
 
-    void append_columns(const Polylines& lines, const std::vector<GltfColumn>& columns, const Transform& transform) {
+    void append_columns(const Polylines& lines, const Vector<GltfColumn>& columns, const Transform& transform) {
         for (VertexColumn& column : data_.columns) {
             const GltfColumn& values = *find(columns, column);
             for (uint32_t vertex : lines.indices) append_placed(values, vertex, transform, column.values);
@@ -286,70 +283,69 @@ private:
 
 }  // namespace
 
-CurveData read_gltf(const std::filesystem::path& path, const Origin& origin) {
+CurveData read_gltf(const Path& path, const Origin& origin) {
     return GltfReader(path, origin).read();
 }
 
 namespace {
 
 struct LineColumn {
-    std::string name;
+    String name;
     uint32_t components;
     size_t view;
 };
 
 // The columns that are written besides positions, colours and radii.
-std::vector<LineColumn> line_columns(const CheckedView& view, GlbBuilder& glb) {
-    std::vector<LineColumn> columns;
+Vector<LineColumn> line_columns(const CheckedView& view, GlbBuilder& glb) {
+    Vector<LineColumn> columns;
     for (size_t i = 0; i < view.columns().size(); ++i) {
         const FlgColumn& column = view.columns()[i];
-        const std::string name = gltf_column_name(column.attribute);
+        const String name = gltf_column_name(column.attribute);
         if (name.empty()) continue;
         if (column.components > most_gltf_components) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns[" + std::to_string(i) + "].components",
+            fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns[" + to_text(i) + "].components",
                  "is %u, .glb holds at most 4", column.components);
         }
-        const std::vector<float> values = packed(resolved(column), view.point_count(), column.components);
+        const Vector<float> values = packed(resolved(column), view.point_count(), column.components);
         columns.push_back({name, column.components, glb.add_view(values, column.components)});
     }
     return columns;
 }
 
-std::string write_lines(const CheckedView& view, bool all_columns) {
+String write_lines(const CheckedView& view, bool all_columns) {
     GlbBuilder glb;
-    const std::vector<float> positions = packed(view.position, view.point_count(), 3);
+    const Vector<float> positions = packed(view.position, view.point_count(), 3);
     const size_t position_view = glb.add_view(positions, 3);
     size_t color_view = 0;
     size_t radius_view = 0;
     if (view.color) color_view = glb.add_colors(packed(view.color, view.point_count(), 4));
     if (view.radius) radius_view = glb.add_view(packed(view.radius, view.point_count(), 1), 1);
-    std::vector<LineColumn> columns;
+    Vector<LineColumn> columns;
     if (all_columns) columns = line_columns(view, glb);
-    std::string lone_indices;  // of all curves of one point
+    String lone_indices;  // of all curves of one point
 
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
         const size_t first = view.begin(c);
         const size_t count = view.end(c) - first;
-        std::string attributes =
-            "\"POSITION\":" + std::to_string(glb.add_positions(position_view, positions, first, count));
+        String attributes = "\"POSITION\":" + to_text(glb.add_positions(position_view, positions, first, count));
         if (view.color) {
             const size_t accessor = glb.add_accessor(color_view, first * 4 * sizeof(float), count, glb_float, "VEC4");
-            attributes += ",\"COLOR_0\":" + std::to_string(accessor);
+            attributes += ",\"COLOR_0\":" + to_text(accessor);
         }
         if (view.radius) {
             const size_t accessor = glb.add_accessor(radius_view, first * sizeof(float), count, glb_float, "SCALAR");
-            attributes += ",\"_RADIUS\":" + std::to_string(accessor);
+            attributes += ",\"_RADIUS\":" + to_text(accessor);
         }
         for (const LineColumn& column : columns) {
             constexpr const char* types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
             const size_t accessor = glb.add_accessor(column.view, first * column.components * sizeof(float), count,
                                                      glb_float, types[column.components - 1]);
-            attributes += ",\"" + column.name + "\":" + std::to_string(accessor);
+            attributes += ",\"" + column.name + "\":" + to_text(accessor);
         }
         if (count == 1 && lone_indices.empty()) {
             const uint32_t zeros[] = {0, 0};
             const size_t accessor = glb.add_accessor(glb.add_view(zeros), 0, 2, glb_unsigned, "SCALAR");
-            lone_indices = ",\"indices\":" + std::to_string(accessor);
+            lone_indices = ",\"indices\":" + to_text(accessor);
         }
         glb.add_primitive(attributes, view.closed(c) ? glb_line_loop : glb_line_strip, count == 1 ? lone_indices : "");
     }
@@ -360,7 +356,7 @@ std::string write_lines(const CheckedView& view, bool all_columns) {
 // don't.
 class SurfaceMaterials {
 public:
-    explicit SurfaceMaterials(const std::vector<SweptPiece>& pieces) {
+    explicit SurfaceMaterials(const Vector<SweptPiece>& pieces) {
         const auto has = [&](FlgCurveGeometry geometry) {
             return std::any_of(pieces.begin(), pieces.end(),
                                [&](const SweptPiece& piece) { return piece.geometry == geometry; });
@@ -369,21 +365,21 @@ public:
         constexpr const char* look =
             "\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,1,1,1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
         json_ = "\"materials\":[";
-        if (has_tubes_) json_ += std::string("{\"name\":\"tube\",") + look;
+        if (has_tubes_) json_ += String("{\"name\":\"tube\",") + look;
         if (has(FLG_CURVE_GEOMETRY_RIBBON)) {
             if (has_tubes_) json_ += ',';
-            json_ += std::string("{\"name\":\"ribbon\",\"doubleSided\":true,") + look;
+            json_ += String("{\"name\":\"ribbon\",\"doubleSided\":true,") + look;
         }
         json_ += "],";
     }
 
-    const std::string& json() const { return json_; }
+    const String& json() const { return json_; }
     const char* index(FlgCurveGeometry geometry) const {
         return geometry == FLG_CURVE_GEOMETRY_RIBBON && has_tubes_ ? "1" : "0";
     }
 
 private:
-    std::string json_;
+    String json_;
     bool has_tubes_ = false;
 };
 
@@ -396,8 +392,8 @@ Number rounded_share(float share) {
 constexpr const char* normalized_values = ",\"normalized\":true";
 
 template <class Number>
-std::vector<Number> rounded_shares(const std::vector<float>& shares) {
-    std::vector<Number> rounded(shares.size());
+Vector<Number> rounded_shares(const Vector<float>& shares) {
+    Vector<Number> rounded(shares.size());
     std::transform(shares.begin(), shares.end(), rounded.begin(), rounded_share<Number>);
     return rounded;
 }
@@ -411,7 +407,7 @@ size_t add_colors(GlbBuilder& glb, const SweptPiece& piece, bool quantized) {
 }
 
 size_t add_quantized_normals(GlbBuilder& glb, const SweptPiece& piece) {
-    std::vector<uint8_t> normals;
+    Vector<uint8_t> normals;
     for (size_t i = 0; i < piece.normals.size(); ++i) {
         normals.push_back(static_cast<uint8_t>(rounded_share<int8_t>(piece.normals[i])));
         if (i % 3 == 2) normals.push_back(0);
@@ -443,7 +439,7 @@ PositionGrid grid_of(const SweptPiece& piece) {
 }
 
 size_t add_quantized_positions(GlbBuilder& glb, const SweptPiece& piece, const PositionGrid& grid) {
-    std::vector<uint16_t> positions;
+    Vector<uint16_t> positions;
     int low[3] = {65535, 65535, 65535}, high[3] = {};
     for (size_t i = 0; i < piece.positions.size(); ++i) {
         const size_t k = i % 3;
@@ -453,12 +449,12 @@ size_t add_quantized_positions(GlbBuilder& glb, const SweptPiece& piece, const P
         high[k] = std::max<int>(high[k], positions.back());
         if (k == 2) positions.push_back(0);
     }
-    std::string bounds;
+    String bounds;
     for (const auto& [name, values] : {std::pair(",\"min\":[", low), std::pair(",\"max\":[", high)}) {
         bounds += name;
         for (size_t k = 0; k < 3; ++k) {
             if (k != 0) bounds += ',';
-            bounds += std::to_string(values[k]);
+            bounds += to_text(values[k]);
         }
         bounds += ']';
     }
@@ -472,11 +468,11 @@ void add_piece(GlbBuilder& glb, const SweptPiece& piece, const SurfaceMaterials&
     const size_t normals =
         quantized ? add_quantized_normals(glb, piece)
                   : glb.add_accessor(glb.add_view(piece.normals, 3), 0, piece.vertex_count(), glb_float, "VEC3");
-    std::string attributes = "\"POSITION\":" + std::to_string(positions) + ",\"NORMAL\":" + std::to_string(normals);
-    if (!piece.colors.empty()) attributes += ",\"COLOR_0\":" + std::to_string(add_colors(glb, piece, quantized));
+    String attributes = "\"POSITION\":" + to_text(positions) + ",\"NORMAL\":" + to_text(normals);
+    if (!piece.colors.empty()) attributes += ",\"COLOR_0\":" + to_text(add_colors(glb, piece, quantized));
     const size_t indices = glb.add_indices(piece.indices);
-    std::string rest = ",\"indices\":";
-    rest += std::to_string(indices);
+    String rest = ",\"indices\":";
+    rest += to_text(indices);
     rest += ",\"material\":";
     rest += materials.index(piece.geometry);
     glb.add_primitive(attributes, glb_triangles, rest);
@@ -484,10 +480,10 @@ void add_piece(GlbBuilder& glb, const SweptPiece& piece, const SurfaceMaterials&
 
 // A mesh and a node for each piece: the node takes steps to metres. Pieces too wide for steps within the tolerance have
 // positions in floats.
-std::string write_quantized(const std::vector<SweptPiece>& pieces, const Origin& origin, float tolerance) {
+String write_quantized(const Vector<SweptPiece>& pieces, const Origin& origin, float tolerance) {
     GlbBuilder glb;
     const SurfaceMaterials materials(pieces);
-    std::string nodes, roots;
+    String nodes, roots;
     for (const SweptPiece& piece : pieces) {
         const PositionGrid grid = grid_of(piece);
         const bool fits = !(tolerance > 0) || grid.step <= tolerance;
@@ -495,7 +491,7 @@ std::string write_quantized(const std::vector<SweptPiece>& pieces, const Origin&
             fits ? add_quantized_positions(glb, piece, grid)
                  : glb.add_positions(glb.add_view(piece.positions, 3), piece.positions, 0, piece.vertex_count());
         add_piece(glb, piece, materials, positions, true);
-        const std::string mesh = std::to_string(glb.end_mesh());
+        const String mesh = to_text(glb.end_mesh());
         if (!roots.empty()) {
             roots += ',';
             nodes += ',';
@@ -514,7 +510,7 @@ std::string write_quantized(const std::vector<SweptPiece>& pieces, const Origin&
         }
         nodes += '}';
     }
-    std::string top =
+    String top =
         "\"extensionsUsed\":[\"KHR_mesh_quantization\"],\"extensionsRequired\":[\"KHR_mesh_quantization\"],"
         "\"scene\":0,\"scenes\":[{\"nodes\":[";
     top += roots;
@@ -525,8 +521,8 @@ std::string write_quantized(const std::vector<SweptPiece>& pieces, const Origin&
     return glb.finish_scene(top, "");
 }
 
-std::string write_surface(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
-    const std::vector<SweptPiece> pieces = sweep(view, desc);
+String write_surface(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
+    const Vector<SweptPiece> pieces = sweep(view, desc);
     if (pieces.empty()) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "view", "has no curve with a length: there is no surface to write");
     }
@@ -550,7 +546,7 @@ std::string write_surface(const CheckedView& view, const FlgCurveFileWriteDesc& 
 
 }  // namespace
 
-std::string write_glb(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
+String write_glb(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
     const bool lines = !desc.geometries && desc.geometry == FLG_CURVE_GEOMETRY_LINES;
     return lines ? write_lines(view, desc.all_columns != 0) : write_surface(view, desc);
 }

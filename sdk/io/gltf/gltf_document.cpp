@@ -10,7 +10,6 @@
 #include <cstring>
 
 #include "io/base/byte_reader.h"
-#include "io/base/json_value.h"
 #include "io/base/limits.h"
 #include "io/gltf/glb_layout.h"
 
@@ -18,21 +17,14 @@ namespace flg::io {
 
 namespace {
 
-constexpr int max_depth = 128;
+constexpr uint32_t max_depth = 128;
 // Parsed JSON takes an order of magnitude more memory than its text.
 constexpr uint64_t max_json = uint64_t{1} << 29;
 constexpr uint64_t least_stride = 4;
 constexpr uint64_t most_stride = 252;
 
-std::string element_place(const char* array, uint64_t index) {
-    return std::string(array) + "[" + std::to_string(index) + "]";
-}
-
-Json parse_json(Bytes text) {
-    if (text.size() > max_json) {
-        fail(FLG_ERROR_LIMIT, "", "holds %zu bytes of JSON, more than the limit of 512 MiB", text.size());
-    }
-    return JsonValue::parse(text, max_depth);
+String element_place(const char* array, uint64_t index) {
+    return String(array) + "[" + to_text(index) + "]";
 }
 
 int base64_value(char c) {
@@ -43,7 +35,7 @@ int base64_value(char c) {
     return c == '/' ? 63 : -1;
 }
 
-ByteBlock decode_base64(std::string_view text, const std::string& place) {
+ByteBlock decode_base64(std::string_view text, const String& place) {
     while (text.ends_with('=')) text.remove_suffix(1);
     ByteBlock block(text.size() * 3 / 4);
     uint32_t bits = 0;
@@ -57,13 +49,13 @@ ByteBlock decode_base64(std::string_view text, const std::string& place) {
     return block;
 }
 
-std::string decode_percent(std::string_view uri) {
+String decode_percent(std::string_view uri) {
     const auto hex = [](char c) {
         if (c >= '0' && c <= '9') return c - '0';
         if (c >= 'a' && c <= 'f') return c - 'a' + 10;
         return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
     };
-    std::string result;
+    String result;
     for (size_t i = 0; i < uri.size(); ++i) {
         const bool coded = uri[i] == '%' && i + 2 < uri.size() && hex(uri[i + 1]) >= 0 && hex(uri[i + 2]) >= 0;
         result += coded ? static_cast<char>(hex(uri[i + 1]) * 16 + hex(uri[i + 2])) : uri[i];
@@ -105,7 +97,7 @@ float normalized_number(const uint8_t* at, bool normalized) {
 // What accessors without a bufferView hold: a value of any type.
 constexpr uint8_t zeros[16 * sizeof(float)] = {};
 
-uint32_t component_type(const Json& json, const std::string& place) {
+uint32_t component_type(const Json& json, const String& place) {
     const uint64_t type = gltf_required(json, "componentType", place);
     const uint32_t known = type <= gltf_float ? static_cast<uint32_t>(type) : 0;
     if (component_size(known) == 0) {
@@ -117,7 +109,7 @@ uint32_t component_type(const Json& json, const std::string& place) {
 
 // The first of `count` values that begin at `offset`, all inside of the view.
 const uint8_t* values_in(const GltfDocument::View& view, uint64_t offset, uint64_t count, uint64_t size,
-                         uint64_t stride, const std::string& count_place) {
+                         uint64_t stride, const String& count_place) {
     const uint64_t room = offset <= view.bytes.size() ? view.bytes.size() - offset : 0;
     // The last value need not fill its stride.
     const uint64_t fitting = room >= size ? (room - size) / stride + 1 : 0;
@@ -137,9 +129,9 @@ void refuse_unknown_geometry(const Json& root) {
     for (size_t i = 0; required && i < required->size(); ++i) {
         const Json& name = (*required)[i];
         for (std::string_view unknown : unknown_geometry) {
-            if (name != unknown) continue;
-            fail(FLG_ERROR_FORMAT, "extensionsRequired[" + std::to_string(i) + "]", "is %s, which is not supported",
-                 cited(std::string(unknown)).c_str());
+            if (!(name == unknown)) continue;
+            fail(FLG_ERROR_FORMAT, "extensionsRequired[" + to_text(i) + "]", "is %s, which is not supported",
+                 cited(unknown).c_str());
         }
     }
 }
@@ -188,40 +180,41 @@ uint32_t GltfValues::index(uint64_t element) const {
     return load_index(at(element), component_type);
 }
 
-uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const std::string& place) {
-    const auto found = object.find(key);
-    if (found == object.end()) return fallback;
-    if (!found->is_number_unsigned()) fail(FLG_ERROR_FORMAT, place + "." + key, "is no whole number >= 0");
-    return found->get<uint64_t>();
+uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const String& place) {
+    const Json* const found = object.find(key);
+    if (!found) return fallback;
+    if (!found->is_count()) fail(FLG_ERROR_FORMAT, place + "." + key, "is no whole number >= 0");
+    return found->count();
 }
 
-uint64_t gltf_required(const Json& object, const char* key, const std::string& place) {
-    if (!object.contains(key)) fail(FLG_ERROR_FORMAT, place, "has no %s", key);
+uint64_t gltf_required(const Json& object, const char* key, const String& place) {
+    if (!object.find(key)) fail(FLG_ERROR_FORMAT, place, "has no %s", key);
     return gltf_unsigned(object, key, 0, place);
 }
 
-const Json* gltf_array(const Json& object, const char* key, const std::string& place) {
-    const auto found = object.find(key);
-    if (found == object.end()) return nullptr;
-    if (!found->is_array()) fail(FLG_ERROR_FORMAT, place.empty() ? key : place + "." + key, "is no array");
-    return &*found;
+const Json* gltf_array(const Json& object, const char* key, const String& place) {
+    const Json* const found = object.find(key);
+    if (found && !found->is_array()) fail(FLG_ERROR_FORMAT, place.empty() ? key : place + "." + key, "is no array");
+    return found;
 }
 
-GltfDocument::GltfDocument(const std::filesystem::path& path) : file_(read_file(path, "")) {
+GltfDocument::GltfDocument(const Path& path) : file_(read_file(path, "")) {
     Bytes binary;
     Bytes text = file_.bytes();
     if (text.size() >= sizeof glb_magic && load<uint32_t>(text.data()) == glb_magic) text = split_glb(text, binary);
-    root_ = parse_json(text);
-    const auto asset = root_.is_object() ? root_.find("asset") : root_.end();
-    if (!root_.is_object() || asset == root_.end() || !asset->is_object() || !asset->contains("version")) {
-        fail(FLG_ERROR_FORMAT, "asset.version", "is missing: no glTF file");
+    if (text.size() > max_json) {
+        fail(FLG_ERROR_LIMIT, "", "holds %zu bytes of JSON, more than the limit of 512 MiB", text.size());
     }
-    const Json& version = (*asset)["version"];
-    if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2.")) {
-        fail(FLG_ERROR_FORMAT, "asset.version", "is %s; only 2.x is known", cited(version.dump()).c_str());
+    json_.emplace(text, max_depth);
+    const Json* const asset = root().find("asset");
+    const Json* const version = asset ? asset->find("version") : nullptr;
+    if (!version) fail(FLG_ERROR_FORMAT, "asset.version", "is missing: no glTF file");
+    if (!version->string_or("").starts_with("2.")) {
+        fail(FLG_ERROR_FORMAT, "asset.version", "is %s; only 2.x is known",
+             cited(version->string_or("no text")).c_str());
     }
-    refuse_unknown_geometry(root_);
-    load_buffers(path.parent_path(), binary);
+    refuse_unknown_geometry(root());
+    load_buffers(path, binary);
 }
 
 Bytes GltfDocument::split_glb(Bytes file, Bytes& binary) const {
@@ -235,7 +228,7 @@ Bytes GltfDocument::split_glb(Bytes file, Bytes& binary) const {
     }
     Bytes json;
     for (bool first = true; reader.position() + 2 * sizeof(uint32_t) <= length; first = false) {
-        const std::string place = reader.place();
+        const String place = reader.place();
         const auto size = reader.read<uint32_t>("a chunk's header");
         const auto type = reader.read<uint32_t>("a chunk's header");
         if (size > length - reader.position()) {
@@ -251,17 +244,17 @@ Bytes GltfDocument::split_glb(Bytes file, Bytes& binary) const {
     return json;
 }
 
-void GltfDocument::load_buffers(const std::filesystem::path& folder, Bytes binary) {
+void GltfDocument::load_buffers(const Path& document, Bytes binary) {
     uint64_t total = 0;
     for (uint64_t i = 0; i < size("buffers"); ++i) {
-        const std::string place = element_place("buffers", i);
+        const String place = element_place("buffers", i);
         const Json& buffer = element("buffers", i, place);
         const uint64_t length = gltf_required(buffer, "byteLength", place);
-        const auto uri = buffer.find("uri");
+        const Json* const uri = buffer.find("uri");
         Bytes bytes = binary;
-        if (uri != buffer.end()) {
+        if (uri) {
             if (!uri->is_string()) fail(FLG_ERROR_FORMAT, place + ".uri", "is no string");
-            bytes = load_uri(uri->get_ref<const std::string&>(), folder, place + ".uri");
+            bytes = load_uri(uri->string(), document, place + ".uri");
             total += bytes.size();
         } else if (i != 0 || binary.data() == nullptr) {
             fail(FLG_ERROR_FORMAT, place, "has no uri, and the file no binary chunk for it");
@@ -275,25 +268,23 @@ void GltfDocument::load_buffers(const std::filesystem::path& folder, Bytes binar
     }
 }
 
-Bytes GltfDocument::load_uri(const std::string& uri, const std::filesystem::path& folder, const std::string& place) {
+Bytes GltfDocument::load_uri(std::string_view uri, const Path& document, const String& place) {
     if (uri.starts_with("data:")) {
         constexpr std::string_view marker = ";base64,";
         const size_t at = uri.find(marker);
         if (at == uri.npos) fail(FLG_ERROR_FORMAT, place, "is a data URI, but not of base64");
-        loaded_.push_back(decode_base64(std::string_view(uri).substr(at + marker.size()), place));
+        loaded_.push_back(decode_base64(uri.substr(at + marker.size()), place));
         return loaded_.back().bytes();
     }
     // Only plain names below the document's folder: no schemes, drives, roots, parents, nor links that lead out.
-    const std::string name = decode_percent(uri);
-    const std::filesystem::path relative{std::u8string(name.begin(), name.end())};
-    const bool parent = std::find(relative.begin(), relative.end(), "..") != relative.end();
-    if (name.empty() || name.find_first_of(std::string_view(":\\\0", 3)) != name.npos || relative.has_root_path() ||
+    const String name = decode_percent(uri);
+    const bool parent = ("/" + name + "/").find("/../") != name.npos;
+    if (name.empty() || name.find_first_of(std::string_view(":\\\0", 3)) != name.npos || name.starts_with('/') ||
         parent) {
         fail(FLG_ERROR_FORMAT, place, "must be a relative path below the file's folder: %s", cited(name).c_str());
     }
-    const auto base = std::filesystem::weakly_canonical(folder.empty() ? "." : folder);
-    const auto target = std::filesystem::weakly_canonical(base / relative);
-    if (std::mismatch(base.begin(), base.end(), target.begin(), target.end()).first != base.end()) {
+    const Path target = document.beside(name);
+    if (!stays_beside(target, document)) {
         fail(FLG_ERROR_FORMAT, place, "leads out of the file's folder: %s", cited(name).c_str());
     }
     loaded_.push_back(read_file(target, place));
@@ -301,31 +292,31 @@ Bytes GltfDocument::load_uri(const std::string& uri, const std::filesystem::path
 }
 
 size_t GltfDocument::size(const char* array) const {
-    const Json* found = gltf_array(root_, array, "");
+    const Json* found = gltf_array(root(), array, "");
     return found ? found->size() : 0;
 }
 
-const Json& GltfDocument::element(const char* array, uint64_t index, const std::string& place) const {
+const Json& GltfDocument::element(const char* array, uint64_t index, const String& place) const {
     if (index >= size(array)) {
         fail(FLG_ERROR_FORMAT, place, "refers to %s %llu of %zu", array, static_cast<unsigned long long>(index),
              size(array));
     }
-    const Json& found = root_[array][index];
+    const Json& found = (*root().find(array))[index];
     if (!found.is_object()) fail(FLG_ERROR_FORMAT, element_place(array, index), "is no object");
     return found;
 }
 
-GltfValues GltfDocument::accessor(uint64_t index, const std::string& place) const {
+GltfValues GltfDocument::accessor(uint64_t index, const String& place) const {
     return values_of(index, place, false);
 }
 
-GltfValues GltfDocument::matrices(uint64_t index, const std::string& place) const {
+GltfValues GltfDocument::matrices(uint64_t index, const String& place) const {
     const GltfValues values = values_of(index, place, true);
     if (values.component_type != gltf_float) fail(FLG_ERROR_FORMAT, values.place, "holds matrices that are no floats");
     return values;
 }
 
-GltfDocument::View GltfDocument::view(uint64_t index, const std::string& referrer) const {
+GltfDocument::View GltfDocument::view(uint64_t index, const String& referrer) const {
     const Json& json = element("bufferViews", index, referrer);
     View view;
     view.place = element_place("bufferViews", index);
@@ -343,12 +334,12 @@ GltfDocument::View GltfDocument::view(uint64_t index, const std::string& referre
     return view;
 }
 
-GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, bool of_matrices) const {
+GltfValues GltfDocument::values_of(uint64_t index, const String& place, bool of_matrices) const {
     const Json& accessor = element("accessors", index, place);
     GltfValues values;
     values.place = element_place("accessors", index);
-    const auto type = accessor.find("type");
-    const auto is_type = [&](const char* name) { return type != accessor.end() && *type == name; };
+    const Json* const type = accessor.find("type");
+    const auto is_type = [&](const char* name) { return type && *type == name; };
     if (is_type("SCALAR")) values.components = 1;
     if (is_type("VEC2")) values.components = 2;
     if (is_type("VEC3")) values.components = 3;
@@ -359,11 +350,11 @@ GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, boo
         fail(FLG_ERROR_FORMAT, values.place + ".type", "is none of SCALAR, VEC2, VEC3 and VEC4");
     values.component_type = component_type(accessor, values.place);
     const uint64_t element_size = values.element_size();
-    const auto normalized = accessor.find("normalized");
-    values.normalized = normalized != accessor.end() && *normalized == true;
+    const Json* const normalized = accessor.find("normalized");
+    values.normalized = normalized && normalized->is_boolean() && normalized->boolean();
     values.count = gltf_required(accessor, "count", values.place);
 
-    if (accessor.contains("bufferView")) {
+    if (accessor.find("bufferView")) {
         const View view = this->view(gltf_required(accessor, "bufferView", values.place), values.place + ".bufferView");
         if (view.stride != 0 && (view.stride < std::max(least_stride, element_size) || view.stride > most_stride)) {
             fail(FLG_ERROR_FORMAT, view.place + ".byteStride", "is %llu for values of %llu bytes",
@@ -378,26 +369,26 @@ GltfValues GltfDocument::values_of(uint64_t index, const std::string& place, boo
     } else {
         values.data = zeros;  // of any count, as the stride is 0
     }
-    if (accessor.contains("sparse")) read_sparse(accessor["sparse"], values);
+    if (const Json* const sparse = accessor.find("sparse")) read_sparse(*sparse, values);
     return values;
 }
 
 void GltfDocument::read_sparse(const Json& sparse, GltfValues& values) const {
-    const std::string place = values.place + ".sparse";
+    const String place = values.place + ".sparse";
     if (!sparse.is_object()) fail(FLG_ERROR_FORMAT, place, "is no object");
     const auto part = [&](const char* key) -> const Json& {
-        const auto found = sparse.find(key);
-        if (found == sparse.end() || !found->is_object()) fail(FLG_ERROR_FORMAT, place, "has no object %s", key);
+        const Json* const found = sparse.find(key);
+        if (!found || !found->is_object()) fail(FLG_ERROR_FORMAT, place, "has no object %s", key);
         return *found;
     };
-    const auto bytes_of = [&](const Json& json, const std::string& here, uint64_t count, uint64_t size) {
+    const auto bytes_of = [&](const Json& json, const String& here, uint64_t count, uint64_t size) {
         const View view = this->view(gltf_required(json, "bufferView", here), here + ".bufferView");
         if (view.stride != 0) fail(FLG_ERROR_FORMAT, view.place + ".byteStride", "is set, but the values are sparse");
         return values_in(view, gltf_unsigned(json, "byteOffset", 0, here), count, size, size, place + ".count");
     };
     const uint64_t count = gltf_required(sparse, "count", place);
     const Json& indices = part("indices");
-    const std::string indices_place = place + ".indices";
+    const String indices_place = place + ".indices";
     values.sparse_type = component_type(indices, indices_place);
     if (!is_index_type(values.sparse_type)) fail(FLG_ERROR_FORMAT, indices_place, "are no unsigned integers");
     values.sparse_indices = bytes_of(indices, indices_place, count, component_size(values.sparse_type));

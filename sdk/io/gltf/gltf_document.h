@@ -2,16 +2,12 @@
 // A glTF document: its JSON and its buffers, with every index, offset and count checked where it is followed.
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+#include <optional>
 
-#include "io/base/files.h"
+#include "io/base/json.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
-
-using Json = nlohmann::json;
 
 // The values of an accessor; all of them lie inside their buffers. Those that are sparse stand beside the others, which
 // they replace, and are found by bisection: nothing is copied, whatever count a file claims.
@@ -26,7 +22,7 @@ struct GltfValues {
     uint64_t sparse_count = 0;
     const uint8_t* sparse_indices = nullptr;
     const uint8_t* sparse_data = nullptr;
-    std::string place;
+    String place;
 
     // As float; integers are mapped to 0..1 or -1..1 if they are normalized.
     float number(uint64_t element, uint32_t component) const;
@@ -53,42 +49,42 @@ bool is_index_type(uint32_t component_type);
 
 class GltfDocument {
 public:
-    explicit GltfDocument(const std::filesystem::path& path);
+    explicit GltfDocument(const Path& path);
 
-    const Json& root() const { return root_; }
+    const Json& root() const { return json_->root(); }
     // Element `index` of one of the document's arrays ("nodes"); an object. `place` is who refers to it.
-    const Json& element(const char* array, uint64_t index, const std::string& place) const;
+    const Json& element(const char* array, uint64_t index, const String& place) const;
     size_t size(const char* array) const;
-    GltfValues accessor(uint64_t index, const std::string& place) const;
+    GltfValues accessor(uint64_t index, const String& place) const;
     // Of 4 x 4 floats each, column by column.
-    GltfValues matrices(uint64_t index, const std::string& place) const;
+    GltfValues matrices(uint64_t index, const String& place) const;
 
     // A bufferView.
     struct View {
         Bytes bytes;
         uint64_t stride = 0;  // bytes; 0: values without gaps
-        std::string place;
+        String place;
     };
 
 private:
-    View view(uint64_t index, const std::string& referrer) const;
-    GltfValues values_of(uint64_t index, const std::string& place, bool of_matrices) const;
+    View view(uint64_t index, const String& referrer) const;
+    GltfValues values_of(uint64_t index, const String& place, bool of_matrices) const;
     void read_sparse(const Json& sparse, GltfValues& values) const;
     Bytes split_glb(Bytes file, Bytes& binary) const;
-    void load_buffers(const std::filesystem::path& folder, Bytes binary);
-    Bytes load_uri(const std::string& uri, const std::filesystem::path& folder, const std::string& place);
+    void load_buffers(const Path& document, Bytes binary);
+    Bytes load_uri(std::string_view uri, const Path& document, const String& place);
 
     ByteBlock file_;
-    Json root_;
-    std::vector<ByteBlock> loaded_;
-    std::vector<Bytes> buffers_;
+    std::optional<JsonDocument> json_;
+    Vector<ByteBlock> loaded_;
+    Vector<Bytes> buffers_;
 };
 
 // A member that must be a whole number >= 0; absent: `fallback`.
-uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const std::string& place);
+uint64_t gltf_unsigned(const Json& object, const char* key, uint64_t fallback, const String& place);
 // The same, where it must be there.
-uint64_t gltf_required(const Json& object, const char* key, const std::string& place);
+uint64_t gltf_required(const Json& object, const char* key, const String& place);
 // A member that must be an array; absent: null.
-const Json* gltf_array(const Json& object, const char* key, const std::string& place);
+const Json* gltf_array(const Json& object, const char* key, const String& place);
 
 }  // namespace flg::io

@@ -11,17 +11,17 @@ namespace {
 
 constexpr float widest_border_px = 64;
 
-float number_of(const Json& value, float most, const std::string& place) {
+float number_of(const Json& value, float most, const String& place) {
     if (!value.is_number()) fail(FLG_ERROR_FORMAT, place, "is no number");
-    return static_cast<float>(std::clamp(value.get<double>(), 0.0, double{most}));
+    return static_cast<float>(std::clamp(value.number(), 0.0, double{most}));
 }
 
-void read_number(const Json& object, const char* key, float most, const std::string& place, float& to) {
-    if (object.contains(key)) to = number_of(object[key], most, place + "." + key);
+void read_number(const Json& object, const char* key, float most, const String& place, float& to) {
+    if (const Json* const value = object.find(key)) to = number_of(*value, most, place + "." + key);
 }
 
 // Three numbers, and a fourth that is passed over. Returns whether they are there.
-bool read_color(const Json& object, const char* key, const std::string& place, float* to) {
+bool read_color(const Json& object, const char* key, const String& place, float* to) {
     const Json* values = gltf_array(object, key, place);
     if (!values) return false;
     constexpr size_t components = 3;
@@ -30,32 +30,31 @@ bool read_color(const Json& object, const char* key, const std::string& place, f
     return true;
 }
 
-std::string json_color(const float* color) {
+String json_color(const float* color) {
     return json_number(color[0]) + "," + json_number(color[1]) + "," + json_number(color[2]);
 }
 
 }  // namespace
 
-GltfMaterial read_material(const GltfDocument& document, uint64_t index, const std::string& place) {
+GltfMaterial read_material(const GltfDocument& document, uint64_t index, const String& place) {
     GltfMaterial material;
     if (index >= document.size("materials")) return material;
     const Json& json = document.element("materials", index, place);
-    const std::string here = "materials[" + std::to_string(index) + "]";
+    const String here = "materials[" + to_text(index) + "]";
     MaterialData& data = material.data;
-    if (json.contains("name") && json["name"].is_string()) data.name = json["name"].get<std::string>();
-    if (json.contains("pbrMetallicRoughness")) {
-        const Json& factors = json["pbrMetallicRoughness"];
-        const std::string inside = here + ".pbrMetallicRoughness";
-        if (!factors.is_object()) fail(FLG_ERROR_FORMAT, inside, "is no object");
-        material.says_color = read_color(factors, "baseColorFactor", inside, data.color);
-        read_number(factors, "metallicFactor", 1, inside, data.metallic);
-        read_number(factors, "roughnessFactor", 1, inside, data.roughness);
+    if (const Json* const name = json.find("name")) data.name = name->string_or("");
+    if (const Json* const factors = json.find("pbrMetallicRoughness")) {
+        const String inside = here + ".pbrMetallicRoughness";
+        if (!factors->is_object()) fail(FLG_ERROR_FORMAT, inside, "is no object");
+        material.says_color = read_color(*factors, "baseColorFactor", inside, data.color);
+        read_number(*factors, "metallicFactor", 1, inside, data.metallic);
+        read_number(*factors, "roughnessFactor", 1, inside, data.roughness);
     }
     // Other programs' extras may be anything.
-    if (json.contains("extras") && json["extras"].is_object() && json["extras"].contains("border_width_px")) {
-        const std::string inside = here + ".extras";
-        read_color(json["extras"], "border_color", inside, data.border_color);
-        read_number(json["extras"], "border_width_px", widest_border_px, inside, data.border_width_px);
+    if (const Json* const extras = json.find("extras"); extras && extras->find("border_width_px")) {
+        const String inside = here + ".extras";
+        read_color(*extras, "border_color", inside, data.border_color);
+        read_number(*extras, "border_width_px", widest_border_px, inside, data.border_width_px);
     }
     return material;
 }
@@ -71,15 +70,15 @@ FlgMeshMaterial material_view(const MaterialData& data) {
     return material;
 }
 
-std::string json_plain_material(const std::string& name) {
+String json_plain_material(const String& name) {
     return "{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.6}}";
 }
 
-std::string json_material(const FlgMeshMaterial& material, const std::string& default_name) {
-    std::string json = "{\"name\":" + json_text(material.name ? material.name : default_name) +
-                       ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + json_color(material.color) +
-                       ",1],\"metallicFactor\":" + json_number(material.metallic) +
-                       ",\"roughnessFactor\":" + json_number(material.roughness) + "}";
+String json_material(const FlgMeshMaterial& material, const String& default_name) {
+    String json = "{\"name\":" + json_text(material.name ? material.name : default_name) +
+                  ",\"pbrMetallicRoughness\":{\"baseColorFactor\":[" + json_color(material.color) +
+                  ",1],\"metallicFactor\":" + json_number(material.metallic) +
+                  ",\"roughnessFactor\":" + json_number(material.roughness) + "}";
     if (material.border_width_px > 0) {
         json += ",\"extras\":{\"border_color\":[" + json_color(material.border_color) +
                 "],\"border_width_px\":" + json_number(material.border_width_px) + "}";

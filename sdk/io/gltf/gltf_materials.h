@@ -3,6 +3,7 @@
 // Materials of glTF documents: their factors and their names, and the border lines that Filigree writes as `extras`.
 #pragma once
 
+#include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 #include "io/gltf/gltf_document.h"
 
@@ -15,15 +16,15 @@ struct GltfMaterial {
 
 // Numbers outside of their range are taken to its ends; what is no number is refused. A material that isn't there is
 // the format's default.
-GltfMaterial read_material(const GltfDocument& document, uint64_t index, const std::string& place);
+GltfMaterial read_material(const GltfDocument& document, uint64_t index, const String& place);
 
 // As hosts see it; lives as long as `data`.
 FlgMeshMaterial material_view(const MaterialData& data);
 
 // A material as JSON, to be read back with the same look; `default_name` where it has no name.
-std::string json_material(const FlgMeshMaterial& material, const std::string& default_name);
+String json_material(const FlgMeshMaterial& material, const String& default_name);
 
 // One that says no colour: `name` needs no escapes.
-std::string json_plain_material(const std::string& name);
+String json_plain_material(const String& name);
 
 }  // namespace flg::io

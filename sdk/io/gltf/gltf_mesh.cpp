@@ -12,7 +12,6 @@
 #include "io/gltf/gltf_mesh.h"
 
 #include <algorithm>
-#include <map>
 
 #include "io/base/vec3.h"
 #include "io/gltf/gltf_materials.h"
@@ -27,7 +26,7 @@ constexpr uint64_t no_material = UINT64_MAX;
 
 class GltfMeshReader {
 public:
-    GltfMeshReader(const std::filesystem::path& path, const Origin& origin) : document_(path), origin_(origin) {}
+    GltfMeshReader(const Path& path, const Origin& origin) : document_(path), origin_(origin) {}
 
     MeshData read() {
         data_.format = "gltf";
@@ -59,14 +58,14 @@ private:
         const GltfVertices vertices = read_vertices(document_, primitive);
         const uint64_t vertex_count = vertices.positions.count;
         const std::optional<GltfValues> values = read_index_values(document_, primitive);
-        const Json& attributes = primitive.json["attributes"];
-        const SharedVertices shared = {primitive.placement, attributes["POSITION"].get<uint64_t>(),
-                                       vertices.colors ? attributes["COLOR_0"].get<uint64_t>() : no_material};
+        const Json& attributes = *primitive.json.find("attributes");
+        const SharedVertices shared = {primitive.placement, attributes.find("POSITION")->count(),
+                                       vertices.colors ? attributes.find("COLOR_0")->count() : no_material};
         const bool is_new = data_.positions.empty() || !(shared == shared_);
         const uint64_t corner_count = values ? values->count : vertex_count;
         data_.check_room(is_new ? vertex_count : 0, primitive.mode == gltf_triangles ? corner_count / 3 : corner_count,
                          primitive.place);
-        const std::vector<uint32_t> indices = read_indices(values, vertex_count);
+        const Vector<uint32_t> indices = read_indices(values, vertex_count);
         if (is_new) append_vertices(vertices, primitive.transform, place_of(primitive));
         shared_ = shared;
         append_triangles(primitive, indices);
@@ -101,7 +100,7 @@ private:
         }
     }
 
-    void append_triangles(const GltfPrimitive& primitive, const std::vector<uint32_t>& indices) {
+    void append_triangles(const GltfPrimitive& primitive, const Vector<uint32_t>& indices) {
         const bool mirrored = determinant(primitive.transform) < 0;
         const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
             data_.add_triangle(first_vertex_ + a, first_vertex_ + (mirrored ? c : b),
@@ -114,17 +113,17 @@ private:
     GltfDocument document_;
     const Origin origin_;
     MeshData data_;
-    std::vector<float> colors_;  // of the vertices up to the last that has one
+    Vector<float> colors_;  // of the vertices up to the last that has one
     SharedVertices shared_ = {};
     uint32_t first_vertex_ = 0;
-    std::map<uint64_t, uint32_t> regions_;  // of materials
-    bool says_color_ = false;               // at least one of them
+    Map<uint64_t, uint32_t> regions_;  // of materials
+    bool says_color_ = false;          // at least one of them
     Tally others_, open_;
 };
 
 }  // namespace
 
-MeshData read_gltf_mesh(const std::filesystem::path& path, const Origin& origin) {
+MeshData read_gltf_mesh(const Path& path, const Origin& origin) {
     return GltfMeshReader(path, origin).read();
 }
 
@@ -136,8 +135,8 @@ Vec3 load(const float* p) {
 
 // Unit length, as the format asks for: of the column, or where it has none of the triangles around, by area. Vertices
 // without any get an axis.
-std::vector<float> unit_normals(const CheckedMesh& mesh) {
-    std::vector<Vec3> sums(mesh.vertex_count());
+Vector<float> unit_normals(const CheckedMesh& mesh) {
+    Vector<Vec3> sums(mesh.vertex_count());
     for (size_t i = 0; mesh.normal && i < sums.size(); ++i) sums[i] = load(mesh.normal.at(i));
     for (size_t t = 0; !mesh.normal && t < mesh.triangle_count(); ++t) {
         const uint32_t* v = mesh.triangle(t);
@@ -145,7 +144,7 @@ std::vector<float> unit_normals(const CheckedMesh& mesh) {
         const Vec3 n = cross(load(mesh.position.at(v[1])) - a, load(mesh.position.at(v[2])) - a);
         for (uint32_t k = 0; k < 3; ++k) sums[v[k]] = sums[v[k]] + n;
     }
-    std::vector<float> normals;
+    Vector<float> normals;
     normals.reserve(3 * sums.size());
     for (const Vec3& sum : sums) {
         const Vec3 n = length(sum) > 0 ? normalized(sum) : Vec3{0, 0, 1};
@@ -154,48 +153,46 @@ std::vector<float> unit_normals(const CheckedMesh& mesh) {
     return normals;
 }
 
-std::string material_of(const CheckedMesh& mesh, uint32_t region) {
+String material_of(const CheckedMesh& mesh, uint32_t region) {
     if (!mesh.split_regions()) return json_plain_material("surface");
-    const std::string default_name = "region " + std::to_string(region);
+    const String default_name = "region " + to_text(region);
     if (mesh.materials().empty()) return json_plain_material(default_name);
     return json_material(mesh.materials()[region], default_name);
 }
 
 }  // namespace
 
-std::string add_mesh(GlbBuilder& glb, const CheckedMesh& mesh) {
+String add_mesh(GlbBuilder& glb, const CheckedMesh& mesh) {
     const size_t count = mesh.vertex_count();
-    const std::vector<float> positions = packed(mesh.position, count, 3);
-    std::string attributes =
-        "\"POSITION\":" + std::to_string(glb.add_positions(glb.add_view(positions, 3), positions, 0, count));
+    const Vector<float> positions = packed(mesh.position, count, 3);
+    String attributes = "\"POSITION\":" + to_text(glb.add_positions(glb.add_view(positions, 3), positions, 0, count));
     const size_t normals = glb.add_accessor(glb.add_view(unit_normals(mesh), 3), 0, count, glb_float, "VEC3");
-    attributes += ",\"NORMAL\":" + std::to_string(normals);
+    attributes += ",\"NORMAL\":" + to_text(normals);
     if (mesh.color) {
         const size_t view = glb.add_colors(packed(mesh.color, count, 4));
-        attributes += ",\"COLOR_0\":" + std::to_string(glb.add_accessor(view, 0, count, glb_float, "VEC4"));
+        attributes += ",\"COLOR_0\":" + to_text(glb.add_accessor(view, 0, count, glb_float, "VEC4"));
     }
 
-    std::map<uint32_t, std::vector<uint32_t>> indices;  // by region
+    Map<uint32_t, Vector<uint32_t>> indices;  // by region
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-        std::vector<uint32_t>& list = indices[mesh.split_regions() ? mesh.region(t) : 0];
+        Vector<uint32_t>& list = indices[mesh.split_regions() ? mesh.region(t) : 0];
         list.insert(list.end(), mesh.triangle(t), mesh.triangle(t) + 3);
     }
-    std::string materials;
+    String materials;
     size_t material_count = 0;
     for (const auto& [region, list] : indices) {
         const size_t accessor = glb.add_accessor(glb.add_view(list), 0, list.size(), glb_unsigned, "SCALAR");
-        glb.add_primitive(
-            attributes, glb_triangles,
-            ",\"indices\":" + std::to_string(accessor) + ",\"material\":" + std::to_string(material_count++));
+        glb.add_primitive(attributes, glb_triangles,
+                          ",\"indices\":" + to_text(accessor) + ",\"material\":" + to_text(material_count++));
         if (!materials.empty()) materials += ',';
         materials += material_of(mesh, region);
     }
     return "\"materials\":[" + materials + "],";
 }
 
-std::string write_glb_mesh(const CheckedMesh& mesh) {
+String write_glb_mesh(const CheckedMesh& mesh) {
     GlbBuilder glb;
-    const std::string materials = add_mesh(glb, mesh);
+    const String materials = add_mesh(glb, mesh);
     return glb.finish(materials, mesh.origin());
 }
 

@@ -23,8 +23,8 @@ constexpr size_t longest_name = 255;
 // Metres; the format asks for one. There is no far end.
 constexpr const char* near_plane = "0.01";
 
-std::string at(const char* array, size_t index) {
-    return std::string(array) + "[" + std::to_string(index) + "]";
+String at(const char* array, size_t index) {
+    return String(array) + "[" + to_text(index) + "]";
 }
 
 // The rows of a pose as columns.
@@ -36,8 +36,8 @@ Transform transform_of(const double* pose) {
     return m;
 }
 
-std::string numbers(const float* values, size_t count) {
-    std::string list = "[";
+String numbers(const float* values, size_t count) {
+    String list = "[";
     for (size_t i = 0; i < count; ++i) {
         if (i != 0) list += ',';
         list += json_number(values[i]);
@@ -94,11 +94,11 @@ void CheckedMotion::check_positions() const {
     }
 }
 
-std::string write_glb_motion(const CheckedMotion& motion) {
+String write_glb_motion(const CheckedMotion& motion) {
     GlbBuilder glb;
-    const std::string materials = motion.mesh() ? add_mesh(glb, *motion.mesh()) : "";
+    const String materials = motion.mesh() ? add_mesh(glb, *motion.mesh()) : "";
     const size_t count = motion.position_count();
-    std::vector<float> times, translations, rotations;
+    Vector<float> times, translations, rotations;
     Rotation before = {0, 0, 0, 1};
     for (size_t i = 0; i < count; ++i) {
         const Transform m = transform_of(motion.pose(i));
@@ -112,14 +112,14 @@ std::string write_glb_motion(const CheckedMotion& motion) {
         }
     }
     const size_t input = glb.add_times(times);
-    const auto sampler = [&](const std::vector<float>& values, const char* type) {
+    const auto sampler = [&](const Vector<float>& values, const char* type) {
         const size_t output = glb.add_accessor(glb.add_plain_view(values), 0, count, glb_float, type);
-        return "{\"input\":" + std::to_string(input) + ",\"output\":" + std::to_string(output) + "}";
+        return "{\"input\":" + to_text(input) + ",\"output\":" + to_text(output) + "}";
     };
-    const std::string name = json_text(motion.name());
-    const std::string samplers = sampler(translations, "VEC3") + "," + sampler(rotations, "VEC4");
-    const std::string translation = json_translation(motion.origin());
-    std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[";
+    const String name = json_text(motion.name());
+    const String samplers = sampler(translations, "VEC3") + "," + sampler(rotations, "VEC4");
+    const String translation = json_translation(motion.origin());
+    String top = "\"scene\":0,\"scenes\":[{\"nodes\":[";
     top += translation.empty() ? "0" : "1";
     top += "]}],\"nodes\":[{\"name\":" + name;
     if (motion.mesh()) top += ",\"mesh\":0";

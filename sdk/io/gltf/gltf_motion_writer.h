@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "filigree/filigree_io.h"
 #include "io/base/checked_views.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -23,7 +23,7 @@ public:
     const std::optional<CheckedMesh>& mesh() const { return mesh_; }
     Origin origin() const { return {desc_.origin[0], desc_.origin[1], desc_.origin[2]}; }
     float camera_fov_rad() const { return desc_.camera_fov_rad; }
-    std::string name() const { return desc_.name ? desc_.name : "motion"; }
+    String name() const { return desc_.name ? desc_.name : "motion"; }
 
 private:
     bool returns() const { return desc_.end_time != 0; }
@@ -33,6 +33,6 @@ private:
     std::optional<CheckedMesh> mesh_;
 };
 
-std::string write_glb_motion(const CheckedMotion& motion);
+String write_glb_motion(const CheckedMotion& motion);
 
 }  // namespace flg::io

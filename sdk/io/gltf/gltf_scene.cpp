@@ -17,13 +17,13 @@ constexpr uint64_t mode_last = 6;
 
 template <size_t N>
 std::array<double, N> read_numbers(const Json& node, const char* key, std::array<double, N> fallback,
-                                   const std::string& place) {
+                                   const String& place) {
     const Json* array = gltf_array(node, key, place);
     if (!array) return fallback;
     bool sound = array->size() == N;
     for (size_t i = 0; sound && i < N; ++i) {
         sound = (*array)[i].is_number();
-        if (sound) fallback[i] = (*array)[i].get<double>();
+        if (sound) fallback[i] = (*array)[i].number();
     }
     if (!sound) fail(FLG_ERROR_FORMAT, place + "." + key, "must be %zu numbers", N);
     return fallback;
@@ -46,32 +46,32 @@ public:
         for (uint64_t i = 0; i < document_.size("meshes"); ++i) mesh(i, world_, "meshes");
     }
 
-    void nodes(const std::vector<uint64_t>& roots) {
-        std::vector<bool> seen(document_.size("nodes"));
-        std::vector<Visit> stack;
+    void nodes(const Vector<uint64_t>& roots) {
+        Vector<bool> seen(document_.size("nodes"));
+        Vector<Visit> stack;
         for (size_t i = roots.size(); i-- > 0;) stack.push_back({roots[i], world_});
         while (!stack.empty()) {
             const Visit visit = stack.back();
             stack.pop_back();
-            const std::string place = "nodes[" + std::to_string(visit.node) + "]";
+            const String place = "nodes[" + to_text(visit.node) + "]";
             const Json& node = document_.element("nodes", visit.node, place);
             if (seen[visit.node]) fail(FLG_ERROR_FORMAT, place, "is shown twice: nodes must form trees");
             seen[visit.node] = true;
             const Transform transform = compose(visit.parent, local_transform(node, place));
-            if (node.contains("mesh")) mesh(gltf_required(node, "mesh", place), transform, place + ".mesh");
-            const std::vector<uint64_t> children = read_node_list(node, "children", place);
+            if (node.find("mesh")) mesh(gltf_required(node, "mesh", place), transform, place + ".mesh");
+            const Vector<uint64_t> children = read_node_list(node, "children", place);
             for (size_t i = children.size(); i-- > 0;) stack.push_back({children[i], transform});
         }
     }
 
 private:
-    void mesh(uint64_t index, const Transform& transform, const std::string& referrer) {
+    void mesh(uint64_t index, const Transform& transform, const String& referrer) {
         const Json& mesh = document_.element("meshes", index, referrer);
-        const std::string mesh_place = "meshes[" + std::to_string(index) + "]";
+        const String mesh_place = "meshes[" + to_text(index) + "]";
         const Json* primitives = gltf_array(mesh, "primitives", mesh_place);
         for (size_t i = 0; primitives && i < primitives->size(); ++i) {
             const Json& primitive = (*primitives)[i];
-            std::string place = mesh_place + ".primitives[" + std::to_string(i) + "]";
+            String place = mesh_place + ".primitives[" + to_text(i) + "]";
             if (!primitive.is_object()) fail(FLG_ERROR_FORMAT, place, "is no object");
             const uint64_t mode = gltf_unsigned(primitive, "mode", gltf_triangles, place);
             if (mode > mode_last) {
@@ -107,8 +107,8 @@ double determinant(const Transform& t) {
     return t[0] * (t[4] * t[8] - t[5] * t[7]) + t[1] * (t[5] * t[6] - t[3] * t[8]) + t[2] * (t[3] * t[7] - t[4] * t[6]);
 }
 
-Transform local_transform(const Json& node, const std::string& place) {
-    if (node.contains("matrix")) {
+Transform local_transform(const Json& node, const String& place) {
+    if (node.find("matrix")) {
         const auto m = read_numbers<16>(node, "matrix", {}, place);
         if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
             fail(FLG_ERROR_FORMAT, place + ".matrix", "has a last row other than 0 0 0 1");
@@ -118,7 +118,7 @@ Transform local_transform(const Json& node, const std::string& place) {
     return node_motion(node, place).transform();
 }
 
-NodeMotion node_motion(const Json& node, const std::string& place) {
+NodeMotion node_motion(const Json& node, const String& place) {
     return {read_numbers<3>(node, "translation", {0, 0, 0}, place),
             read_numbers<4>(node, "rotation", {0, 0, 0, 1}, place), read_numbers<3>(node, "scale", {1, 1, 1}, place)};
 }
@@ -141,32 +141,31 @@ Transform NodeMotion::transform() const {
             t[2]};
 }
 
-std::vector<uint64_t> read_node_list(const Json& object, const char* key, const std::string& place) {
-    std::vector<uint64_t> nodes;
+Vector<uint64_t> read_node_list(const Json& object, const char* key, const String& place) {
+    Vector<uint64_t> nodes;
     const Json* array = gltf_array(object, key, place);
     for (size_t i = 0; array && i < array->size(); ++i) {
         const Json& index = (*array)[i];
-        const std::string element = place + "." + key + "[" + std::to_string(i) + "]";
-        if (!index.is_number_unsigned()) fail(FLG_ERROR_FORMAT, element, "is no whole number >= 0");
-        nodes.push_back(index.get<uint64_t>());
+        const String element = place + "." + key + "[" + to_text(i) + "]";
+        if (!index.is_count()) fail(FLG_ERROR_FORMAT, element, "is no whole number >= 0");
+        nodes.push_back(index.count());
     }
     return nodes;
 }
 
-std::vector<uint64_t> root_nodes(const GltfDocument& document) {
+Vector<uint64_t> root_nodes(const GltfDocument& document) {
     if (document.size("scenes") != 0) {
         const uint64_t scene = gltf_unsigned(document.root(), "scene", 0, "");
-        return read_node_list(document.element("scenes", scene, "scene"), "nodes",
-                              "scenes[" + std::to_string(scene) + "]");
+        return read_node_list(document.element("scenes", scene, "scene"), "nodes", "scenes[" + to_text(scene) + "]");
     }
-    std::vector<bool> is_child(document.size("nodes"));
+    Vector<bool> is_child(document.size("nodes"));
     for (uint64_t i = 0; i < is_child.size(); ++i) {
-        const std::string place = "nodes[" + std::to_string(i) + "]";
+        const String place = "nodes[" + to_text(i) + "]";
         for (uint64_t child : read_node_list(document.element("nodes", i, place), "children", place)) {
             if (child < is_child.size()) is_child[child] = true;
         }
     }
-    std::vector<uint64_t> roots;
+    Vector<uint64_t> roots;
     for (uint64_t i = 0; i < is_child.size(); ++i) {
         if (!is_child[i]) roots.push_back(i);
     }
@@ -184,9 +183,9 @@ void visit_primitives(const GltfDocument& document, const Origin& origin,
 
 std::optional<GltfValues> read_attribute(const GltfDocument& document, const GltfPrimitive& primitive,
                                          const char* name) {
-    const std::string place = primitive.place + ".attributes";
-    const auto attributes = primitive.json.find("attributes");
-    if (attributes == primitive.json.end() || !attributes->is_object() || !attributes->contains(name)) return {};
+    const String place = primitive.place + ".attributes";
+    const Json* const attributes = primitive.json.find("attributes");
+    if (!attributes || !attributes->find(name)) return {};
     return document.accessor(gltf_required(*attributes, name, place), place + "." + name);
 }
 
@@ -226,7 +225,7 @@ std::array<float, 4> GltfVertices::color(uint32_t vertex) const {
 }
 
 std::optional<GltfValues> read_index_values(const GltfDocument& document, const GltfPrimitive& primitive) {
-    if (!primitive.json.contains("indices")) return {};
+    if (!primitive.json.find("indices")) return {};
     GltfValues values =
         document.accessor(gltf_required(primitive.json, "indices", primitive.place), primitive.place + ".indices");
     if (values.components != 1 || !is_index_type(values.component_type)) {
@@ -235,8 +234,8 @@ std::optional<GltfValues> read_index_values(const GltfDocument& document, const 
     return values;
 }
 
-std::vector<uint32_t> read_indices(const std::optional<GltfValues>& values, uint64_t vertex_count) {
-    std::vector<uint32_t> indices(values ? values->count : vertex_count);
+Vector<uint32_t> read_indices(const std::optional<GltfValues>& values, uint64_t vertex_count) {
+    Vector<uint32_t> indices(values ? values->count : vertex_count);
     if (!values) std::iota(indices.begin(), indices.end(), 0u);
     for (uint64_t i = 0; values && i < values->count; ++i) {
         indices[i] = values->index(i);

@@ -5,10 +5,9 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "core/origin.h"
+#include "io/base/memory.h"
 #include "io/gltf/gltf_document.h"
 
 namespace flg::io {
@@ -32,16 +31,16 @@ struct NodeMotion {
 };
 
 // Of a node without a `matrix`.
-NodeMotion node_motion(const Json& node, const std::string& place);
+NodeMotion node_motion(const Json& node, const String& place);
 
 // Of any node, to its parent.
-Transform local_transform(const Json& node, const std::string& place);
+Transform local_transform(const Json& node, const String& place);
 
 // A member that lists nodes; empty where it is absent.
-std::vector<uint64_t> read_node_list(const Json& object, const char* key, const std::string& place);
+Vector<uint64_t> read_node_list(const Json& object, const char* key, const String& place);
 
 // Of the scene to be shown; without scenes, all nodes that are no other's child.
-std::vector<uint64_t> root_nodes(const GltfDocument& document);
+Vector<uint64_t> root_nodes(const GltfDocument& document);
 
 constexpr uint64_t gltf_lines = 1;
 constexpr uint64_t gltf_line_loop = 2;
@@ -57,7 +56,7 @@ struct GltfPrimitive {
     uint64_t placement;  // counts the nodes with meshes in the order they are shown
     uint64_t mode;
     const Transform& transform;
-    std::string place;
+    String place;
 };
 
 // Calls `visit` for every primitive, in the order of the nodes, placed relative to the origin; without nodes for those
@@ -91,7 +90,7 @@ std::optional<GltfValues> read_attribute(const GltfDocument& document, const Glt
 std::optional<GltfValues> read_index_values(const GltfDocument& document, const GltfPrimitive& primitive);
 
 // All indices, below `vertex_count`.
-std::vector<uint32_t> read_indices(const std::optional<GltfValues>& values, uint64_t vertex_count);
+Vector<uint32_t> read_indices(const std::optional<GltfValues>& values, uint64_t vertex_count);
 
 // Refuses a value that a vertex gives.
 [[noreturn]] void refuse_value(const GltfValues& values, uint32_t vertex, float value);

@@ -13,8 +13,8 @@ namespace flg::io {
 
 GltfNodes::GltfNodes(const GltfDocument& document)
     : document_(document), parents_(document.size("nodes"), no_node), shown_(parents_.size()) {
-    std::vector<size_t> first_child(size() + 1);
-    std::vector<uint64_t> children;
+    Vector<size_t> first_child(size() + 1);
+    Vector<uint64_t> children;
     for (uint64_t i = 0; i < size(); ++i) {
         for (const uint64_t child : read_node_list(json(i), "children", place(i))) {
             document.element("nodes", child, place(i) + ".children");
@@ -36,7 +36,7 @@ GltfNodes::GltfNodes(const GltfDocument& document)
         for (size_t c = first_child[order_[at]]; c < first_child[order_[at] + 1]; ++c) order_.push_back(children[c]);
     }
     if (order_.size() < size()) {
-        std::vector<bool> is_reached(size());
+        Vector<bool> is_reached(size());
         for (const uint64_t node : order_) is_reached[node] = true;
         uint64_t node = 0;
         while (is_reached[node]) ++node;
@@ -57,10 +57,10 @@ const Json& GltfNodes::json(uint64_t node) const {
 
 namespace {
 
-std::string joint_name(const Json& node, size_t joint) {
-    const auto name = node.find("name");
-    if (name != node.end() && name->is_string()) return name->get<std::string>();
-    return "joint " + std::to_string(joint);
+String joint_name(const Json& node, size_t joint) {
+    const Json* const name = node.find("name");
+    if (name && name->is_string()) return String(name->string());
+    return "joint " + to_text(joint);
 }
 
 }  // namespace
@@ -85,22 +85,22 @@ Transform inverse(const Transform& t) {
 }
 
 GltfSkeleton::GltfSkeleton(const GltfDocument& document, const GltfNodes& nodes, uint64_t skin) : nodes_(nodes) {
-    const std::string place = "skins[" + std::to_string(skin) + "]";
+    const String place = "skins[" + to_text(skin) + "]";
     const Json& json = document.element("skins", skin, place);
     read_joints(document, place, json);
     read_bind_matrices(document, place, json);
 }
 
-void GltfSkeleton::read_joints(const GltfDocument& document, const std::string& place, const Json& json) {
-    const std::vector<uint64_t> listed = read_node_list(json, "joints", place);
+void GltfSkeleton::read_joints(const GltfDocument& document, const String& place, const Json& json) {
+    const Vector<uint64_t> listed = read_node_list(json, "joints", place);
     if (listed.empty()) fail(FLG_ERROR_FORMAT, place, "has no joints");
     if (listed.size() > most_joints) {
         fail(FLG_ERROR_LIMIT, place, "has %zu joints, more than the limit of %u", listed.size(), most_joints);
     }
     constexpr uint32_t none = 0xffffffffu;
-    std::vector<uint32_t> joint_of(nodes_.size(), none);  // of nodes: the file's number, later ours
+    Vector<uint32_t> joint_of(nodes_.size(), none);  // of nodes: the file's number, later ours
     for (size_t j = 0; j < listed.size(); ++j) {
-        const std::string here = place + ".joints[" + std::to_string(j) + "]";
+        const String here = place + ".joints[" + to_text(j) + "]";
         document.element("nodes", listed[j], here);
         if (joint_of[listed[j]] != none)
             fail(FLG_ERROR_FORMAT, here, "is nodes[%llu], as joint %u is", static_cast<unsigned long long>(listed[j]),
@@ -108,8 +108,8 @@ void GltfSkeleton::read_joints(const GltfDocument& document, const std::string& 
         joint_of[listed[j]] = static_cast<uint32_t>(j);
     }
     // Of each node: the nearest joint above or at it, as a node.
-    std::vector<uint64_t> nearest(nodes_.size(), no_node);
-    std::vector<uint64_t> by_depth;
+    Vector<uint64_t> nearest(nodes_.size(), no_node);
+    Vector<uint64_t> by_depth;
     bool in_order = true;
     for (const uint64_t node : nodes_.order()) {
         const uint64_t above = nodes_.parent(node) == no_node ? no_node : nearest[nodes_.parent(node)];
@@ -119,7 +119,7 @@ void GltfSkeleton::read_joints(const GltfDocument& document, const std::string& 
         by_depth.push_back(node);
         nearest[node] = node;
     }
-    const std::vector<uint64_t>& ours = in_order ? listed : by_depth;
+    const Vector<uint64_t>& ours = in_order ? listed : by_depth;
     order_.resize(listed.size());
     for (size_t j = 0; j < ours.size(); ++j) order_[joint_of[ours[j]]] = static_cast<uint16_t>(j);
     for (size_t j = 0; j < ours.size(); ++j) {
@@ -128,8 +128,8 @@ void GltfSkeleton::read_joints(const GltfDocument& document, const std::string& 
     }
 }
 
-void GltfSkeleton::read_bind_matrices(const GltfDocument& document, const std::string& place, const Json& json) {
-    std::vector<uint64_t> above;
+void GltfSkeleton::read_bind_matrices(const GltfDocument& document, const String& place, const Json& json) {
+    Vector<uint64_t> above;
     for (uint64_t node = nodes_.parent(joints_[0].node); node != no_node; node = nodes_.parent(node))
         above.push_back(node);
     for (size_t i = above.size(); i-- > 0;) {
@@ -140,9 +140,9 @@ void GltfSkeleton::read_bind_matrices(const GltfDocument& document, const std::s
     }
     const Transform unplaced = inverse(placement_);
 
-    std::vector<Transform> bind(joints_.size(), identity_transform);
-    if (json.contains("inverseBindMatrices")) {
-        const std::string here = place + ".inverseBindMatrices";
+    Vector<Transform> bind(joints_.size(), identity_transform);
+    if (json.find("inverseBindMatrices")) {
+        const String here = place + ".inverseBindMatrices";
         const GltfValues values = document.matrices(gltf_required(json, "inverseBindMatrices", place), here);
         if (values.count < joints_.size()) {
             fail(FLG_ERROR_FORMAT, values.place + ".count", "is %llu, but there are %zu joints",

@@ -7,8 +7,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "io/base/memory.h"
 #include "io/base/skin_data.h"
 #include "io/gltf/gltf_scene.h"
 
@@ -24,16 +24,16 @@ public:
     size_t size() const { return parents_.size(); }
     uint64_t parent(uint64_t node) const { return parents_[node]; }
     // All of them, parents first.
-    const std::vector<uint64_t>& order() const { return order_; }
+    const Vector<uint64_t>& order() const { return order_; }
     // Whether the scene shows a node.
     bool is_shown(uint64_t node) const { return shown_[node]; }
     const Json& json(uint64_t node) const;
-    static std::string place(uint64_t node) { return "nodes[" + std::to_string(node) + "]"; }
+    static String place(uint64_t node) { return "nodes[" + to_text(node) + "]"; }
 
 private:
     const GltfDocument& document_;
-    std::vector<uint64_t> parents_, order_;
-    std::vector<bool> shown_;
+    Vector<uint64_t> parents_, order_;
+    Vector<bool> shown_;
 };
 
 struct GltfJoint {
@@ -47,22 +47,22 @@ public:
     // Refuses what is no skin, and joints that are scaled at rest.
     GltfSkeleton(const GltfDocument& document, const GltfNodes& nodes, uint64_t skin);
 
-    const std::vector<GltfJoint>& joints() const { return joints_; }
+    const Vector<GltfJoint>& joints() const { return joints_; }
     // Of the file's numbers of joints: ours.
-    const std::vector<uint16_t>& order() const { return order_; }
+    const Vector<uint16_t>& order() const { return order_; }
     // A.
     const Transform& placement() const { return placement_; }
     void store(SkinData& data) const;
 
 private:
-    void read_joints(const GltfDocument& document, const std::string& place, const Json& json);
-    void read_bind_matrices(const GltfDocument& document, const std::string& place, const Json& json);
+    void read_joints(const GltfDocument& document, const String& place, const Json& json);
+    void read_bind_matrices(const GltfDocument& document, const String& place, const Json& json);
 
     const GltfNodes& nodes_;
     Transform placement_ = identity_transform;
-    std::vector<GltfJoint> joints_;
-    std::vector<uint16_t> order_;
-    std::vector<double> positions_;  // 3 a joint, placed
+    Vector<GltfJoint> joints_;
+    Vector<uint16_t> order_;
+    Vector<double> positions_;  // 3 a joint, placed
 };
 
 // The inverse of an affine map, which must have one.

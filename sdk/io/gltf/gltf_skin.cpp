@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "io/base/json_text.h"
 #include "io/base/vec3.h"
@@ -32,14 +31,14 @@ constexpr uint64_t no_material = UINT64_MAX;
 
 class GltfSkinReader {
 public:
-    explicit GltfSkinReader(const std::filesystem::path& path) : document_(path), nodes_(document_) {}
+    explicit GltfSkinReader(const Path& path) : document_(path), nodes_(document_) {}
 
     std::optional<SkinData> read() {
         std::optional<uint64_t> skin;
         Tally others;
         for (uint64_t node = 0; node < nodes_.size(); ++node) {
             const Json& json = nodes_.json(node);
-            if (!nodes_.is_shown(node) || !json.contains("mesh")) continue;
+            if (!nodes_.is_shown(node) || !json.find("mesh")) continue;
             const uint64_t own = gltf_unsigned(json, "skin", no_node, GltfNodes::place(node));
             if (!skin && own != no_node) skin = own;
             if (own == no_node || own != skin.value_or(no_node)) {
@@ -64,14 +63,14 @@ public:
 
 private:
     void read_mesh(uint64_t node) {
-        const std::string referrer = GltfNodes::place(node) + ".mesh";
+        const String referrer = GltfNodes::place(node) + ".mesh";
         const uint64_t index = gltf_required(nodes_.json(node), "mesh", GltfNodes::place(node));
         const Json& mesh = document_.element("meshes", index, referrer);
-        const std::string place = "meshes[" + std::to_string(index) + "]";
+        const String place = "meshes[" + to_text(index) + "]";
         const Json* primitives = gltf_array(mesh, "primitives", place);
         for (size_t i = 0; primitives && i < primitives->size(); ++i) {
             const Json& primitive = (*primitives)[i];
-            const std::string here = place + ".primitives[" + std::to_string(i) + "]";
+            const String here = place + ".primitives[" + to_text(i) + "]";
             if (!primitive.is_object()) fail(FLG_ERROR_FORMAT, here, "is no object");
             const uint64_t mode = gltf_unsigned(primitive, "mode", gltf_triangles, here);
             if (mode > gltf_triangle_fan)
@@ -90,13 +89,13 @@ private:
         const uint64_t count = vertices.positions.count;
         const std::optional<GltfValues> index_values = read_index_values(document_, primitive);
         check_room(count, index_values ? index_values->count : count, primitive.place);
-        const std::vector<uint32_t> indices = read_indices(index_values, count);
+        const Vector<uint32_t> indices = read_indices(index_values, count);
         // Primitives that follow each other and have the same attributes share their vertices.
-        const Json& attributes = primitive.json["attributes"];
+        const Json& attributes = *primitive.json.find("attributes");
         const bool is_new =
-            data_.positions.empty() || primitive.placement != last_node_ || attributes != last_attributes_;
+            data_.positions.empty() || primitive.placement != last_node_ || !(attributes == *last_attributes_);
         last_node_ = primitive.placement;
-        last_attributes_ = attributes;
+        last_attributes_ = &attributes;
         const uint64_t material = gltf_unsigned(primitive.json, "material", no_material, primitive.place);
         const uint32_t next = static_cast<uint32_t>(part_of_material_.size());
         const auto [found, is_first] = part_of_material_.try_emplace(material, next);
@@ -109,7 +108,7 @@ private:
         });
     }
 
-    void check_room(uint64_t more_vertices, uint64_t more_triangles, const std::string& place) const {
+    void check_room(uint64_t more_vertices, uint64_t more_triangles, const String& place) const {
         constexpr uint64_t vertex_bytes = 2 * 3 * sizeof(float) + 4 * (sizeof(float) + sizeof(uint16_t)) + 4;
         const uint64_t vertices = data_.vertex_count() + more_vertices;
         const uint64_t triangles = data_.triangle_count() + more_triangles;
@@ -226,10 +225,10 @@ private:
 
     // Where there are none, those of the triangles around by area; an axis where there are no triangles either.
     void make_normals() {
-        const auto at = [](const std::vector<float>& values, size_t v) {
+        const auto at = [](const Vector<float>& values, size_t v) {
             return Vec3{values[3 * v], values[3 * v + 1], values[3 * v + 2]};
         };
-        std::vector<Vec3> sums;
+        Vector<Vec3> sums;
         for (size_t v = 0; v < data_.vertex_count(); ++v) {
             if (length(at(data_.normals, v)) > 0) continue;
             if (sums.empty()) sums = triangle_normals();
@@ -240,8 +239,8 @@ private:
         }
     }
 
-    std::vector<Vec3> triangle_normals() const {
-        std::vector<Vec3> sums(data_.vertex_count());
+    Vector<Vec3> triangle_normals() const {
+        Vector<Vec3> sums(data_.vertex_count());
         const auto at = [&](uint32_t v) {
             return Vec3{data_.positions[3 * v], data_.positions[3 * v + 1], data_.positions[3 * v + 2]};
         };
@@ -272,7 +271,7 @@ private:
         double square = 0;
         for (size_t k = 0; k < 3; ++k) {
             float low = data_.positions[k], high = low;
-            for (const std::vector<float>* points : {&data_.positions, &data_.joint_positions}) {
+            for (const Vector<float>* points : {&data_.positions, &data_.joint_positions}) {
                 for (size_t i = k; i < points->size(); i += 3) {
                     low = std::min(low, (*points)[i]);
                     high = std::max(high, (*points)[i]);
@@ -286,20 +285,20 @@ private:
     GltfDocument document_;
     GltfNodes nodes_;
     std::optional<GltfSkeleton> skeleton_;
-    std::vector<uint64_t> shown_;
+    Vector<uint64_t> shown_;
     SkinData data_;
     uint64_t last_node_ = no_node;
-    Json last_attributes_;
+    const Json* last_attributes_ = nullptr;
     uint32_t first_vertex_ = 0;
     bool all_have_parts_ = true;
-    std::map<uint64_t, uint32_t> part_of_material_;
-    std::vector<GltfMaterial> materials_;
+    Map<uint64_t, uint32_t> part_of_material_;
+    Vector<GltfMaterial> materials_;
     Tally lines_, more_joints_;
 };
 
 }  // namespace
 
-std::optional<SkinData> read_gltf_skin(const std::filesystem::path& path) {
+std::optional<SkinData> read_gltf_skin(const Path& path) {
     return GltfSkinReader(path).read();
 }
 
@@ -308,17 +307,17 @@ namespace {
 constexpr double off_by = 1e-6;  // nearer to 1 than this: as good as floats are
 constexpr size_t first_joint_node = 2;
 
-std::string number(size_t value) {
-    return std::to_string(value);
+String number(size_t value) {
+    return to_text(value);
 }
 
-void add_item(std::string& list, const std::string& item) {
+void add_item(String& list, const String& item) {
     if (!list.empty()) list += ',';
     list += item;
 }
 
 template <size_t N>
-void append_unit(const float* values, std::vector<float>& to) {
+void append_unit(const float* values, Vector<float>& to) {
     double square = 0;
     for (size_t k = 0; k < N; ++k) square += double{values[k]} * values[k];
     const double size = std::sqrt(square);
@@ -330,36 +329,36 @@ class SkinWriter {
 public:
     explicit SkinWriter(const CheckedSkin& checked) : checked_(checked), skin_(checked.skin()) {}
 
-    std::string write() {
-        const std::string attributes = add_vertices();
+    String write() {
+        const String attributes = add_vertices();
         add_primitives(attributes);
         for (const FlgSkinAnimation& animation : checked_.animations()) add_animation(animation);
-        std::string joints, roots, nodes;
-        std::vector<std::string> children(checked_.joint_count());
+        String joints, roots, nodes;
+        Vector<String> children(checked_.joint_count());
         for (size_t j = 0; j < checked_.joint_count(); ++j) {
             const uint32_t parent = skin_.joint_parents[j];
             add_item(joints, number(first_joint_node + j));
             add_item(parent == FLG_NO_INDEX ? roots : children[parent], number(first_joint_node + j));
         }
-        const std::string name = checked_.name();
+        const String name = checked_.name();
         add_item(nodes, "{\"name\":" + json_text(name) + ",\"mesh\":0,\"skin\":0}");
         add_item(nodes, "{\"name\":" + json_text(name + " skeleton") + json_translation(checked_.origin()) +
                             ",\"children\":[" + roots + "]}");
         for (size_t j = 0; j < checked_.joint_count(); ++j) add_item(nodes, joint_node(j, children[j]));
-        std::string top = "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[" + nodes +
-                          "],\"skins\":[{\"name\":" + json_text(name) +
-                          ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
-                          joints + "]}],\"materials\":[" + materials_ + "],";
+        String top = "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[" + nodes +
+                     "],\"skins\":[{\"name\":" + json_text(name) +
+                     ",\"inverseBindMatrices\":" + number(add_bind_matrices()) + ",\"skeleton\":1,\"joints\":[" +
+                     joints + "]}],\"materials\":[" + materials_ + "],";
         if (!animations_.empty()) top += "\"animations\":[" + animations_ + "],";
         return glb_.finish_scene(top, name);
     }
 
 private:
-    std::string add_vertices() {
+    String add_vertices() {
         const size_t count = checked_.vertex_count();
         const std::span<const float> positions(skin_.positions, 3 * count);
-        std::vector<float> normals, weights, parts;
-        std::vector<uint16_t> joints;
+        Vector<float> normals, weights, parts;
+        Vector<uint16_t> joints;
         for (size_t v = 0; v < count; ++v) {
             const float* n = skin_.normals + 3 * v;
             const float axis[] = {0, 0, 1};
@@ -367,11 +366,10 @@ private:
             append_binding(v, joints, weights);
             parts.push_back(static_cast<float>(checked_.part(v)));
         }
-        std::string attributes =
+        String attributes =
             "\"POSITION\":" + number(glb_.add_positions(glb_.add_view(positions, 3), positions, 0, count));
         const auto add = [&](const char* name, size_t view, uint32_t component, const char* type) {
-            attributes +=
-                ",\"" + std::string(name) + "\":" + number(glb_.add_accessor(view, 0, count, component, type));
+            attributes += ",\"" + String(name) + "\":" + number(glb_.add_accessor(view, 0, count, component, type));
         };
         add("NORMAL", glb_.add_view(normals, 3), glb_float, "VEC3");
         add("JOINTS_0", glb_.add_view(std::span<const uint16_t>(joints)), glb_unsigned_short, "VEC4");
@@ -381,7 +379,7 @@ private:
     }
 
     // What has no weight is joint 0; the largest weight takes up what the sum is off.
-    void append_binding(size_t vertex, std::vector<uint16_t>& joints, std::vector<float>& weights) const {
+    void append_binding(size_t vertex, Vector<uint16_t>& joints, Vector<float>& weights) const {
         const uint16_t* from_joints = skin_.vertex_joints + joints_a_vertex * vertex;
         const float* from = skin_.vertex_weights + joints_a_vertex * vertex;
         double sum = 0;
@@ -406,11 +404,11 @@ private:
         return b == checked_.part(c[2]) ? b : a;
     }
 
-    void add_primitives(const std::string& attributes) {
+    void add_primitives(const String& attributes) {
         const size_t material_count = checked_.materials().size();
-        std::map<uint32_t, std::vector<uint32_t>> indices;  // by part
+        Map<uint32_t, Vector<uint32_t>> indices;  // by part
         for (size_t t = 0; t < skin_.triangle_count; ++t) {
-            std::vector<uint32_t>& list = indices[material_count > 1 ? part_of_triangle(t) : 0];
+            Vector<uint32_t>& list = indices[material_count > 1 ? part_of_triangle(t) : 0];
             list.insert(list.end(), skin_.triangles + 3 * t, skin_.triangles + 3 * t + 3);
         }
         for (const auto& [part, list] : indices) {
@@ -425,7 +423,7 @@ private:
     }
 
     size_t add_bind_matrices() {
-        std::vector<float> matrices;
+        Vector<float> matrices;
         for (size_t j = 0; j < checked_.joint_count(); ++j) {
             const float* p = skin_.joint_positions + 3 * j;
             matrices.insert(matrices.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0 - p[0], 0 - p[1], 0 - p[2], 1});
@@ -442,12 +440,11 @@ private:
         return at - Vec3{q[0], q[1], q[2]};
     }
 
-    std::string joint_node(size_t joint, const std::string& children) const {
-        const std::string name = skin_.joint_names ? skin_.joint_names[joint] : "joint " + number(joint);
+    String joint_node(size_t joint, const String& children) const {
+        const String name = skin_.joint_names ? skin_.joint_names[joint] : "joint " + number(joint);
         const Vec3 t = from_parent(joint);
-        std::string json = "{\"name\":" + json_text(name) + ",\"translation\":[" +
-                           json_number(static_cast<float>(t.x)) + "," + json_number(static_cast<float>(t.y)) + "," +
-                           json_number(static_cast<float>(t.z)) + "]";
+        String json = "{\"name\":" + json_text(name) + ",\"translation\":[" + json_number(static_cast<float>(t.x)) +
+                      "," + json_number(static_cast<float>(t.y)) + "," + json_number(static_cast<float>(t.z)) + "]";
         if (!children.empty()) json += ",\"children\":[" + children + "]";
         return json + "}";
     }
@@ -455,15 +452,15 @@ private:
     void add_animation(const FlgSkinAnimation& animation) {
         const size_t keys = animation.key_count, joint_count = checked_.joint_count();
         const size_t times = glb_.add_times({animation.times, keys});
-        std::string channels, samplers;
+        String channels, samplers;
         size_t sampler_count = 0;
-        const auto add = [&](size_t joint, const char* path, const std::vector<float>& values, const char* type) {
+        const auto add = [&](size_t joint, const char* path, const Vector<float>& values, const char* type) {
             const size_t output = glb_.add_accessor(glb_.add_plain_view(values), 0, keys, glb_float, type);
             add_item(samplers, "{\"input\":" + number(times) + ",\"output\":" + number(output) + "}");
             add_item(channels, "{\"sampler\":" + number(sampler_count++) + ",\"target\":{\"node\":" +
                                    number(first_joint_node + joint) + ",\"path\":\"" + path + "\"}}");
         };
-        std::vector<float> values;
+        Vector<float> values;
         for (size_t j = 0; j < joint_count; ++j) {
             values.clear();
             bool turns = j == 0;  // an animation needs a channel
@@ -485,7 +482,7 @@ private:
             }
             add(j, "translation", values, "VEC3");
         }
-        const std::string name = animation.name ? animation.name : "animation";
+        const String name = animation.name ? animation.name : "animation";
         add_item(animations_,
                  "{\"name\":" + json_text(name) + ",\"channels\":[" + channels + "],\"samplers\":[" + samplers + "]}");
     }
@@ -493,12 +490,12 @@ private:
     const CheckedSkin& checked_;
     const FlgSkinView& skin_;
     GlbBuilder glb_;
-    std::string materials_, animations_;
+    String materials_, animations_;
 };
 
 }  // namespace
 
-std::string write_glb_skin(const CheckedSkin& skin) {
+String write_glb_skin(const CheckedSkin& skin) {
     return SkinWriter(skin).write();
 }
 

@@ -2,18 +2,18 @@
 // Skinned meshes in glTF 2.0 files: read from .gltf and .glb, written to .glb.
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <string>
 
 #include "io/base/checked_views.h"
+#include "io/base/files.h"
+#include "io/base/memory.h"
 #include "io/base/skin_data.h"
 
 namespace flg::io {
 
 // None: the scene shows no skin.
-std::optional<SkinData> read_gltf_skin(const std::filesystem::path& path);
+std::optional<SkinData> read_gltf_skin(const Path& path);
 
-std::string write_glb_skin(const CheckedSkin& skin);
+String write_glb_skin(const CheckedSkin& skin);
 
 }  // namespace flg::io

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "io/base/memory.h"
 #include "io/gltf/gltf_scene.h"
 
 namespace flg::io {
@@ -12,7 +12,7 @@ namespace flg::io {
 // Calls add(a, b, c) for each triangle of TRIANGLES, TRIANGLE_STRIP or TRIANGLE_FAN. Strips and fans lose those that
 // name a vertex twice: they only lead on.
 template <class Add>
-void visit_triangles(uint64_t mode, const std::vector<uint32_t>& indices, Add add) {
+void visit_triangles(uint64_t mode, const Vector<uint32_t>& indices, Add add) {
     if (mode == gltf_triangles) {
         for (size_t i = 2; i < indices.size(); i += 3) add(indices[i - 2], indices[i - 1], indices[i]);
         return;

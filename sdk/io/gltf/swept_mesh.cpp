@@ -40,8 +40,8 @@ brush::Curve curve_of(const CheckedView& view, uint32_t c, float default_radius)
 
 // All sections of a curve, with the points that they stand at.
 struct Sections {
-    std::vector<brush::Section> list;
-    std::vector<brush::Point> points;
+    Vector<brush::Section> list;
+    Vector<brush::Point> points;
 
     Sections(const brush::Curve& curve, const brush::Style& style) {
         points.reserve(size_t{curve.count} + 1);  // sections point to them
@@ -74,14 +74,14 @@ constexpr double color_tolerance = 0.01;
 
 class Reducer {
 public:
-    Reducer(const std::vector<brush::Section>& sections, double tolerance)
+    Reducer(const Vector<brush::Section>& sections, double tolerance)
         : sections_(sections), tolerance_(tolerance), kept_(sections.size()) {}
 
     void keep(size_t i) { kept_[i] = true; }
 
     // Frames from `first` to `last`, both kept.
     void reduce(size_t first, size_t last) {
-        std::vector<std::pair<size_t, size_t>> spans = {{first, last}};
+        Vector<std::pair<size_t, size_t>> spans = {{first, last}};
         while (!spans.empty()) {
             const auto [begin, end] = spans.back();
             spans.pop_back();
@@ -100,8 +100,8 @@ public:
         }
     }
 
-    std::vector<size_t> kept() const {
-        std::vector<size_t> list;
+    Vector<size_t> kept() const {
+        Vector<size_t> list;
         for (size_t i = 0; i < kept_.size(); ++i) {
             if (kept_[i]) list.push_back(i);
         }
@@ -133,17 +133,17 @@ private:
         return error;
     }
 
-    const std::vector<brush::Section>& sections_;
+    const Vector<brush::Section>& sections_;
     double tolerance_;
-    std::vector<bool> kept_;
+    Vector<bool> kept_;
 };
 
 // The sections to keep, in order, the first and the last among them: in between, straight lines from one kept cross
 // section to the next are nowhere farther than `tolerance` from those left out. 0 keeps all.
-std::vector<size_t> needed_samples(const std::vector<brush::Section>& sections, bool closed, double tolerance) {
+Vector<size_t> needed_samples(const Vector<brush::Section>& sections, bool closed, double tolerance) {
     const size_t last = sections.size() - 1;
     if (!(tolerance > 0)) {
-        std::vector<size_t> all(sections.size());
+        Vector<size_t> all(sections.size());
         std::iota(all.begin(), all.end(), size_t{0});
         return all;
     }
@@ -169,7 +169,7 @@ class Sweeper {
 public:
     Sweeper(const CheckedView& view, const FlgCurveFileWriteDesc& desc) : view_(view), desc_(desc) {}
 
-    std::vector<SweptPiece> sweep() {
+    Vector<SweptPiece> sweep() {
         for (uint32_t c = 0; c < view_.curve_count(); ++c) add_curve(c);
         return std::move(pieces_);
     }
@@ -190,7 +190,7 @@ private:
         }
         const Sections sections(curve, style);
         if (sections.list.empty()) return;
-        const std::vector<size_t> kept = needed_samples(sections.list, curve.closed, tolerance);
+        const Vector<size_t> kept = needed_samples(sections.list, curve.closed, tolerance);
         const brush::Counts counts =
             brush::counts_of(style, kept.size(), curve.closed, false, sections.list.front().point->radius,
                              sections.list.back().point->radius);
@@ -219,7 +219,7 @@ private:
         SweptPiece& piece = pieces_[number];
         brush::Output output;
         output.first_index_value = static_cast<uint32_t>(piece.vertex_count());
-        const auto add_column = [&](FlgVertexAttribute attribute, std::vector<float>& values, uint32_t components) {
+        const auto add_column = [&](FlgVertexAttribute attribute, Vector<float>& values, uint32_t components) {
             const size_t before = values.size();
             values.resize(before + components * counts.vertices);
             const auto stride = static_cast<uint32_t>(components * sizeof(float));
@@ -236,13 +236,13 @@ private:
 
     const CheckedView& view_;
     const FlgCurveFileWriteDesc& desc_;
-    std::vector<SweptPiece> pieces_;
+    Vector<SweptPiece> pieces_;
     uint64_t vertex_total_ = 0;
 };
 
 }  // namespace
 
-std::vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
+Vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
     return Sweeper(view, desc).sweep();
 }
 

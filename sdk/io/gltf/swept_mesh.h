@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "filigree/filigree_io.h"
 #include "io/base/checked_views.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -14,15 +14,15 @@ namespace flg::io {
 // curve.
 struct SweptPiece {
     FlgCurveGeometry geometry;
-    std::vector<float> positions;
-    std::vector<float> normals;
-    std::vector<float> colors;  // empty without a COLOR column
-    std::vector<uint32_t> indices;
+    Vector<float> positions;
+    Vector<float> normals;
+    Vector<float> colors;  // empty without a COLOR column
+    Vector<uint32_t> indices;
 
     size_t vertex_count() const { return positions.size() / 3; }
 };
 
 // Each curve is a RIBBON or a TUBE: desc.geometries, else desc.geometry. Curves without length leave nothing.
-std::vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveFileWriteDesc& desc);
+Vector<SweptPiece> sweep(const CheckedView& view, const FlgCurveFileWriteDesc& desc);
 
 }  // namespace flg::io

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "io/base/failure.h"
 #include "io/base/limits.h"
@@ -79,7 +78,7 @@ struct SvgTag {
     enum class Kind { open, close, empty };
     Kind kind;
     std::string_view name;  // without its namespace
-    std::vector<std::pair<std::string_view, std::string_view>> attributes;
+    Vector<std::pair<std::string_view, std::string_view>> attributes;
     uint64_t line;  // it begins on
 
     // "" if there is none.
@@ -201,7 +200,7 @@ struct SvgTransform {
 };
 
 struct SvgOutline {
-    std::vector<SvgPoint> points;
+    Vector<SvgPoint> points;
     bool closed = false;
 };
 
@@ -282,7 +281,7 @@ public:
         end(true);
         at_ = start_;
     }
-    std::vector<SvgOutline> take() {
+    Vector<SvgOutline> take() {
         end(false);
         return std::move(outlines_);
     }
@@ -293,7 +292,7 @@ private:
         outline_.points.push_back(point);
     }
     void end(bool closed) {
-        std::vector<SvgPoint>& points = outline_.points;
+        Vector<SvgPoint>& points = outline_.points;
         const auto same = [](const SvgPoint& a, const SvgPoint& b) { return a.x == b.x && a.y == b.y; };
         while (closed && points.size() > 1 && same(points.front(), points.back())) points.pop_back();
         outline_.closed = closed;
@@ -305,14 +304,14 @@ private:
     size_t count_ = 0;
     SvgPoint at_, start_;
     SvgOutline outline_;
-    std::vector<SvgOutline> outlines_;
+    Vector<SvgOutline> outlines_;
 };
 
 class PathReader {
 public:
     PathReader(std::string_view data, uint64_t line) : numbers_(data, line), pen_(line) {}
 
-    std::vector<SvgOutline> read() {
+    Vector<SvgOutline> read() {
         char command = 0;
         while (numbers_.more()) {
             if (!numbers_.at_number()) {
@@ -407,7 +406,7 @@ double length_of(const SvgTag& tag, std::string_view name) {
     return value;
 }
 
-std::vector<SvgOutline> read_points(const SvgTag& tag, bool closed) {
+Vector<SvgOutline> read_points(const SvgTag& tag, bool closed) {
     SvgNumbers numbers(tag.attribute("points"), tag.line);
     Pen pen(tag.line);
     for (bool first = true; numbers.more(); first = false) {
@@ -420,7 +419,7 @@ std::vector<SvgOutline> read_points(const SvgTag& tag, bool closed) {
     return pen.take();
 }
 
-std::vector<SvgOutline> ellipse(const SvgTag& tag, double rx, double ry) {
+Vector<SvgOutline> ellipse(const SvgTag& tag, double rx, double ry) {
     const double x = length_of(tag, "cx"), y = length_of(tag, "cy");
     Pen pen(tag.line);
     if (rx <= 0 || ry <= 0) return {};
@@ -431,7 +430,7 @@ std::vector<SvgOutline> ellipse(const SvgTag& tag, double rx, double ry) {
     return pen.take();
 }
 
-std::vector<SvgOutline> rectangle(const SvgTag& tag) {
+Vector<SvgOutline> rectangle(const SvgTag& tag) {
     const double x = length_of(tag, "x"), y = length_of(tag, "y");
     const double width = length_of(tag, "width"), height = length_of(tag, "height");
     if (width <= 0 || height <= 0) return {};
@@ -500,7 +499,7 @@ SvgTransform read_transform(std::string_view text, uint64_t line) {
 
 // The outlines of a path, polygon, polyline, line, rect, circle or ellipse, not yet transformed; none of other
 // elements. Fails with FLG_ERROR_LIMIT beyond 2^24 points.
-std::vector<SvgOutline> read_outlines(const SvgTag& tag) {
+Vector<SvgOutline> read_outlines(const SvgTag& tag) {
     if (tag.name == "path") return PathReader(tag.attribute("d"), tag.line).read();
     if (tag.name == "polygon") return read_points(tag, true);
     if (tag.name == "polyline") return read_points(tag, false);
@@ -585,7 +584,7 @@ private:
     }
 
     // Drawings have y downwards.
-    void add(const std::vector<SvgOutline>& outlines, const Level& level) {
+    void add(const Vector<SvgOutline>& outlines, const Level& level) {
         for (const SvgOutline& outline : outlines) {
             for (const SvgPoint& point : outline.points) {
                 const SvgPoint p = level.transform(point);
@@ -602,7 +601,7 @@ private:
 
     SvgTags tags_;
     CurveData data_;
-    std::vector<Level> stack_;
+    Vector<Level> stack_;
     Tally left_out_;
     uint64_t elements_ = 0;
     bool is_drawing_ = false;

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/sized_struct.h"
+#include "io/base/json_text.h"
 
 namespace flg::io {
 
@@ -16,12 +17,14 @@ namespace {
 constexpr uint64_t any_count = UINT32_MAX;
 
 uint64_t read_hex(const JsonValue& value) {
-    const std::string text = value.text();
+    const String text = value.text();
     constexpr size_t digits = 16;
-    if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    if (text.size() != digits || text.find_first_not_of("0123456789abcdef") != String::npos) {
         value.refuse("must be 16 digits from 0 to f");
     }
-    return std::stoull(text, nullptr, 16);
+    uint64_t number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number, 16);
+    return number;
 }
 
 uint32_t read_count(const JsonValue& object, const char* key, uint32_t otherwise) {
@@ -46,7 +49,7 @@ SideFile read_side_file(const JsonValue& document) {
     if (document.at("filigree").text() != "tangle") document.at("filigree").refuse("must be 'tangle'");
     const uint64_t version = document.at("version").count(any_count);
     if (version != tangle_document_version) {
-        document.at("version").refuse("is " + std::to_string(version) + ", only 1 is known");
+        document.at("version").refuse("is " + to_text(version) + ", only 1 is known");
     }
     SideFile side;
     const std::optional<JsonValue> arrays = document.find("arrays");
@@ -54,7 +57,7 @@ SideFile read_side_file(const JsonValue& document) {
     arrays->allow({"file", "bytes", "checksum"});
     side.name = arrays->at("file").text();
     // Nothing but a file of this folder.
-    const bool plain = side.name.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
+    const bool plain = side.name.find_first_of(std::string_view("/\\\0", 3)) == String::npos;
     if (!plain || side.name.empty() || side.name == "." || side.name == "..") {
         arrays->at("file").refuse("is " + cited(side.name) + ", must be the name of a file beside this one");
     }
@@ -68,21 +71,21 @@ class TangleDocument::Arrays {
 public:
     explicit Arrays(Bytes bytes) : bytes_(bytes) {}
 
-    std::vector<uint32_t> integers(const JsonValue& value) {
-        std::vector<uint32_t> list;
+    Vector<uint32_t> integers(const JsonValue& value) {
+        Vector<uint32_t> list;
         read(value, 1, list,
              [](const JsonValue& number, uint64_t) { return static_cast<uint32_t>(number.count(any_count)); });
         return list;
     }
     // `words` a item.
-    std::vector<float> floats(const JsonValue& value, uint32_t words) {
-        std::vector<float> list;
+    Vector<float> floats(const JsonValue& value, uint32_t words) {
+        Vector<float> list;
         read(value, words, list, [](const JsonValue& number, uint64_t) { return number.number(); });
         for (const float number : list) check(value, number);
         return list;
     }
-    std::vector<FlgSurfacePoint> points(const JsonValue& value) {
-        std::vector<uint32_t> words;
+    Vector<FlgSurfacePoint> points(const JsonValue& value) {
+        Vector<uint32_t> words;
         read(value, 3, words, [](const JsonValue& number, uint64_t i) {
             if (i % 3 == 0) return static_cast<uint32_t>(number.count(any_count));
             const float weight = number.number();
@@ -90,7 +93,7 @@ public:
             std::memcpy(&word, &weight, sizeof word);
             return word;
         });
-        std::vector<FlgSurfacePoint> list(words.size() / 3);
+        Vector<FlgSurfacePoint> list(words.size() / 3);
         for (size_t i = 0; i < list.size(); ++i) {
             list[i].triangle = words[3 * i];
             std::memcpy(&list[i].u, &words[3 * i + 1], sizeof list[i].u);
@@ -111,21 +114,21 @@ private:
         if (!(std::abs(number) <= max_coordinate)) value.refuse("holds a number that is not finite");
     }
     template <class T, class Convert>
-    void read(const JsonValue& value, uint32_t words, std::vector<T>& list, Convert convert) {
+    void read(const JsonValue& value, uint32_t words, Vector<T>& list, Convert convert) {
         if (value.is_list()) {
-            if (value.size() % words != 0) value.refuse("must have " + std::to_string(words) + " numbers an item");
+            if (value.size() % words != 0) value.refuse("must have " + to_text(words) + " numbers an item");
             for (size_t i = 0; i < value.size(); ++i) list.push_back(convert(value[i], i));
             return;
         }
         value.allow({"at", "count"});
         // Each byte is read once: what is made of a file is no larger than the file.
         if (value.at("at").count(max_bytes) != at_) {
-            value.at("at").refuse("must be " + std::to_string(at_) + ": arrays follow one another");
+            value.at("at").refuse("must be " + to_text(at_) + ": arrays follow one another");
         }
         const uint64_t bytes = value.at("count").count(any_count) * words * sizeof(T);
         if (bytes > bytes_.size() - at_) {
-            value.refuse("takes " + std::to_string(bytes) + " bytes, the side file has " +
-                         std::to_string(bytes_.size() - at_) + " left");
+            value.refuse("takes " + to_text(bytes) + " bytes, the side file has " + to_text(bytes_.size() - at_) +
+                         " left");
         }
         list.resize(bytes / sizeof(T));
         if (bytes > 0) std::memcpy(list.data(), bytes_.data() + at_, bytes);
@@ -159,7 +162,7 @@ void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
                  "scaffold", "closed", "perturbation", "frequency", "seed",  "size",  "spacing", "amount",
                  "bias",     "gain",   "reach",        "group",     "first", "made",  "placed",  "places"});
     const JsonValue op = value.at("op");
-    std::vector<const char*> words(std::begin(operator_words), std::end(operator_words));
+    Vector<const char*> words(std::begin(operator_words), std::end(operator_words));
     words.insert(words.end(), std::begin(macro_words), std::end(macro_words));
     const size_t first_change = words.size();
     words.insert(words.end(), std::begin(change_words), std::end(change_words));
@@ -177,13 +180,13 @@ void TangleDocument::read_step(const JsonValue& value, Arrays& arrays) {
         step.group = static_cast<uint32_t>(value.at("group").count(any_count));
     } else {
         step.kind = word == first_change + group_word ? FLG_TANGLE_STEP_KIND_GROUP : FLG_TANGLE_STEP_KIND_JOIN;
-        const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+        const Vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
         step.regions = regions.data();
         step.region_count = static_cast<uint32_t>(regions.size());
     }
     step.first_region = read_count(value, "first", 0);
     if (const auto made = value.find("made")) {
-        const std::vector<float>& places = floats_.emplace_back(arrays.floats(*made, 3));
+        const Vector<float>& places = floats_.emplace_back(arrays.floats(*made, 3));
         step.made = places.data();
         step.made_count = static_cast<uint32_t>(places.size() / 3);
     }
@@ -199,7 +202,7 @@ const FlgTangleSeeds* TangleDocument::read_seeds(const JsonValue& value, Arrays&
         seeds.borders = static_cast<FlgTangleBorders>(borders->word(border_words));
     }
     if (const auto list = value.find("stretches")) {
-        std::vector<FlgBorderStretch>& stretches = stretches_.emplace_back();
+        Vector<FlgBorderStretch>& stretches = stretches_.emplace_back();
         for (size_t i = 0; i < list->size(); ++i) {
             const JsonValue stretch = (*list)[i];
             stretch.allow({"loop", "begin", "end"});
@@ -210,7 +213,7 @@ const FlgTangleSeeds* TangleDocument::read_seeds(const JsonValue& value, Arrays&
         seeds.stretch_count = static_cast<uint32_t>(stretches.size());
     }
     if (const auto list = value.find("points")) {
-        const std::vector<FlgSurfacePoint>& points = points_.emplace_back(arrays.points(*list));
+        const Vector<FlgSurfacePoint>& points = points_.emplace_back(arrays.points(*list));
         seeds.points = points.data();
         seeds.point_count = static_cast<uint32_t>(points.size());
     }
@@ -221,7 +224,7 @@ const FlgTangleSeeds* TangleDocument::read_seeds(const JsonValue& value, Arrays&
     }
     seeds.border_spacing = read_number(value, "spacing", 0);
     if (const auto of = value.find("of")) {
-        const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(*of));
+        const Vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(*of));
         seeds.regions = regions.data();
         seeds.region_count = static_cast<uint32_t>(regions.size());
     }
@@ -232,7 +235,7 @@ void TangleDocument::read_divide(const JsonValue& value, FlgTangleOperator kind,
     FlgTangleDivideDesc desc{};
     desc.struct_size = sizeof desc;
     desc.kind = kind;
-    const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+    const Vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
     desc.a = read_seeds(value.at("from"), arrays);
@@ -256,7 +259,7 @@ void TangleDocument::read_macro(const JsonValue& value, FlgTangleMacro kind, Arr
     FlgTangleApplyMacroDesc desc{};
     desc.struct_size = sizeof desc;
     desc.kind = kind;
-    const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+    const Vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
     desc.count = static_cast<uint32_t>(value.at("count").count(any_count));
@@ -270,7 +273,7 @@ void TangleDocument::read_macro(const JsonValue& value, FlgTangleMacro kind, Arr
 void TangleDocument::read_displace(const JsonValue& value, Arrays& arrays, FlgTangleStep& step) {
     FlgTangleDisplaceDesc desc{};
     desc.struct_size = sizeof desc;
-    const std::vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
+    const Vector<uint32_t>& regions = numbers_.emplace_back(arrays.integers(value.at("on")));
     desc.regions = regions.data();
     desc.region_count = static_cast<uint32_t>(regions.size());
     desc.amount = value.at("amount").number();
@@ -284,7 +287,7 @@ void TangleDocument::read_displace(const JsonValue& value, Arrays& arrays, FlgTa
 void TangleDocument::read_places(const JsonValue& value, Arrays& arrays, FlgTangleStep& step) {
     const auto list = value.find("places");
     if (!list) return;
-    std::vector<const FlgTangleSeedPlaces*>& places = shown_places_.emplace_back();
+    Vector<const FlgTangleSeedPlaces*>& places = shown_places_.emplace_back();
     for (size_t i = 0; i < list->size(); ++i) {
         places.push_back(&places_.emplace_back(read_places_of((*list)[i], arrays)));
     }
@@ -298,7 +301,7 @@ FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Array
     const auto positions = [&](const char* key, const float*& out, uint32_t& count) {
         const auto found = value.find(key);
         if (!found) return;
-        const std::vector<float>& list = floats_.emplace_back(arrays.floats(*found, 3));
+        const Vector<float>& list = floats_.emplace_back(arrays.floats(*found, 3));
         out = list.data();
         count = static_cast<uint32_t>(list.size() / 3);
     };
@@ -308,18 +311,17 @@ FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Array
     const auto curves = value.find("curves");
     if (!curves) return places;
     curves->allow({"offsets", "flags", "values", "points", "places"});
-    const std::vector<uint32_t>& offsets = numbers_.emplace_back(arrays.integers(curves->at("offsets")));
-    const std::vector<uint32_t> words = arrays.integers(curves->at("flags"));
-    const std::vector<float>& values = floats_.emplace_back(arrays.floats(curves->at("values"), 1));
-    const std::vector<FlgSurfacePoint>& points = points_.emplace_back(arrays.points(curves->at("points")));
+    const Vector<uint32_t>& offsets = numbers_.emplace_back(arrays.integers(curves->at("offsets")));
+    const Vector<uint32_t> words = arrays.integers(curves->at("flags"));
+    const Vector<float>& values = floats_.emplace_back(arrays.floats(curves->at("values"), 1));
+    const Vector<FlgSurfacePoint>& points = points_.emplace_back(arrays.points(curves->at("points")));
     if (words.empty() || offsets.size() != words.size() + 1 || values.size() != words.size()) {
         curves->refuse("must have one flag and value a curve, and one offset more");
     }
     if (offsets.back() != points.size()) {
-        curves->refuse("has " + std::to_string(points.size()) + " points, the last offset is " +
-                       std::to_string(offsets.back()));
+        curves->refuse("has " + to_text(points.size()) + " points, the last offset is " + to_text(offsets.back()));
     }
-    std::vector<uint8_t>& flags = flags_.emplace_back();
+    Vector<uint8_t>& flags = flags_.emplace_back();
     for (const uint32_t word : words) flags.push_back(static_cast<uint8_t>(word & FLG_CURVE_CLOSED));
     FlgSurfaceCurvesView& view = curves_.emplace_back(sized<FlgSurfaceCurvesView>());
     view.curve_count = static_cast<uint32_t>(words.size());
@@ -328,15 +330,13 @@ FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Array
     view.curve_values = values.data();
     view.points = points.data();
     places.curves = &view;
-    const std::vector<float>& at = floats_.emplace_back(arrays.floats(curves->at("places"), 3));
+    const Vector<float>& at = floats_.emplace_back(arrays.floats(curves->at("places"), 3));
     if (at.size() != 3 * points.size()) curves->at("places").refuse("must be one a point");
     places.curve_points = at.data();
     return places;
 }
 
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 // Longer arrays go into the side file.
 constexpr uint64_t longest_line = 12;  // numbers
@@ -350,14 +350,59 @@ double shortest(float value) {
     return static_cast<float>(number) == value ? number : double{value};
 }
 
-OrderedJson number(float value, const std::string& place) {
-    if (!(std::abs(value) <= max_coordinate)) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, place, "is %g, must be finite and at most 1e30 in size", double{value});
-    }
-    return shortest(value);
+// The fewest digits that are read as this double: with a point up to 15 places before and 4 behind it, else with an
+// exponent.
+String number_text(double value) {
+    char text[32];
+    const auto to_text = [&](std::chars_format format) {
+        return std::string_view(text, std::to_chars(text, text + sizeof text, value, format).ptr - text);
+    };
+    constexpr double least = 1e-4, most = 1e15;
+    const double size = std::abs(value);
+    const bool plain = size == 0 || (size >= least && size < most);
+    String result(to_text(plain ? std::chars_format::fixed : std::chars_format::scientific));
+    if (plain && result.find('.') == String::npos) result += ".0";
+    return result;
 }
 
-std::string hex(uint64_t number) {
+void check_number(float value, const String& place) {
+    if (std::abs(value) <= max_coordinate) return;
+    fail(FLG_ERROR_INVALID_ARGUMENT, place, "is %g, must be finite and at most 1e30 in size", double{value});
+}
+
+String number(float value, const String& place) {
+    check_number(value, place);
+    return number_text(shortest(value));
+}
+
+// The text of an object or a list that grows.
+class JsonText {
+public:
+    // Members by name, in their order.
+    void member(std::string_view name, std::string_view value) {
+        next();
+        (((text_ += '"') += name) += "\":") += value;
+    }
+    void word(std::string_view name, std::string_view value) { member(name, json_text(value)); }
+    void count(std::string_view name, uint64_t value) { member(name, to_text(value)); }
+    void flag(std::string_view name) { member(name, "true"); }
+    void item(std::string_view value) {
+        next();
+        text_ += value;
+    }
+    bool empty() const { return text_.empty(); }
+    String object() const { return "{" + text_ + "}"; }
+    String list() const { return "[" + text_ + "]"; }
+
+private:
+    void next() {
+        if (!text_.empty()) text_ += ',';
+    }
+
+    String text_;
+};
+
+String hex(uint64_t number) {
     char text[17];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
     return text;
@@ -365,60 +410,62 @@ std::string hex(uint64_t number) {
 
 class Writer {
 public:
-    OrderedJson step(const FlgTangleStep* given, const std::string& place);
+    String step(const FlgTangleStep* given, const String& place);
 
-    std::string arrays;
+    String arrays;
 
 private:
     // `count` items of `words` words each, at `data`; to_json makes a number of a word.
     template <class ToJson>
-    OrderedJson list(const void* data, uint64_t count, uint32_t words, const std::string& where, ToJson to_json) {
+    String list(const void* data, uint64_t count, uint32_t words, const String& where, ToJson to_json) {
         if (count > 0 && !data) fail(FLG_ERROR_INVALID_ARGUMENT, where, "is null");
         const auto* const bytes = static_cast<const char*>(data);
+        JsonText json;
         if (count * words > longest_line) {
             const size_t at = arrays.size();
             if (at + count * words * 4 > max_bytes)
                 fail(FLG_ERROR_LIMIT, where, "makes the document's arrays too large");
             arrays.append(bytes, count * words * 4);
-            return {{"at", at}, {"count", count}};
+            json.count("at", at);
+            json.count("count", count);
+            return json.object();
         }
-        OrderedJson numbers = OrderedJson::array();
-        for (uint64_t i = 0; i < count * words; ++i) numbers.push_back(to_json(bytes + 4 * i, i % words));
-        return numbers;
+        for (uint64_t i = 0; i < count * words; ++i) json.item(to_json(bytes + 4 * i, i % words));
+        return json.list();
     }
-    OrderedJson integers(const uint32_t* data, uint64_t count, const std::string& where) {
+    String integers(const uint32_t* data, uint64_t count, const String& where) {
         return list(data, count, 1, where, [](const char* word, uint64_t) {
             uint32_t value;
             std::memcpy(&value, word, sizeof value);
-            return OrderedJson(value);
+            return to_text(value);
         });
     }
-    OrderedJson floats(const float* data, uint64_t count, uint32_t words, const std::string& where) {
-        for (uint64_t i = 0; data && i < count * words; ++i) number(data[i], where);
+    String floats(const float* data, uint64_t count, uint32_t words, const String& where) {
+        for (uint64_t i = 0; data && i < count * words; ++i) check_number(data[i], where);
         return list(data, count, words, where, [&](const char* word, uint64_t) {
             float value;
             std::memcpy(&value, word, sizeof value);
             return number(value, where);
         });
     }
-    OrderedJson points(const FlgSurfacePoint* data, uint64_t count, const std::string& where) {
+    String points(const FlgSurfacePoint* data, uint64_t count, const String& where) {
         for (uint64_t i = 0; data && i < count; ++i) {
-            number(data[i].u, where);
-            number(data[i].v, where);
+            check_number(data[i].u, where);
+            check_number(data[i].v, where);
         }
         return list(data, count, 3, where, [&](const char* word, uint64_t k) {
             uint32_t index;
             float weight;
             std::memcpy(&index, word, sizeof index);
             std::memcpy(&weight, word, sizeof weight);
-            return k == 0 ? OrderedJson(index) : number(weight, where);
+            return k == 0 ? to_text(index) : number(weight, where);
         });
     }
-    OrderedJson seeds(const FlgTangleSeeds* given, const std::string& place);
-    OrderedJson places(const FlgTangleSeedPlaces* given, const std::string& place);
-    void divide(OrderedJson& json, const FlgTangleDivideDesc* given, const std::string& place);
-    void macro(OrderedJson& json, const FlgTangleApplyMacroDesc* given, const std::string& place);
-    void displace(OrderedJson& json, const FlgTangleDisplaceDesc* given, const std::string& place);
+    JsonText seeds(const FlgTangleSeeds* given, const String& place);
+    String places(const FlgTangleSeedPlaces* given, const String& place);
+    void divide(JsonText& json, const FlgTangleDivideDesc* given, const String& place);
+    void macro(JsonText& json, const FlgTangleApplyMacroDesc* given, const String& place);
+    void displace(JsonText& json, const FlgTangleDisplaceDesc* given, const String& place);
 };
 
 // What a host wrote into an enum, which may be none of its values (reading that as the enum would be undefined).
@@ -430,7 +477,7 @@ int32_t number_of(const Enum& value) {
 }
 
 template <size_t count>
-const char* word_of(const char* const (&words)[count], int32_t value, const std::string& place) {
+const char* word_of(const char* const (&words)[count], int32_t value, const String& place) {
     if (value < 0 || static_cast<size_t>(value) >= count) {
         fail(FLG_ERROR_INVALID_ARGUMENT, place, "is %d, which is none of its values", value);
     }
@@ -438,129 +485,152 @@ const char* word_of(const char* const (&words)[count], int32_t value, const std:
 }
 
 template <class T>
-const T& need(const T* pointer, const std::string& place) {
+const T& need(const T* pointer, const String& place) {
     if (!pointer) fail(FLG_ERROR_INVALID_ARGUMENT, place, "is null");
     return *pointer;
 }
 
 // A struct of the host's, as far as we know it; `place` says where it is.
 template <class T>
-T read_at(const T* given, const std::string& place) {
+T read_at(const T* given, const String& place) {
     need(given, place);
     return read_struct<Longer::cut>(given, sized<T>(), place.c_str());
 }
 
-OrderedJson Writer::seeds(const FlgTangleSeeds* given, const std::string& place) {
-    OrderedJson json = OrderedJson::object();
+JsonText Writer::seeds(const FlgTangleSeeds* given, const String& place) {
+    JsonText json;
     if (!given) return json;
     const FlgTangleSeeds seeds = read_at(given, place);
     if (number_of(seeds.borders) != FLG_TANGLE_BORDERS_NONE) {
-        json["borders"] = word_of(border_words, number_of(seeds.borders), place + ".borders");
+        json.word("borders", word_of(border_words, number_of(seeds.borders), place + ".borders"));
     }
+    JsonText stretches;
     for (uint32_t i = 0; i < seeds.stretch_count; ++i) {
-        const std::string where = place + ".stretches";
+        const String where = place + ".stretches";
         const FlgBorderStretch& stretch = (&need(seeds.stretches, where))[i];
-        json["stretches"].push_back(
-            {{"loop", stretch.loop}, {"begin", number(stretch.begin, where)}, {"end", number(stretch.end, where)}});
+        JsonText item;
+        item.count("loop", stretch.loop);
+        item.member("begin", number(stretch.begin, where));
+        item.member("end", number(stretch.end, where));
+        stretches.item(item.object());
     }
-    if (seeds.point_count > 0) json["points"] = points(seeds.points, seeds.point_count, place + ".points");
+    if (!stretches.empty()) json.member("stretches", stretches.list());
+    if (seeds.point_count > 0) json.member("points", points(seeds.points, seeds.point_count, place + ".points"));
     if (seeds.sample_radius != 0) {
-        json["samples"]["radius"] = number(seeds.sample_radius, place + ".sample_radius");
-        if (seeds.sample_count != 0) json["samples"]["count"] = seeds.sample_count;
+        JsonText samples;
+        samples.member("radius", number(seeds.sample_radius, place + ".sample_radius"));
+        if (seeds.sample_count != 0) samples.count("count", seeds.sample_count);
+        json.member("samples", samples.object());
     }
-    if (seeds.border_spacing != 0) json["spacing"] = number(seeds.border_spacing, place + ".border_spacing");
-    if (seeds.region_count > 0) json["of"] = integers(seeds.regions, seeds.region_count, place + ".regions");
+    if (seeds.border_spacing != 0) json.member("spacing", number(seeds.border_spacing, place + ".border_spacing"));
+    if (seeds.region_count > 0) json.member("of", integers(seeds.regions, seeds.region_count, place + ".regions"));
     return json;
 }
 
-OrderedJson Writer::places(const FlgTangleSeedPlaces* given, const std::string& place) {
+String Writer::places(const FlgTangleSeedPlaces* given, const String& place) {
     const FlgTangleSeedPlaces places = read_at(given, place);
-    OrderedJson json = OrderedJson::object();
-    if (places.point_count > 0) json["points"] = floats(places.points, places.point_count, 3, place + ".points");
-    if (places.loop_count > 0) json["loops"] = floats(places.loops, places.loop_count, 3, place + ".loops");
-    if (places.sample_count > 0) json["samples"] = floats(places.samples, places.sample_count, 3, place + ".samples");
-    if (!places.curves) return json;
-    const std::string where = place + ".curves";
+    JsonText json;
+    if (places.point_count > 0) json.member("points", floats(places.points, places.point_count, 3, place + ".points"));
+    if (places.loop_count > 0) json.member("loops", floats(places.loops, places.loop_count, 3, place + ".loops"));
+    if (places.sample_count > 0)
+        json.member("samples", floats(places.samples, places.sample_count, 3, place + ".samples"));
+    if (!places.curves) return json.object();
+    const String where = place + ".curves";
     const FlgSurfaceCurvesView curves = read_at(places.curves, where);
     const uint32_t* const offsets = &need(curves.curve_offsets, where + ".curve_offsets");
     const uint8_t* const flags = &need(curves.curve_flags, where + ".curve_flags");
     const uint32_t count = offsets[curves.curve_count];
-    const std::vector<uint32_t> words(flags, flags + curves.curve_count);
-    json["curves"]["offsets"] = integers(offsets, uint64_t{curves.curve_count} + 1, where);
-    json["curves"]["flags"] = integers(words.data(), words.size(), where);
-    json["curves"]["values"] = floats(curves.curve_values, curves.curve_count, 1, where + ".curve_values");
-    json["curves"]["points"] = points(curves.points, count, where + ".points");
-    if (places.curve_points) json["curves"]["places"] = floats(places.curve_points, count, 3, place + ".curve_points");
-    return json;
+    const Vector<uint32_t> words(flags, flags + curves.curve_count);
+    JsonText text;
+    text.member("offsets", integers(offsets, uint64_t{curves.curve_count} + 1, where));
+    text.member("flags", integers(words.data(), words.size(), where));
+    text.member("values", floats(curves.curve_values, curves.curve_count, 1, where + ".curve_values"));
+    text.member("points", points(curves.points, count, where + ".points"));
+    if (places.curve_points) text.member("places", floats(places.curve_points, count, 3, place + ".curve_points"));
+    json.member("curves", text.object());
+    return json.object();
 }
 
-void Writer::divide(OrderedJson& json, const FlgTangleDivideDesc* given, const std::string& place) {
+void Writer::divide(JsonText& json, const FlgTangleDivideDesc* given, const String& place) {
     const FlgTangleDivideDesc desc = read_at(given, place);
-    json["op"] = word_of(operator_words, number_of(desc.kind), place + ".kind");
-    json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
-    json["from"] = seeds(desc.a, place + ".a");
-    OrderedJson to = seeds(desc.b, place + ".b");
-    if (!to.empty()) json["to"] = std::move(to);
-    json["delta"] = number(desc.delta, place + ".delta");
-    json["count"] = desc.count;
-    json["groups"] = word_of(grouping_words, number_of(desc.grouping), place + ".grouping");
-    if (number_of(desc.grouping) == FLG_TANGLE_GROUPING_CYCLE) json["cycle"] = desc.cycle;
-    if (desc.scaffold != 0) json["scaffold"] = true;
-    if (desc.closed != 0) json["closed"] = true;
+    json.word("op", word_of(operator_words, number_of(desc.kind), place + ".kind"));
+    json.member("on", integers(desc.regions, desc.region_count, place + ".regions"));
+    json.member("from", seeds(desc.a, place + ".a").object());
+    const JsonText to = seeds(desc.b, place + ".b");
+    if (!to.empty()) json.member("to", to.object());
+    json.member("delta", number(desc.delta, place + ".delta"));
+    json.count("count", desc.count);
+    json.word("groups", word_of(grouping_words, number_of(desc.grouping), place + ".grouping"));
+    if (number_of(desc.grouping) == FLG_TANGLE_GROUPING_CYCLE) json.count("cycle", desc.cycle);
+    if (desc.scaffold != 0) json.flag("scaffold");
+    if (desc.closed != 0) json.flag("closed");
     if (desc.perturbation != 0) {
-        json["perturbation"] = number(desc.perturbation, place + ".perturbation");
-        json["frequency"] = number(desc.frequency, place + ".frequency");
+        json.member("perturbation", number(desc.perturbation, place + ".perturbation"));
+        json.member("frequency", number(desc.frequency, place + ".frequency"));
     }
-    json["seed"] = desc.seed;
+    json.count("seed", desc.seed);
 }
 
-void Writer::macro(OrderedJson& json, const FlgTangleApplyMacroDesc* given, const std::string& place) {
+void Writer::macro(JsonText& json, const FlgTangleApplyMacroDesc* given, const String& place) {
     const FlgTangleApplyMacroDesc desc = read_at(given, place);
-    json["op"] = word_of(macro_words, number_of(desc.kind), place + ".kind");
-    json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
-    json["count"] = desc.count;
-    json["size"] = number(desc.size, place + ".size");
-    json["spacing"] = number(desc.spacing, place + ".spacing");
-    json["seed"] = desc.seed;
+    json.word("op", word_of(macro_words, number_of(desc.kind), place + ".kind"));
+    json.member("on", integers(desc.regions, desc.region_count, place + ".regions"));
+    json.count("count", desc.count);
+    json.member("size", number(desc.size, place + ".size"));
+    json.member("spacing", number(desc.spacing, place + ".spacing"));
+    json.count("seed", desc.seed);
 }
 
-void Writer::displace(OrderedJson& json, const FlgTangleDisplaceDesc* given, const std::string& place) {
+void Writer::displace(JsonText& json, const FlgTangleDisplaceDesc* given, const String& place) {
     const FlgTangleDisplaceDesc desc = read_at(given, place);
-    json["op"] = change_words[displace_word];
-    json["on"] = integers(desc.regions, desc.region_count, place + ".regions");
-    json["amount"] = number(desc.amount, place + ".amount");
-    json["bias"] = number(desc.bias, place + ".bias");
-    json["gain"] = number(desc.gain, place + ".gain");
-    json["reach"] = number(desc.reach, place + ".reach");
+    json.word("op", change_words[displace_word]);
+    json.member("on", integers(desc.regions, desc.region_count, place + ".regions"));
+    json.member("amount", number(desc.amount, place + ".amount"));
+    json.member("bias", number(desc.bias, place + ".bias"));
+    json.member("gain", number(desc.gain, place + ".gain"));
+    json.member("reach", number(desc.reach, place + ".reach"));
 }
 
-OrderedJson Writer::step(const FlgTangleStep* given, const std::string& place) {
+String Writer::step(const FlgTangleStep* given, const String& place) {
     const FlgTangleStep step = read_at(given, place);
-    OrderedJson json;
+    JsonText json;
     const int32_t kind = number_of(step.kind);
     switch (kind) {
         case FLG_TANGLE_STEP_KIND_DIVIDE: divide(json, step.divide, place + ".divide"); break;
         case FLG_TANGLE_STEP_KIND_MACRO: macro(json, step.macro, place + ".macro"); break;
         case FLG_TANGLE_STEP_KIND_DISPLACE: displace(json, step.displace, place + ".displace"); break;
         case FLG_TANGLE_STEP_KIND_UNGROUP:
-            json["op"] = change_words[ungroup_word];
-            json["group"] = step.group;
+            json.word("op", change_words[ungroup_word]);
+            json.count("group", step.group);
             break;
         case FLG_TANGLE_STEP_KIND_GROUP:
         case FLG_TANGLE_STEP_KIND_JOIN:
-            json["op"] = change_words[kind == FLG_TANGLE_STEP_KIND_GROUP ? group_word : join_word];
-            json["on"] = integers(step.regions, step.region_count, place + ".regions");
+            json.word("op", change_words[kind == FLG_TANGLE_STEP_KIND_GROUP ? group_word : join_word]);
+            json.member("on", integers(step.regions, step.region_count, place + ".regions"));
             break;
         default: fail(FLG_ERROR_INVALID_ARGUMENT, place + ".kind", "is %d, which is none of its values", kind);
     }
-    json["first"] = step.first_region;
-    if (step.made_count > 0) json["made"] = floats(step.made, step.made_count, 3, place + ".made");
-    if (step.placed != 0) json["placed"] = true;
+    json.count("first", step.first_region);
+    if (step.made_count > 0) json.member("made", floats(step.made, step.made_count, 3, place + ".made"));
+    if (step.placed != 0) json.flag("placed");
+    JsonText all_places;
     for (uint32_t i = 0; i < step.place_count; ++i) {
-        const std::string where = place + ".places[" + std::to_string(i) + "]";
-        json["places"].push_back(places((&need(step.places, where))[i], where));
+        const String where = place + ".places[" + to_text(i) + "]";
+        all_places.item(places((&need(step.places, where))[i], where));
     }
-    return json;
+    if (!all_places.empty()) json.member("places", all_places.list());
+    return json.object();
+}
+
+// The head's box, a number a line.
+String box_text(const FlgTangleHistory& history) {
+    String text;
+    const auto add = [&](const float(&corner)[3], const char* place) {
+        for (const float value : corner) text += (text.empty() ? "\n    " : ",\n    ") + number(value, place);
+    };
+    add(history.box_min, "history.box_min");
+    add(history.box_max, "history.box_max");
+    return "[" + text + "\n  ]";
 }
 
 }  // namespace
@@ -571,36 +641,33 @@ uint64_t checksum_of(Bytes bytes) {
     return sum;
 }
 
-TangleText write_tangle(const FlgTangleHistory& history, const std::string& file_name) {
+TangleText write_tangle(const FlgTangleHistory& history, const String& file_name) {
     if (history.made_count > history.step_count) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "history.made_count", "is %u, but there are %u steps", history.made_count,
              history.step_count);
     }
     Writer writer;
-    std::string steps;
+    String steps;
     for (uint32_t i = 0; i < history.step_count; ++i) {
-        const std::string place = "history.steps[" + std::to_string(i) + "]";
+        const String place = "history.steps[" + to_text(i) + "]";
         const FlgTangleStep* const step = (&need(history.steps, "history.steps"))[i];
-        steps += (i == 0 ? "\n    " : ",\n    ") + writer.step(step, place).dump();
+        steps += (i == 0 ? "\n    " : ",\n    ") + writer.step(step, place);
         if (steps.size() > max_tangle_json) fail(FLG_ERROR_LIMIT, place, "makes the document too large");
     }
     TangleText text;
-    OrderedJson head;
-    head["filigree"] = "tangle";
-    head["version"] = tangle_document_version;
-    head["base"] = hex(history.base);
-    for (const float value : history.box_min) head["box"].push_back(number(value, "history.box_min"));
-    for (const float value : history.box_max) head["box"].push_back(number(value, "history.box_max"));
-    head["made"] = history.made_count;
+    text.json = "{\n  \"filigree\": \"tangle\",\n  \"version\": " + to_text(tangle_document_version) +
+                ",\n  \"base\": \"" + hex(history.base) + "\",\n  \"box\": " + box_text(history) +
+                ",\n  \"made\": " + to_text(history.made_count);
     if (!writer.arrays.empty()) {
         text.side.bytes = writer.arrays.size();
         text.side.checksum =
             checksum_of({reinterpret_cast<const uint8_t*>(writer.arrays.data()), writer.arrays.size()});
+        if (!is_utf8(file_name)) fail(FLG_ERROR_INVALID_ARGUMENT, "path", "must be UTF-8");
         text.side.name = file_name + "." + hex(text.side.checksum) + ".bin";
-        head["arrays"] = {{"file", text.side.name}, {"bytes", text.side.bytes}, {"checksum", hex(text.side.checksum)}};
+        text.json += ",\n  \"arrays\": {\n    \"file\": " + json_text(text.side.name) +
+                     ",\n    \"bytes\": " + to_text(text.side.bytes) + ",\n    \"checksum\": \"" +
+                     hex(text.side.checksum) + "\"\n  }";
     }
-    text.json = head.dump(2);
-    text.json.erase(text.json.size() - 2);  // the brace on its line
     text.json += ",\n  \"steps\": [" + steps + (history.step_count > 0 ? "\n  ]\n}\n" : "]\n}\n");
     text.arrays = std::move(writer.arrays);
     return text;

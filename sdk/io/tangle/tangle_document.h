@@ -5,13 +5,10 @@
 // little-endian. The JSON names it, with its size and the checksum of its bytes.
 #pragma once
 
-#include <deque>
-#include <string>
-#include <vector>
-
 #include "filigree/filigree_tangle.h"
 #include "io/base/files.h"
 #include "io/base/json_value.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -31,7 +28,7 @@ constexpr uint64_t max_tangle_json = uint64_t{8} << 20;
 
 // A side file, by the part of the JSON that names it.
 struct SideFile {
-    std::string name;
+    String name;
     uint64_t bytes = 0;
     uint64_t checksum = 0;
 };
@@ -43,14 +40,14 @@ uint64_t checksum_of(Bytes bytes);
 SideFile read_side_file(const JsonValue& document);
 
 struct TangleText {
-    std::string json;
-    SideFile side;       // no name: none is needed
-    std::string arrays;  // what belongs into it
+    String json;
+    SideFile side;  // no name: none is needed
+    String arrays;  // what belongs into it
 };
 
 // `file_name`: of the JSON; that of the side file is made of it and the checksum, so that no save writes over the side
 // file of another. Refuses histories that point to nothing, or hold values that no file may hold.
-TangleText write_tangle(const FlgTangleHistory& history, const std::string& file_name);
+TangleText write_tangle(const FlgTangleHistory& history, const String& file_name);
 
 // A history with its memory.
 class TangleDocument {
@@ -73,21 +70,21 @@ private:
     FlgTangleSeedPlaces read_places_of(const JsonValue& value, Arrays& arrays);
 
     FlgTangleHistory history_{};
-    std::vector<const FlgTangleStep*> shown_steps_;
+    Vector<const FlgTangleStep*> shown_steps_;
     // Deques: what is pointed to stays where it is.
-    std::deque<FlgTangleStep> steps_;
-    std::deque<FlgTangleDivideDesc> divides_;
-    std::deque<FlgTangleApplyMacroDesc> macros_;
-    std::deque<FlgTangleDisplaceDesc> displaces_;
-    std::deque<FlgTangleSeedPlaces> places_;
-    std::deque<std::vector<const FlgTangleSeedPlaces*>> shown_places_;
-    std::deque<FlgTangleSeeds> seeds_;
-    std::deque<FlgSurfaceCurvesView> curves_;
-    std::deque<std::vector<FlgBorderStretch>> stretches_;
-    std::deque<std::vector<FlgSurfacePoint>> points_;
-    std::deque<std::vector<uint32_t>> numbers_;
-    std::deque<std::vector<uint8_t>> flags_;
-    std::deque<std::vector<float>> floats_;
+    Deque<FlgTangleStep> steps_;
+    Deque<FlgTangleDivideDesc> divides_;
+    Deque<FlgTangleApplyMacroDesc> macros_;
+    Deque<FlgTangleDisplaceDesc> displaces_;
+    Deque<FlgTangleSeedPlaces> places_;
+    Deque<Vector<const FlgTangleSeedPlaces*>> shown_places_;
+    Deque<FlgTangleSeeds> seeds_;
+    Deque<FlgSurfaceCurvesView> curves_;
+    Deque<Vector<FlgBorderStretch>> stretches_;
+    Deque<Vector<FlgSurfacePoint>> points_;
+    Deque<Vector<uint32_t>> numbers_;
+    Deque<Vector<uint8_t>> flags_;
+    Deque<Vector<float>> floats_;
 };
 
 }  // namespace flg::io

@@ -3,14 +3,15 @@
 //
 // The side file's name has the checksum of its bytes in it, and the JSON, which names it, is renamed into its place
 // last: a save that is cut short anywhere leaves the document as it was, at most with a side file too many.
-#include <memory>
+#include <new>
+#include <optional>
 
 #include "filigree/filigree_io.h"
 #include "io/base/entry_point.h"
 #include "io/base/files.h"
 #include "io/tangle/tangle_document.h"
 
-struct FlgTangleFileT {
+struct FlgTangleFileT : flg::io::HostFile {
     FlgTangleFileT(const flg::io::JsonValue& json, flg::io::Bytes arrays) : document(json, arrays) {}
     flg::io::TangleDocument document;
 };
@@ -19,47 +20,46 @@ namespace flg::io {
 
 namespace {
 
-constexpr int most_levels = 16;
-
-// Where the JSON is: its side file is beside it, also when it is reached by a link.
-std::filesystem::path place_of(const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(path);
-}
+constexpr uint32_t most_levels = 16;
 
 // The side file of the document that is there now; empty if there is none that can be read.
-std::string present_side_file(const std::filesystem::path& path) {
+String present_side_file(const Path& path) {
     try {
         const ByteBlock text = read_file(path, "", max_tangle_json);
-        const JsonValue::Json json = JsonValue::parse(text.bytes(), most_levels);
-        return read_side_file(JsonValue(json, "")).name;
+        const JsonDocument json(text.bytes(), most_levels);
+        return read_side_file(JsonValue(json.root(), "")).name;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception&) {
         return {};
     }
 }
 
-void remove_side_file(const std::filesystem::path& path, const std::string& name) {
-    // Only such as were written with this document.
-    const std::string file = path.filename().string();
-    if (!name.starts_with(file + ".") || !name.ends_with(".bin")) return;
-    std::error_code ignored;
-    std::filesystem::remove(path.parent_path() / name, ignored);
+// The side file of this name, if it was written with this document.
+std::optional<Path> removable(const Path& path, const String& name) {
+    const String file(path.filename());
+    if (!name.starts_with(file + ".") || !name.ends_with(".bin")) return {};
+    return path.beside(name);
 }
 
-void save(const std::filesystem::path& path, const TangleText& text) {
-    const std::string before = present_side_file(path);
-    if (!text.side.name.empty()) write_file(path.parent_path() / text.side.name, text.arrays);
+void save(const Path& path, const TangleText& text) {
+    const String before = present_side_file(path);
+    // All memory is taken before the first file is written.
+    const std::optional<Path> side = removable(path, text.side.name);
+    const std::optional<Path> obsolete = before != text.side.name ? removable(path, before) : std::nullopt;
+    if (side) write_file(*side, text.arrays);
     try {
         write_file(path, text.json);
     } catch (...) {
-        if (text.side.name != before) remove_side_file(path, text.side.name);
+        if (side && text.side.name != before) remove_file(*side);
         throw;
     }
-    if (before != text.side.name) remove_side_file(path, before);
+    if (obsolete) remove_file(*obsolete);
 }
 
-ByteBlock read_arrays(const std::filesystem::path& path, const SideFile& side) {
+ByteBlock read_arrays(const Path& path, const SideFile& side) {
     if (side.name.empty()) return {};
-    ByteBlock block = read_file(path.parent_path() / side.name, "arrays.file");
+    ByteBlock block = read_file(path.beside(side.name), "arrays.file");
     if (block.size() != side.bytes) {
         fail(FLG_ERROR_FORMAT, "arrays.bytes", "is %llu, but %s has %zu bytes",
              static_cast<unsigned long long>(side.bytes), cited(side.name).c_str(), block.size());
@@ -86,22 +86,23 @@ const char* flgTangleMacroGetName(uint32_t number) {
     return number < std::size(macro_words) ? macro_words[number] : nullptr;
 }
 
-FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history) {
-    return guarded_path("flgTangleFileWrite", path, [&](const std::filesystem::path& target) {
+FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history, const FlgFileHooks* hooks) {
+    return write_to("flgTangleFileWrite", path, hooks, [&](const Path& target) {
         const FlgTangleHistory given = read_given(history, "history");
-        const std::filesystem::path place = place_of(target);
-        save(place, write_tangle(given, place.filename().string()));
+        // The side file is beside the JSON, also where that is reached by a link.
+        const Path place = resolved(target);
+        save(place, write_tangle(given, String(place.filename())));
     });
 }
 
-FlgResult flgTangleFileRead(const char* path, FlgTangleFile* out_file) {
-    return read_into(out_file, "flgTangleFileRead", path, [](const std::filesystem::path& source) {
-        const std::filesystem::path place = place_of(source);
+FlgResult flgTangleFileRead(const char* path, const FlgFileHooks* hooks, FlgTangleFile* out_file) {
+    return read_into(out_file, "flgTangleFileRead", path, hooks, [](const Path& source) {
+        const Path place = resolved(source);
         const ByteBlock text = read_file(place, "", max_tangle_json);
-        const JsonValue::Json json = JsonValue::parse(text.bytes(), most_levels);
-        const JsonValue document(json, "");
+        const JsonDocument json(text.bytes(), most_levels);
+        const JsonValue document(json.root(), "");
         const ByteBlock arrays = read_arrays(place, read_side_file(document));
-        return std::make_unique<FlgTangleFileT>(document, arrays.bytes());
+        return make_owned<FlgTangleFileT>(document, arrays.bytes());
     });
 }
 
@@ -111,7 +112,7 @@ FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* out_hist
 }
 
 void flgTangleFileRelease(FlgTangleFile file) {
-    delete file;
+    release(file);
 }
 
 }  // extern "C"

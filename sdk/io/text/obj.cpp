@@ -9,8 +9,6 @@
 // first face that has them.
 #include "io/text/obj.h"
 
-#include <map>
-
 #include "io/base/polylines.h"
 #include "io/text/text_lines.h"
 
@@ -41,7 +39,7 @@ public:
 
 private:
     TextLines lines_;
-    std::string joined_;
+    String joined_;
     uint64_t line_ = 0;
 };
 
@@ -145,9 +143,9 @@ private:
 
     const Origin origin_;
     CurveData data_;
-    std::vector<float> vertices_;
-    std::vector<uint32_t> indices_;
-    std::vector<Statement> statements_;
+    Vector<float> vertices_;
+    Vector<uint32_t> indices_;
+    Vector<Statement> statements_;
     Tally faces_;
 };
 
@@ -157,9 +155,9 @@ CurveData read_obj(std::string_view text, const Origin& origin) {
     return ObjReader(origin).read(text);
 }
 
-std::string write_obj(const CheckedView& view) {
+String write_obj(const CheckedView& view) {
     constexpr size_t usual_point = 48;
-    std::string text;
+    String text;
     text.reserve(view.point_count() * usual_point);
     for (size_t i = 0; i < view.point_count(); ++i) {
         text += 'v';
@@ -168,10 +166,9 @@ std::string write_obj(const CheckedView& view) {
     }
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
         text += 'l';
-        for (size_t i = view.begin(c); i < view.end(c); ++i) text.append(" ").append(std::to_string(i + 1));
+        for (size_t i = view.begin(c); i < view.end(c); ++i) text.append(" ").append(to_text(i + 1));
         // A curve of one point has it twice: the format has no shorter lines.
-        if (view.closed(c) || view.end(c) - view.begin(c) == 1)
-            text.append(" ").append(std::to_string(view.begin(c) + 1));
+        if (view.closed(c) || view.end(c) - view.begin(c) == 1) text.append(" ").append(to_text(view.begin(c) + 1));
         text += '\n';
     }
     return text;
@@ -263,13 +260,13 @@ private:
 
     const Origin origin_;
     MeshData data_;
-    std::vector<float> colors_;  // of the vertices up to the last that has one
-    std::vector<uint32_t> corners_;
+    Vector<float> colors_;  // of the vertices up to the last that has one
+    Vector<uint32_t> corners_;
     uint32_t largest_index_ = 0;  // and the line that has it first
     uint64_t largest_line_ = 0;
-    std::string material_;  // of the next face; what comes before the first `usemtl` is nameless
+    String material_;  // of the next face; what comes before the first `usemtl` is nameless
     uint32_t region_ = no_region;
-    std::map<std::string, uint32_t> regions_;
+    Map<String, uint32_t> regions_;
     Tally lines_;
 };
 
@@ -279,9 +276,9 @@ MeshData read_obj_mesh(std::string_view text, const Origin& origin) {
     return ObjMeshReader(origin).read(text);
 }
 
-std::string write_obj_mesh(const CheckedMesh& mesh) {
+String write_obj_mesh(const CheckedMesh& mesh) {
     constexpr size_t usual_line = 36;
-    std::string text;
+    String text;
     text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
         text += 'v';
@@ -291,10 +288,10 @@ std::string write_obj_mesh(const CheckedMesh& mesh) {
     }
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         if (mesh.regions() && (t == 0 || mesh.region(t) != mesh.region(t - 1))) {
-            text.append("usemtl region_").append(std::to_string(mesh.region(t))) += '\n';
+            text.append("usemtl region_").append(to_text(mesh.region(t))) += '\n';
         }
         text += 'f';
-        for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(std::to_string(mesh.triangle(t)[k] + 1));
+        for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(to_text(mesh.triangle(t)[k] + 1));
         text += '\n';
     }
     return text;

@@ -2,20 +2,20 @@
 // Polylines and faces of Wavefront OBJ files.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/curve_data.h"
+#include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
 CurveData read_obj(std::string_view text, const Origin& origin);
-std::string write_obj(const CheckedView& view);
+String write_obj(const CheckedView& view);
 
 MeshData read_obj_mesh(std::string_view text, const Origin& origin);
-std::string write_obj_mesh(const CheckedMesh& mesh);
+String write_obj_mesh(const CheckedMesh& mesh);
 
 }  // namespace flg::io

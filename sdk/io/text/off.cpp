@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    std::string place() const { return line_place(lines_.number()); }
+    String place() const { return line_place(lines_.number()); }
 
     // The next line that says something.
     bool find_line() {
@@ -123,8 +123,8 @@ private:
     MeshData data_;
     uint64_t vertex_count_ = 0, face_count_ = 0;
     bool has_colors_ = false, has_normals_ = false;
-    std::vector<float> colors_;
-    std::vector<uint32_t> corners_;
+    Vector<float> colors_;
+    Vector<uint32_t> corners_;
 };
 
 }  // namespace
@@ -133,10 +133,10 @@ MeshData read_off(std::string_view text, const Origin& origin) {
     return OffReader(text, origin).read();
 }
 
-std::string write_off(const CheckedMesh& mesh) {
+String write_off(const CheckedMesh& mesh) {
     constexpr size_t usual_line = 36;
-    std::string text = std::string(mesh.color ? "COFF\n" : "OFF\n") + std::to_string(mesh.vertex_count()) + " " +
-                       std::to_string(mesh.triangle_count()) + " 0\n";
+    String text = String(mesh.color ? "COFF\n" : "OFF\n") + to_text(mesh.vertex_count()) + " " +
+                  to_text(mesh.triangle_count()) + " 0\n";
     text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
         for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', mesh.position.at(i)[k], mesh.origin()[k]);
@@ -145,7 +145,7 @@ std::string write_off(const CheckedMesh& mesh) {
     }
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         text += '3';
-        for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(std::to_string(mesh.triangle(t)[k]));
+        for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(to_text(mesh.triangle(t)[k]));
         text += '\n';
     }
     return text;

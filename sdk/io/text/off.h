@@ -2,16 +2,16 @@
 // Geomview's object file format.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "core/origin.h"
 #include "io/base/checked_views.h"
+#include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
 MeshData read_off(std::string_view text, const Origin& origin);
-std::string write_off(const CheckedMesh& mesh);
+String write_off(const CheckedMesh& mesh);
 
 }  // namespace flg::io

@@ -19,7 +19,6 @@
 #include <limits>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "io/base/byte_reader.h"
 #include "io/base/column_names.h"
@@ -44,7 +43,7 @@ constexpr bool is_integer(PlyType type) {
 }
 
 struct PlyProperty {
-    std::string name;
+    String name;
     PlyType type = PlyType::none;
     PlyType count_type = PlyType::none;  // of a list
 
@@ -52,10 +51,10 @@ struct PlyProperty {
 };
 
 struct PlyElement {
-    std::string name;
+    String name;
     uint64_t count = 0;
     uint64_t line = 0;  // of the header
-    std::vector<PlyProperty> properties;
+    Vector<PlyProperty> properties;
 
     // Null if there is none.
     const PlyProperty* find(std::string_view property) const;
@@ -65,7 +64,7 @@ enum class PlyEncoding : uint8_t { ascii, little_endian, big_endian };
 
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::ascii;
-    std::vector<PlyElement> elements;
+    Vector<PlyElement> elements;
 
     // Null if there is none.
     const PlyElement* find(std::string_view element) const;
@@ -106,7 +105,7 @@ public:
     }
 
 private:
-    std::string place() const { return line_place(lines_.number()); }
+    String place() const { return line_place(lines_.number()); }
 
     [[noreturn]] void refuse(const char* reason, std::string_view word) const {
         fail(FLG_ERROR_FORMAT, place(), "%s: %s", reason, cited(word).c_str());
@@ -137,14 +136,14 @@ private:
         if (version != "1.0") refuse("only the version 1.0 is known", version);
     }
 
-    std::string read_name(size_t entries) {
+    String read_name(size_t entries) {
         const std::string_view name = cursor_.word();
         const bool printable = std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; });
         if (name.empty() || !printable) refuse("no name", name);
         if (entries == most_entries) {
             fail(FLG_ERROR_LIMIT, place(), "more than %zu elements, or properties of one", most_entries);
         }
-        return std::string(name);
+        return String(name);
     }
 
     void read_element() {
@@ -244,7 +243,7 @@ public:
         if (cursor_.word().empty()) fail(FLG_ERROR_FORMAT, place(), "the %s is missing", name);
     }
 
-    std::string place() const { return line_place(lines_.number()); }
+    String place() const { return line_place(lines_.number()); }
     uint64_t left() const { return lines_.rest().size(); }
 
 private:
@@ -289,7 +288,7 @@ public:
     }
     void skip(PlyType type, const char* name) { reader_.take(ply_size(type), name); }
 
-    std::string place() const { return reader_.place(); }
+    String place() const { return reader_.place(); }
     uint64_t left() const { return reader_.left(); }
 
 private:
@@ -434,7 +433,7 @@ private:
     }
 
     void read_vertices(const PlyElement& element) {
-        std::vector<std::string_view> names;
+        Vector<std::string_view> names;
         for (const PlyProperty& property : element.properties) {
             if (!property.is_list()) names.push_back(property.name);
         }
@@ -443,7 +442,7 @@ private:
         if (element.count == 0) return;  // there is no place for a value
         data_.positions.resize(3 * element.count);
         for (VertexColumn& column : data_.columns) column.values.resize(column.components * element.count, 1.0f);
-        std::vector<VertexTarget> targets;
+        Vector<VertexTarget> targets;
         targets.reserve(element.properties.size());
         for (const PlyProperty& property : element.properties) targets.push_back(target(property));
         for (uint64_t row = 0; row < element.count; ++row) {
@@ -479,7 +478,7 @@ private:
     void read_faces(const PlyElement& element) {
         // What each property is: the corners, a column of labels, or nothing.
         constexpr size_t nothing = SIZE_MAX, corners = SIZE_MAX - 1, region = SIZE_MAX - 2;
-        std::vector<size_t> roles;
+        Vector<size_t> roles;
         for (const PlyProperty& property : element.properties) {
             size_t role = nothing;
             if (is_index_list(property)) {
@@ -500,7 +499,7 @@ private:
         if (has_regions_) data_.regions.reserve(element.count);
         for (FaceColumn& column : data_.face_columns) column.values.reserve(element.count);
         pad_labels();
-        std::vector<uint32_t> labels(data_.face_columns.size());
+        Vector<uint32_t> labels(data_.face_columns.size());
         uint32_t label = 0;
         for (uint64_t row = 0; row < element.count; ++row) {
             rows_.begin_row(element);
@@ -582,7 +581,7 @@ private:
     MeshData data_;
     uint64_t vertex_count_ = 0;
     bool has_regions_ = false;
-    std::vector<uint32_t> corners_;
+    Vector<uint32_t> corners_;
 };
 
 template <class Rows>
@@ -590,7 +589,7 @@ MeshData read_rows(const PlyHeader& header, Rows rows, const Origin& origin) {
     PlyReader<Rows> reader(header, std::move(rows), origin);
     MeshData data = reader.read();
     if (const uint64_t left = reader.rows().left(); left != 0) {
-        data.warnings.push_back(std::to_string(left) + " bytes after the last row, left out");
+        data.warnings.push_back(to_text(left) + " bytes after the last row, left out");
     }
     return data;
 }
@@ -617,16 +616,16 @@ bool is_double(const CheckedMesh& mesh, const FlgColumn& column) {
     return column.attribute == FLG_ATTRIBUTE_POSITION && mesh.origin() != Origin{};
 }
 
-std::string write_header(const CheckedMesh& mesh) {
-    std::string text = "ply\nformat binary_little_endian 1.0\ncomment Filigree\nelement vertex " +
-                       std::to_string(mesh.vertex_count()) + "\n";
+String write_header(const CheckedMesh& mesh) {
+    String text =
+        "ply\nformat binary_little_endian 1.0\ncomment Filigree\nelement vertex " + to_text(mesh.vertex_count()) + "\n";
     for (const FlgColumn& column : mesh.columns()) {
         const char* const type = is_double(mesh, column) ? "property double " : "property float ";
         for (uint32_t k = 0; k < column.components; ++k) {
             text += type + column_name(column.attribute, column.components, k) + "\n";
         }
     }
-    text += "element face " + std::to_string(mesh.triangle_count()) + "\nproperty list uchar int vertex_indices\n";
+    text += "element face " + to_text(mesh.triangle_count()) + "\nproperty list uchar int vertex_indices\n";
     if (mesh.regions()) text += "property uint region\n";
     for (const FlgMeshFaceColumn& column : mesh.face_columns()) {
         text.append("property uint ").append(column.name) += '\n';
@@ -641,8 +640,8 @@ char* put(char* to, const void* values, size_t size) {
 
 }  // namespace
 
-std::string write_ply(const CheckedMesh& mesh) {
-    std::string file = write_header(mesh);
+String write_ply(const CheckedMesh& mesh) {
+    String file = write_header(mesh);
     size_t vertex_size = 0;
     for (const FlgColumn& column : mesh.columns())
         vertex_size += column.components * (is_double(mesh, column) ? sizeof(double) : sizeof(float));

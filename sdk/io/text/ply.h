@@ -2,17 +2,16 @@
 // Meshes of PLY files. They are written as little-endian binary.
 #pragma once
 
-#include <string>
-
 #include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/files.h"
+#include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
 MeshData read_ply(Bytes file, const Origin& origin);
 
-std::string write_ply(const CheckedMesh& mesh);
+String write_ply(const CheckedMesh& mesh);
 
 }  // namespace flg::io

@@ -130,9 +130,9 @@ private:
     }
 
     MeshData& data_;
-    std::vector<uint32_t> corners_;  // vertices
-    std::vector<Point> points_;      // of the corners
-    std::vector<uint32_t> left_;     // corners that are not cut off
+    Vector<uint32_t> corners_;  // vertices
+    Vector<Point> points_;      // of the corners
+    Vector<uint32_t> left_;     // corners that are not cut off
     Tally long_, crossed_;
 };
 

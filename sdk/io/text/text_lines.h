@@ -5,11 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <string>
 #include <string_view>
 
 #include "io/base/failure.h"
 #include "io/base/limits.h"
+#include "io/base/memory.h"
 
 namespace flg::io {
 
@@ -138,7 +138,7 @@ private:
 };
 
 // Appends a number with 9 significant digits: enough to get the same float back.
-inline void append_number(std::string& text, float value) {
+inline void append_number(String& text, float value) {
     constexpr int digits = 9;
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
@@ -146,7 +146,7 @@ inline void append_number(std::string& text, float value) {
 }
 
 // A coordinate relative to an origin's, as one from 0: to the digit that gets the same double back.
-inline void append_coordinate(std::string& text, float value, double origin) {
+inline void append_coordinate(String& text, float value, double origin) {
     if (origin == 0) {
         append_number(text, value);
         return;
@@ -156,7 +156,7 @@ inline void append_coordinate(std::string& text, float value, double origin) {
 }
 
 // Numbers, each with a blank before it.
-inline void append_numbers(std::string& text, const float* values, size_t count) {
+inline void append_numbers(String& text, const float* values, size_t count) {
     for (size_t i = 0; i < count; ++i) append_number(text += ' ', values[i]);
 }
 

@@ -20,10 +20,10 @@ constexpr const char* coordinates[] = {"x", "y", "z"};
 constexpr size_t most_names = 256;
 
 // The words of a line that is a comment, without the #.
-std::vector<std::string_view> comment_words(std::string_view line) {
+Vector<std::string_view> comment_words(std::string_view line) {
     LineCursor cursor(line, 0);
     if (!cursor.more() || cursor.peek() != '#') return {};
-    std::vector<std::string_view> words;
+    Vector<std::string_view> words;
     std::string_view word = cursor.word().substr(1);
     for (word = word.empty() ? cursor.word() : word; !word.empty(); word = cursor.word()) {
         if (words.size() == 1 && words[0] != columns_word) return {};
@@ -51,7 +51,7 @@ public:
         TextLines lines(text);
         for (std::string_view line; lines.next(line);) {
             if (line.find('#') != line.npos) {
-                const std::vector<std::string_view> words = comment_words(line);
+                const Vector<std::string_view> words = comment_words(line);
                 if (says_closed(words)) {
                     announce_closed(lines.number());
                     continue;
@@ -74,7 +74,7 @@ public:
         end_curve();
         if (data_.curve_count() == 0) fail(FLG_ERROR_FORMAT, line_place(lines.number()), "the file holds no points");
         if (closed_next_) {
-            data_.warnings.push_back("line " + std::to_string(closed_line_) + ": no curve follows `# closed`");
+            data_.warnings.push_back("line " + to_text(closed_line_) + ": no curve follows `# closed`");
         }
         fill_radii();
         data_.warn(repeated_ends_, "curve", "closed, and the first point repeated at the end, left out");
@@ -92,7 +92,7 @@ private:
 
     // A number of a line, behind the coordinates.
     struct Place {
-        std::string name;
+        String name;
         size_t column;
         uint32_t component;
     };
@@ -119,7 +119,7 @@ private:
         for (size_t c = 0; c < data_.columns.size(); ++c) {
             const VertexColumn& column = data_.columns[c];
             for (uint32_t k = 0; k < column.components; ++k) {
-                if (column_name(column.attribute, column.components, k) == name) return {std::string(name), c, k};
+                if (column_name(column.attribute, column.components, k) == name) return {String(name), c, k};
             }
         }
         fail(FLG_ERROR_FORMAT, line_place(line), "`# columns`: no column is called so, or not all of it is there: %s",
@@ -212,10 +212,10 @@ private:
 
     const Origin origin_;
     CurveData data_;
-    std::vector<float> curve_radii_;  // of the curves that have them, back to back
-    std::vector<bool> curve_has_radius_;
+    Vector<float> curve_radii_;  // of the curves that have them, back to back
+    Vector<bool> curve_has_radius_;
     size_t radius_curves_ = 0;
-    std::vector<Place> places_;
+    Vector<Place> places_;
     bool declared_ = false;  // by `# columns`
     bool in_curve_ = false;
     bool has_radius_ = false;
@@ -230,11 +230,11 @@ CurveData read_xyz(std::string_view text, const Origin& origin) {
     return XyzReader(origin).read(text);
 }
 
-std::string write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
+String write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
     constexpr size_t usual_number = 12;
-    std::string text;
+    String text;
     // What is written behind the coordinates: the radius first, where plain readers look for it.
-    std::vector<FlgColumn> columns;
+    Vector<FlgColumn> columns;
     for (const FlgColumn& column : view.columns()) {
         if (column.attribute == FLG_ATTRIBUTE_RADIUS) columns.insert(columns.begin(), column);
         if (column.attribute == FLG_ATTRIBUTE_RADIUS || column.attribute == FLG_ATTRIBUTE_POSITION) continue;

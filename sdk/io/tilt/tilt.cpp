@@ -10,15 +10,13 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "io/base/byte_reader.h"
 #include "io/base/failure.h"
 #include "io/base/files.h"
+#include "io/base/json.h"
 #include "io/base/limits.h"
 
 namespace flg::io {
@@ -50,7 +48,7 @@ public:
 
 private:
     struct Member {
-        std::string name;
+        String name;
         uint16_t flags;
         uint16_t method;
         uint32_t crc;
@@ -62,7 +60,7 @@ private:
 
     Bytes file_;
     uint64_t directory_ = 0;  // where it starts: data of members lie before it
-    std::vector<Member> members_;
+    Vector<Member> members_;
 };
 
 constexpr uint32_t local_signature = 0x04034b50;
@@ -94,12 +92,36 @@ size_t find_end_record(Bytes file) {
     fail(FLG_ERROR_FORMAT, byte_place("", file.size()), "ends without the end record of a zip archive: cut off?");
 }
 
-ByteBlock inflate_member(Bytes packed, uint32_t size, const std::string& place) {
+// zlib does not tell the size of what it gives back: it stands before.
+constexpr size_t zlib_alignment = alignof(std::max_align_t);
+static_assert(zlib_alignment >= sizeof(size_t));
+
+void* take_for_zlib(void*, uInt count, uInt size) {
+    try {
+        const size_t bytes = zlib_alignment + size_t{count} * size;
+        auto* const memory = static_cast<uint8_t*>(take_memory(bytes, zlib_alignment));
+        std::memcpy(memory, &bytes, sizeof bytes);
+        return memory + zlib_alignment;
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+
+void give_back_for_zlib(void*, void* address) {
+    auto* const memory = static_cast<uint8_t*>(address) - zlib_alignment;
+    size_t bytes;
+    std::memcpy(&bytes, memory, sizeof bytes);
+    give_memory_back(memory, bytes, zlib_alignment);
+}
+
+ByteBlock inflate_member(Bytes packed, uint32_t size, const String& place) {
     if (size > packed.size() * deflate_ratio + deflate_slack) {
         fail(FLG_ERROR_FORMAT, place, "can't unpack to the %u bytes it declares: it has %zu packed ones", size,
              packed.size());
     }
     z_stream stream = {};
+    stream.zalloc = take_for_zlib;
+    stream.zfree = give_back_for_zlib;
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
     const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, inflateEnd);
     // One byte more than declared, so that a member which goes on is noticed without being unpacked.
@@ -143,7 +165,7 @@ ZipReader::ZipReader(Bytes file) : file_(file) {
 
     ByteReader directory(file.first(end_at), "", directory_);
     for (uint32_t i = 0; i < member_count; ++i) {
-        const std::string place = directory.place();
+        const String place = directory.place();
         constexpr const char* what = "an entry of the zip directory";
         if (directory.read<uint32_t>(what) != directory_signature) {
             fail(FLG_ERROR_FORMAT, place, "holds no zip directory entry where entry %u of %u should be", i,
@@ -172,7 +194,7 @@ const ZipReader::Member* ZipReader::find(std::string_view name) const {
     const Member* found = nullptr;
     for (const Member& member : members_) {
         if (member.name != name) continue;
-        if (found) fail(FLG_ERROR_FORMAT, std::string(name), "is in the archive twice");
+        if (found) fail(FLG_ERROR_FORMAT, String(name), "is in the archive twice");
         found = &member;
     }
     return found;
@@ -183,7 +205,7 @@ bool ZipReader::has(std::string_view name) const {
 }
 
 ZipContent ZipReader::read(std::string_view name, uint64_t limit) const {
-    const std::string place(name);
+    const String place(name);
     const Member* member = find(name);
     if (!member) fail(FLG_ERROR_FORMAT, place, "is not in the archive");
     if (member->flags & flag_encrypted) fail(FLG_ERROR_FORMAT, place, "is encrypted");
@@ -192,7 +214,7 @@ ZipContent ZipReader::read(std::string_view name, uint64_t limit) const {
              size_text(limit).c_str());
     }
     ByteReader local(file_.first(directory_), "", std::min(member->header, directory_));
-    const std::string header_place = local.place();
+    const String header_place = local.place();
     if (local.read<uint32_t>("a local zip header") != local_signature) {
         fail(FLG_ERROR_FORMAT, header_place, "holds no zip header where %s should be", place.c_str());
     }
@@ -226,94 +248,26 @@ ZipContent ZipReader::read(std::string_view name, uint64_t limit) const {
 // ---- The list of brushes in the metadata
 //
 // metadata.json holds much that isn't needed. Only BrushIndex, an array of strings in the root object, is kept while
-// the text is parsed: a document of everything takes many times the text's size, and hostile text packs well. The last
-// BrushIndex counts where there are several.
-
-using Json = nlohmann::json;
+// the text is parsed: a document of everything takes many times the text's size, and hostile text packs well.
 
 constexpr size_t most_brushes = size_t{1} << 16;
 constexpr uint32_t most_depth = 256;
-
-// A handler of nlohmann's SAX parser; all its functions say whether to go on, failures are thrown.
-class BrushIndexReader {
-public:
-    explicit BrushIndexReader(const std::string& part) : part_(part) {}
-
-    bool found() const { return found_; }
-    std::vector<std::string> take() { return std::move(guids_); }
-
-    bool null() { return other_value(); }
-    bool boolean(bool) { return other_value(); }
-    bool number_integer(Json::number_integer_t) { return other_value(); }
-    bool number_unsigned(Json::number_unsigned_t) { return other_value(); }
-    bool number_float(Json::number_float_t, const std::string&) { return other_value(); }
-    bool binary(Json::binary_t&) { return other_value(); }
-    bool string(std::string& value) {
-        if (!in_index_) return other_value();
-        if (guids_.size() == most_brushes) fail(FLG_ERROR_LIMIT, index_place(), "has more than 65536 brushes");
-        guids_.push_back(std::move(value));
-        return true;
-    }
-    bool key(std::string& name) {
-        announced_ = depth_ == 1 && name == "BrushIndex";
-        return true;
-    }
-    bool start_object(size_t) {
-        other_value();
-        return deeper();
-    }
-    bool end_object() {
-        --depth_;
-        return true;
-    }
-    bool start_array(size_t) {
-        if (announced_) {
-            announced_ = false;
-            found_ = in_index_ = true;
-            guids_.clear();
-        } else {
-            other_value();
-        }
-        return deeper();
-    }
-    bool end_array() {
-        --depth_;
-        in_index_ = false;  // nothing nests in it
-        return true;
-    }
-    bool parse_error(size_t position, const std::string&, const Json::exception&) {
-        fail(FLG_ERROR_FORMAT, byte_place(part_, position), "is no JSON");
-    }
-
-private:
-    std::string index_place() const { return part_ + ".BrushIndex"; }
-
-    bool other_value() const {
-        if (announced_) fail(FLG_ERROR_FORMAT, index_place(), "is no array");
-        if (in_index_) {
-            fail(FLG_ERROR_FORMAT, index_place() + "[" + std::to_string(guids_.size()) + "]", "is no string");
-        }
-        return true;
-    }
-    bool deeper() {
-        if (++depth_ > most_depth) fail(FLG_ERROR_LIMIT, part_, "nests more than %u deep", most_depth);
-        return true;
-    }
-
-    const std::string& part_;
-    std::vector<std::string> guids_;
-    uint32_t depth_ = 0;
-    bool announced_ = false;  // the value to come is the index
-    bool in_index_ = false;
-    bool found_ = false;
-};
+constexpr std::string_view index_name = "BrushIndex";
 
 // GUIDs of the brushes that strokes name by number. `part`: the metadata's name within the sketch, for failures.
-std::vector<std::string> read_brush_index(Bytes metadata, const std::string& part) {
-    BrushIndexReader reader(part);
-    Json::sax_parse(metadata.begin(), metadata.end(), &reader);
-    if (!reader.found()) fail(FLG_ERROR_FORMAT, part, "has no BrushIndex");
-    return reader.take();
+Vector<String> read_brush_index(Bytes metadata, const String& part) {
+    const JsonDocument document(metadata, most_depth, part, index_name);
+    const Json* const index = document.root().find(index_name);
+    if (!index) fail(FLG_ERROR_FORMAT, part, "has no BrushIndex");
+    const String place = (part + ".").append(index_name);
+    if (!index->is_array()) fail(FLG_ERROR_FORMAT, place, "is no array");
+    if (index->size() > most_brushes) fail(FLG_ERROR_LIMIT, place, "has more than 65536 brushes");
+    Vector<String> guids;
+    for (size_t i = 0; i < index->size(); ++i) {
+        if (!(*index)[i].is_string()) fail(FLG_ERROR_FORMAT, place + "[" + to_text(i) + "]", "is no string");
+        guids.emplace_back((*index)[i].string());
+    }
+    return guids;
 }
 
 // ---- Names of brushes
@@ -431,7 +385,7 @@ float srgb_to_linear(float value) {
 
 Stroke read_stroke_header(ByteReader& reader, uint32_t index) {
     constexpr const char* what = "a stroke";
-    const std::string place = reader.place();
+    const String place = reader.place();
     Stroke stroke;
     stroke.brush = reader.read<int32_t>(what);
     for (float& channel : stroke.color) channel = reader.read<float>(what);
@@ -474,13 +428,13 @@ Stroke read_stroke_header(ByteReader& reader, uint32_t index) {
     return stroke;
 }
 
-FlgStroke describe(const Stroke& stroke, uint32_t index, const std::vector<std::string>& brushes, Oddities& odd) {
+FlgStroke describe(const Stroke& stroke, uint32_t index, const Vector<String>& brushes, Oddities& odd) {
     FlgStroke result = {};
     std::string_view name = "unknown";
     if (stroke.brush < 0 || static_cast<size_t>(stroke.brush) >= brushes.size()) {
         odd.brush_range.add(index);
     } else {
-        const std::string& guid = brushes[static_cast<size_t>(stroke.brush)];
+        const String& guid = brushes[static_cast<size_t>(stroke.brush)];
         name = tilt_brush_name(guid);
         if (name.empty()) {
             odd.brush_unknown.add(index);
@@ -604,7 +558,7 @@ void report(const Oddities& odd, CurveData& data) {
 }
 
 // `part` is what failures name, `brushes` the GUIDs that strokes refer to. The result is in metres and right-handed.
-CurveData read_tilt_strokes(Bytes bytes, const char* part, const std::vector<std::string>& brushes) {
+CurveData read_tilt_strokes(Bytes bytes, const char* part, const Vector<String>& brushes) {
     ByteReader reader(bytes, part);
     if (const auto found = reader.read<uint32_t>("the sentinel"); found != sentinel) {
         fail(FLG_ERROR_FORMAT, byte_place(part, 0), "holds no strokes: starts with %08x, not %08x", found, sentinel);
@@ -616,14 +570,14 @@ CurveData read_tilt_strokes(Bytes bytes, const char* part, const std::vector<std
     }
     reader.read<int32_t>("the header");
     reader.take(reader.read<uint32_t>("the header"), "the header's further bytes");
-    const std::string count_place = reader.place();
+    const String count_place = reader.place();
     const auto stroke_count = reader.read<int32_t>("the stroke count");
     if (stroke_count < 0 || static_cast<uint64_t>(stroke_count) * smallest_stroke > reader.left()) {
         fail(FLG_ERROR_FORMAT, count_place, "declares %d strokes, but only %zu bytes are left", stroke_count,
              reader.left());
     }
 
-    std::vector<Stroke> strokes;
+    Vector<Stroke> strokes;
     strokes.reserve(static_cast<size_t>(stroke_count));
     size_t point_count = 0;
     Oddities odd;
@@ -658,7 +612,7 @@ CurveData read_tilt_strokes(Bytes bytes, const char* part, const std::vector<std
     }
     report(odd, data);
     if (data.strokes.empty()) data.warnings.push_back("the sketch holds no strokes");
-    if (reader.left() != 0) data.warnings.push_back(std::to_string(reader.left()) + " bytes follow the last stroke");
+    if (reader.left() != 0) data.warnings.push_back(to_text(reader.left()) + " bytes follow the last stroke");
     return data;
 }
 
@@ -670,17 +624,16 @@ constexpr const char* strokes_name = "data.sketch";
 constexpr const char* metadata_name = "metadata.json";
 constexpr const char* old_metadata_name = "main.json";  // of pre-release files
 
-CurveData read_directory(const std::filesystem::path& path) {
-    const ByteBlock strokes = read_file(path / strokes_name, strokes_name);
-    const char* name =
-        std::filesystem::exists(path / metadata_name) || !std::filesystem::exists(path / old_metadata_name)
-            ? metadata_name
-            : old_metadata_name;
-    const ByteBlock metadata = read_file(path / name, name, max_metadata_bytes);
+CurveData read_directory(const Path& path) {
+    const ByteBlock strokes = read_file(path.within(strokes_name), strokes_name);
+    const char* name = file_exists(path.within(metadata_name)) || !file_exists(path.within(old_metadata_name))
+                           ? metadata_name
+                           : old_metadata_name;
+    const ByteBlock metadata = read_file(path.within(name), name, max_metadata_bytes);
     return read_tilt_strokes(strokes.bytes(), strokes_name, read_brush_index(metadata.bytes(), name));
 }
 
-CurveData read_archive(const std::filesystem::path& path) {
+CurveData read_archive(const Path& path) {
     const ByteBlock file = read_file(path, "");
     ByteReader header(file.bytes(), "");
     if (const auto found = header.read<uint32_t>("the header"); found != magic) {
@@ -694,7 +647,7 @@ CurveData read_archive(const std::filesystem::path& path) {
         fail(FLG_ERROR_FORMAT, "@6", "has the header version %u; only %u is known", version, known_version);
     }
     header.take(header_size - header.position(), "the header");
-    const std::string zip_place = header.place();
+    const String zip_place = header.place();
     if (header.read<uint32_t>("a zip archive") != zip_start) {
         fail(FLG_ERROR_FORMAT, zip_place, "holds no zip archive behind its header");
     }
@@ -707,8 +660,8 @@ CurveData read_archive(const std::filesystem::path& path) {
 
 }  // namespace
 
-CurveData read_tilt(const std::filesystem::path& path) {
-    return std::filesystem::is_directory(path) ? read_directory(path) : read_archive(path);
+CurveData read_tilt(const Path& path) {
+    return is_folder(path, strokes_name) ? read_directory(path) : read_archive(path);
 }
 
 }  // namespace flg::io

@@ -2,12 +2,11 @@
 // VR sketches (.tilt), as one file or as a directory.
 #pragma once
 
-#include <filesystem>
-
 #include "io/base/curve_data.h"
+#include "io/base/files.h"
 
 namespace flg::io {
 
-CurveData read_tilt(const std::filesystem::path& path);
+CurveData read_tilt(const Path& path);
 
 }  // namespace flg::io

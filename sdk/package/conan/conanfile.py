@@ -35,7 +35,6 @@ class FiligreeConan(ConanFile):
     def requirements(self):
         self.requires("eigen/3.4.0")
         if self.options.io:
-            self.requires("nlohmann_json/3.11.2")
             self.requires("zlib/[>=1.2.11 <2]")
         if self.options.pick:
             self.requires("embree3/3.13.5")

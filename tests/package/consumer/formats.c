@@ -10,11 +10,12 @@ int main(void) {
     const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, points, 0, 0};
     FlgCurveSetView view = {sizeof view, 1, offsets, NULL, &column, 1, 0, {0}};
     FlgCurveFile file = NULL;
-    if (flgCurveFileWrite("line.glb", &view, NULL) != FLG_OK || flgCurveFileRead("line.glb", &file) != FLG_OK ||
+    if (flgCurveFileWrite("line.glb", &view, NULL) != FLG_OK || flgCurveFileRead("line.glb", NULL, &file) != FLG_OK ||
         flgCurveFileGetView(file, &view) != FLG_OK || view.curve_offsets[1] != 2) {
         fprintf(stderr, "%s\n", flgIoErrorGetMessage());
         return 1;
     }
     flgCurveFileRelease(file);
-    return flgCurveFileRead("none.glb", &file) != FLG_ERROR_FILE || strstr(flgIoErrorGetMessage(), "none.glb") == NULL;
+    return flgCurveFileRead("none.glb", NULL, &file) != FLG_ERROR_FILE ||
+           strstr(flgIoErrorGetMessage(), "none.glb") == NULL;
 }

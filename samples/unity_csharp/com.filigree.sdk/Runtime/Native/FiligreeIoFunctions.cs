@@ -2,7 +2,8 @@
 // Functions of filigree_io.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 //
 // Filigree's file formats, in a separate library (filigree_io) that hosts may leave out. Follows the grammar of
-// filigree.h but needs no context: its functions block on the disk, so call them where your engine loads assets.
+// filigree.h but needs no context: its functions block on the disk, so call them where your engine loads assets. Memory
+// and files may be the host's (FlgFileHooks).
 //
 // [any thread] All functions here; calls on one FlgCurveFile, FlgMeshFile, FlgSkinFile or FlgTangleFile must not
 // overlap.
@@ -18,7 +19,8 @@
 //                 floats) if all curves have them; node transforms apply to lengths, speeds and directions too. .glb is
 //                 written, as lines, ribbons or tubes; colours of these have 16 bits. Buffers only embedded or
 //                 below the file's folder
-//   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system
+//   .tilt         VR sketches, a file or a directory, read only; converted to metres and to a right-handed system. In
+//                 an FlgFileSystem a directory is a path that does not open, with a `data.sketch` below it that does
 //   .svg          outlines of shapes and paths, read only; y upwards, one metre per px, curves flattened to 1/1000 of
 //                 their size
 // Mesh formats, by extension; read and written, .gltf only read:
@@ -48,6 +50,12 @@ namespace Filigree
 {
     public static unsafe partial class Native
     {
+        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgFileSystemInit(FlgFileSystem* files, uint struct_size);
+
+        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgFileHooksInit(FlgFileHooks* hooks, uint struct_size);
+
         /// <summary>
         /// [any thread] As flgErrorGetMessage, for the functions of this header. Sentences start with FILE:PLACE, where
         /// PLACE is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE
@@ -58,11 +66,12 @@ namespace Filigree
 
         /// <summary>
         /// Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere
-        /// oddities become warnings (flgCurveFileGetInfo). Limits: 2 GiB a file (unpacked too), 2^31 points. Errors:
-        /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: 0.1 to 0.2 us a point.
+        /// oddities become warnings (flgCurveFileGetInfo). `hooks` may be null: all defaults. Limits: 2 GiB a file
+        /// (unpacked too), 2^31 points. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit,
+        /// FlgResult.ErrorOutOfMemory. Cost: 0.1 to 0.2 us a point.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCurveFileRead(byte* path, FlgCurveFile* out_file);
+        public static extern FlgResult flgCurveFileRead(byte* path, FlgFileHooks* hooks, FlgCurveFile* out_file);
 
         /// <summary>The curves, ready for flgCurveSetCreate; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -89,11 +98,12 @@ namespace Filigree
 
         /// <summary>
         /// Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when
-        /// complete. `desc` may be null. Curves without a NORMAL column get frames by double reflection. Colours in
-        /// .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4 floats. Lines of one point are
-        /// written with that point twice; ribbons and tubes omit zero-length curves. Errors:
-        /// FlgResult.ErrorInvalidArgument (also for no curves at all), FlgResult.ErrorFormat for another extension,
-        /// FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8.
+        /// complete (for an FlgFileSystem its `close` does so). `desc` may be null. Curves without a NORMAL column get
+        /// frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more
+        /// than 4 floats. Lines of one point are written with that point twice; ribbons and tubes omit zero-length
+        /// curves. Errors: FlgResult.ErrorInvalidArgument (also for no curves at all), FlgResult.ErrorFormat for
+        /// another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to
+        /// 0.8.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileWrite(
@@ -105,11 +115,11 @@ namespace Filigree
         /// from their first corner, others of at most 1024 corners by ear clipping. Like flgCurveFileRead, refuses
         /// errors (indices out of range, faces of fewer than three corners, values that are not finite, counts too
         /// large for the file, no faces at all) and warns of oddities. Cost: one core, some 400 MB/s of binary and 250
-        /// MB/s of text (2 M triangles: 0.1 s and 0.3 s). Limits: 2 GiB a file, and 2 GiB for the result. Errors:
-        /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
+        /// MB/s of text (2 M triangles: 0.1 s and 0.3 s). `hooks` may be null: all defaults. Limits: 2 GiB a file, and
+        /// 2 GiB for the result. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshFileRead(byte* path, FlgMeshFile* out_file);
+        public static extern FlgResult flgMeshFileRead(byte* path, FlgFileHooks* hooks, FlgMeshFile* out_file);
 
         /// <summary>The mesh; lives until the file is released. `regions` is null if the file has none.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -167,12 +177,12 @@ namespace Filigree
         /// from the materials. Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an
         /// animation moves away from their parents, roots that move differently, keys that are not LINEAR. Also
         /// refused: missing, out-of-range or non-finite joints or weights, cycles of nodes, inconsistent counts. If the
-        /// scene has no skin the result is FlgResult.Ok and `out_file` null. Cost: one core, about 0.4 us a vertex.
-        /// Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit (2 GiB a file and for the result;
-        /// 65535 joints).
+        /// scene has no skin the result is FlgResult.Ok and `out_file` null. `hooks` may be null: all defaults. Cost:
+        /// one core, about 0.4 us a vertex. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit (2
+        /// GiB a file and for the result; 65535 joints).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSkinFileRead(byte* path, FlgSkinFile* out_file);
+        public static extern FlgResult flgSkinFileRead(byte* path, FlgFileHooks* hooks, FlgSkinFile* out_file);
 
         /// <summary>The skin; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -253,21 +263,23 @@ namespace Filigree
         /// Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in
         /// a side file beside it: `PATH.CHECKSUM.bin`. The JSON is put in place last; then the previous document's side
         /// file is removed: an interrupted save leaves the previous document intact. No side file is written if none is
-        /// needed. The same history gives the same bytes. Errors: FlgResult.ErrorInvalidArgument (null, values that are
-        /// not finite), FlgResult.ErrorFile, FlgResult.ErrorLimit (8 MiB of JSON, 2 GiB of arrays). Cost: some us a
-        /// step and what the disk takes.
+        /// needed. The same history gives the same bytes. `hooks` may be null: all defaults. An FlgFileSystem opens and
+        /// closes one file after the other. Errors: FlgResult.ErrorInvalidArgument (null, values that are not finite),
+        /// FlgResult.ErrorFile, FlgResult.ErrorLimit (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what
+        /// the disk takes.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleFileWrite(byte* path, FlgTangleHistory* history);
+        public static extern FlgResult flgTangleFileWrite(byte* path, FlgTangleHistory* history, FlgFileHooks* hooks);
 
         /// <summary>
         /// Reads a document and checks what can be checked without its mesh: version, keys, types, sizes, the side
         /// file's size and checksum, finite numbers. flgTangleReplay checks the values' ranges. Nothing is read twice,
-        /// so the result is at most some multiple of the file's size. Errors: FlgResult.ErrorFile,
-        /// FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: some us a step and what the disk takes.
+        /// so the result is at most some multiple of the file's size. `hooks` may be null: all defaults. Errors:
+        /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: some us a step and what the disk
+        /// takes.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleFileRead(byte* path, FlgTangleFile* out_file);
+        public static extern FlgResult flgTangleFileRead(byte* path, FlgFileHooks* hooks, FlgTangleFile* out_file);
 
         /// <summary>The history, ready for flgTangleReplay; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -276,6 +288,20 @@ namespace Filigree
         /// <summary>Null is allowed.</summary>
         [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void flgTangleFileRelease(FlgTangleFile file);
+
+        public static FlgFileSystem flgFileSystemDefaults()
+        {
+            FlgFileSystem made;
+            flgFileSystemInit(&made, (uint)sizeof(FlgFileSystem));
+            return made;
+        }
+
+        public static FlgFileHooks flgFileHooksDefaults()
+        {
+            FlgFileHooks made;
+            flgFileHooksInit(&made, (uint)sizeof(FlgFileHooks));
+            return made;
+        }
 
         public static FlgCurveFileInfo flgCurveFileInfoDefaults()
         {

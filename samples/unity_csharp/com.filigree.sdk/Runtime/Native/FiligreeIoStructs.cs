@@ -6,6 +6,104 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
+    /// <summary>Of FlgFileSystem.open. An open file; null if it cannot be opened.</summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void* FlgFileSystemOpen(void* user_data, byte* path, FlgFileAccess access);
+
+    /// <summary>Of FlgFileSystem.size. Of a file that is read, bytes; above 2 GiB where it has none.</summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate ulong FlgFileSystemSize(void* user_data, void* file);
+
+    /// <summary>
+    /// Of FlgFileSystem.read. Reads the next bytes, at most `size`, and returns how many; 0 at the end, and when it
+    /// fails.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate UIntPtr FlgFileSystemRead(void* user_data, void* file, void* out_bytes, UIntPtr size);
+
+    /// <summary>
+    /// Of FlgFileSystem.write. Appends bytes, and returns how many; fewer than `size` when it fails. Null: no file can
+    /// be written.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate UIntPtr FlgFileSystemWrite(void* user_data, void* file, void* bytes, UIntPtr size);
+
+    /// <summary>
+    /// Of FlgFileSystem.close. Called once for each open file. Of one that is written, `complete` tells whether to keep
+    /// it: with 0 what was there before must stay. Returns 0 if it could not be kept.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate uint FlgFileSystemClose(void* user_data, void* file, uint complete);
+
+    /// <summary>Of FlgFileSystem.remove. Removes a side file that no document names any more. Null: it stays.</summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void FlgFileSystemRemove(void* user_data, byte* path);
+
+    /// <summary>
+    /// Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on
+    /// their threads. Paths are those the host passes, and names beside them that files or this library give, put
+    /// together with `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a
+    /// time in a call.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct FlgFileSystem
+    {
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>passed to all</summary>
+        public void* user_data;
+        /// <summary>
+        /// A FlgFileSystemOpen, by Marshal.GetFunctionPointerForDelegate. An open file; null if it cannot be opened.
+        /// </summary>
+        public IntPtr open;
+        /// <summary>
+        /// A FlgFileSystemSize, by Marshal.GetFunctionPointerForDelegate. Of a file that is read, bytes; above 2 GiB
+        /// where it has none.
+        /// </summary>
+        public IntPtr size;
+        /// <summary>
+        /// A FlgFileSystemRead, by Marshal.GetFunctionPointerForDelegate. Reads the next bytes, at most `size`, and
+        /// returns how many; 0 at the end, and when it fails.
+        /// </summary>
+        public IntPtr read;
+        /// <summary>
+        /// A FlgFileSystemWrite, by Marshal.GetFunctionPointerForDelegate. Appends bytes, and returns how many; fewer
+        /// than `size` when it fails. Null: no file can be written.
+        /// </summary>
+        public IntPtr write;
+        /// <summary>
+        /// A FlgFileSystemClose, by Marshal.GetFunctionPointerForDelegate. Called once for each open file. Of one that
+        /// is written, `complete` tells whether to keep it: with 0 what was there before must stay. Returns 0 if it
+        /// could not be kept.
+        /// </summary>
+        public IntPtr close;
+        /// <summary>
+        /// A FlgFileSystemRemove, by Marshal.GetFunctionPointerForDelegate. Removes a side file that no document names
+        /// any more. Null: it stays.
+        /// </summary>
+        public IntPtr remove;
+    }
+
+    /// <summary>
+    /// What a call uses of the host. The structs are copied; what they point to must live as long as what the call
+    /// makes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct FlgFileHooks
+    {
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>
+        /// All memory of the call and of what it makes. Where it returns null, the call fails with
+        /// FlgResult.ErrorOutOfMemory. Null: the C++ runtime's. Not included: what the C++ runtime takes for the
+        /// exceptions that stop a failing call, and for names and buffers of the operating system's files. Called on
+        /// the threads that use this library.
+        /// </summary>
+        public FlgAllocator* allocator;
+        /// <summary>null: the operating system's</summary>
+        public FlgFileSystem* files;
+    }
+
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveFileInfo
     {
@@ -76,6 +174,8 @@ namespace Filigree
         /// null
         /// </summary>
         public byte* geometries;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
     }
 
     /// <summary>Integers per triangle, with a name.</summary>
@@ -148,6 +248,8 @@ namespace Filigree
         public uint material_count;
         /// <summary>for .glb, by label; materials without a region are omitted</summary>
         public FlgMeshMaterial* materials;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -182,6 +284,8 @@ namespace Filigree
         public uint reserved;
         /// <summary>by part. A triangle belongs to the part of two of its corners, else of its first corner</summary>
         public FlgMeshMaterial* materials;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -201,7 +305,7 @@ namespace Filigree
         public double end_time;
         /// <summary>moves with the body; null: none</summary>
         public FlgMeshView* mesh;
-        /// <summary>its materials, as for flgMeshFileWrite; null: defaults</summary>
+        /// <summary>its materials, as for flgMeshFileWrite; its hooks are not used; null: defaults</summary>
         public FlgMeshFileWriteDesc* mesh_desc;
         /// <summary>
         /// above 0 and below pi: the vertical field of view of a camera that looks along the body's -z, with y up.
@@ -213,5 +317,7 @@ namespace Filigree
         public byte* name;
         /// <summary>metres: what the poses are relative to: a node above the body's is there. Default 0</summary>
         public fixed double origin[3];
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
     }
 }

@@ -6,6 +6,17 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
+    /// <summary>What a file is opened for.</summary>
+    public enum FlgFileAccess
+    {
+        /// <summary>FLG_FILE_ACCESS_READ: from its start</summary>
+        Read = 0,
+        /// <summary>
+        /// FLG_FILE_ACCESS_WRITE: anew: what is there is replaced when the file is closed as complete
+        /// </summary>
+        Write = 1,
+    }
+
     /// <summary>Geometry of curves in .glb.</summary>
     public enum FlgCurveGeometry
     {

@@ -6,6 +6,15 @@ using System.Runtime.InteropServices;
 
 namespace Filigree
 {
+    /// <summary>
+    /// Of FlgPickSceneDesc.embree_memory. Told of Embree's memory, which no hook provides: of `bytes` that it is about
+    /// to take (above 0) or gave back (below 0: the return value is not used). 0 refuses: what needed the memory
+    /// returns FlgResult.ErrorOutOfMemory; set that object and commit again. Called from Embree's threads, too. Null:
+    /// all is granted.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate uint FlgPickSceneDescEmbreeMemory(void* user_data, long bytes);
+
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPickSceneDesc
     {
@@ -16,6 +25,21 @@ namespace Filigree
         /// Metres: what rays, points and hits are relative to. Objects near it are picked most precisely. Default 0
         /// </summary>
         public fixed double origin[3];
+        /// <summary>
+        /// The scene's memory: copies of positions, triangles and curves, and what queries need. Called from any
+        /// thread. Null: the C++ runtime's. Not included: Embree's structures and buffers, which are half of the whole
+        /// and more.
+        /// </summary>
+        public FlgAllocator* allocator;
+        /// <summary>
+        /// A FlgPickSceneDescEmbreeMemory, by Marshal.GetFunctionPointerForDelegate. Told of Embree's memory, which no
+        /// hook provides: of `bytes` that it is about to take (above 0) or gave back (below 0: the return value is not
+        /// used). 0 refuses: what needed the memory returns FlgResult.ErrorOutOfMemory; set that object and commit
+        /// again. Called from Embree's threads, too. Null: all is granted.
+        /// </summary>
+        public IntPtr embree_memory;
+        /// <summary>passed to embree_memory</summary>
+        public void* user_data;
     }
 
     /// <summary>A ray.</summary>
