@@ -10,7 +10,7 @@ namespace flg::render {
 namespace {
 
 constexpr float frame_margin = 1.06f;
-constexpr float least_pole_distance_rad = 0.02f;
+constexpr float min_pole_distance_rad = 0.02f;
 constexpr float half_pi = 1.5707963f;
 
 glm::vec3 usable_up(glm::vec3 forward) {
@@ -82,7 +82,7 @@ void Orbit::turn(float yaw_rad, float pitch_rad) {
     const float distance = glm::length(arm);
     float yaw = std::atan2(arm.x, arm.z) + yaw_rad;
     float pitch = std::asin(std::clamp(arm.y / distance, -1.0f, 1.0f)) + pitch_rad;
-    pitch = std::clamp(pitch, -half_pi + least_pole_distance_rad, half_pi - least_pole_distance_rad);
+    pitch = std::clamp(pitch, -half_pi + min_pole_distance_rad, half_pi - min_pole_distance_rad);
     camera.eye = camera.target + distance * glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch),
                                                       std::cos(yaw) * std::cos(pitch));
     camera.up = {0.0f, 1.0f, 0.0f};

@@ -11,18 +11,18 @@
 namespace flg::render {
 namespace {
 
-constexpr float least_step_px = 2.0f;     // points nearer to each other than this are skipped
+constexpr float min_step_px = 2.0f;       // points nearer to each other than this are skipped
 constexpr float largest_step_px = 16.0f;  // over which colours and shading may be interpolated
 constexpr float straying_px = 0.25f;      // how far what is drawn may lie off the curve
-constexpr float least_radius_px = 0.5f;   // of ribbons whose turning is looked at: shading turns as well
+constexpr float min_radius_px = 0.5f;     // of ribbons whose turning is looked at: shading turns as well
 constexpr float roundness_px = 0.15f;     // how far a tube's polygon may fall short of its circle
-constexpr float least_cap_px = 0.8f;      // caps of thinner tubes are left away
-constexpr uint32_t least_segments = 4;    // of a bin
-constexpr uint32_t least_sides = 3, most_sides = 32;
-constexpr uint32_t most_stride_log2 = 6;
+constexpr float min_cap_px = 0.8f;        // caps of thinner tubes are left away
+constexpr uint32_t min_segments = 4;      // of a bin
+constexpr uint32_t min_sides = 3, max_sides = 32;
+constexpr uint32_t max_stride_log2 = 6;
 
 // Buckets: by segments, part, columns, which make a bin, and stride.
-constexpr uint32_t stride_count = most_stride_log2 + 1, columns_count = most_sides + 1, part_count = 3;
+constexpr uint32_t stride_count = max_stride_log2 + 1, columns_count = max_sides + 1, part_count = 3;
 constexpr uint32_t segments_count = std::countr_zero(chunk_segments) + 1;
 constexpr uint32_t bucket_count = segments_count * part_count * columns_count * stride_count;
 
@@ -37,8 +37,8 @@ DrawBin draw_bin(uint32_t bin, uint32_t first_instance) {
 }
 
 // Even numbers, for fewer bins: by half of them, the largest radius in pixels that they are enough for.
-std::array<float, most_sides / 2 + 1> largest_radii() {
-    std::array<float, most_sides / 2 + 1> radii{};
+std::array<float, max_sides / 2 + 1> largest_radii() {
+    std::array<float, max_sides / 2 + 1> radii{};
     for (uint32_t half = 2; half < radii.size(); ++half)
         radii[half] = roundness_px / (1.0f - std::cos(std::numbers::pi_v<float> / static_cast<float>(2 * half)));
     return radii;
@@ -46,7 +46,7 @@ std::array<float, most_sides / 2 + 1> largest_radii() {
 
 uint32_t sides_for(float radius_px, uint32_t most) {
     static const auto radii = largest_radii();
-    if (radius_px <= 2.0f * roundness_px) return least_sides;
+    if (radius_px <= 2.0f * roundness_px) return min_sides;
     uint32_t half = 2;
     while (2 * half < most && radii[half] < radius_px) ++half;
     return std::min(2 * half, most);
@@ -63,11 +63,11 @@ int log2_of(float x) {
 uint32_t stride_for(const ChunkBounds& bounds, float pixel_m) {
     constexpr float tiny = std::numeric_limits<float>::min();
     const float steps_a_pixel = pixel_m / std::max(bounds.segment, tiny);
-    const float bend = bounds.bend + std::max(bounds.thickness, least_radius_px * pixel_m) * bounds.turn;
+    const float bend = bounds.bend + std::max(bounds.thickness, min_radius_px * pixel_m) * bounds.turn;
     const float straight = std::sqrt(8.0f * straying_px * pixel_m / std::max(bend, tiny));
     const int doublings =
-        std::max(log2_of(least_step_px * steps_a_pixel), log2_of(std::min(straight, largest_step_px * steps_a_pixel)));
-    return static_cast<uint32_t>(std::clamp(doublings, 0, static_cast<int>(most_stride_log2)));
+        std::max(log2_of(min_step_px * steps_a_pixel), log2_of(std::min(straight, largest_step_px * steps_a_pixel)));
+    return static_cast<uint32_t>(std::clamp(doublings, 0, static_cast<int>(max_stride_log2)));
 }
 
 }  // namespace
@@ -126,12 +126,12 @@ void ChunkSelector::select(const CurveData& curves, const CurveLook& look, float
         if (pixel_m == std::numeric_limits<float>::infinity()) continue;
         const uint32_t stride_log2 = stride_for(bounds, pixel_m);
         const uint32_t segments = (curves.chunks[i].segments() + (1u << stride_log2) - 1) >> stride_log2;
-        const uint32_t drawn = std::max(std::bit_ceil(segments), least_segments);
+        const uint32_t drawn = std::max(std::bit_ceil(segments), min_segments);
         const float radius_px = tube ? bounds.thickness / pixel_m : 0.0f;
         const uint32_t columns = tube ? sides_for(radius_px, look.sides) : 2;
         const uint32_t instance = i | stride_log2 << instance_chunk_bits;
         choose(bin_of(drawn, Part::body, columns) * stride_count + stride_log2, instance);
-        if (!tube || look.caps == Caps::none || radius_px < least_cap_px) continue;
+        if (!tube || look.caps == Caps::none || radius_px < min_cap_px) continue;
         const uint32_t flags = curves.chunks[i].segments_and_flags;
         for (const Part part : {Part::begin_cap, Part::end_cap})
             if (flags & (part == Part::begin_cap ? Chunk::begins : Chunk::ends))

@@ -26,7 +26,7 @@ glm::vec3 any_normal(glm::vec3 tangent) {
 
 // Sine of the angle to the tangent below which a given normal says too little: beside such a point it turns about the
 // curve at once.
-constexpr float least_said = 0.1f;
+constexpr float min_said = 0.1f;
 
 // Of points that are positions, or begin with them.
 template <class Point>
@@ -47,7 +47,7 @@ public:
     static glm::vec3 leveled(glm::vec3 given, glm::vec3 tangent) {
         const glm::vec3 direction = unit(given);
         const glm::vec3 level = direction - tangent * glm::dot(direction, tangent);
-        return glm::dot(level, level) > least_said * least_said ? unit(level) : glm::vec3(0);
+        return glm::dot(level, level) > min_said * min_said ? unit(level) : glm::vec3(0);
     }
 
     // The normal at point `from` brought to its neighbour `to`, whose tangents these are.

@@ -7,7 +7,7 @@
 namespace flg::render {
 namespace {
 
-constexpr uint32_t most_columns = 32;
+constexpr uint32_t max_columns = 32;
 constexpr float largest_magnitude_offset = 1e6f;
 // Depth is 1 near and 0 infinitely far: what is in front begins here, before all that is further away than a twentieth
 // of the way to the camera's target.
@@ -22,7 +22,7 @@ void check_size(const Device& device, size_t points) {
 
 IndexPatterns::IndexPatterns(UploadRing& ring) {
     std::vector<uint16_t> indices;
-    for (uint32_t columns = 2; columns <= most_columns; ++columns) {
+    for (uint32_t columns = 2; columns <= max_columns; ++columns) {
         first_[columns] = static_cast<uint32_t>(indices.size());
         const uint32_t strips = columns == 2 ? 1 : columns;
         for (uint32_t ring_index = 0; ring_index < chunk_segments; ++ring_index) {
@@ -57,8 +57,8 @@ DeviceCurves::DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, con
                            uint32_t capacity)
     : look(wanted_look), device(memory.device().handle()) {
     check_look(look);
-    if (capacity < 2 || capacity > most_growing_points)
-        fail("The capacity is %u; it must be 2 to %u.", capacity, most_growing_points);
+    if (capacity < 2 || capacity > max_growing_points)
+        fail("The capacity is %u; it must be 2 to %u.", capacity, max_growing_points);
     check_size(memory.device(), capacity);
     growing = std::make_unique<GrowingCurve>(data, look, capacity);
     const auto room = [&](size_t count, size_t size) {

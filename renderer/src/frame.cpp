@@ -9,9 +9,9 @@ namespace {
 
 constexpr uint32_t moment_queries = 2;  // in a multiview pass one is written for each view
 
-constexpr VkDeviceSize least_instance_bytes = 64 << 10;
-constexpr VkDeviceSize least_joint_bytes = 16 << 10;
-constexpr VkDeviceSize least_ui_bytes = 128 << 10;
+constexpr VkDeviceSize min_instance_bytes = 64 << 10;
+constexpr VkDeviceSize min_joint_bytes = 16 << 10;
+constexpr VkDeviceSize min_ui_bytes = 128 << 10;
 
 }  // namespace
 
@@ -187,7 +187,7 @@ void FrameSlot::set_views(std::span<const ViewUniforms> main, const ViewUniforms
 VkBuffer FrameSlot::set_instances(const std::vector<uint32_t>& instances) {
     const VkDeviceSize bytes = instances.size() * sizeof(uint32_t);
     if (instances_.size() < std::max<VkDeviceSize>(bytes, 1))
-        instances_ = Buffer(memory_, std::max(least_instance_bytes, 2 * bytes), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+        instances_ = Buffer(memory_, std::max(min_instance_bytes, 2 * bytes), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                             DeviceMemory::Place::host, MemoryUse::other);
     if (bytes) std::memcpy(instances_.mapped(), instances.data(), bytes);
     return instances_.handle();
@@ -196,13 +196,13 @@ VkBuffer FrameSlot::set_instances(const std::vector<uint32_t>& instances) {
 VkDescriptorSet FrameSlot::set_joints(const std::vector<float>& joints) {
     if (joints.empty()) return VK_NULL_HANDLE;
     const VkDeviceSize bytes = joints.size() * sizeof(float);
-    const uint32_t most_bytes = memory_.device().properties().limits.maxStorageBufferRange;
-    if (bytes > most_bytes)
-        fail("The joints of all skins take %zu bytes; this device takes %u.", static_cast<size_t>(bytes), most_bytes);
+    const uint32_t max_bytes = memory_.device().properties().limits.maxStorageBufferRange;
+    if (bytes > max_bytes)
+        fail("The joints of all skins take %zu bytes; this device takes %u.", static_cast<size_t>(bytes), max_bytes);
     if (joints_.size() < bytes) {
-        joints_ = Buffer(memory_, std::max(least_joint_bytes, 2 * bytes), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        joints_ = Buffer(memory_, std::max(min_joint_bytes, 2 * bytes), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                          DeviceMemory::Place::host, MemoryUse::other);
-        const VkDescriptorBufferInfo buffer{joints_.handle(), 0, std::min<VkDeviceSize>(joints_.size(), most_bytes)};
+        const VkDescriptorBufferInfo buffer{joints_.handle(), 0, std::min<VkDeviceSize>(joints_.size(), max_bytes)};
         VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
         write.dstSet = joints_set_;
         write.descriptorCount = 1;
@@ -217,7 +217,7 @@ VkDescriptorSet FrameSlot::set_joints(const std::vector<float>& joints) {
 UiBuffers FrameSlot::set_ui(const UiFrame& ui) {
     const VkDeviceSize vertices = ui.vertices.size_bytes(), bytes = vertices + ui.indices.size_bytes();
     if (ui_.size() < bytes)
-        ui_ = Buffer(memory_, std::max(least_ui_bytes, 2 * bytes),
+        ui_ = Buffer(memory_, std::max(min_ui_bytes, 2 * bytes),
                      VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT, DeviceMemory::Place::host,
                      MemoryUse::other);
     auto* mapped = static_cast<char*>(ui_.mapped());

@@ -11,7 +11,7 @@
 
 namespace flg::render {
 
-constexpr uint32_t most_growing_points = 1u << 22;
+constexpr uint32_t max_growing_points = 1u << 22;
 
 class GrowingCurve {
 public:

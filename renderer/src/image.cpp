@@ -22,10 +22,10 @@ void write_png(const Image& image, const std::string& path) {
     if (image.width == 0 || image.height == 0 || image.pixels.size() != size_t{4} * image.width * image.height)
         fail("The image to write to \"%s\" has no pixels, or not as many as its size says.", path.c_str());
     // Renaming over a symbolic link would replace the link.
-    constexpr int most_links = 40;  // as the kernel has it
+    constexpr int max_links = 40;  // as the kernel has it
     std::filesystem::path real = path;
     std::error_code ignored;
-    for (int i = 0; i < most_links && std::filesystem::is_symlink(real, ignored); ++i)
+    for (int i = 0; i < max_links && std::filesystem::is_symlink(real, ignored); ++i)
         real = real.parent_path() / std::filesystem::read_symlink(real, ignored);
     const std::string temporary = real.string() + ".part";
     std::FILE* file = std::fopen(temporary.c_str(), "wb");

@@ -365,7 +365,7 @@ void Renderer::State::draw(std::span<const std::unique_ptr<TargetImage>> images,
     TargetImage& image = *images[0];
     const PictureKey key{cameras[0], draw_options.viewport, draw_options.refines ? revision : 0};
     const bool goes_on = draw_options.refines && image.drawn && key == image.key;
-    const uint32_t refined = goes_on ? std::min(image.refined + 1, most_refined + 1) : 0;
+    const uint32_t refined = goes_on ? std::min(image.refined + 1, max_refined + 1) : 0;
     SteadyClock::time_point submit_start;
     try {
         record_frame(slot, submission, images, cameras, draw_options, refined);
@@ -382,7 +382,7 @@ void Renderer::State::draw(std::span<const std::unique_ptr<TargetImage>> images,
     shadow_is_current = true;
     for (const auto& drawn : images) drawn->drawn = true;
     image.key = key;
-    image.refined = std::min(refined, most_refined);
+    image.refined = std::min(refined, max_refined);
     if (around) around->present(submission);
     stats.submit_ms = milliseconds_since(submit_start);
     stats.wait_ms = wait_ms;
@@ -397,7 +397,7 @@ void Renderer::State::record_frame(FrameSlot& slot, FrameSubmission& submission,
     const uint32_t shadow_size = options.shadow_size;
     const VkRect2D area = picture_area(draw_options.viewport, *images[0]);
     const VkExtent2D drawn = refined ? area.extent : scaled(area.extent, draw_options.changing_scale);
-    const bool is_done = refined > most_refined;  // and shown again
+    const bool is_done = refined > max_refined;  // and shown again
     views.clear();
     for (const Camera& camera : cameras) {
         views.push_back(camera_view(camera, scene, box, drawn.width, drawn.height, shadow_size));

@@ -12,13 +12,13 @@ namespace {
 
 constexpr float sum_tolerance = 1e-4f;
 constexpr float length_tolerance = 1e-3f;
-constexpr uint32_t most_joints = 65535;
+constexpr uint32_t max_joints = 65535;
 constexpr float whole = 65535.0f;
 constexpr float no_reach = 1e-6f;  // weights that are 1 but for rounding
 
 void check_skin(const FlgSkinView& skin) {
-    if (skin.joint_count == 0 || skin.joint_count > most_joints)
-        fail("The skin has %u joints; it must have 1 to %u.", skin.joint_count, most_joints);
+    if (skin.joint_count == 0 || skin.joint_count > max_joints)
+        fail("The skin has %u joints; it must have 1 to %u.", skin.joint_count, max_joints);
     if (!skin.positions || !skin.vertex_joints || !skin.vertex_weights)
         fail("The skin has no positions, vertex_joints or vertex_weights.");
     for (size_t i = 0; i < 4 * size_t{skin.vertex_count}; i += 4) {
@@ -91,8 +91,8 @@ void mark_other_parts(SurfaceData& data, const FlgSkinView& skin, const SurfaceL
             SurfaceVertex vertex = data.vertices[from];
             vertex.other_color = other_color;
             if (parts[k] != own) vertex.material &= ~own_part;
-            if (data.positions.size() == most_vertices)
-                fail("The skin has more than %u vertices, those between parts counted once a triangle.", most_vertices);
+            if (data.positions.size() == max_vertices)
+                fail("The skin has more than %u vertices, those between parts counted once a triangle.", max_vertices);
             corners[k] = static_cast<uint32_t>(data.positions.size());
             data.copied.push_back(from < skin.vertex_count ? from : data.copied[from - skin.vertex_count]);
             data.positions.push_back(glm::vec3(data.positions[from]));

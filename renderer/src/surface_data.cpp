@@ -12,7 +12,7 @@
 namespace flg::render {
 namespace {
 
-constexpr uint32_t most_triangles = 1u << 26;
+constexpr uint32_t max_triangles = 1u << 26;
 constexpr uint32_t field_known = 0xff0000u;  // in a material's bits
 
 void check_material(const Material& material) {
@@ -38,10 +38,10 @@ void check_look(const SurfaceLook& look) {
 void check_mesh(const FlgMeshView& mesh) {
     if (mesh.triangle_count == 0 || !mesh.triangles) fail("The mesh has no triangles.");
     if (mesh.column_count == 0 || !mesh.columns) fail("The mesh has no columns.");
-    if (mesh.vertex_count > most_vertices)
-        fail("The mesh has %u vertices; the renderer takes at most %u.", mesh.vertex_count, most_vertices);
-    if (mesh.triangle_count > most_triangles)
-        fail("The mesh has %u triangles; the renderer takes at most %u.", mesh.triangle_count, most_triangles);
+    if (mesh.vertex_count > max_vertices)
+        fail("The mesh has %u vertices; the renderer takes at most %u.", mesh.vertex_count, max_vertices);
+    if (mesh.triangle_count > max_triangles)
+        fail("The mesh has %u triangles; the renderer takes at most %u.", mesh.triangle_count, max_triangles);
     for (uint32_t corner = 0; corner < 3 * mesh.triangle_count; ++corner)
         if (mesh.triangles[corner] >= mesh.vertex_count)
             fail("Triangle %u names vertex %u; the mesh has %u vertices.", corner / 3, mesh.triangles[corner],
@@ -76,10 +76,10 @@ public:
         read_field();
         SplitVertices split = split_regions();
         const uint32_t count = mesh_.vertex_count + static_cast<uint32_t>(split.copied.size());
-        if (count > most_vertices)
+        if (count > max_vertices)
             fail(
                 "The mesh has %u vertices, those between regions counted once a region; the renderer takes at most %u.",
-                count, most_vertices);
+                count, max_vertices);
         data_.vertices.reserve(count);
         data_.positions.reserve(count);
         for (const uint32_t source : split.copied) data_.positions.push_back(data_.positions[source]);

@@ -25,8 +25,8 @@ struct SurfaceVertex {
     };
 };
 
-constexpr uint32_t most_vertices = (1u << 24) - 1;  // indices of devices without fullDrawIndexUint32
-constexpr uint32_t own_part = 0xff000000u;          // in a material's bits
+constexpr uint32_t max_vertices = (1u << 24) - 1;  // indices of devices without fullDrawIndexUint32
+constexpr uint32_t own_part = 0xff000000u;         // in a material's bits
 
 // Mirrors the vertex input of shaders/border.vert.
 struct BorderEdge {

@@ -32,7 +32,7 @@ public:
     template <class T>
     Buffer make_filled(const std::vector<T>& values, VkBufferUsageFlags usage, MemoryUse use) {
         const VkDeviceSize bytes = values.size() * sizeof(T);
-        Buffer buffer(memory_, std::max(bytes, least_bytes), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        Buffer buffer(memory_, std::max(bytes, min_bytes), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                       DeviceMemory::Place::device, use);
         upload(buffer, values.data(), bytes);
         return buffer;
@@ -63,7 +63,7 @@ public:
     void trim() { free_.clear(); }
 
 private:
-    static constexpr VkDeviceSize least_bytes = 16;  // of a buffer in which there is nothing
+    static constexpr VkDeviceSize min_bytes = 16;  // of a buffer in which there is nothing
 
     struct Block {
         Buffer buffer;

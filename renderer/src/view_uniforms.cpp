@@ -13,8 +13,8 @@ namespace {
 constexpr float near_share = 0.002f;    // of the distance to the target; nearer things are cut away
 constexpr float shadow_margin = 1.02f;  // so that no caster touches the edge of the map
 constexpr float largest_angle_rad = 1.55f;
-constexpr float least_field_rad = 1e-3f;
-constexpr float least_radius_m = 1e-6f;  // of an empty scene
+constexpr float min_field_rad = 1e-3f;
+constexpr float min_radius_m = 1e-6f;  // of an empty scene
 
 bool finite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -40,7 +40,7 @@ SunMap sun_map(glm::vec3 to_sun, const Box& box, uint32_t size) {
     const glm::vec3 up = glm::cross(to_sun, right);
     const glm::vec3 half = box.empty() ? glm::vec3(0) : 0.5f * (box.max - box.min);
     const auto extent = [&](glm::vec3 axis) {
-        return std::max(shadow_margin * glm::dot(glm::abs(axis), half), least_radius_m);
+        return std::max(shadow_margin * glm::dot(glm::abs(axis), half), min_radius_m);
     };
     const float x = extent(right), y = extent(up), z = extent(to_sun);
     // Rows: right, up, and from the sun (depth 0) away (depth 1).
@@ -71,7 +71,7 @@ Frustum frustum_of(const Camera& camera, uint32_t width, uint32_t height) {
         if (!(std::abs(angle) <= largest_angle_rad))
             fail("The camera's field has an angle of %g; each must be in -%g to %g.", angle, largest_angle_rad,
                  largest_angle_rad);
-    if (!(field.right - field.left > least_field_rad && field.up - field.down > least_field_rad))
+    if (!(field.right - field.left > min_field_rad && field.up - field.down > min_field_rad))
         fail("The camera's field is %g to %g wide and %g to %g high; it must not be empty.", field.left, field.right,
              field.down, field.up);
     const float left = std::tan(field.left), right = std::tan(field.right);
@@ -134,7 +134,7 @@ ViewUniforms camera_view(const Camera& camera, const Scene& scene, const Box& bo
     view.eye = glm::vec4(camera.eye, 2.0f * tan_y / static_cast<float>(height));
     view.ray_right = glm::vec4(right * tan_x, ground_height(scene, box));
     view.ray_up = glm::vec4(up * tan_y, scene.ground && !box.empty() ? 1.0f : 0.0f);
-    view.ray_forward = glm::vec4(middle, std::max(0.5f * box.diagonal(), least_radius_m));
+    view.ray_forward = glm::vec4(middle, std::max(0.5f * box.diagonal(), min_radius_m));
     view.sun_direction = glm::vec4(to_sun, map.texel_m);
     view.sun_color = glm::vec4(scene.sun_color, shadow_size ? 1.0f / static_cast<float>(shadow_size) : 0.0f);
     view.sky_color = glm::vec4(scene.sky_color, scene.exposure);

@@ -59,8 +59,8 @@ nlohmann::ordered_json Report::json() const {
                      {"p50_us", percentile(ticks, 0.50)},
                      {"p99_us", percentile(ticks, 0.99)},
                      {"max_us", percentile(ticks, 1.0)},
-                     {"longest_chunk_us", times_.longest_chunk_us},
-                     {"longest_chunk_stage", times_.longest_chunk_stage}};
+                     {"longest_chunk_us", times_.max_slice_us},
+                     {"longest_chunk_stage", times_.max_slice_stage}};
     json["warnings"] = warnings_;
     json["quality"] = quality;
     return json;

@@ -13,8 +13,8 @@ namespace flg::cli {
 
 struct TickTimes {
     std::vector<float> ticks_us;
-    float longest_chunk_us = 0.0f;
-    std::string longest_chunk_stage;
+    float max_slice_us = 0.0f;
+    std::string max_slice_stage;
 };
 
 class Report {

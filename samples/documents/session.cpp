@@ -42,9 +42,9 @@ void Session::finish(std::span<const Pending> jobs, Report& report) {
         frame.struct_size = sizeof frame;
         check(flgContextTick(context_, common_.budget_us, &frame), "tick");
         times_.ticks_us.push_back(frame.tick_us);
-        if (frame.longest_chunk_us > times_.longest_chunk_us) {
-            times_.longest_chunk_us = frame.longest_chunk_us;
-            times_.longest_chunk_stage = frame.longest_chunk_stage;
+        if (frame.max_slice_us > times_.max_slice_us) {
+            times_.max_slice_us = frame.max_slice_us;
+            times_.max_slice_stage = frame.max_slice_stage;
         }
         say_progress(jobs);
         if (common_.workers > 0 && frame.jobs_pending > 0) flgContextWait(context_, kWaitUs);

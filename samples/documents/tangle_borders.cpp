@@ -58,7 +58,7 @@ std::map<uint32_t, Vector> normals_of(const FlgMeshView& mesh, const std::vector
     return normals;
 }
 
-double longest_side(const SpaceLines& lines) {
+double max_side(const SpaceLines& lines) {
     double longest = 0;
     for (size_t k = 0; k < 3; ++k) {
         float lower = std::numeric_limits<float>::infinity(), upper = -lower;
@@ -123,7 +123,7 @@ FlgCurveSet stylize_lines(Session& session, const SpaceLines& lines, const Strok
                           Report& report) {
     const FlgContext context = session.context();
     const SpaceLines example = read_lines(look.file, report);
-    if (!(longest_side(example) > 0)) throw InputError(look.file + ": has no length");
+    if (!(max_side(example) > 0)) throw InputError(look.file + ": has no length");
     FlgStyleDesc style;
     flgStyleDescInit(&style, sizeof style);
     style.style = create_set(context, example, look.file);
@@ -131,7 +131,7 @@ FlgCurveSet stylize_lines(Session& session, const SpaceLines& lines, const Strok
     FlgJob prepared = {}, applied = {};
     check(flgStyleCreate(context, &style, &desc.style, &prepared), look.file);
     desc.target = create_set(context, lines, subject);
-    desc.scale = static_cast<float>(look.length / longest_side(example));
+    desc.scale = static_cast<float>(look.length / max_side(example));
     desc.frame = FLG_FRAME_METHOD_SUPPLIED;
     desc.seed = look.seed;
     desc.pin_ends = 1;

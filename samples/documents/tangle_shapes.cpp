@@ -13,7 +13,7 @@ namespace flg::cli {
 namespace {
 
 // Steeper planes than this have no upwards: there the z axis counts.
-constexpr double least_upwards = 1e-3;
+constexpr double min_upwards = 1e-3;
 
 FlgFieldView solve(Session& session, FlgSurface surface, std::span<const uint32_t> cells, const std::string& subject,
                    Report& report, FlgField& field) {
@@ -129,7 +129,7 @@ void place_shape(const SpaceLines& shape, const Vector& at, const Vector& normal
                  SpaceLines& out) {
     const auto in_plane = [&](const Vector& v) { return v - dot(v, normal) * normal; };
     Vector up = in_plane({0, 1, 0});
-    if (dot(up, up) < least_upwards * least_upwards) up = in_plane({0, 0, -1});
+    if (dot(up, up) < min_upwards * min_upwards) up = in_plane({0, 0, -1});
     up = unit(up);
     const Vector right = cross(up, normal);
     const double cosine = radius * std::cos(turn_rad), sine = radius * std::sin(turn_rad);

@@ -20,9 +20,9 @@ namespace {
 
 // Where a file of this name is: renaming over a symbolic link would replace the link.
 std::string followed(const std::string& name) {
-    constexpr int kMostLinks = 40;  // as the kernel has it
+    constexpr int kMaxLinks = 40;  // as the kernel has it
     std::filesystem::path path(name);
-    for (int i = 0; i < kMostLinks; ++i) {
+    for (int i = 0; i < kMaxLinks; ++i) {
         if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path))) return path.string();
         path = path.parent_path() / std::filesystem::read_symlink(path);
     }

@@ -120,7 +120,7 @@ void simplify(const Line& axis, size_t first, size_t last, double threshold, std
 }
 
 // How far slices are from straight lines between those that are kept, at most, metres.
-double most_off(const std::vector<FlgAxisSample>& samples, const std::vector<bool>& kept) {
+double max_off(const std::vector<FlgAxisSample>& samples, const std::vector<bool>& kept) {
     double most = 0.0;
     size_t from = 0;
     for (size_t to = 1; to < kept.size(); ++to) {
@@ -184,7 +184,7 @@ void over_simplification(Workshop& workshop, Studio& studio) {
         char words[120];
         std::snprintf(words, sizeof words, "%s: %zu joints, off the shape by up to %.1f %% of its length",
                       panels.size() == 1 ? "Douglas-Peucker on the axis alone" : "BoundedDP, on axis and shape",
-                      joints.size(), 100.0 * most_off(samples, kept) / glm::distance(axis.front(), axis.back()));
+                      joints.size(), 100.0 * max_off(samples, kept) / glm::distance(axis.front(), axis.back()));
         panel.title = words;
     }
     panels[0].keys = {{kInk, "drawn shape and bones"}, {kRed, "the shape that the bones stand for"}};

@@ -9,7 +9,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr uint32_t kMostSamples = 8192, kMostPoints = 1u << 17;  // of a stroke
+constexpr uint32_t kMaxSamples = 8192, kMaxPoints = 1u << 17;  // of a stroke
 constexpr uint32_t kTickUs = 1000;
 const glm::vec3 kColors[] = {
     {0.90f, 0.13f, 0.03f}, {0.05f, 0.30f, 0.62f}, {0.95f, 0.50f, 0.04f}, {0.50f, 0.02f, 0.22f}, {0.06f, 0.42f, 0.30f}};
@@ -58,10 +58,10 @@ Painter::Painter(render::Renderer& renderer, const CurveSource& style, float dis
         info.struct_size = sizeof info;
         check(flgStyleGetInfo(context_, desc_.style, &info));
         desc_.scale = displacement / info.displacement_rms;
-        desc_.radius_min = 0.0016f;
-        desc_.radius_max = 0.0055f;
-        desc_.max_samples = kMostSamples;
-        desc_.max_points = kMostPoints;
+        desc_.min_radius = 0.0016f;
+        desc_.max_radius = 0.0055f;
+        desc_.max_samples = kMaxSamples;
+        desc_.max_points = kMaxPoints;
     } catch (...) {
         flgContextDestroy(context_);
         throw;
@@ -88,7 +88,7 @@ void Painter::begin() {
     check(flgLiveStrokeBegin(context_, &desc_, &stroke_.live));
     const glm::vec3 color = kColors[stroke_count_ % std::size(kColors)];
     const auto shape = stroke_count_ % 3 == 2 ? render::Shape::tube : render::Shape::ribbon;
-    stroke_.curve = renderer_.begin_growing({.shape = shape, .color = color, .color_end = color}, kMostPoints);
+    stroke_.curve = renderer_.begin_growing({.shape = shape, .color = color, .color_end = color}, kMaxPoints);
     ++stroke_count_;
 }
 

@@ -13,7 +13,7 @@ constexpr double kPauseS = 0.4;          // from stroke to stroke
 constexpr double kSampleS = 1.0 / 90.0;  // of the session made here
 constexpr float kEvenSpeed = 0.8f;       // m/s, of strokes without TIME
 constexpr float kReach = 1.3f;           // metres: the largest side of a drawing
-constexpr float kLeastTrigger = 0.02f;   // on a stroke, however light its pressure
+constexpr float kMinTrigger = 0.02f;     // on a stroke, however light its pressure
 const glm::vec3 kMiddle(0.0f, 1.15f, -0.35f);
 
 glm::vec3 position_of(const FlgLiveSample& sample) {
@@ -134,7 +134,7 @@ XrController Recording::at(double time_s) const {
     XrController controller;
     controller.pose = {glm::mix(position_of(from), position_of(*after), along),
                        glm::slerp(orientation_of(from), orientation_of(*after), along)};
-    if (!on_its_way) controller.trigger = std::max(glm::mix(from.pressure, after->pressure, along), kLeastTrigger);
+    if (!on_its_way) controller.trigger = std::max(glm::mix(from.pressure, after->pressure, along), kMinTrigger);
     return controller;
 }
 

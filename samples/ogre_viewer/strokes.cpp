@@ -61,7 +61,7 @@ void LiveStroke::begin() {
     FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
     desc.style = style_.get();
     desc.scale = 0.24f;
-    desc.radius_min = 0.0045f;
+    desc.min_radius = 0.0045f;
     desc.max_points = kMaxPoints;
     stroke_ = context_.begin(desc);
     taken_ = 0;

@@ -6,10 +6,10 @@
 namespace flg::scenes {
 namespace {
 
-constexpr uint32_t kUsualHairs = 2000, kUsualFlowLines = 120, kMostCurves = 100'000;
+constexpr uint32_t kUsualHairs = 2000, kUsualFlowLines = 120, kMaxCurves = 100'000;
 
 uint32_t curve_count(uint32_t wanted, uint32_t usual) {
-    return wanted == 0 ? usual : std::min(wanted, kMostCurves);
+    return wanted == 0 ? usual : std::min(wanted, kMaxCurves);
 }
 
 struct Maker {
@@ -33,7 +33,7 @@ constexpr struct {
 } kMeshMakers[] = {
     {"figure", [](uint32_t) { return make_figure(); }},
     {"scalp", [](uint32_t) { return make_scalp(); }},
-    {"vase", [](uint32_t count) { return count == 0 ? make_vase() : make_vase(std::clamp(count, 3u, kMostCurves)); }},
+    {"vase", [](uint32_t count) { return count == 0 ? make_vase() : make_vase(std::clamp(count, 3u, kMaxCurves)); }},
     {"dish", [](uint32_t) { return make_dish(); }},
     {"ball", [](uint32_t) { return make_ball_mesh(); }},
     {"egg", [](uint32_t) { return make_egg(); }},

@@ -62,9 +62,9 @@ Point coaster(double u) {
 
 // Normals of a closed track that lean into its turns: up, and a share of the curvature.
 void bank(Curve& track) {
-    constexpr double kLean = 0.75;     // metres: the radius of a turn that is banked by 45 degrees
-    constexpr double kMostLean = 1.2;  // tangent of the bank
-    constexpr size_t kReach = 6;       // points; evens the bank out
+    constexpr double kLean = 0.75;    // metres: the radius of a turn that is banked by 45 degrees
+    constexpr double kMaxLean = 1.2;  // tangent of the bank
+    constexpr size_t kReach = 6;      // points; evens the bank out
     const size_t count = track.points.size(), reach = std::clamp<size_t>(count / 4, 1, kReach);
     const auto at = [&](size_t i) { return to_vector(track.points[i % count]); };
     for (size_t i = 0; i < count; ++i) {
@@ -72,7 +72,7 @@ void bank(Curve& track) {
         const double half = std::max(0.5 * length(after - before), 1e-6);
         const Vector curvature = (1.0 / (half * half)) * (after + before - 2.0 * here);
         const double sideways = kLean * std::hypot(curvature.x, curvature.z);
-        const double held = kLean * std::min(1.0, kMostLean / std::max(sideways, 1e-12));
+        const double held = kLean * std::min(1.0, kMaxLean / std::max(sideways, 1e-12));
         const Vector lean = {held * curvature.x, 1.0, held * curvature.z};
         const Vector tangent = at(i + 1) - at(i + count - 1);
         const Vector normal = lean - dot(lean, tangent) / std::max(dot(tangent, tangent), 1e-12) * tangent;

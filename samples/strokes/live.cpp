@@ -10,7 +10,7 @@ namespace flg::samples {
 namespace {
 
 // Styled points that a scene may have before the style is drawn larger than its strokes ask for.
-constexpr double kMostPoints = 4e5;
+constexpr double kMaxPoints = 4e5;
 
 void check(FlgResult result) {
     if (result != FLG_OK) throw std::runtime_error(flgErrorGetMessage());
@@ -68,7 +68,7 @@ void Live::start_groups() {
     }
     FlgJobOptions options = flgJobOptionsDefaults();
     options.partial_results = 1;
-    const double enlargement = std::max(1.0, points / kMostPoints);
+    const double enlargement = std::max(1.0, points / kMaxPoints);
     for (StrokeGroup& group : *groups_) {
         Item item = {&group};
         const FlgCurveSetView view = group.strokes.view();
@@ -93,9 +93,9 @@ bool Live::frame(render::Renderer& renderer, render::Target& target, const rende
     report.struct_size = sizeof report;
     check(flgContextTick(context_, budget_us_, &report));
     log_.tick_us.push_back(report.tick_us);
-    if (report.longest_chunk_us > log_.longest_chunk_us) {
-        log_.longest_chunk_us = report.longest_chunk_us;
-        log_.longest_chunk_stage = report.longest_chunk_stage;
+    if (report.max_slice_us > log_.max_slice_us) {
+        log_.max_slice_us = report.max_slice_us;
+        log_.max_slice_stage = report.max_slice_stage;
     }
     bool working = true;
     if (style_ready_) {
@@ -161,8 +161,7 @@ void FrameLog::write(const std::string& path, uint32_t budget_us, uint32_t worke
                  static_cast<unsigned long long>(result_points), static_cast<double>(share(tick_us, 0.5)),
                  static_cast<double>(share(tick_us, 0.99)), static_cast<double>(share(tick_us, 1.0)),
                  static_cast<double>(share(frame_ms, 0.5)), static_cast<double>(share(frame_ms, 0.99)),
-                 static_cast<double>(share(frame_ms, 1.0)), static_cast<double>(longest_chunk_us),
-                 longest_chunk_stage.c_str());
+                 static_cast<double>(share(frame_ms, 1.0)), static_cast<double>(max_slice_us), max_slice_stage.c_str());
     if (std::fclose(file) != 0) throw std::runtime_error(path + ": can't be written");
 }
 

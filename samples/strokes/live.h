@@ -13,8 +13,8 @@ namespace flg::samples {
 
 struct FrameLog {
     std::vector<float> tick_us, frame_ms;
-    float longest_chunk_us = 0.0f;
-    std::string longest_chunk_stage;
+    float max_slice_us = 0.0f;
+    std::string max_slice_stage;
     uint32_t jobs = 0;
     float busy_ms = 0.0f;  // work on all jobs, over all threads
     uint64_t style_points = 0, target_points = 0, result_points = 0;

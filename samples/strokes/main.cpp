@@ -117,8 +117,7 @@ void run(const Options& options) {
     const FrameLog& log = live.log();
     std::printf("%sstylized: %llu points in %zu frames, %.1f ms of work, longest chunk %.0f us (%s)\n",
                 terminal ? "\r\033[K" : "", static_cast<unsigned long long>(log.result_points), log.tick_us.size(),
-                static_cast<double>(log.busy_ms), static_cast<double>(log.longest_chunk_us),
-                log.longest_chunk_stage.c_str());
+                static_cast<double>(log.busy_ms), static_cast<double>(log.max_slice_us), log.max_slice_stage.c_str());
     log.write(path("frames.json"), options.budget_us, options.workers, renderer.device_name());
     std::printf("wrote %s\n", path("frames.json").c_str());
 

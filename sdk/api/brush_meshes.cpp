@@ -16,8 +16,8 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t most_columns = 5;
-constexpr uint64_t most_vertices = UINT32_MAX;
+constexpr uint32_t max_columns = 5;
+constexpr uint64_t max_vertices = UINT32_MAX;
 
 static_assert(sizeof(brush::Growth) + sizeof(uint64_t) <= sizeof FlgBrushMeshState::opaque);
 
@@ -54,8 +54,7 @@ void check_desc(const FlgBrushMeshDesc& desc) {
     check_enum(desc.join, FLG_BRUSH_JOIN_MITER, FLG_BRUSH_JOIN_NARROW, "desc.join", "FLG_BRUSH_JOIN_");
     check_enum(desc.uv_along, FLG_BRUSH_UV_UNIT, FLG_BRUSH_UV_METRES, "desc.uv_along", "FLG_BRUSH_UV_");
     check_enum(desc.uv_around, FLG_BRUSH_UV_UNIT, FLG_BRUSH_UV_METRES, "desc.uv_around", "FLG_BRUSH_UV_");
-    check_range(desc.sides >= brush::least_sides && desc.sides <= brush::most_sides, "desc.sides", desc.sides,
-                "3 to 64");
+    check_range(desc.sides >= brush::min_sides && desc.sides <= brush::max_sides, "desc.sides", desc.sides, "3 to 64");
     check_range(is_size(desc.tolerance), "desc.tolerance", desc.tolerance, "0 to 1e30");
     check_range(is_size(desc.default_radius), "desc.default_radius", desc.default_radius, "0 to 1e30");
     check_range(is_size(desc.radius_scale), "desc.radius_scale", desc.radius_scale, "0 to 1e30");
@@ -259,7 +258,7 @@ struct Request {
             sizes.vertex_count += counts.vertices;
             sizes.index_count += counts.indices;
         }
-        if (end_vertex() > most_vertices) {
+        if (end_vertex() > max_vertices) {
             throw Failure(FLG_ERROR_LIMIT,
                           "the mesh has %llu vertices from desc.base_vertex = %u on, the limit is "
                           "2^32 - 1",
@@ -276,7 +275,7 @@ private:
     }
 };
 
-constexpr uint32_t components[most_columns] = {3, 3, 4, 4, 2};
+constexpr uint32_t components[max_columns] = {3, 3, 4, 4, 2};
 
 bool takes(FlgVertexAttribute attribute, FlgNumberFormat format) {
     switch (format) {
@@ -294,7 +293,7 @@ bool takes(FlgVertexAttribute attribute, FlgNumberFormat format) {
 class Buffers {
 public:
     Buffers(const FlgBrushMeshOutput& given, const Request& request) : given_(given), request_(request) {
-        check_range(given.column_count <= most_columns, "output.column_count", given.column_count, "0 to 5");
+        check_range(given.column_count <= max_columns, "output.column_count", given.column_count, "0 to 5");
         if (given.column_count > 0) require(given.columns, "output.columns");
         for (uint32_t i = 0; i < given.column_count; ++i) add_column(i);
         if (given.column_count > 0)

@@ -16,7 +16,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_output_columns = 16;
+constexpr uint32_t max_output_columns = 16;
 
 FlgBufferOutput default_output() {
     auto output = sized<FlgBufferOutput>();
@@ -95,8 +95,7 @@ void check_column(const FlgBufferColumn* columns, uint32_t i) {
 class Request {
 public:
     explicit Request(const FlgBufferOutput* output) : output_(read_struct(output, default_output(), "output")) {
-        check_range(output_.column_count <= most_output_columns, "output.column_count", output_.column_count,
-                    "0 to 16");
+        check_range(output_.column_count <= max_output_columns, "output.column_count", output_.column_count, "0 to 16");
         if (output_.column_count > 0) require(output_.columns, "output.columns");
         for (uint32_t i = 0; i < output_.column_count; ++i) {
             check_column(output_.columns, i);
@@ -225,7 +224,7 @@ private:
     }
 
     FlgBufferOutput output_;
-    std::array<FlgBufferColumn, most_output_columns> columns_;
+    std::array<FlgBufferColumn, max_output_columns> columns_;
     Origin origin_{};
 };
 

@@ -21,7 +21,7 @@ bool is_of(ColumnsOf whose, int32_t attribute) {
 }
 
 // The least value that a component may have.
-float least_value(FlgAttribute attribute, uint32_t component) {
+float min_value(FlgAttribute attribute, uint32_t component) {
     switch (attribute) {
         case FLG_ATTRIBUTE_RADIUS:
         case FLG_ATTRIBUTE_WIDTH: return 0;
@@ -111,7 +111,7 @@ void check_columns(const FlgColumn* columns, uint32_t count, const char* owner, 
 BadValue copy_column(const FlgColumn& column, uint32_t first, uint32_t end, float* out) {
     const size_t stride = column.stride ? column.stride / sizeof(float) : column.components;
     std::array<float, max_user_components> least;
-    for (uint32_t k = 0; k < column.components; ++k) least[k] = least_value(column.attribute, k);
+    for (uint32_t k = 0; k < column.components; ++k) least[k] = min_value(column.attribute, k);
     for (uint32_t row = first; row < end; ++row) {
         for (uint32_t k = 0; k < column.components; ++k) {
             const float value = column.data[row * stride + k];

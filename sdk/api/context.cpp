@@ -77,7 +77,7 @@ FlgContextDesc default_context_desc() {
 
 FlgFrameReport empty_report() {
     auto report = sized<FlgFrameReport>();
-    report.longest_chunk_stage = "";
+    report.max_slice_stage = "";
     return report;
 }
 

@@ -7,7 +7,7 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t most_points = 1u << 24;
+constexpr uint32_t max_points = 1u << 24;
 
 }  // namespace
 
@@ -19,8 +19,8 @@ FlgContourView default_contour_view() {
 
 Contour read_contour(const FlgContourView* contour, Memory* memory, bool to_repair) {
     const FlgContourView view = read_struct(contour, default_contour_view(), "desc.contour");
-    if (view.point_count > most_points)
-        throw Failure(FLG_ERROR_LIMIT, "desc.contour.point_count is %u, at most %u", view.point_count, most_points);
+    if (view.point_count > max_points)
+        throw Failure(FLG_ERROR_LIMIT, "desc.contour.point_count is %u, at most %u", view.point_count, max_points);
     check_range(view.point_count >= 3, "desc.contour.point_count", view.point_count, "at least 3");
     check_range(view.ring_count >= 1 && view.ring_count <= view.point_count, "desc.contour.ring_count", view.ring_count,
                 "at least 1, and at most the number of points");

@@ -13,7 +13,7 @@ constexpr FlgJobStatus empty_status = {.struct_size = sizeof(FlgJobStatus),
                                        .stage = "",
                                        .error = "",
                                        .busy_us = 0,
-                                       .longest_chunk_us = 0};
+                                       .max_slice_us = 0};
 
 }  // namespace
 

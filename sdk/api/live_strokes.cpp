@@ -23,8 +23,8 @@ FlgLiveStrokeDesc default_live_stroke_desc() {
     desc.start = FLG_STYLE_START_AUTO;
     desc.magnitude = static_cast<float>(settings.magnitude);
     desc.scale = static_cast<float>(settings.scale);
-    desc.radius_min = 0.001f;
-    desc.radius_max = 0.005f;
+    desc.min_radius = 0.001f;
+    desc.max_radius = 0.005f;
     desc.max_jump = 1.0f;
     desc.max_samples = 16'384;
     desc.max_points = 65'536;
@@ -40,9 +40,9 @@ void check(const FlgLiveStrokeDesc& desc) {
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");
     check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
-    check_range(desc.radius_min >= 0 && std::isfinite(desc.radius_min), "desc.radius_min", desc.radius_min,
+    check_range(desc.min_radius >= 0 && std::isfinite(desc.min_radius), "desc.min_radius", desc.min_radius,
                 "finite and at least 0");
-    check_range(desc.radius_max >= 0 && std::isfinite(desc.radius_max), "desc.radius_max", desc.radius_max,
+    check_range(desc.max_radius >= 0 && std::isfinite(desc.max_radius), "desc.max_radius", desc.max_radius,
                 "finite and at least 0");
     check_range(desc.smoothing >= 0 && std::isfinite(desc.smoothing), "desc.smoothing", desc.smoothing,
                 "finite and at least 0");
@@ -66,8 +66,8 @@ LiveSettings settings_of(const FlgLiveStrokeDesc& desc) {
     LiveSettings settings;
     settings.magnitude = desc.magnitude;
     settings.scale = desc.scale;
-    settings.radius_min = desc.radius_min;
-    settings.radius_max = desc.radius_max;
+    settings.min_radius = desc.min_radius;
+    settings.max_radius = desc.max_radius;
     settings.smoothing = desc.smoothing;
     settings.frame = desc.frame;
     std::copy(std::begin(desc.basis), std::end(desc.basis), settings.basis.begin());

@@ -13,7 +13,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_projected = 64;
+constexpr uint32_t max_projected = 64;
 
 FlgManifoldShapeDesc default_shape_desc() {
     auto desc = sized<FlgManifoldShapeDesc>();
@@ -128,7 +128,7 @@ FlgResult flgManifoldProject(FlgContext context, FlgManifold manifold, double* p
         const ManifoldProduct& held = *self.manifolds.get(manifold.id, "manifold");
         const FlgResult result = visible_result_now(held);
         if (result != FLG_OK) return result;
-        check_range(point_count <= most_projected, "point_count", point_count, "at most 64");
+        check_range(point_count <= max_projected, "point_count", point_count, "at most 64");
         if (point_count > 0) require(points, "points");
         const uint32_t shown = held.given_ambient, n = held.manifold->ambient();
         double memory[Manifold::max_hint];

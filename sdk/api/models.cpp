@@ -12,8 +12,8 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_parts = 4096;
-constexpr size_t longest_name = 63;
+constexpr uint32_t max_parts = 4096;
+constexpr size_t max_name = 63;
 constexpr double shear_limit = 1e-4;  // of the scale
 
 FlgPartDesc default_part_desc() {
@@ -105,9 +105,9 @@ ModelPart read_part(Context& context, const FlgModelPart& in, const FlgBoneThres
     char default_name[16];
     std::snprintf(default_name, sizeof default_name, "part%u", number);
     out.name = in.name ? in.name : default_name;
-    if (out.name.empty() || out.name.size() > longest_name)
+    if (out.name.empty() || out.name.size() > max_name)
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.parts[%u].name has %zu bytes, must have 1 to %zu", number,
-                      out.name.size(), longest_name);
+                      out.name.size(), max_name);
     return out;
 }
 
@@ -194,7 +194,7 @@ FlgResult flgModelCreate(FlgContext context, const FlgModelDesc* desc, FlgModel*
         Context& self = clear_outputs(context, out_model, "out_model", out_job);
         Memory* const memory = self.memory[MemoryKind::models];
         const FlgModelDesc read = read_struct(desc, default_model_desc(), "desc");
-        check_range(read.part_count >= 1 && read.part_count <= most_parts, "desc.part_count", read.part_count,
+        check_range(read.part_count >= 1 && read.part_count <= max_parts, "desc.part_count", read.part_count,
                     "1 to 4096");
         require(read.parts, "desc.parts");
         check_range(read.shape_weight >= 0 && read.shape_weight <= 100, "desc.shape_weight", read.shape_weight,

@@ -14,7 +14,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_joints = 65535;
+constexpr uint32_t max_joints = 65535;
 constexpr double length_tolerance = 1e-3;  // of quaternions of length 1
 constexpr float weight_tolerance = 1e-4f;  // of weights whose sum is 1
 constexpr size_t joints_on_stack = 256;
@@ -36,7 +36,7 @@ void check_rotation(const float* rotations, size_t index, const char* name) {
 }
 
 void check_joint_count(uint32_t count, const char* name) {
-    check_range(count >= 1 && count <= most_joints, name, count, "1 to 65535");
+    check_range(count >= 1 && count <= max_joints, name, count, "1 to 65535");
 }
 
 void check_joints(const FlgSkinView& skin) {

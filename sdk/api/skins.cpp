@@ -22,7 +22,7 @@ FlgPartMeshDesc default_part_mesh_desc() {
 FlgSkinDesc default_skin_desc() {
     auto desc = sized<FlgSkinDesc>();
     desc.vertex_count = 10000;
-    desc.most_vertices = 200000;
+    desc.max_vertices = 200000;
     desc.blend = -1;
     return desc;
 }
@@ -78,15 +78,15 @@ FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* ou
         Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
         Memory* const memory = self.memory[MemoryKind::models];
         const FlgSkinDesc read = read_struct(desc, default_skin_desc(), "desc");
-        check_range(read.most_vertices >= fewest_vertices && read.most_vertices <= largest_limit, "desc.most_vertices",
-                    read.most_vertices, "100 to 4194304");
-        check_range(read.vertex_count >= fewest_vertices && read.vertex_count <= read.most_vertices,
-                    "desc.vertex_count", read.vertex_count, "100 to most_vertices");
+        check_range(read.max_vertices >= fewest_vertices && read.max_vertices <= largest_limit, "desc.max_vertices",
+                    read.max_vertices, "100 to 4194304");
+        check_range(read.vertex_count >= fewest_vertices && read.vertex_count <= read.max_vertices, "desc.vertex_count",
+                    read.vertex_count, "100 to max_vertices");
         check_range(is_coordinate(read.blend), "desc.blend", read.blend, "finite and at most 1e30 in size");
         const auto out = make_object<HeldSkin>(memory, memory);
         out->model = self.models.get(read.model.id, "desc.model");
         out->options.vertices = read.vertex_count;
-        out->options.max_vertices = read.most_vertices;
+        out->options.max_vertices = read.max_vertices;
         out->options.blend = read.blend;
         Submission submission(self, read.job);
         submission.read(*out->model, "desc.model");

@@ -12,8 +12,8 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_points = 65536;
-constexpr uint32_t most_subdivisions = 8;
+constexpr uint32_t max_points = 65536;
+constexpr uint32_t max_subdivisions = 8;
 
 FlgSplineDesc default_spline_desc() {
     auto desc = sized<FlgSplineDesc>();
@@ -145,7 +145,7 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldP
 }
 
 void read_subdivisions(const FlgSplineDesc& desc, SplineRequest& request) {
-    check_range(desc.subdivisions <= most_subdivisions, "desc.subdivisions", desc.subdivisions, "0 to 8");
+    check_range(desc.subdivisions <= max_subdivisions, "desc.subdivisions", desc.subdivisions, "0 to 8");
     const uint64_t by_default = std::min(32 * desc.point_count, FLG_SPLINE_MAX_NODES);
     const uint64_t first = desc.curve ? desc.curve_count : desc.node_count > 0 ? desc.node_count : by_default;
     if (desc.subdivisions > 0 && (first << desc.subdivisions) > FLG_SPLINE_MAX_NODES) {
@@ -178,7 +178,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         const uint32_t ambient = manifold->given_ambient;
         SplineRequest request;
         request.problem.closed = read.closed != 0;
-        check_range(read.point_count <= most_points, "desc.point_count", read.point_count, "at most 65536");
+        check_range(read.point_count <= max_points, "desc.point_count", read.point_count, "at most 65536");
         read_energy(read, request.problem);
         read_curve(read, ambient, request, memory);
         read_subdivisions(read, request);

@@ -13,7 +13,7 @@
 namespace flg {
 namespace {
 
-constexpr size_t most_joints = 65535;
+constexpr size_t max_joints = 65535;
 
 // The joints of a part: of the ends of its branches, and where BoundedDP bends them.
 Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGraph& graph) {
@@ -52,9 +52,9 @@ Task<void> add_part(Pace& pace, const HeldModel& model, uint32_t number, BoneGra
             before = joint;
             if (slice.is_over()) co_await pace;
         }
-        if (graph.joints().size() > most_joints)
+        if (graph.joints().size() > max_joints)
             throw Failure(FLG_ERROR_LIMIT, "desc.parts have more than %zu joints; larger thresholds make fewer",
-                          most_joints);
+                          max_joints);
     }
 }
 

@@ -109,7 +109,7 @@ void Sweep::add_cap(const Section& section, const CapProfile& profile, bool back
 uint32_t sides_within(double radius, double tolerance, uint32_t most) {
     const double inside = 1 - tolerance / radius;  // of a unit circle; not a number for 0 / 0
     const double fewest = inside > 0 ? std::ceil(std::numbers::pi / std::acos(std::min(inside, 1.0))) : 0;
-    return fewest < most ? std::max(least_sides, static_cast<uint32_t>(fewest)) : most;
+    return fewest < most ? std::max(min_sides, static_cast<uint32_t>(fewest)) : most;
 }
 
 float widest_radius(const Curve& curve) {

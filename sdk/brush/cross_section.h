@@ -10,7 +10,7 @@
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
 
-constexpr uint32_t least_sides = 3, most_sides = 64;
+constexpr uint32_t min_sides = 3, max_sides = 64;
 
 // How a mesh is made: what is the same for all points.
 struct Style {
@@ -30,7 +30,7 @@ struct Style {
 
 // The vertices of one row, in the plane of the frame's two normals, and the quads between two rows.
 struct CrossSection {
-    static constexpr uint32_t most = 2 * most_sides;
+    static constexpr uint32_t most = 2 * max_sides;
 
     explicit CrossSection(const Style& style);
 
@@ -39,10 +39,10 @@ struct CrossSection {
     static uint32_t quad_count(const Style& style) { return style.tube() ? style.sides : 1; }
 
     uint32_t vertices, quads;
-    float place[2][most];                          // along the first and the second normal, of unit size
-    float normal[2][most];                         // likewise
-    float around[most];                            // 0 to 1
-    uint32_t left[most_sides], right[most_sides];  // of each quad
+    float place[2][most];                        // along the first and the second normal, of unit size
+    float normal[2][most];                       // likewise
+    float around[most];                          // 0 to 1
+    uint32_t left[max_sides], right[max_sides];  // of each quad
 };
 
 // A cap's row: its size and its distance from the end, in radii, and its normal, outwards and ahead.
@@ -53,13 +53,13 @@ struct CapRow {
 
 // Rows from the curve's end outwards; the last one shrinks to a tip, with a vertex for each side, or to an apex.
 struct CapProfile {
-    static constexpr uint32_t most_rows = most_sides / 4 + 1;
+    static constexpr uint32_t max_rows = max_sides / 4 + 1;
 
     CapProfile(const Style& style, FlgBrushCap cap);
 
     uint32_t row_count = 0;
     bool apex = false;
-    CapRow rows[most_rows];
+    CapRow rows[max_rows];
     float apex_ahead = 0;
 
     uint32_t vertex_count(uint32_t a_row) const { return row_count * a_row + (apex ? 1 : 0); }

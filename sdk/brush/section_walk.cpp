@@ -11,15 +11,15 @@ namespace {
 
 // Sine of the angle to the tangent below which a given normal says too little: beside such a point it turns about the
 // curve at once.
-constexpr double least_said = 0.1;
+constexpr double min_said = 0.1;
 // Size of the sum of two unit tangents, and of their cross product, below which a curve turns back on itself.
 constexpr double turned_back = 1e-6;
 
 }  // namespace
 
 Corners::Corners(const Style& style) : join_(style.join), sides_(style.sides) {
-    constexpr double most_miter = 4;  // radii
-    cosine_ = join_ == FLG_BRUSH_JOIN_MITER ? 2 / (most_miter * most_miter) - 1 : std::cos(style.corner_angle);
+    constexpr double max_miter = 4;  // radii
+    cosine_ = join_ == FLG_BRUSH_JOIN_MITER ? 2 / (max_miter * max_miter) - 1 : std::cos(style.corner_angle);
 }
 
 uint32_t Corners::rows(const Vec3& in, const Vec3& out) const {
@@ -42,7 +42,7 @@ Vec3 leveled(const float* given, const Vec3& tangent) {
     const Vec3 direction = load_vec3(given).stableNormalized();
     const Vec3 across = direction - direction.dot(tangent) * tangent;
     const double size = across.norm();
-    return size > least_said ? Vec3(across / size) : Vec3(Vec3::Zero());
+    return size > min_said ? Vec3(across / size) : Vec3(Vec3::Zero());
 }
 
 Framer::Framer(const Style& style, bool follow, const FramePlace& place)

@@ -14,7 +14,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t most_components = 16;
+constexpr uint32_t max_components = 16;
 constexpr uint32_t numbers_a_step = 512;  // about a microsecond
 constexpr uint32_t rows_prepared = 32;
 constexpr uint32_t triangles_a_step = 256;
@@ -157,7 +157,7 @@ void write_column(const BufferPlan& plan, const ColumnCopy& column, uint32_t beg
         const FloatRows rows{reinterpret_cast<const float*>(row_at(begin)), from.stride / sizeof(float)};
         return store(rows, to, begin, end - begin);
     }
-    float prepared[rows_prepared * most_components];
+    float prepared[rows_prepared * max_components];
     while (begin < end) {
         const uint32_t rows = std::min(end - begin, rows_prepared);
         for (uint32_t r = 0; r < rows; ++r)

@@ -14,11 +14,11 @@ inline uint16_t to_half(float value) {
     const auto bits = std::bit_cast<uint32_t>(value);
     const auto sign = static_cast<uint16_t>(bits >> 16 & 0x8000u);
     const uint32_t size = bits & 0x7fffffffu;
-    constexpr uint32_t least_normal = 0x38800000u;  // 2^-14
-    constexpr uint32_t most = 0x477fe000u;          // 65504
+    constexpr uint32_t min_normal = 0x38800000u;  // 2^-14
+    constexpr uint32_t most = 0x477fe000u;        // 65504
     constexpr uint32_t infinite = 0x7f800000u;
     if (size >= most) return size > infinite ? uint16_t{0xfbff} : static_cast<uint16_t>(sign | 0x7bffu);
-    if (size < least_normal) {
+    if (size < min_normal) {
         // Added to a half, what is left of the sum's last places is the result.
         const float shifted = std::bit_cast<float>(size) + 0.5f;
         return static_cast<uint16_t>(sign | (std::bit_cast<uint32_t>(shifted) - std::bit_cast<uint32_t>(0.5f)));

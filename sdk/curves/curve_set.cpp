@@ -44,9 +44,9 @@ void CurveSet::show_curves(uint32_t curves) noexcept {
 
 void CurveSet::publish_partial() noexcept {
     if (!laid_out_.load(std::memory_order_acquire)) return;
-    constexpr uint32_t most_at_a_time = 10'000;  // bounds the tick: tens of microseconds
+    constexpr uint32_t max_at_a_time = 10'000;  // bounds the tick: tens of microseconds
     uint32_t curves = visible_curves_;
-    const uint32_t end = std::min(curve_count_, curves + most_at_a_time);
+    const uint32_t end = std::min(curve_count_, curves + max_at_a_time);
     while (curves < end && complete_[curves].load(std::memory_order_acquire)) ++curves;
     if (curves == 0) return;
     show_early();

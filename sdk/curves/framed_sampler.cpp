@@ -10,9 +10,9 @@ FramedSampler::FramedSampler(const SamplingPlan& plan)
       sampler_(plan.curve, plan.measure.length, plan.steps),
       left_(plan.sample_count()),
       special_(plan.steps > 0 && (plan.frame != FLG_FRAME_METHOD_ROTATION_MINIMIZING || plan.curve.closed)) {
-    constexpr double least_turn_rad = 1e-6;
+    constexpr double min_turn_rad = 1e-6;
     const double step = plan.steps > 0 ? plan.measure.length / plan.steps : 1.0;
-    straight_ = std::max(least_turn_rad, plan.measure.resolution() / step);
+    straight_ = std::max(min_turn_rad, plan.measure.resolution() / step);
 }
 
 void FramedSampler::begin_frame(const CurveSample& first) {

@@ -37,7 +37,7 @@ void SegmentBlock::measure(uint32_t count) {
 // two at most, so it converges from anywhere near; a step as short as `last_step` leaves less than 1e-5 of the segment,
 // and on all but the sharpest turns the first one is. Squared speeds are a polynomial of degree 4.
 double Segment::newton_parameter(double s, double t) const {
-    constexpr int most_steps = 3;
+    constexpr int max_steps = 3;
     constexpr double last_step = 3e-3;
     const double m = b_->magnitudes[j_];
     const Vec3 u = direction(), from = m * tangent_start(), to = m * tangent_end();
@@ -49,7 +49,7 @@ double Segment::newton_parameter(double s, double t) const {
     const auto speed_sq = [&](double x) { return c0 + x * (c1 + x * (c2 + x * (c3 + x * c4))); };
     const auto speed = [&](double x) { return std::sqrt(speed_sq(x)); };
     const double target = s / b_->chords[j_];
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         t = std::clamp(t, 0.0, 1.0);
         const double low = speed(t * (0.5 - gauss_offset)), middle = speed(t * 0.5),
                      high = speed(t * (0.5 + gauss_offset));

@@ -123,7 +123,7 @@ void SegmentStream::make_edges(uint32_t points) {
 
 void SegmentStream::make_vertices(uint32_t points) {
     const SegmentBlock::Vectors& u = block_.directions;
-    double least_cosine = 1;
+    double min_cosine = 1;
     std::array<double, SegmentBlock::size> cosines;
     for (uint32_t j = 1; j <= points; ++j) {
         const double before = block_.chords[j - 1], after = block_.chords[j];
@@ -141,9 +141,9 @@ void SegmentStream::make_vertices(uint32_t points) {
     if (!has_edge_) cosines[1] = -1;  // an open curve's first point
     for (uint32_t j = 1; j <= points; ++j) {
         kinds_[j] = cosines[j] >= corner_cosine ? smooth : corner;
-        least_cosine = std::min(least_cosine, cosines[j]);
+        min_cosine = std::min(min_cosine, cosines[j]);
     }
-    all_smooth_ = least_cosine >= corner_cosine && kinds_[0] == smooth;
+    all_smooth_ = min_cosine >= corner_cosine && kinds_[0] == smooth;
 }
 
 void SegmentStream::make_tangents(uint32_t count) {

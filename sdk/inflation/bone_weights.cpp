@@ -241,7 +241,7 @@ Task<BoneWeights> bone_weights(Pace& pace, const MergedMesh& mesh, std::span<con
                                .row_count = vertices,
                                .mass = {all.area.data(), vertices},
                                .scale = {all.radius_squared.data(), vertices},
-                               .least_weight = min_edge_weight};
+                               .min_weight = min_edge_weight};
     CholeskyFactor factor = co_await factorize_laplacian(pace, input, {mesh.positions.data(), vertices});
     cotangents = {};
     co_await pace;

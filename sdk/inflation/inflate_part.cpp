@@ -17,7 +17,7 @@ namespace {
 
 constexpr double source = 4;
 // Keeps heights above zero where triangles are obtuse; it is felt nowhere else.
-constexpr double least_weight = 1e-6;
+constexpr double min_weight = 1e-6;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ Task<void> height_field(Pace& pace, InflatedPart& part) {
                                .cotangents = {cotangents.data(), triangles},
                                .row_of_vertex = {row_of_vertex.data(), vertices},
                                .row_count = rows,
-                               .least_weight = least_weight};
+                               .min_weight = min_weight};
     const CholeskyFactor factor = co_await factorize_laplacian(pace, input, places);
 
     // One right-hand side; the others are 0.

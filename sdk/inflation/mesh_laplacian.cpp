@@ -66,7 +66,7 @@ Task<SymmetricMatrix> mesh_laplacian(Pace& pace, LaplacianInput input) {
             const uint32_t vertex = around[i].to;
             double weight = 0;
             for (; i < length && around[i].to == vertex; ++i) weight += around[i].cotangent;
-            weight = std::max(weight, input.least_weight);
+            weight = std::max(weight, input.min_weight);
             const uint32_t column = row_of(input, vertex);
             if (!input.scale.empty()) {
                 const double own = input.scale[row], other = column == no_row ? own : input.scale[column];

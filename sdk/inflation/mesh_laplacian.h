@@ -27,7 +27,7 @@ struct LaplacianInput {
     std::span<const double> scale = {};  // s, a row; empty: 1
     // Weights are made at least this: above zero A is an M-matrix, whose inverse has no negative entries. The default
     // leaves them as they are.
-    double least_weight = -1e300;
+    double min_weight = -1e300;
 };
 
 // Takes about 0.2 us and 48 bytes a corner.

@@ -81,8 +81,8 @@ CurveMeasures measure(CurveData& data) {
 }
 
 constexpr uint32_t default_sides = 8;
-constexpr uint32_t least_sides = 3;
-constexpr uint32_t most_sides = 64;
+constexpr uint32_t min_sides = 3;
+constexpr uint32_t max_sides = 64;
 
 CurveData read_from(const Path& path, const Origin& origin) {
     const String extension = path.extension();
@@ -134,9 +134,9 @@ FlgCurveFileWriteDesc checked_desc(const FlgCurveFileWriteDesc* given, const Che
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.default_radius", "is %g, must be above 0 and at most 1e30",
              double{desc.default_radius});
     }
-    if (desc.tube_sides < least_sides || desc.tube_sides > most_sides) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.tube_sides", "is %u, must be %u to %u", desc.tube_sides, least_sides,
-             most_sides);
+    if (desc.tube_sides < min_sides || desc.tube_sides > max_sides) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "desc.tube_sides", "is %u, must be %u to %u", desc.tube_sides, min_sides,
+             max_sides);
     }
     if (!(desc.tolerance >= 0) || !(desc.tolerance <= max_coordinate)) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.tolerance", "is %g, must be 0 to 1e30", double{desc.tolerance});

@@ -13,9 +13,9 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t leaf_size = 64;         // rows that are not cut any more
-constexpr uint32_t least_for_bins = 1500;  // rows of sets that are cut where few entries cross
-constexpr double min_share = 0.2;          // of a set, that a side gets
+constexpr uint32_t leaf_size = 64;       // rows that are not cut any more
+constexpr uint32_t min_for_bins = 1500;  // rows of sets that are cut where few entries cross
+constexpr double min_share = 0.2;        // of a set, that a side gets
 constexpr uint32_t bins = 16;
 
 struct Range {
@@ -117,7 +117,7 @@ Task<Cut> choose_cut(Pace& pace, Rows& all, Range range) {
         all.side[row] = stamp;
     });
     Cut cut = across_the_longest_axis(high - low, sum / static_cast<double>(count));
-    if (count < least_for_bins) co_return cut;
+    if (count < min_for_bins) co_return cut;
     Bins counted{.low = low, .high = high};
     co_await each(pace, range.begin, range.end, Cost::tens_of_ns,
                   [&](uint32_t i) { all.sorted[all.order[i]] = counted.put(all.places[all.order[i]]); });

@@ -109,15 +109,15 @@ void check_mesh(const FlgMeshView& mesh, const uint32_t* changed, uint32_t chang
     }
 }
 
-void check_curves(const FlgCurveSetView& curves, float least_radius) {
+void check_curves(const FlgCurveSetView& curves, float min_radius) {
     if (!has_positions(curves.columns, curves.column_count)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "curves.columns has no FLG_ATTRIBUTE_POSITION");
     }
     require(curves.curve_offsets, "curves.curve_offsets");
     read_origin(curves.origin, "curves.origin");
-    if (!(least_radius > 0 && std::isfinite(least_radius))) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "least_radius is %g, must be finite and above 0",
-                      static_cast<double>(least_radius));
+    if (!(min_radius > 0 && std::isfinite(min_radius))) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "min_radius is %g, must be finite and above 0",
+                      static_cast<double>(min_radius));
     }
 }
 
@@ -174,12 +174,11 @@ FlgResult flgPickSceneSetSurface(FlgPickScene scene, uint32_t object, const FlgS
     });
 }
 
-FlgResult flgPickSceneSetCurves(FlgPickScene scene, uint32_t object, const FlgCurveSetView* curves,
-                                float least_radius) {
+FlgResult flgPickSceneSetCurves(FlgPickScene scene, uint32_t object, const FlgCurveSetView* curves, float min_radius) {
     return guarded_change(scene, [&] {
         const FlgCurveSetView read = flg::read_struct<Longer::cut>(curves, flg::sized<FlgCurveSetView>(), "curves");
-        check_curves(read, least_radius);
-        require(scene, "scene").scene.set_curves(object, read, least_radius);
+        check_curves(read, min_radius);
+        require(scene, "scene").scene.set_curves(object, read, min_radius);
     });
 }
 

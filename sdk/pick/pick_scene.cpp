@@ -159,9 +159,9 @@ void PickScene::set_surface(uint32_t object, const FlgSurfaceView& surface, cons
     objects_[object] = {std::move(made), target};
 }
 
-void PickScene::set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius) {
+void PickScene::set_curves(uint32_t object, const FlgCurveSetView& curves, float min_radius) {
     auto made = std::allocate_shared<CurveTarget>(std::pmr::polymorphic_allocator<CurveTarget>(memory_), device_.get(),
-                                                  scene_.get(), boxes_.get(), origin_, curves, least_radius, memory_);
+                                                  scene_.get(), boxes_.get(), origin_, curves, min_radius, memory_);
     objects_[object] = {std::move(made), nullptr};
 }
 

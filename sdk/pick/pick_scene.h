@@ -27,7 +27,7 @@ public:
     PickScene(uint32_t threads, const Origin& origin, const EmbreeMemory& embree, Memory* memory);
 
     void set_surface(uint32_t object, const FlgSurfaceView& surface, const uint32_t* changed, uint32_t changed_count);
-    void set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius);
+    void set_curves(uint32_t object, const FlgCurveSetView& curves, float min_radius);
     void remove(uint32_t object);
     void commit();
 

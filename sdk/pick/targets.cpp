@@ -306,13 +306,13 @@ const FlgColumn& position_column(const FlgCurveSetView& curves) {
 }
 
 // Refuses a point of curves with another origin where floats are farther apart than tubes are thick.
-void check_place(const float* place, float least_radius) {
+void check_place(const float* place, float min_radius) {
     for (int k = 0; k < 3; ++k) {
-        if (float_step(std::abs(place[k])) <= least_radius) continue;
+        if (float_step(std::abs(place[k])) <= min_radius) continue;
         throw Failure(
             FLG_ERROR_INVALID_ARGUMENT,
             "curves, seen from the scene's origin, has a coordinate of %g m, where floats are %g m apart, more "
-            "than least_radius; pick them in a scene with an origin near them (FlgPickSceneDesc::origin)",
+            "than min_radius; pick them in a scene with an origin near them (FlgPickSceneDesc::origin)",
             double{place[k]}, double{float_step(std::abs(place[k]))});
     }
 }
@@ -329,7 +329,7 @@ Reader reader_of(const FlgCurveSetView& curves, FlgAttribute attribute, float fa
 }  // namespace
 
 CurveTarget::CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const Origin& scene_origin,
-                         const FlgCurveSetView& curves, float least_radius, Memory* memory)
+                         const FlgCurveSetView& curves, float min_radius, Memory* memory)
     : scene_(scene), boxes_(boxes), vertices_(memory), segments_(memory) {
     const ScenePositions positions(position_column(curves), curves.origin, scene_origin);
     Reader radii = reader_of(curves, FLG_ATTRIBUTE_RADIUS);
@@ -337,8 +337,8 @@ CurveTarget::CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const
     const auto add = [&](uint32_t point) {
         float p[3];
         positions.copy(point, p);
-        if (positions.are_moved()) check_place(p, least_radius);
-        const float radius = radii.data ? std::max(least_radius, *radii.at(point) * radii.factor) : least_radius;
+        if (positions.are_moved()) check_place(p, min_radius);
+        const float radius = radii.data ? std::max(min_radius, *radii.at(point) * radii.factor) : min_radius;
         vertices_.push_back({p[0], p[1], p[2], radius});
     };
     for (uint32_t c = 0; c < curves.curve_count; ++c) {

@@ -171,7 +171,7 @@ private:
 class CurveTarget final : public Target {
 public:
     CurveTarget(RTCDevice device, RTCScene scene, RTCScene boxes, const Origin& scene_origin,
-                const FlgCurveSetView& curves, float least_radius, Memory* memory);
+                const FlgCurveSetView& curves, float min_radius, Memory* memory);
     ~CurveTarget() override;
 
     uint32_t part_count() const override { return 1; }

@@ -90,7 +90,7 @@ public:
     FlgResult result = FLG_NOT_READY;
     char error[256] = "";
     uint64_t busy_ns = 0;
-    uint64_t longest_chunk_ns = 0;
+    uint64_t max_slice_ns = 0;
     std::array<StageTime, max_stages> stages;
     uint32_t stage_count = 0;
     std::shared_ptr<Job> next_started;  // in the scheduler's list of started jobs
@@ -111,7 +111,7 @@ public:
                         .stage = "",
                         .error = "",
                         .busy_us = 0,
-                        .longest_chunk_us = 0};
+                        .max_slice_us = 0};
 
     void begin_stage(const char* name, uint64_t now_ns, uint64_t slice_busy_ns) noexcept {
         end_stage(now_ns, slice_busy_ns);

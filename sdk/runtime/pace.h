@@ -51,7 +51,7 @@ public:
     void begin_slice(uint64_t now_ns, uint64_t deadline_ns) noexcept;
     void end_slice(uint64_t now_ns) noexcept;
     uint64_t slice_busy_ns() const { return chunk_start_ns_ - slice_start_ns_; }
-    const Chunk& longest_chunk() const { return longest_; }
+    const Chunk& max_slice() const { return longest_; }
 
     // Where the strand goes on.
     std::coroutine_handle<> resume_point;

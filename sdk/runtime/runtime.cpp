@@ -63,9 +63,9 @@ FlgFrameReport Runtime::tick(uint32_t budget_us) {
     }
     const Scheduler::Statistics statistics = scheduler_.take_statistics();
     if (threading_ != Threading::none) report.worker_us = static_cast<float>(statistics.busy_ns) * 1e-3f;
-    report.longest_chunk_us = static_cast<float>(statistics.longest.duration_ns) * 1e-3f;
-    report.longest_chunk_stage = statistics.longest.stage;
-    report.longest_chunk_job = statistics.longest_job;
+    report.max_slice_us = static_cast<float>(statistics.longest.duration_ns) * 1e-3f;
+    report.max_slice_stage = statistics.longest.stage;
+    report.max_slice_job = statistics.max_job;
     report.jobs_pending = scheduler_.pending();
     report.tick_us = static_cast<float>(host_.now_ns() - start_ns) * 1e-3f;
     return report;

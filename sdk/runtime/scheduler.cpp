@@ -167,14 +167,14 @@ void Scheduler::end_slice(Strand& strand) {
     bool woke = false;
     {
         std::lock_guard lock(mutex_);
-        const Chunk& chunk = strand.pace.longest_chunk();
+        const Chunk& chunk = strand.pace.max_slice();
         const uint64_t busy_ns = strand.pace.slice_busy_ns();
         job.busy_ns += busy_ns;
-        job.longest_chunk_ns = std::max(job.longest_chunk_ns, chunk.duration_ns);
+        job.max_slice_ns = std::max(job.max_slice_ns, chunk.duration_ns);
         statistics_.busy_ns += busy_ns;
         if (chunk.duration_ns > statistics_.longest.duration_ns) {
             statistics_.longest = chunk;
-            statistics_.longest_job = job.handle;
+            statistics_.max_job = job.handle;
         }
         if (Fork* fork = strand.pace.forked) {
             // The branches start only now, when nothing refers to the parent's slice any more.
@@ -341,7 +341,7 @@ void Scheduler::publish_progress() {
         {
             std::lock_guard lock(mutex_);
             status.busy_us = static_cast<float>(job->busy_ns) * 1e-3f;
-            status.longest_chunk_us = static_cast<float>(job->longest_chunk_ns) * 1e-3f;
+            status.max_slice_us = static_cast<float>(job->max_slice_ns) * 1e-3f;
         }
         if (job->partial_results && job->output) job->output->publish_partial();
     }
@@ -377,7 +377,7 @@ void Scheduler::publish_job(Job& job) {
     status.error = job.error;
     status.stage = job.stage.load(std::memory_order_relaxed);
     status.busy_us = static_cast<float>(job.busy_ns) * 1e-3f;
-    status.longest_chunk_us = static_cast<float>(job.longest_chunk_ns) * 1e-3f;
+    status.max_slice_us = static_cast<float>(job.max_slice_ns) * 1e-3f;
     if (job.output) {
         job.output->publish(job);
         if (job.result == FLG_OK) job.output->warn(host_);

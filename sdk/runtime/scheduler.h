@@ -52,7 +52,7 @@ public:
     struct Statistics {
         uint64_t busy_ns = 0;
         Chunk longest;
-        FlgJob longest_job{};
+        FlgJob max_job{};
     };
     Statistics take_statistics();
 

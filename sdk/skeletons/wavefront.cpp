@@ -205,7 +205,7 @@ private:
     Change decide(int32_t triangle, uint32_t& side, const WaveEvent& event) const;
     Change decide_flat(const Triangle& t, uint32_t& side) const;
     uint32_t shortest_front(const Triangle& t, uint32_t best) const;
-    static uint32_t longest_side(const Shape& s);
+    static uint32_t max_side(const Shape& s);
     void walk();
     bool hop();
     void change(Change change);
@@ -552,11 +552,11 @@ Wavefront::Change Wavefront::decide_flat(const Triangle& t, uint32_t& side) cons
         side = shortest;
         return t.neighbours[shortest] < 0 ? Change::edge : Change::diagonal;
     }
-    side = longest_side(s);
+    side = max_side(s);
     return t.neighbours[side] < 0 ? Change::split : Change::walk;
 }
 
-uint32_t Wavefront::longest_side(const Shape& s) {
+uint32_t Wavefront::max_side(const Shape& s) {
     const uint32_t longest = s.lengths[1] > s.lengths[0] ? 1 : 0;
     return s.lengths[2] > s.lengths[longest] ? 2 : longest;
 }
@@ -584,7 +584,7 @@ bool Wavefront::hop() {
         if (vertices_[vertex].is_infinite) return false;
     }
     const Shape s = shape(t);
-    const uint32_t longest = longest_side(s), shared = side_to(other, changing_);
+    const uint32_t longest = max_side(s), shared = side_to(other, changing_);
     if (longest == shared || s.lengths[longest] <= s.lengths[shared]) return false;
     const double area = cross(difference(s.at[1], s.at[0]), difference(s.at[2], s.at[0]));
     if (area > wave::walk_height * size_ * s.lengths[longest]) return false;

@@ -347,7 +347,7 @@ namespace {
 
 // A curve set's floats must hold the curve: a chain that spans few of their steps would come out as stairs.
 Task<void> check_precision(Pace& pace, const Buffer<double>& nodes) {
-    constexpr double least_steps = 256;
+    constexpr double min_steps = 256;
     std::array<double, 3> low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     co_await each(pace, nodes.size(), Cost::some_ns, [&](uint32_t i) {
         low[i % 3] = std::min(low[i % 3], nodes[i]);
@@ -359,7 +359,7 @@ Task<void> check_precision(Pace& pace, const Buffer<double>& nodes) {
         farthest = std::max({farthest, std::abs(low[c]), std::abs(high[c])});
     }
     const double step = double{float_step(static_cast<float>(farthest))};
-    if (size >= least_steps * step) co_return;
+    if (size >= min_steps * step) co_return;
     throw Failure(
         FLG_ERROR_INVALID_ARGUMENT,
         "desc.spline is %g m wide and has coordinates up to %g m, where floats are %g m apart; give its points "

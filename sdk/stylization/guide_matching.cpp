@@ -19,7 +19,7 @@ constexpr double cells_of_coarsest = 60.0;
 constexpr uint32_t refinement = 3;
 // Newton's model is trusted above this second derivative of a point's energy; below, the paper's constant 2 replaces
 // it.
-constexpr double least_curvature = 0.25;
+constexpr double min_curvature = 0.25;
 constexpr double plain_curvature = 2.0;
 // A point rests when its next move is below this part of the style's spacing; that move is still made, and
 // leaves an error of about its square.
@@ -48,7 +48,7 @@ struct Energy {
         result.energy = beta * apart.squaredNorm() + far * late * late;
         result.slope = 2.0 * (far * late - beta * apart.dot(jet.derivative));
         const double second = 2.0 * (far + beta * (jet.derivative.squaredNorm() - apart.dot(jet.second_derivative)));
-        result.curvature = second > least_curvature ? second : plain_curvature;
+        result.curvature = second > min_curvature ? second : plain_curvature;
         const double max_move = style.spacing();
         const double move = std::clamp(-result.slope / result.curvature, -max_move, max_move);
         result.minimum = std::clamp(place + move, 0.0, style.length());
@@ -141,18 +141,18 @@ struct Table {
         const double* const before = cost.data();
         double* const now = next_cost.data();
         double least = running;
-        uint32_t least_column = running_column;
+        uint32_t min_column = running_column;
         for (uint32_t column = begin; column < end; ++column) {
             const double late = column * column_length - even;
             const double total = beta * (point - points[column * stride]).squaredNorm() + far * late * late +
                                  before[std::min(column, last_before)];
-            least_column = total < least ? column : least_column;
+            min_column = total < least ? column : min_column;
             least = total < least ? total : least;
             now[column] = least;
-            best_of_row[column - first] = least_column;
+            best_of_row[column - first] = min_column;
         }
         running = least;
-        running_column = least_column;
+        running_column = min_column;
     }
 
     uint32_t stride = 1, row_stride = 1, last_row = 0;

@@ -315,7 +315,7 @@ void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& fr
     const Vec3 along = basis_ * (displacement_of(node) + state_.blend.offset());
     const Vec3 displaced = position + factor * (along.x() * tangent + along.y() * frame_normal + along.z() * binormal);
     Vec3 normal = frame_normal;
-    double radius = settings_.radius_min + (settings_.radius_max - settings_.radius_min) * hand.pressure;
+    double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
     write_attributes(tangent, normal, radius);
     const size_t at = row();
     store_vec3(displaced, out_.data[0] + 3 * at);

@@ -102,7 +102,7 @@ struct LiveSettings {
     PathTrees* trees = nullptr;  // all there
     double magnitude = 1;
     double scale = 1;
-    double radius_min = 0, radius_max = 0;                        // metres
+    double min_radius = 0, max_radius = 0;                        // metres
     double smoothing = 0;                                         // seconds
     FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;  // or FLG_FRAME_METHOD_SUPPLIED
     std::array<double, 9> basis{1, 0, 0, 0, 1, 0, 0, 0, 1};       // row-major

@@ -30,7 +30,7 @@ public:
         end_sources(source + 1);
         keep_all_ = source + 1 == scene_.end_patch(curve);
         best_count_ = 0;
-        least_sq_ = INFINITY;
+        min_sq_ = INFINITY;
     }
     // Looks at a part of the row; counts of jumps by target go into `in_count`.
     void select(const PatchMatrix& matrix, const PatchMatrix::Columns& columns, uint32_t* in_count) {
@@ -54,7 +54,7 @@ public:
     }
     void end_row(uint32_t* in_count) {
         for (uint32_t k = 0; k < best_count_; ++k) add(best_[k].target, best_[k].cost_sq, in_count);
-        if (least_sq_ < INFINITY) cheapest_[cheapest_count_++] = cost_of(least_sq_);
+        if (min_sq_ < INFINITY) cheapest_[cheapest_count_++] = cost_of(min_sq_);
     }
     // No jumps lead from nodes before `source` but those that there are.
     void end_sources(uint32_t source) {
@@ -85,7 +85,7 @@ private:
         costs_[count_] = cost_of(cost_sq);
         ++count_;
         ++in_count[target];
-        least_sq_ = std::min(least_sq_, cost_sq);
+        min_sq_ = std::min(min_sq_, cost_sq);
     }
 
     const StyleScene& scene_;
@@ -97,7 +97,7 @@ private:
     std::array<Jump, successors_kept> best_;
     uint32_t best_count_ = 0;
     bool keep_all_ = false;
-    double least_sq_ = 0;
+    double min_sq_ = 0;
     Buffer<float> cheapest_;
     uint32_t cheapest_count_ = 0;
 };

@@ -13,7 +13,7 @@
 namespace {
 
 constexpr int rounds = 50, settled_round = 10;
-constexpr long most_growth = 2 << 20;  // bytes: less than one library that stays
+constexpr long max_growth = 2 << 20;  // bytes: less than one library that stays
 constexpr uint32_t across = 40;
 
 // Function `name` of the library, as the headers declare it.
@@ -132,6 +132,6 @@ int main(int argc, char** argv) {
     }
     const long grown = resident_bytes() - settled;
     std::printf("%d rounds; resident memory %+ld bytes since round %d\n", rounds, grown, settled_round);
-    if (grown > most_growth) FAIL("resident memory grew by %ld bytes", grown);
+    if (grown > max_growth) FAIL("resident memory grew by %ld bytes", grown);
     return 0;
 }

@@ -61,7 +61,7 @@ TEST(ContextApi, TickNeedsAContextAndASizedReport) {
     report.struct_size = sizeof report;
     EXPECT_EQ(flgContextTick(host.context, 0, &report), FLG_OK);
     EXPECT_EQ(report.frame, 2u);
-    EXPECT_STREQ(report.longest_chunk_stage, "");
+    EXPECT_STREQ(report.max_slice_stage, "");
 }
 
 TEST(ContextApi, CallbacksMayStartJobsButNotTick) {
@@ -184,7 +184,7 @@ TEST(ContextApi, AFailingTickWritesItsReport) {
     expect_failure(flgContextTick({}, 0, &report), FLG_ERROR_INVALID_HANDLE, "context is null");
     EXPECT_EQ(report.frame, 0u);
     EXPECT_EQ(report.jobs_pending, 0u);
-    EXPECT_STREQ(report.longest_chunk_stage, "");
+    EXPECT_STREQ(report.max_slice_stage, "");
 }
 
 TEST(ContextApi, ACallbackThatThrowsDoesNotLockTheContext) {

@@ -51,7 +51,7 @@ TEST(LiveStrokeAttributes, ComeFromTheStyle) {
     FlgLiveStrokeDesc live = host.live;
     live.temperature = 1;
     live.style = host.style;
-    live.radius_min = live.radius_max = 0.01f;
+    live.min_radius = live.max_radius = 0.01f;
     const FlgLiveStroke stroke = host.begin(live);
     Samples samples = drawn(150);
     host.push(stroke, samples.data(), samples.size());

@@ -325,8 +325,8 @@ TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
     refused([](auto& d) { d.magnitude = NAN; }, invalid, "desc.magnitude is nan");
     refused([](auto& d) { d.temperature = -1; }, invalid, "desc.temperature is -1");
     refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
-    refused([](auto& d) { d.radius_min = -1; }, invalid, "desc.radius_min is -1");
-    refused([](auto& d) { d.radius_max = INFINITY; }, invalid, "desc.radius_max is inf");
+    refused([](auto& d) { d.min_radius = -1; }, invalid, "desc.min_radius is -1");
+    refused([](auto& d) { d.max_radius = INFINITY; }, invalid, "desc.max_radius is inf");
     refused([](auto& d) { d.smoothing = -1; }, invalid, "desc.smoothing is -1");
     refused([](auto& d) { d.max_jump = 0; }, invalid, "desc.max_jump is 0");
     refused([](auto& d) { d.max_samples = 0; }, invalid, "desc.max_samples is 0");
@@ -356,7 +356,7 @@ TEST(LiveStrokeInput, ReplayRefusesWhatALiveStrokeDoes) {
     desc.smoothing = 0;
     const Heard replayed = host.replay(desc, host.create(arcs(1, 10)));  // neither orientation, pressure nor time
     EXPECT_GT(replayed.points(), 100u);
-    for (float radius : replayed.of(FLG_ATTRIBUTE_RADIUS)) ASSERT_EQ(radius, desc.radius_max);
+    for (float radius : replayed.of(FLG_ATTRIBUTE_RADIUS)) ASSERT_EQ(radius, desc.max_radius);
 }
 
 // Curve c of a replay is a live stroke of seed + c, under any number of workers.

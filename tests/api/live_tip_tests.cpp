@@ -6,7 +6,7 @@
 namespace flg::test {
 namespace {
 
-constexpr size_t most_tip_points = 256;  // as the header has it
+constexpr size_t max_tip_points = 256;  // as the header has it
 
 // A scribble as hands make them: loops with a tremor, slower and faster, with rests and samples that repeat.
 Samples scribble(uint32_t count, uint64_t seed) {
@@ -171,17 +171,17 @@ TEST(LiveTip, LooksAheadSoFarAndNoFurther) {
         const size_t final_points = host.info(stroke).point_count;
         const Heard seen = points_and_tip(host, stroke);
         longest = std::max(longest, seen.points() - final_points);
-        ASSERT_LE(seen.points() - final_points, most_tip_points);
+        ASSERT_LE(seen.points() - final_points, max_tip_points);
         const Heard whole = ended(host, stroke);
         ASSERT_LE(seen.points(), whole.points());
-        if (whole.points() - final_points <= most_tip_points / 2) {
+        if (whole.points() - final_points <= max_tip_points / 2) {
             ASSERT_TRUE(seen == whole);
         }
         for (size_t k = 0; k < seen.columns.size(); ++k) {
             ASSERT_TRUE(std::equal(seen.columns[k].begin(), seen.columns[k].end(), whole.columns[k].begin()));
         }
     }
-    EXPECT_EQ(longest, most_tip_points);
+    EXPECT_EQ(longest, max_tip_points);
 }
 
 TEST(LiveTip, EndsWhereTheStrokeIsCut) {

@@ -167,7 +167,7 @@ TEST(Skin, RefusesNumbersOutOfTheirRange) {
         EXPECT_NE(std::string(flgErrorGetMessage()).find(words), std::string::npos) << flgErrorGetMessage();
     };
     refused([](FlgSkinDesc& d) { d.vertex_count = 10; }, "desc.vertex_count is 10");
-    refused([](FlgSkinDesc& d) { d.most_vertices = 5; }, "desc.most_vertices is 5");
+    refused([](FlgSkinDesc& d) { d.max_vertices = 5; }, "desc.max_vertices is 5");
     refused([](FlgSkinDesc& d) { d.blend = NAN; }, "desc.blend is nan");
     refused([](FlgSkinDesc& d) { d.model = {}; }, "desc.model is null");
     FlgPartMeshDesc desc = flgPartMeshDefaults();
@@ -200,7 +200,7 @@ FlgResult made_of(const SkinHost& host, const FlgModelPart* parts, uint32_t coun
     FlgSkinDesc desc = flgSkinDefaults();
     EXPECT_EQ(flgModelCreate(host.context, &model_desc, &desc.model, nullptr), FLG_OK);
     desc.vertex_count = 1000;
-    desc.most_vertices = 5000;
+    desc.max_vertices = 5000;
     FlgSkin skin{};
     EXPECT_EQ(flgSkinCreate(host.context, &desc, &skin, nullptr), FLG_OK);
     host.finish();

@@ -27,9 +27,9 @@ namespace {
 
 using namespace flg::test;
 
-constexpr size_t most_bytes = size_t{64} << 20;
-constexpr uint32_t most_ticks = 40, tick_us = 2000;
-constexpr size_t edit_size = 8, most_edits = 4;
+constexpr size_t max_bytes = size_t{64} << 20;
+constexpr uint32_t max_ticks = 40, tick_us = 2000;
+constexpr size_t edit_size = 8, max_edits = 4;
 
 enum class Kind { real, whole, count, handle, pointer };
 
@@ -92,7 +92,7 @@ void change(const Field& field, const Edit& edit, char* fields) {
 class Edits : public Meddler {
 public:
     Edits(const uint8_t* data, size_t size) {
-        for (size_t i = 0; i < most_edits && (i + 1) * edit_size <= size; ++i) {
+        for (size_t i = 0; i < max_edits && (i + 1) * edit_size <= size; ++i) {
             const uint8_t* const at = data + i * edit_size;
             Edit edit{at[0], at[1], at[2], 0};
             std::memcpy(&edit.value, at + 4, sizeof edit.value);
@@ -134,7 +134,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (size == 0) return 0;
     const Scenario& scenario = scenarios[data[0] % std::size(scenarios)];
-    flg::fuzz::BoundedMemory memory(most_bytes);
+    flg::fuzz::BoundedMemory memory(max_bytes);
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 0;
     desc.allocator = memory.hooks();
@@ -150,7 +150,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                          FLG_ERROR_OUT_OF_MEMORY, FLG_ERROR_VERSION,          FLG_ERROR_CANCELLED,
                          FLG_ERROR_DEPENDENCY,    FLG_ERROR_FORMAT,           FLG_ERROR_LIMIT};
         calls.before_tick = [&] {
-            if (calls.ticks > most_ticks) throw Ended();
+            if (calls.ticks > max_ticks) throw Ended();
         };
         try {
             scenario.run(calls);

@@ -9,8 +9,8 @@
 
 namespace {
 
-constexpr size_t most_bytes = size_t{256} << 20;
-constexpr uint32_t most_points = 20'000;
+constexpr size_t max_bytes = size_t{256} << 20;
+constexpr uint32_t point_limit = 20'000;
 
 void apply(FlgContext context, FlgStyle style) {
     const float line[] = {0, 0, 0, 1, 0, 0, 1, 2, 0};
@@ -25,7 +25,7 @@ void apply(FlgContext context, FlgStyle style) {
     FlgCurveSet result = {};
     desc.style = style;
     desc.temperature = 1;
-    desc.max_points = most_points;
+    desc.max_points = point_limit;
     FLG_DEMAND(flgCurveSetCreate(context, &view, &desc.target) == FLG_OK);
     FLG_DEMAND(flgCurveSetStylize(context, &desc, &result, nullptr) == FLG_OK);
     FLG_DEMAND(flgContextTick(context, 0, nullptr) == FLG_OK);
@@ -48,7 +48,7 @@ std::vector<uint8_t> with_header(const uint8_t* content, size_t content_size) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* content, size_t content_size) {
     const std::vector<uint8_t> data = with_header(content, content_size);
-    flg::fuzz::BoundedMemory memory(most_bytes);
+    flg::fuzz::BoundedMemory memory(max_bytes);
     FlgContextDesc desc = flgContextDefaults();
     desc.worker_count = 0;
     desc.allocator = memory.hooks();

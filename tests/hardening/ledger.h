@@ -33,7 +33,7 @@ public:
     std::atomic<int64_t> calls{0};
     std::atomic<int64_t> live_bytes{0};
     std::atomic<int64_t> live_blocks{0};
-    std::atomic<int64_t> most_live_bytes{0};
+    std::atomic<int64_t> max_live_bytes{0};
     std::atomic<int64_t> wrong_frees{0};  // not ours, twice, or of another size or alignment
 
 private:
@@ -55,8 +55,8 @@ private:
         *reinterpret_cast<Note*>(memory - sizeof(Note)) = {this, size, alignment};
         ++live_blocks;
         const int64_t live = live_bytes.fetch_add(static_cast<int64_t>(size)) + static_cast<int64_t>(size);
-        int64_t most = most_live_bytes;
-        while (live > most && !most_live_bytes.compare_exchange_weak(most, live)) {}
+        int64_t most = max_live_bytes;
+        while (live > most && !max_live_bytes.compare_exchange_weak(most, live)) {}
         return memory;
     }
     void free(void* memory, size_t size, size_t alignment) {

@@ -49,7 +49,7 @@ struct Bench {
         EXPECT_EQ(flgContextDestroy(context), FLG_OK) << flgErrorGetMessage();
         EXPECT_EQ(ledger.live_bytes, 0);
         EXPECT_EQ(ledger.wrong_frees, 0);
-        EXPECT_TRUE(limit_ == 0 || ledger.most_live_bytes <= static_cast<int64_t>(limit_));
+        EXPECT_TRUE(limit_ == 0 || ledger.max_live_bytes <= static_cast<int64_t>(limit_));
     }
     // The bits, and whether it came to its end.
     std::pair<std::string, bool> run(const Scenario& scenario) {
@@ -68,7 +68,7 @@ struct Bench {
         EXPECT_GT(auditor.calls, 0u);
         const FlgContextMemory memory = auditor.use();
         EXPECT_EQ(memory.scratch.bytes, 0u);
-        EXPECT_EQ(memory.total.peak_bytes, static_cast<uint64_t>(ledger.most_live_bytes.load()));
+        EXPECT_EQ(memory.total.peak_bytes, static_cast<uint64_t>(ledger.max_live_bytes.load()));
         return {calls.bits, !calls.ended};
     }
 
@@ -91,7 +91,7 @@ TEST_P(MemoryLimits, AreKeptAndLoseNothing) {
         const auto [bits, complete] = bench.run(scenario);
         ASSERT_TRUE(complete);
         whole = bits;
-        most = static_cast<uint64_t>(bench.ledger.most_live_bytes.load());
+        most = static_cast<uint64_t>(bench.ledger.max_live_bytes.load());
     }
     // The same with room for all of it, to the byte.
     {

@@ -282,7 +282,7 @@ void RandomHost::make_model() {
     FlgSkinDesc bound = flgSkinDefaults();
     bound.model = any<FlgModel>(model);
     bound.vertex_count = 100;
-    bound.most_vertices = 2000;
+    bound.max_vertices = 2000;
     if (chance(6)) returned(flgSkinCreate(at(), &bound, out<FlgSkin>(skin), job_out()));
     FlgOutlineDesc seen = flgOutlineDefaults();
     seen.surface = any<FlgSurface>(surface);

@@ -18,7 +18,7 @@ struct ClosedMesh {
     int euler = 0;
     uint32_t components = 0;
     double volume = 0, area = 0;  // of positions
-    double least_angle = 180, mean_least_angle = 0;
+    double min_angle = 180, mean_least_angle = 0;
 };
 
 template <class Positions>
@@ -47,7 +47,7 @@ ClosedMesh check_closed(const Positions& positions, std::span<const TriangleVert
             const Vec3 ab = at((k + 1) % 3) - at(k), ac = at((k + 2) % 3) - at(k);
             least = std::min(least, std::atan2(ab.cross(ac).norm(), ab.dot(ac)) * 180 / 3.14159265358979);
         }
-        mesh.least_angle = std::min(mesh.least_angle, least);
+        mesh.min_angle = std::min(mesh.min_angle, least);
         mesh.mean_least_angle += least / static_cast<double>(triangles.size());
     }
     for (const auto& [side, count] : sides)

@@ -26,7 +26,7 @@ TEST(Merge, OneBall) {
     EXPECT_EQ(ball.fault, "");
     EXPECT_EQ(ball.euler, 2);
     EXPECT_NEAR(ball.volume, 4 * pi / 3 / 8, 0.002);
-    EXPECT_GT(ball.least_angle, 15);
+    EXPECT_GT(ball.min_angle, 15);
     EXPECT_GT(ball.mean_least_angle, 48);
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
         const Vec3 from = mesh.positions[i] - Vec3(1, 2, 3);

@@ -12,7 +12,7 @@ namespace flg::test {
 namespace {
 
 struct Quality {
-    double least_angle = 180, mean_least = 0, area = 0;
+    double min_angle = 180, mean_least = 0, area = 0;
     int euler = 0;
     uint32_t chords = 0, bad_edges = 0;
 };
@@ -30,7 +30,7 @@ Quality quality_of(const InflatedPart& part) {
             if (k == 0) quality.area += cross / 2;
             if (!edges.emplace(std::pair{t[k], t[(k + 1) % 3]}, 1).second) ++quality.bad_edges;
         }
-        quality.least_angle = std::min(quality.least_angle, least);
+        quality.min_angle = std::min(quality.min_angle, least);
         quality.mean_least += least / static_cast<double>(part.triangles.size());
     }
     size_t sides = 0;
@@ -74,7 +74,7 @@ TEST(PartMesh, SmoothContoursGetGoodTriangles) {
     for (const Rings& rings : all) {
         const InflatedPart part = mesh_of(rings);
         const Quality quality = quality_of(part);
-        EXPECT_GT(quality.least_angle, 22);
+        EXPECT_GT(quality.min_angle, 22);
         EXPECT_GT(quality.mean_least, 48);
         EXPECT_EQ(quality.euler, 1);
         EXPECT_EQ(quality.chords, 0u);
@@ -109,7 +109,7 @@ TEST(PartMesh, NoChordsAnywhere) {
         EXPECT_EQ(quality.euler, 1);
         EXPECT_EQ(quality.chords, 0u);
         EXPECT_EQ(quality.bad_edges, 0u);
-        EXPECT_GT(quality.least_angle, 0);
+        EXPECT_GT(quality.min_angle, 0);
         EXPECT_NEAR(quality.area, area_of(rings), 0.01 * quality.area);
     }
 }

@@ -66,7 +66,7 @@ struct MemoryFiles {
     int open = 0;
     std::function<uint64_t(uint64_t)> size_said = [](uint64_t size) { return size; };
     std::function<size_t(size_t)> bytes_read = [](size_t size) { return size; };
-    size_t most_written = SIZE_MAX;
+    size_t max_written = SIZE_MAX;
     bool can_close = true;
 
     const FlgFileSystem hook{
@@ -88,7 +88,7 @@ struct MemoryFiles {
             return static_cast<MemoryFiles*>(self)->bytes_read(count);
         },
         [](void* self, void* file, const void* bytes, size_t size) {
-            const size_t count = std::min(size, static_cast<MemoryFiles*>(self)->most_written);
+            const size_t count = std::min(size, static_cast<MemoryFiles*>(self)->max_written);
             static_cast<File*>(file)->content.append(static_cast<const char*>(bytes), count);
             return count;
         },
@@ -422,10 +422,10 @@ TEST(FileHooks, AHostThatFailsOrLiesIsRefused) {
     EXPECT_EQ(read_curves("none.xyz", &host.hooks, bytes), FLG_ERROR_FILE);
     EXPECT_STREQ(flgIoErrorGetMessage(), "none.xyz: can't be opened by the host's functions");
 
-    files.most_written = 3;
+    files.max_written = 3;
     EXPECT_EQ(write_curves("a.xyz", &host.hooks), FLG_ERROR_FILE);
     EXPECT_STREQ(flgIoErrorGetMessage(), "a.xyz: can't be written: the host took only a part");
-    files.most_written = SIZE_MAX;
+    files.max_written = SIZE_MAX;
     files.can_close = false;
     EXPECT_EQ(write_curves("a.xyz", &host.hooks), FLG_ERROR_FILE);
     EXPECT_STREQ(flgIoErrorGetMessage(), "a.xyz: can't be written: the host could not close it");

@@ -437,8 +437,7 @@ TEST(PickingInLargeWorlds, WhatTheScenesFloatsCannotHoldIsRefused) {
     curves.column_count = 1;
     std::copy(far_away, far_away + 3, curves.origin);
     EXPECT_EQ(flgPickSceneSetCurves(scene, 0, &curves, 0.01f), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_NE(std::string(flgPickErrorGetMessage()).find("least_radius"), std::string::npos)
-        << flgPickErrorGetMessage();
+    EXPECT_NE(std::string(flgPickErrorGetMessage()).find("min_radius"), std::string::npos) << flgPickErrorGetMessage();
     flgPickSceneDestroy(scene);
     FlgPickSceneDesc desc = flgPickSceneDefaults();
     desc.origin[1] = HUGE_VAL;

@@ -53,19 +53,19 @@ LiteralMatching match_discrete(const std::vector<Vec3>& style, double style_leng
         const Vec3 point = guide[i];
         const double even = style_length * static_cast<double>(i) / static_cast<double>(rows - 1);
         double least = impossible;
-        uint32_t least_column = 0;
+        uint32_t min_column = 0;
         uint32_t* const from_row = &from[i * columns];
         for (size_t j = 0; j < columns; ++j) {
             if (!strict && before[j] < least) {
                 least = before[j];
-                least_column = static_cast<uint32_t>(j);
+                min_column = static_cast<uint32_t>(j);
             }
             const double late = static_cast<double>(j) * spacing - even;
             now[j] = least + beta * (point - style[j]).squaredNorm() + (1.0 - beta) * late * late;
-            from_row[j] = least_column;
+            from_row[j] = min_column;
             if (strict && before[j] < least) {
                 least = before[j];
-                least_column = static_cast<uint32_t>(j);
+                min_column = static_cast<uint32_t>(j);
             }
         }
         before.swap(now);

@@ -126,15 +126,15 @@ TEST_F(RendererTest, MemoryStaysFlatWhileThingsComeAndGo) {
     for (const bool draws : {true, false}) {
         for (int i = 0; i < 20; ++i) frame(i, draws);
         const MemoryReport settled = renderer.memory();
-        uint64_t most_held = 0, most_used = 0;
+        uint64_t max_held = 0, max_used = 0;
         for (int i = 0; i < 500; ++i) {
             frame(i, draws);
-            most_held = std::max(most_held, renderer.memory().held);
-            most_used = std::max(most_used, used(renderer.memory()));
+            max_held = std::max(max_held, renderer.memory().held);
+            max_used = std::max(max_used, used(renderer.memory()));
         }
         // One frame's things more or less, as frames are done sooner or later; they may need one more block.
-        EXPECT_LE(most_held, settled.held + block) << draws;
-        EXPECT_LE(most_used, used(settled) + 8 * mebi) << draws;
+        EXPECT_LE(max_held, settled.held + block) << draws;
+        EXPECT_LE(max_used, used(settled) + 8 * mebi) << draws;
     }
 }
 

@@ -67,7 +67,7 @@ inline glm::ivec2 pixel_of(float x, float y) {
             static_cast<int>(std::floor(0.5f * picture_size - y * pixels_per_metre()))};
 }
 
-inline int most_difference(const uint8_t* a, const uint8_t* b) {
+inline int max_difference(const uint8_t* a, const uint8_t* b) {
     int most = 0;
     for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;

@@ -46,7 +46,7 @@ TEST_F(RendererTest, APlacedSurfaceIsAMovedOne) {
     renderer.set_placement(id, somewhere());
     const auto different = [](const Image& a, const Image& b, int least) {
         uint32_t count = 0;
-        for (size_t i = 0; i < a.pixels.size(); i += 4) count += most_difference(&a.pixels[i], &b.pixels[i]) > least;
+        for (size_t i = 0; i < a.pixels.size(); i += 4) count += max_difference(&a.pixels[i], &b.pixels[i]) > least;
         return count;
     };
     const Image placed = picture(target);

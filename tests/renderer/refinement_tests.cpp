@@ -35,8 +35,8 @@ TEST_F(RefinementTest, EdgesBecomeTheMeanOfManySamples) {
     const Image hard = refined(target, 1, camera);
     EXPECT_EQ(hard.pixels, picture(target, camera).pixels) << "the first frame is that of a draw that does not refine";
     EXPECT_EQ(target.refined(), 0u);
-    const Image soft = refined(target, 1 + most_refined, camera);
-    EXPECT_EQ(target.refined(), most_refined);
+    const Image soft = refined(target, 1 + max_refined, camera);
+    EXPECT_EQ(target.refined(), max_refined);
     EXPECT_LT(grey_pixels(hard), 5u);
     EXPECT_GT(grey_pixels(soft), 20u);
 }
@@ -46,11 +46,11 @@ TEST_F(RefinementTest, PictureStaysOnceItIsDone) {
     renderer.upload(knot.view(), {.shape = Shape::tube, .radius = 0.2f});
     Target target(renderer, 96, 96);
     const Camera camera = frame_box(renderer.bounds(), {-1, -0.5f, -1}, 1.0f);
-    const Image done = refined(target, 1 + most_refined, camera);
+    const Image done = refined(target, 1 + max_refined, camera);
     EXPECT_GT(renderer.stats().triangles, 0u);
     EXPECT_EQ(refined(target, 1, camera).pixels, done.pixels);
     EXPECT_EQ(renderer.stats().triangles, 0u) << "it is shown again, not drawn";
-    EXPECT_EQ(target.refined(), most_refined);
+    EXPECT_EQ(target.refined(), max_refined);
 }
 
 TEST_F(RefinementTest, EachChangeBeginsAnew) {

@@ -79,7 +79,7 @@ protected:
     }
     static uint32_t clearly_different(const Image& a, const Image& b) {
         uint32_t count = 0;
-        for (size_t i = 0; i < a.pixels.size(); i += 4) count += most_difference(&a.pixels[i], &b.pixels[i]) > 4;
+        for (size_t i = 0; i < a.pixels.size(); i += 4) count += max_difference(&a.pixels[i], &b.pixels[i]) > 4;
         return count;
     }
     Image of_mesh(Mesh mesh, const SurfaceLook& look = {}) {
@@ -101,7 +101,7 @@ TEST_F(SkinsTest, RestIsThePlainSurface) {
     int most = 0;
     const auto compare = [&](const Image& image) {
         for (size_t i = 0; i < plain.pixels.size(); i += 4)
-            most = std::max(most, most_difference(&plain.pixels[i], &image.pixels[i]));
+            most = std::max(most, max_difference(&plain.pixels[i], &image.pixels[i]));
     };
     compare(picture(target_));  // before any pose
     for (const FlgSkinning skinning : both) {
@@ -149,7 +149,7 @@ TEST_F(SkinsTest, ATwistIsThinByLinearBlendingOnly) {
     const auto covered = [&](FlgSkinning skinning) {
         renderer.set_pose(id, skinning, pose_of(skin, skinning, rotations));
         const Image image = picture(target_);
-        return most_difference(image.at(near_edge.x, near_edge.y), empty_.at(near_edge.x, near_edge.y)) > 4;
+        return max_difference(image.at(near_edge.x, near_edge.y), empty_.at(near_edge.x, near_edge.y)) > 4;
     };
     EXPECT_TRUE(covered(FLG_SKINNING_DUAL_QUATERNION));
     EXPECT_FALSE(covered(FLG_SKINNING_LINEAR));
@@ -291,7 +291,7 @@ TEST_F(SkinsTest, CurvesInFrontAreOverEverything) {
     renderer.remove(body_id);
     const Image alone = picture(target_);
     const glm::ivec2 middle = pixel_of(0.1f, 0);
-    EXPECT_LE(most_difference(within.at(middle.x, middle.y), alone.at(middle.x, middle.y)), 1);
+    EXPECT_LE(max_difference(within.at(middle.x, middle.y), alone.at(middle.x, middle.y)), 1);
     renderer.upload(skin.view());
     // What is not in front is drawn as before, in whatever order.
     look.in_front = false;

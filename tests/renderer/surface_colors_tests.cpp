@@ -28,12 +28,12 @@ protected:
     }
     static int difference_at(const Image& a, const Image& b, float x, float y) {
         const glm::ivec2 p = pixel_of(x, y);
-        return most_difference(a.at(p.x, p.y), b.at(p.x, p.y));
+        return max_difference(a.at(p.x, p.y), b.at(p.x, p.y));
     }
-    static int most_difference_of(const Image& a, const Image& b) {
+    static int max_difference_of(const Image& a, const Image& b) {
         int most = 0;
         for (uint32_t y = 0; y < picture_size; ++y)
-            for (uint32_t x = 0; x < picture_size; ++x) most = std::max(most, most_difference(a.at(x, y), b.at(x, y)));
+            for (uint32_t x = 0; x < picture_size; ++x) most = std::max(most, max_difference(a.at(x, y), b.at(x, y)));
         return most;
     }
     Target target_{renderer, picture_size, picture_size};
@@ -59,7 +59,7 @@ TEST_F(SurfaceColors, RegionsHaveTheirMaterials) {
     for (uint32_t y = 0; y < picture_size; ++y)
         for (uint32_t x = 0; x < picture_size; ++x) {
             const Image& expected = x < picture_size / 2 ? all_red : all_blue;
-            ASSERT_LE(most_difference(image.at(x, y), expected.at(x, y)), 1) << x << ", " << y;
+            ASSERT_LE(max_difference(image.at(x, y), expected.at(x, y)), 1) << x << ", " << y;
         }
 }
 
@@ -112,7 +112,7 @@ TEST_F(SurfaceColors, FieldShowsTheMapsColours) {
     }
     SurfaceLook hidden;
     hidden.show_field = false;
-    EXPECT_LE(most_difference_of(seen(mesh, hidden, field), plain(hidden.material.color)), 1) << "but for rounding";
+    EXPECT_LE(max_difference_of(seen(mesh, hidden, field), plain(hidden.material.color)), 1) << "but for rounding";
 }
 
 TEST_F(SurfaceColors, InfiniteValuesAreGrey) {
@@ -186,7 +186,7 @@ TEST_F(SurfaceColors, BordersAreLinesOfTheirWidth) {
     Mesh mesh = sheet(size_m, size_m, 8, 8);
     for (uint32_t t = 0; t < mesh.triangles.size() / 3; ++t) mesh.regions.push_back(t / 2 % 8 < 3 ? 7 : 2);
     const Image without = seen(mesh, {});
-    EXPECT_LE(most_difference_of(without, plain(SurfaceLook{}.material.color)), 1) << "but for rounding";
+    EXPECT_LE(max_difference_of(without, plain(SurfaceLook{}.material.color)), 1) << "but for rounding";
     for (const float width : {2.0f, 5.0f}) {
         SurfaceLook look;
         look.border_width_px = width;
@@ -245,9 +245,9 @@ TEST_F(SurfaceColors, CreasesBetweenRegionsAreSharpAndGentleBendsAreNot) {
         return seen(mesh, look);
     };
     constexpr float steep = 0.8f, gentle = 0.08f;
-    EXPECT_GT(most_difference_of(drawn(steep, true, false), drawn(steep, false, false)), 20) << "one region is smooth";
-    EXPECT_LE(most_difference_of(drawn(steep, true, true), drawn(steep, false, true)), 2) << "each side is flat";
-    EXPECT_EQ(most_difference_of(drawn(gentle, true, true), drawn(gentle, true, false)), 0) << "the border isn't seen";
+    EXPECT_GT(max_difference_of(drawn(steep, true, false), drawn(steep, false, false)), 20) << "one region is smooth";
+    EXPECT_LE(max_difference_of(drawn(steep, true, true), drawn(steep, false, true)), 2) << "each side is flat";
+    EXPECT_EQ(max_difference_of(drawn(gentle, true, true), drawn(gentle, true, false)), 0) << "the border isn't seen";
 }
 
 // On the side of a ball, seen at a grazing angle, the surface does not swallow half of the line.
@@ -265,7 +265,7 @@ TEST_F(SurfaceColors, BordersStayWholeOnSlopes) {
     for (uint32_t y = 176; y <= 336; y += 10) {
         uint32_t dark = 0;
         for (uint32_t x = picture_size / 2; x < picture_size; ++x)
-            dark += most_difference(with.at(x, y), without.at(x, y)) > 40;
+            dark += max_difference(with.at(x, y), without.at(x, y)) > 40;
         EXPECT_GE(dark, 3u) << y;
     }
 }

@@ -50,7 +50,7 @@ TEST_F(SurfacesTest, SmoothNormalsAreThoseOfTheShape) {
     const Image a = seen(computed), b = seen(given);
     uint32_t different = 0;
     for (uint32_t y = 0; y < picture_size; ++y)
-        for (uint32_t x = 0; x < picture_size; ++x) different += most_difference(a.at(x, y), b.at(x, y)) > 3;
+        for (uint32_t x = 0; x < picture_size; ++x) different += max_difference(a.at(x, y), b.at(x, y)) > 3;
     EXPECT_LT(different, 100u);
     EXPECT_GT(differing_pixels(a, seen(computed, {.smooth = false})), 10000u);
 }
@@ -70,7 +70,7 @@ TEST_F(SurfacesTest, NormalsDoNotDependOnTheTriangulation) {
     const Camera camera{{2.0f, 1.5f, 3.0f}, {0, 0, 0}, {0, 1, 0}, default_fov_y_rad};
     const Image a = seen(computed, {}, camera), b = seen(given, {}, camera);
     int most = 0;
-    for (size_t i = 0; i < a.pixels.size(); i += 4) most = std::max(most, most_difference(&a.pixels[i], &b.pixels[i]));
+    for (size_t i = 0; i < a.pixels.size(); i += 4) most = std::max(most, max_difference(&a.pixels[i], &b.pixels[i]));
     EXPECT_LE(most, 2);
 }
 
@@ -113,7 +113,7 @@ TEST_F(SurfacesTest, CurvesCastShadowsOnSurfaces) {
     // The shadow lies 0.5 m * 0.6 further down, where the bar does not hide it.
     const glm::ivec2 shadow = pixel_of(0, -0.3f), beside = pixel_of(0, -0.6f);
     EXPECT_LT(brightness(with.at(shadow.x, shadow.y)) + 60, brightness(without.at(shadow.x, shadow.y)));
-    EXPECT_EQ(most_difference(with.at(beside.x, beside.y), without.at(beside.x, beside.y)), 0);
+    EXPECT_EQ(max_difference(with.at(beside.x, beside.y), without.at(beside.x, beside.y)), 0);
 }
 
 TEST_F(SurfacesTest, SurfacesCastShadowsOnCurves) {
@@ -134,7 +134,7 @@ TEST_F(SurfacesTest, SurfacesCastShadowsOnCurves) {
     const Image without = picture(target_);
     const glm::ivec2 below = pixel_of(0, 0.05f), beside = pixel_of(0.7f, 0.05f);
     EXPECT_LT(brightness(with.at(below.x, below.y)) + 60, brightness(without.at(below.x, below.y)));
-    EXPECT_EQ(most_difference(with.at(beside.x, beside.y), without.at(beside.x, beside.y)), 0);
+    EXPECT_EQ(max_difference(with.at(beside.x, beside.y), without.at(beside.x, beside.y)), 0);
 }
 
 TEST_F(SurfacesTest, UpdateAndRemove) {
@@ -214,7 +214,7 @@ TEST_F(SurfacesTest, NormalsDoNotDependOnTheSize) {
         camera.eye *= scale;
         const Image image = seen(mesh, {}, camera);
         const glm::ivec2 middle = pixel_of(0.1f, 0.1f);
-        EXPECT_LE(most_difference(image.at(middle.x, middle.y), plain.at(middle.x, middle.y)), 2) << scale;
+        EXPECT_LE(max_difference(image.at(middle.x, middle.y), plain.at(middle.x, middle.y)), 2) << scale;
     }
 }
 

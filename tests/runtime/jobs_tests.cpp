@@ -286,12 +286,12 @@ TEST_F(WithoutWorkers, TheLongestChunkIsNamed) {
     };
     const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace, clock); });
     const FlgFrameReport report = runtime.tick(0);
-    EXPECT_NEAR(report.longest_chunk_us, 70.0f, 0.1f);
-    EXPECT_STREQ(report.longest_chunk_stage, "long");
+    EXPECT_NEAR(report.max_slice_us, 70.0f, 0.1f);
+    EXPECT_STREQ(report.max_slice_stage, "long");
     ASSERT_EQ(job->stage_count, 2u);
     EXPECT_EQ(job->stages[0].busy_end_ns - job->stages[0].busy_start_ns, 20'000u);
     EXPECT_EQ(job->stages[1].busy_end_ns - job->stages[1].busy_start_ns, 70'000u);
-    EXPECT_EQ(runtime.tick(0).longest_chunk_us, 0.0f);
+    EXPECT_EQ(runtime.tick(0).max_slice_us, 0.0f);
 }
 
 TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
@@ -306,8 +306,8 @@ TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
     };
     submit(runtime, [&](Pace& pace) { return Body::run(pace, clock); });
     const FlgFrameReport report = runtime.tick(0);
-    EXPECT_NEAR(report.longest_chunk_us, 70.0f, 0.1f);
-    EXPECT_STREQ(report.longest_chunk_stage, "start");
+    EXPECT_NEAR(report.max_slice_us, 70.0f, 0.1f);
+    EXPECT_STREQ(report.max_slice_stage, "start");
 }
 
 TEST_F(WithoutWorkers, CancelledJobsFreeWhatTheyHold) {

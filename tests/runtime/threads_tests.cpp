@@ -33,15 +33,15 @@ public:
                      {
                          std::lock_guard lock(pool.mutex_);
                          pool.queue_.push_back({run, task});
-                         pool.most_queued_ = std::max(pool.most_queued_, pool.queue_.size());
+                         pool.max_queued_ = std::max(pool.max_queued_, pool.queue_.size());
                      }
                      pool.wake_.notify_one();
                  }};
         return &hook_;
     }
-    size_t most_queued() {
+    size_t max_queued() {
         std::lock_guard lock(mutex_);
-        return most_queued_;
+        return max_queued_;
     }
 
 private:
@@ -62,7 +62,7 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     std::deque<std::pair<void (*)(void*), void*>> queue_;
-    size_t most_queued_ = 0;
+    size_t max_queued_ = 0;
     bool stop_ = false;
     std::vector<std::thread> threads_;
 };
@@ -109,7 +109,7 @@ TEST(Threads, SameResultsInTheHostsJobSystem) {
         expect_sums(runtime, 100);
         while (!runtime.stop()) std::this_thread::yield();
     }
-    EXPECT_LE(pool.most_queued(), 8u);
+    EXPECT_LE(pool.max_queued(), 8u);
     EXPECT_EQ(memory.live, 0);
 }
 

@@ -19,7 +19,7 @@ uint64_t rounds() {
 }
 
 // Contours of more points are simple as they are drawn: trying all pairs would take longer than all else.
-constexpr size_t most_tried = 1600;
+constexpr size_t max_tried = 1600;
 
 // Simple, and not as thin as a line.
 bool all_simple(const Rings& rings) {
@@ -34,14 +34,14 @@ bool all_simple(const Rings& rings) {
     return true;
 }
 
-// Seeds from 0; contours that touch themselves are left out. `most_perturbed` of the others may have skeletons only
+// Seeds from 0; contours that touch themselves are left out. `max_perturbed` of the others may have skeletons only
 // once their points were moved; each has one.
 void check_all(const char* kind, uint64_t count, const std::function<Rings(uint64_t)>& draw, double tolerance = 1e-9,
-               uint64_t most_perturbed = 0) {
+               uint64_t max_perturbed = 0) {
     uint64_t checked = 0, perturbed = 0, wrong = 0;
     for (uint64_t seed = 0; seed < count * rounds(); ++seed) {
         const Rings rings = draw(seed);
-        if (rings[0].size() < most_tried && !all_simple(rings)) continue;
+        if (rings[0].size() < max_tried && !all_simple(rings)) continue;
         ++checked;
         const Contour contour = contour_of(rings);
         std::string broken, skeleton_note;
@@ -59,7 +59,7 @@ void check_all(const char* kind, uint64_t count, const std::function<Rings(uint6
     }
     EXPECT_EQ(wrong, 0u) << kind << " of " << checked;
     EXPECT_GE(checked, count * rounds() / 4) << kind;
-    EXPECT_LE(perturbed, most_perturbed * rounds()) << kind;
+    EXPECT_LE(perturbed, max_perturbed * rounds()) << kind;
     testing::Test::RecordProperty(kind, static_cast<int>(checked));
     if (rounds() > 1)
         std::printf("%s: %llu checked, %llu perturbed\n", kind, (unsigned long long)checked,

@@ -26,8 +26,8 @@ constexpr uint32_t frames_a_second = 90, frames_a_cycle = 180, budget_us = 2000;
 // short for that on a slow machine may have grown at some of its rests after the first ones, not at each.
 constexpr size_t first_rests = 3, rests_to_fill_caches = 10;
 // What is in use at once varies by chance: of few cycles the peaks say nothing.
-constexpr size_t least_cycles = 50;
-constexpr double most_growth = 1.1;
+constexpr size_t min_cycles = 50;
+constexpr double max_growth = 1.1;
 
 double thread_us() {
     timespec now{};
@@ -45,8 +45,8 @@ struct Outcome {
     explicit Outcome(size_t frames) : wall(frames), processor(frames) {}
 
     FrameTimes wall, processor;
-    float longest_chunk_us = 0;
-    const char* longest_chunk_stage = "";
+    float max_slice_us = 0;
+    const char* max_slice_stage = "";
     std::vector<int64_t> rest_bytes, cycle_peaks;
     uint64_t resident_first = 0, resident_last = 0;
 };
@@ -80,16 +80,16 @@ private:
         stage_.must(flgContextTick(stage_.context, budget_us, &report), "flgContextTick");
         outcome_.processor.add(thread_us() - processor);
         outcome_.wall.add(std::chrono::duration<double, std::micro>(Clock::now() - wall).count());
-        if (report.longest_chunk_us > outcome_.longest_chunk_us) {
-            outcome_.longest_chunk_us = report.longest_chunk_us;
-            outcome_.longest_chunk_stage = report.longest_chunk_stage;
+        if (report.max_slice_us > outcome_.max_slice_us) {
+            outcome_.max_slice_us = report.max_slice_us;
+            outcome_.max_slice_stage = report.max_slice_stage;
         }
         pending_ = report.jobs_pending;
         next_ += std::chrono::nanoseconds(1'000'000'000 / frames_a_second);
         std::this_thread::sleep_until(next_);
     }
     void rest() {
-        outcome_.cycle_peaks.push_back(stage_.most_live_bytes);
+        outcome_.cycle_peaks.push_back(stage_.max_live_bytes);
         bool resting = false;
         while (!resting && stage_.errors.size() < 10) {
             resting = true;
@@ -98,7 +98,7 @@ private:
             resting = resting && pending_ == 0;
         }
         outcome_.rest_bytes.push_back(stage_.live_bytes);
-        stage_.most_live_bytes = stage_.live_bytes.load();
+        stage_.max_live_bytes = stage_.live_bytes.load();
         outcome_.resident_last = resident_bytes();
         if (outcome_.rest_bytes.size() == first_rests) outcome_.resident_first = outcome_.resident_last;
     }
@@ -131,10 +131,10 @@ std::string memory_fault(const Outcome& outcome) {
                " rests it was another than before, from " + std::to_string(rests[begin - 1]) + " to " +
                std::to_string(rests.back()) + " bytes";
     }
-    if (peaks.size() < least_cycles) return "";
+    if (peaks.size() < min_cycles) return "";
     const size_t half = peaks.size() / 2;
     const int64_t first = most(peaks, 0, half), last = most(peaks, half, peaks.size());
-    if (static_cast<double>(last) <= most_growth * static_cast<double>(first)) return "";
+    if (static_cast<double>(last) <= max_growth * static_cast<double>(first)) return "";
     return "the peak grew from " + std::to_string(first) + " to " + std::to_string(last) + " bytes";
 }
 
@@ -155,8 +155,8 @@ bool write_json(const char* path, double minutes, const Soak& soak, const std::s
     file << "{\n  \"minutes\": " << minutes << ",\n";
     write_times(file, "tick_wall_us", outcome.wall);
     write_times(file, "tick_processor_us", outcome.processor);
-    file << "  \"longest_chunk_us\": " << outcome.longest_chunk_us << ",\n  \"longest_chunk_stage\": \""
-         << outcome.longest_chunk_stage << "\",\n  \"jobs_finished\": " << soak.stage().jobs_finished
+    file << "  \"longest_chunk_us\": " << outcome.max_slice_us << ",\n  \"longest_chunk_stage\": \""
+         << outcome.max_slice_stage << "\",\n  \"jobs_finished\": " << soak.stage().jobs_finished
          << ",\n  \"jobs_cancelled\": " << soak.stage().jobs_cancelled
          << ",\n  \"peak_bytes_first_half\": " << most(outcome.cycle_peaks, 0, half)
          << ",\n  \"peak_bytes_last_half\": " << most(outcome.cycle_peaks, half, outcome.cycle_peaks.size())
@@ -192,7 +192,7 @@ int main(int argc, char** argv) {
     std::printf("soak of %.1f minutes, one worker, ticks at %u Hz with %u us\n", minutes, frames_a_second, budget_us);
     print("tick, wall time", outcome.wall);
     print("tick, processor time", outcome.processor);
-    std::printf("  longest chunk          %.1f us, in %s\n", outcome.longest_chunk_us, outcome.longest_chunk_stage);
+    std::printf("  longest chunk          %.1f us, in %s\n", outcome.max_slice_us, outcome.max_slice_stage);
     std::printf("  jobs                   %llu, %llu of them cancelled\n",
                 static_cast<unsigned long long>(soak.stage().jobs_finished),
                 static_cast<unsigned long long>(soak.stage().jobs_cancelled));

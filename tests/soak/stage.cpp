@@ -10,8 +10,8 @@ namespace {
 void* allocate(void* user_data, size_t size, size_t alignment) {
     auto& stage = *static_cast<Stage*>(user_data);
     const int64_t live = stage.live_bytes.fetch_add(static_cast<int64_t>(size)) + static_cast<int64_t>(size);
-    int64_t most = stage.most_live_bytes;
-    while (live > most && !stage.most_live_bytes.compare_exchange_weak(most, live)) {}
+    int64_t most = stage.max_live_bytes;
+    while (live > most && !stage.max_live_bytes.compare_exchange_weak(most, live)) {}
     return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 

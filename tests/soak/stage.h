@@ -21,7 +21,7 @@ public:
 
     FlgContext context{};
     std::atomic<int64_t> live_bytes{0};
-    std::atomic<int64_t> most_live_bytes{0};  // since it was set last
+    std::atomic<int64_t> max_live_bytes{0};  // since it was set last
     uint64_t jobs_finished = 0, jobs_cancelled = 0;
     std::vector<std::string> errors;
 

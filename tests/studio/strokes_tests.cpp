@@ -102,7 +102,7 @@ TEST(StudioStrokes, OpenedStrokesHaveTheirOwnColoursAndSizes) {
         for (uint32_t i = 0; i < stroke.drawn->samples.size(); ++i) {
             const float pressure = stroke.drawn->samples[i].pressure;
             const float radius = *samples::value_at(radii, view.curve_offsets[c] + i);
-            EXPECT_NEAR(desc.radius_min + (desc.radius_max - desc.radius_min) * pressure, radius, 1e-4f * radius);
+            EXPECT_NEAR(desc.min_radius + (desc.max_radius - desc.min_radius) * pressure, radius, 1e-4f * radius);
             most = std::max(most, radius);
         }
         largest.push_back(most);

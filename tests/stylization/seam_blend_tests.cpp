@@ -89,14 +89,14 @@ double largest_step(const std::vector<Vec3>& d) {
 
 // Root mean square difference of the 2p + 1 samples about `at` to the style's nearest patch.
 double to_nearest_patch(const std::vector<Vec3>& samples, size_t at, const std::vector<Vec3>& style) {
-    double least_sq = HUGE_VAL;
+    double min_sq = HUGE_VAL;
     for (size_t c = patch; c + patch < style.size(); ++c) {
         double sum_sq = 0;
         for (size_t k = 0; k <= 2 * patch; ++k)
             sum_sq += (samples[at + k - patch] - style[c + k - patch]).squaredNorm();
-        least_sq = std::min(least_sq, sum_sq);
+        min_sq = std::min(min_sq, sum_sq);
     }
-    return std::sqrt(least_sq / (2 * patch + 1));
+    return std::sqrt(min_sq / (2 * patch + 1));
 }
 
 TEST(SeamBlend, SeamsAreNoKinks) {

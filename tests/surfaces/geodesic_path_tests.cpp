@@ -57,8 +57,8 @@ uint32_t next_about(const Mesh& mesh, const RegionSet& regions, uint32_t vertex,
 }
 
 // The least of the angles at a vertex between two of the path's stretches; infinite across a border.
-double least_angle(const Mesh& mesh, uint32_t vertex, const SurfacePoint& before, const SurfacePoint& here,
-                   const SurfacePoint& after, const RegionSet& regions) {
+double min_angle(const Mesh& mesh, uint32_t vertex, const SurfacePoint& before, const SurfacePoint& here,
+                 const SurfacePoint& after, const RegionSet& regions) {
     const Vec3 at = mesh.position(vertex);
     const Vec3 in = position_of(mesh, before) - at, out = position_of(mesh, after) - at;
     const uint32_t first = before.triangle, last = here.triangle;
@@ -99,7 +99,7 @@ void expect_locally_shortest(const Mesh& mesh, const SurfaceCurves& curves, uint
             (mesh.position(t[0]) - mesh.position(t[1])).norm() + (mesh.position(t[0]) - mesh.position(t[2])).norm();
         const double tolerance = 1e-5 + 2e-6 * size * (1 / in.norm() + 1 / out.norm());
         if (place.on == SurfacePlace::On::vertex) {
-            EXPECT_GE(least_angle(mesh, place.index, points[i - 1], points[i], points[i + 1], regions), pi - tolerance)
+            EXPECT_GE(min_angle(mesh, place.index, points[i - 1], points[i], points[i + 1], regions), pi - tolerance)
                 << "at point " << i << " of " << points.size();
         } else {
             ASSERT_EQ(place.on, SurfacePlace::On::edge);

@@ -85,7 +85,7 @@ TEST(MeshMeasures, BordersRunAlongTheTriangles) {
     for (Corner corner = 0; corner < 3 * mesh.triangle_count(); ++corner) {
         if (mesh.neighbour_at(corner) == no_index) open[{mesh.vertex_at(corner), mesh.vertex_at(next_corner(corner))}];
     }
-    uint32_t least_before = 0;
+    uint32_t min_before = 0;
     for (uint32_t l = 0; l < 3; ++l) {
         const uint32_t begin = loops.offsets[l], end = loops.offsets[l + 1];
         for (uint32_t i = begin; i < end; ++i) {
@@ -94,8 +94,8 @@ TEST(MeshMeasures, BordersRunAlongTheTriangles) {
             EXPECT_EQ(edge->second++, 0u);
             EXPECT_GE(loops.vertices[i], loops.vertices[begin]);
         }
-        EXPECT_GT(loops.vertices[begin], least_before);
-        least_before = loops.vertices[begin];
+        EXPECT_GT(loops.vertices[begin], min_before);
+        min_before = loops.vertices[begin];
     }
     EXPECT_EQ(loops.vertex_count(), open.size());
     const BorderLoops sliced = borders_of(mesh, true);

@@ -46,7 +46,7 @@ struct State {
 
 void run_session(const MeshArrays& mesh, uint64_t seed, uint32_t steps) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    constexpr uint32_t most_triangles = 3000;
+    constexpr uint32_t max_triangles = 3000;
     const TangleHost host;
     const FlgSurface surface = host.surface(mesh);
     const FlgTangle tangle = host.tangle(surface);
@@ -54,7 +54,7 @@ void run_session(const MeshArrays& mesh, uint64_t seed, uint32_t steps) {
     const std::hash<std::string> hash;
     const auto state = [&] { return State{hash(bits(host.view(surface))), hash(host.tree_bits(tangle))}; };
     std::vector<State> states = {state()};
-    uint32_t made = 0, refused = 0, most_made = 0;
+    uint32_t made = 0, refused = 0, max_made = 0;
     for (uint32_t i = 0; i < steps; ++i) {
         SCOPED_TRACE("step " + std::to_string(i));
         const double area = whole_area(host.view(surface));
@@ -67,14 +67,14 @@ void run_session(const MeshArrays& mesh, uint64_t seed, uint32_t steps) {
         } else {
             states.resize(++made);
             states.push_back(state());
-            most_made = std::max(most_made, made);
+            max_made = std::max(max_made, made);
             const bool moved = session.last.starts_with("displacement");
             expect_valid(host, surface, tangle, moved ? whole_area(host.view(surface)) : area);
             expect_borders(host, surface, tangle);
         }
         ASSERT_FALSE(testing::Test::HasFailure());
         // Back to where there is room for more, and now and then some of the way again.
-        while (host.view(surface).mesh->triangle_count > most_triangles) {
+        while (host.view(surface).mesh->triangle_count > max_triangles) {
             for (uint32_t back = 1 + session.draw(5); back > 0 && made > 0; --back) {
                 ASSERT_EQ(host.undo(tangle), FLG_OK);
                 ASSERT_EQ(state(), states[--made]) << "taken back";
@@ -86,7 +86,7 @@ void run_session(const MeshArrays& mesh, uint64_t seed, uint32_t steps) {
         }
     }
     EXPECT_LT(refused, steps / 3);
-    EXPECT_GT(most_made, 20u);
+    EXPECT_GT(max_made, 20u);
     EXPECT_EQ(host.info(tangle).undo_count, made);
     const uint32_t end = made;
     while (made > 0) {

@@ -23,11 +23,11 @@ namespace Filigree.Tests
             style.Warm(0);
             Scenes.Finish(context);
             FlgLiveStrokeDesc desc = Native.flgLiveStrokeDefaults();
-            desc.radius_min = -2.5f;
+            desc.min_radius = -2.5f;
             var failure = Expect.Throws<FiligreeException>(() => LiveStroke.TryBegin(style, desc), "a negative radius");
             Expect.Equal(FlgResult.ErrorInvalidArgument, failure.Result, "a negative radius");
             Expect.Equal(FiligreeException.ToString(Native.flgErrorGetMessage()), failure.Message, "the sentence");
-            Expect.Contains("radius_min", failure.Message, "the argument");
+            Expect.Contains("min_radius", failure.Message, "the argument");
             Expect.Contains("-2.5", failure.Message, "its value");
 
             failure = Expect.Throws<FiligreeException>(

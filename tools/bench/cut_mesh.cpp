@@ -76,7 +76,7 @@ CutMesh::Times CutMesh::cut_isolines(uint32_t count) {
     status.struct_size = sizeof status;
     check(flgJobGetStatus(host_.context(), job, &status));
     check(flgFieldRelease(host_.context(), field));
-    return {stage_ms(host_, job, "cut"), stage_ms(host_, job, "update"), status.longest_chunk_us};
+    return {stage_ms(host_, job, "cut"), stage_ms(host_, job, "update"), status.max_slice_us};
 }
 
 FlgSurfaceView CutMesh::view() {

@@ -18,7 +18,7 @@ public:
     void reset();
     // At `count` levels, evenly spaced.
     struct Times {
-        double cut_ms, update_ms, longest_chunk_us;
+        double cut_ms, update_ms, max_slice_us;
     };
     Times cut_isolines(uint32_t count);
 

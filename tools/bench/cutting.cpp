@@ -16,17 +16,17 @@ constexpr int kCutRuns = 3;
 
 void add_rows(CutMesh& mesh, uint32_t levels, double bar_ms, const char* what, std::vector<Row>& rows) {
     std::vector<double> cut_ms, update_ms;
-    double longest_us = HUGE_VAL;
+    double max_us = HUGE_VAL;
     for (int run = 0; run < kCutRuns; ++run) {
         mesh.reset();
         const CutMesh::Times times = mesh.cut_isolines(levels);
         cut_ms.push_back(times.cut_ms);
         update_ms.push_back(times.update_ms);
-        longest_us = std::min(longest_us, times.longest_chunk_us);
+        max_us = std::min(max_us, times.max_slice_us);
     }
     char note[96];
     std::snprintf(note, sizeof note, "%zu triangles new or changed; longest chunk %.0f us", mesh.changes().size(),
-                  longest_us);
+                  max_us);
     const std::string name = std::string("2 M triangles: ") + what;
     rows.push_back(below(name + " cut in", median(cut_ms), "ms", bar_ms, note));
     if (levels == 1) rows.push_back(below(name + ", local update", median(update_ms), "ms", kUpdateMs));

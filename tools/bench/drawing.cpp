@@ -150,10 +150,10 @@ void ribbon_rows(std::vector<Row>& rows) {
                   "%s: %.1f ms; on the device %.1f ms: curves %.1f, backdrop %.1f, finish %.1f; %llu triangles",
                   renderer.device_name().c_str(), mono_ms, stats.gpu_ms, stats.gpu_curves_ms, stats.gpu_backdrop_ms,
                   stats.gpu_finish_ms, static_cast<unsigned long long>(stats.triangles));
-    const double least_frames = slow ? 12.0 : 500.0;
-    rows.push_back(at_least("ribbon of 369,400 points, 1280 x 720: frames", 1e3 / mono_ms, "/s", least_frames, note));
+    const double min_frames = slow ? 12.0 : 500.0;
+    rows.push_back(at_least("ribbon of 369,400 points, 1280 x 720: frames", 1e3 / mono_ms, "/s", min_frames, note));
     rows.push_back(at_least("the same while it moves, with fewer pixels where frames take long: frames",
-                            1e3 / moving_ms, "/s", least_frames, ""));
+                            1e3 / moving_ms, "/s", min_frames, ""));
 
     render::StereoTarget both(renderer, kWidth, kHeight);
     render::Camera eyes[2] = {camera, camera};

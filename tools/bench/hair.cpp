@@ -78,7 +78,7 @@ public:
     }
 
     // Of the thread that worked most since then, this one aside.
-    double most_ms() {
+    double max_ms() {
         const std::lock_guard lock(mutex_);
         double most = 0.0;
         for (const auto& [thread, span] : spans_) {
@@ -108,13 +108,13 @@ double busiest_ms(uint32_t workers) {
     WorkerTimes times;
     Host host(flgAllocatorDefaults(), times.hooks(), workers);
     const Hair hair = prepare(host);
-    double least_ms = 1e30;
+    double min_ms = 1e30;
     for (int i = 0; i < kHairRuns; ++i) {
         times.clear();
         check(flgCurveSetRelease(host.context(), stylize(host, hair)));
-        least_ms = std::min(least_ms, times.most_ms());
+        min_ms = std::min(min_ms, times.max_ms());
     }
-    return least_ms;
+    return min_ms;
 }
 
 }  // namespace

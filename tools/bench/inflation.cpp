@@ -110,7 +110,7 @@ public:
         });
     }
     void begin_run() { at_ = 0; }
-    double longest_us() const { return *std::max_element(shortest_.begin(), shortest_.end()); }
+    double max_us() const { return *std::max_element(shortest_.begin(), shortest_.end()); }
 
 private:
     std::vector<double> shortest_;
@@ -199,12 +199,11 @@ std::vector<Row> run_inflation() {
     for (const InflatedPart& part : all.shapes) plane_vertices += part.points.size();
     char inflated[80], merged[80], weighed[80];
     std::snprintf(inflated, sizeof inflated, "%zu vertices in their planes; longest slice %.0f us", plane_vertices,
-                  inflating.longest_us());
+                  inflating.max_us());
     std::snprintf(merged, sizeof merged, "%zu vertices; longest slice %.0f us", kept->positions.size(),
-                  merging.longest_us());
-    std::snprintf(weighed, sizeof weighed, "%zu joints; longest slice %.0f us", all.bones.size(),
-                  weighing.longest_us());
-    const double longest = std::max({inflating.longest_us(), merging.longest_us(), weighing.longest_us()});
+                  merging.max_us());
+    std::snprintf(weighed, sizeof weighed, "%zu joints; longest slice %.0f us", all.bones.size(), weighing.max_us());
+    const double longest = std::max({inflating.max_us(), merging.max_us(), weighing.max_us()});
     std::vector<Row> rows = {
         below("inflate: ten drawn parts", median(inflate_ms), "ms", kInflateMs, inflated),
         below("merge: them to one surface", median(merge_ms), "ms", kMergeMs, merged),

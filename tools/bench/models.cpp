@@ -172,7 +172,7 @@ double skin_ms(Animal& animal, uint32_t& vertices) {
 }
 
 struct Frames {
-    double longest_tick_us = 0, seen_ms = 0;
+    double max_tick_us = 0, seen_ms = 0;
 };
 
 struct Chunk {
@@ -185,7 +185,7 @@ uint64_t processor_ns(void*) {
 }
 
 // Of the whole way from contours to the skin, in processor time: what else the machine does is left out.
-Chunk longest_chunk() {
+Chunk max_slice() {
     Animal animal(0, {sizeof(FlgClock), nullptr, processor_ns});
     animal.add_parts();
     FlgJob job{};
@@ -196,7 +196,7 @@ Chunk longest_chunk() {
         report = {};
         report.struct_size = sizeof report;
         check(flgContextTick(animal.host().context(), kBudgetUs, &report));
-        if (report.longest_chunk_us > longest.us) longest = {report.longest_chunk_us, report.longest_chunk_stage};
+        if (report.max_slice_us > longest.us) longest = {report.max_slice_us, report.max_slice_stage};
     } while (report.jobs_pending > 0);
     animal.host().check_done(job);
     return longest;
@@ -218,7 +218,7 @@ Frames play_frames() {
         const Clock::time_point tick = Clock::now();
         check(flgContextTick(animal.host().context(), kBudgetUs, &report));
         const double us = std::chrono::duration<double, std::micro>(Clock::now() - tick).count();
-        frames.longest_tick_us = std::max(frames.longest_tick_us, us);
+        frames.max_tick_us = std::max(frames.max_tick_us, us);
         std::this_thread::sleep_until(tick + std::chrono::duration<double, std::milli>(kFrameMs));
     } while (report.jobs_pending > 0);
     animal.host().check_done(job);
@@ -233,13 +233,13 @@ std::vector<Row> run_models() {
     uint32_t joints = 0, vertices = 0;
     const double bones = bones_ms(animal, joints), move = move_ms(animal), skin = skin_ms(animal, vertices);
     const Frames frames = play_frames();
-    const Chunk chunk = longest_chunk();
+    const Chunk chunk = max_slice();
     return {
         below("bones of 8 contours, clean-up to refined skeleton", bones, "ms", kBonesMs,
               std::to_string(joints) + " joints"),
         below("bones again after a part was moved", move, "ms", kMoveMs),
         below("inflation, merging, weights of 11 parts", skin, "ms", kSkinMs, std::to_string(vertices) + " vertices"),
-        below("contours to skin at 90 Hz, one worker: longest tick", frames.longest_tick_us, "us", kTickUs,
+        below("contours to skin at 90 Hz, one worker: longest tick", frames.max_tick_us, "us", kTickUs,
               "seen after " + std::to_string(static_cast<int>(frames.seen_ms)) + " ms"),
         below("contours to skin: longest chunk", chunk.us, "us", kChunkUs, chunk.stage)};
 }

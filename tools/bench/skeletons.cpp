@@ -93,25 +93,25 @@ private:
 
 // The longest of the chunks of one large skeleton, each the least of some rounds: what the machine does besides falls
 // into another chunk each time.
-double longest_chunk_us(const Ring& ring) {
+double max_slice_us(const Ring& ring) {
     Pool pool;
     PoolMemory memory(pool);
     const uint32_t offsets[] = {0, static_cast<uint32_t>(ring.size())};
     const Contour contour = clean_contour(ring, offsets, &memory);
-    std::vector<double> least_us;
+    std::vector<double> min_us;
     for (int round = 0; round < kChunkRounds; ++round) {
         StraightSkeleton skeleton(&memory);
         size_t chunk = 0;
         const auto time = [&](const auto& slice) {
             const double us = 1e3 * time_ms(slice);
-            if (chunk == least_us.size()) least_us.push_back(us);
-            least_us[chunk] = std::min(least_us[chunk], us);
+            if (chunk == min_us.size()) min_us.push_back(us);
+            min_us[chunk] = std::min(min_us[chunk], us);
             ++chunk;
         };
         run_haltingly(
             &memory, [&](Pace& pace) { return straight_skeleton(pace, contour, skeleton); }, time);
     }
-    return *std::max_element(least_us.begin(), least_us.end());
+    return *std::max_element(min_us.begin(), min_us.end());
 }
 
 #if defined(FLG_WITH_CGAL)
@@ -142,7 +142,7 @@ std::vector<Row> run_skeletons() {
         below("straight skeleton: star of 100", skeleton_ms({star(100)}), "ms", 0.2),
         below("straight skeleton: star of 1,000", skeleton_ms({star(1000)}), "ms", 4),
         below("straight skeleton: star of 3,000", skeleton_ms({star(3000)}), "ms", 20),
-        below("straight skeleton: longest chunk of a star of 100,000", longest_chunk_us(star(100'000)), "us", 100)};
+        below("straight skeleton: longest chunk of a star of 100,000", max_slice_us(star(100'000)), "us", 100)};
 #if defined(FLG_WITH_CGAL)
     rows.push_back(beside_cgal(12, 10));
     rows.push_back(beside_cgal(60, 20));

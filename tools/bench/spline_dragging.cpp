@@ -25,7 +25,7 @@ std::string text_of(const char* format, double value, double more = 0) {
 
 // Of each frame's job, in processor time.
 struct Times {
-    double mean_ms = 0, longest_ms = 0, mean_rounds = 0;
+    double mean_ms = 0, max_ms = 0, mean_rounds = 0;
 };
 
 Times drag_times(const MeshArrays& mesh) {
@@ -44,7 +44,7 @@ Times drag_times(const MeshArrays& mesh) {
         check(flgSplineRelease(bench.host().context(), last));
         last = next;
         times.mean_ms += ms / kFrames;
-        times.longest_ms = std::max(times.longest_ms, ms);
+        times.max_ms = std::max(times.max_ms, ms);
         times.mean_rounds += static_cast<double>(view.rounds) / kFrames;
     }
     return times;
@@ -52,7 +52,7 @@ Times drag_times(const MeshArrays& mesh) {
 
 struct Frames {
     uint32_t without = 0;  // a new curve
-    double longest_tick_us = 0;
+    double max_tick_us = 0;
 };
 
 // At 90 Hz in real time: what was asked for after the last tick is to be there after this one. Without a worker all of
@@ -78,7 +78,7 @@ Frames drag_frames(const MeshArrays& mesh, uint32_t workers) {
         const Clock::time_point begin = Clock::now();
         std::this_thread::sleep_until(begin + std::chrono::duration<double, std::milli>(kFrameMs));
         const double us = 1000.0 * time_ms([&] { check(flgContextTick(context, kBudgetUs, nullptr)); });
-        frames.longest_tick_us = std::max(frames.longest_tick_us, us);
+        frames.max_tick_us = std::max(frames.max_tick_us, us);
         view = flgSplineViewDefaults();
         if (flgSplineGetView(context, asked, &view) != FLG_OK) {
             ++frames.without;
@@ -99,11 +99,11 @@ std::vector<Row> spline_dragging(const MeshArrays& mesh, const std::string& name
     return {
         below(name + ": a point dragged, M = 288, mean", times.mean_ms, "ms", kBudgetMs,
               text_of("%.1f rounds", times.mean_rounds)),
-        below(name + ": a point dragged, M = 288, longest", times.longest_ms, "ms", kBudgetMs),
+        below(name + ": a point dragged, M = 288, longest", times.max_ms, "ms", kBudgetMs),
         below(name + ": frames without a new curve, one worker", one.without, "of 60", 1,
-              text_of("2 ms budget at 90 Hz, longest tick %.0f us", one.longest_tick_us)),
+              text_of("2 ms budget at 90 Hz, longest tick %.0f us", one.max_tick_us)),
         below(name + ": frames without a new curve, no worker", none.without, "of 60", 1,
-              text_of("2 ms budget at 90 Hz, longest tick %.0f us", none.longest_tick_us)),
+              text_of("2 ms budget at 90 Hz, longest tick %.0f us", none.max_tick_us)),
     };
 }
 

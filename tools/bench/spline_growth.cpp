@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t kCounts[] = {100, 1'000, 10'000, 100'000}, kTriangles = 70'000;
 constexpr double kExponent = 1.1;  // linear
-constexpr double kMostUs = 40;     // a node; all rounds
+constexpr double kMaxUs = 40;      // a node; all rounds
 
 int runs_for(uint32_t count) {
     return count <= 1'000 ? 31 : count <= 10'000 ? 7 : 3;
@@ -35,7 +35,7 @@ std::vector<Row> spline_growth() {
         std::snprintf(name, sizeof name, "spline on a torus, M = 1e%.0f, a node", std::log10(count));
         std::snprintf(note, sizeof note, "%.4g ms, %s%s", ms, rounds_note(view).c_str(),
                       view.ending == FLG_SPLINE_ENDING_CONVERGED ? "" : ", as near as rounding allows");
-        rows.push_back(below(name, 1000 * ms / count, "us", kMostUs, note));
+        rows.push_back(below(name, 1000 * ms / count, "us", kMaxUs, note));
     }
     rows.push_back(below("growth of splines with M, 1e2 to 1e5", growth_exponent(counts, times), "", kExponent));
     return rows;

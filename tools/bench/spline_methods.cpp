@@ -15,7 +15,7 @@
 namespace flg::bench {
 namespace {
 
-constexpr uint32_t kMostRounds = 5000;
+constexpr uint32_t kMaxRounds = 5000;
 
 struct Chain {
     uint32_t intervals;
@@ -84,11 +84,11 @@ std::vector<Row> spline_methods() {
         const Chain chain = chain_on(torus, intervals);
         const uint32_t newton = newton_rounds(torus, chain);
         reference::LiteralSpline by_cone = literal_of(torus, chain), by_descent = by_cone;
-        const uint32_t cone = reference::minimize(by_cone, kSplineTolerance, kMostRounds).rounds;
-        const uint32_t plain = reference::minimize_by_gradient(by_descent, kSplineTolerance, kMostRounds).rounds;
+        const uint32_t cone = reference::minimize(by_cone, kSplineTolerance, kMaxRounds).rounds;
+        const uint32_t plain = reference::minimize_by_gradient(by_descent, kSplineTolerance, kMaxRounds).rounds;
         const std::string about = std::to_string(intervals) + " intervals";
         std::snprintf(note, sizeof note, "%u rounds, plain %u%s, cone %u", newton, plain,
-                      plain == kMostRounds ? " and not there yet" : "", cone);
+                      plain == kMaxRounds ? " and not there yet" : "", cone);
         rows.push_back(
             below("rounds over those of plain descent, " + about, static_cast<double>(newton) / plain, "", 0.1, note));
         rows.push_back(below("rounds over those of the footpoint cone, " + about, static_cast<double>(newton) / cone,

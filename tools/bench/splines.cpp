@@ -22,7 +22,7 @@ struct Chunk {
 };
 
 // Of the manifold and a spline on it.
-Chunk longest_chunk(const MeshArrays& mesh) {
+Chunk max_slice(const MeshArrays& mesh) {
     SplineBench bench(mesh, 0, {sizeof(FlgClock), nullptr, processor_ns});
     Chunk longest;
     const auto finish = [&] {
@@ -31,7 +31,7 @@ Chunk longest_chunk(const MeshArrays& mesh) {
             report = {};
             report.struct_size = sizeof report;
             check(flgContextTick(bench.host().context(), 2000, &report));
-            if (report.longest_chunk_us > longest.us) longest = {report.longest_chunk_us, report.longest_chunk_stage};
+            if (report.max_slice_us > longest.us) longest = {report.max_slice_us, report.max_slice_stage};
         } while (report.jobs_pending > 0);
     };
     bench.make_manifold();
@@ -54,7 +54,7 @@ std::vector<Row> spline_rows(const MeshArrays& mesh, const std::string& name) {
     }
     const double again = median_ms(kSplineRuns, [&] { return bench.spline_ms(bench.desc(points), view); });
     const std::string about = rounds_note(view);
-    const Chunk chunk = longest_chunk(mesh);
+    const Chunk chunk = max_slice(mesh);
     return {
         below(name + ": its smooth surface, once", median(made), "ms", kSurfaceMs,
               std::to_string(mesh.triangles.size() / 3) + " triangles"),

@@ -178,8 +178,8 @@ FlgJob begin_step(Session& session, uint32_t n) {
 
 struct Frames {
     std::vector<double> ticks_us, visible_ms;
-    float longest_chunk_us = 0;
-    std::string longest_chunk_stage;
+    float max_slice_us = 0;
+    std::string max_slice_stage;
 };
 
 // A host with one worker that ticks 90 times a second: how long ticks take, and how long until an edit is seen.
@@ -195,9 +195,9 @@ Frames play_frames() {
         for (report.jobs_pending = 1; report.jobs_pending > 0;) {
             const Clock::time_point frame = Clock::now();
             frames.ticks_us.push_back(session.tick(kBudgetUs, report));
-            if (report.longest_chunk_us > frames.longest_chunk_us) {
-                frames.longest_chunk_us = report.longest_chunk_us;
-                frames.longest_chunk_stage = report.longest_chunk_stage;
+            if (report.max_slice_us > frames.max_slice_us) {
+                frames.max_slice_us = report.max_slice_us;
+                frames.max_slice_stage = report.max_slice_stage;
             }
             if (report.jobs_pending > 0)
                 std::this_thread::sleep_until(frame + std::chrono::duration<double, std::milli>(kFrameMs));
@@ -253,8 +253,8 @@ std::vector<Row> run_tangles() {
 
     const Frames frames = play_frames();
     std::snprintf(note, sizeof note, "%zu ticks, median %.0f us; the worker's longest chunk %.0f us (%s)",
-                  frames.ticks_us.size(), median(frames.ticks_us), static_cast<double>(frames.longest_chunk_us),
-                  frames.longest_chunk_stage.c_str());
+                  frames.ticks_us.size(), median(frames.ticks_us), static_cast<double>(frames.max_slice_us),
+                  frames.max_slice_stage.c_str());
     rows.push_back(below("2 M triangles: longest tick at 2 ms, one worker",
                          *std::max_element(frames.ticks_us.begin(), frames.ticks_us.end()), "us", kTickUs, note));
     std::snprintf(note, sizeof note, "longest %.0f ms but for the cells (%.0f ms) and a band along each (%.0f ms)",

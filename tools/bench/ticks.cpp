@@ -16,7 +16,7 @@ namespace {
 constexpr uint32_t kBudgetUs = 2000;
 constexpr double kTickBarUs = 2100.0, kChunkBarUs = 100.0, kWholeShare = 0.99;
 constexpr int kRounds = 5;
-constexpr size_t kMostLooks = 4'000'000;
+constexpr size_t kMaxLooks = 4'000'000;
 constexpr uint32_t kTargetPoints = 369'400, kLargeStylePoints = 4096;
 
 void submit(Host& host) {
@@ -47,8 +47,8 @@ double share(std::vector<double> values) {
 
 struct Frames {
     std::vector<double> ticks_us;
-    double longest_chunk_us = 0.0;
-    std::string longest_chunk_stage;
+    double max_slice_us = 0.0;
+    std::string max_slice_stage;
 };
 
 Frames play(Pool& pool, const FlgClock& clock) {
@@ -60,9 +60,9 @@ Frames play(Pool& pool, const FlgClock& clock) {
     do {
         check(flgContextTick(host.context(), kBudgetUs, &report));
         frames.ticks_us.push_back(report.tick_us);
-        if (report.longest_chunk_us > frames.longest_chunk_us) {
-            frames.longest_chunk_us = report.longest_chunk_us;
-            frames.longest_chunk_stage = report.longest_chunk_stage;
+        if (report.max_slice_us > frames.max_slice_us) {
+            frames.max_slice_us = report.max_slice_us;
+            frames.max_slice_stage = report.max_slice_stage;
         }
     } while (report.jobs_pending > 0);
     return frames;
@@ -84,26 +84,26 @@ struct Looks {
 
 // Each chunk's least time over the rounds, microseconds. What the machine does besides falls into another chunk each
 // round (a spinning loop sees gaps of 60 to 500 us here); what a chunk itself takes is there in all of them.
-std::vector<double> least_chunks_us(Pool& pool) {
-    std::vector<double> least_us;
+std::vector<double> min_chunks_us(Pool& pool) {
+    std::vector<double> min_us;
     for (int round = 0; round < kRounds; ++round) {
         Looks looks;
-        looks.times_ns.reserve(kMostLooks);
+        looks.times_ns.reserve(kMaxLooks);
         {
             Host host(pool.hooks(), looks.hook());
             submit(host);
             check(flgContextTick(host.context(), 0, nullptr));
         }
         const size_t count = looks.times_ns.size() - 1;
-        if (round == 0) least_us.assign(count, HUGE_VAL);
-        if (count != least_us.size())
+        if (round == 0) min_us.assign(count, HUGE_VAL);
+        if (count != min_us.size())
             throw std::runtime_error("rounds of the same work looked at the clock differently often");
         for (size_t i = 0; i < count; ++i) {
             const auto chunk_ns = static_cast<double>(looks.times_ns[i + 1] - looks.times_ns[i]);
-            least_us[i] = std::min(least_us[i], 1e-3 * chunk_ns);
+            min_us[i] = std::min(min_us[i], 1e-3 * chunk_ns);
         }
     }
-    return least_us;
+    return min_us;
 }
 
 uint64_t processor_time_ns(void*) {
@@ -120,10 +120,10 @@ std::vector<Row> run_ticks() {
     for (int round = 0; round < kRounds; ++round) {
         const Frames wall = play(pool, flgClockDefaults());
         ticks_us.insert(ticks_us.end(), wall.ticks_us.begin(), wall.ticks_us.end());
-        if (chunks_us.empty() || wall.longest_chunk_us < *std::min_element(chunks_us.begin(), chunks_us.end())) {
-            stage = wall.longest_chunk_stage;
+        if (chunks_us.empty() || wall.max_slice_us < *std::min_element(chunks_us.begin(), chunks_us.end())) {
+            stage = wall.max_slice_stage;
         }
-        chunks_us.push_back(wall.longest_chunk_us);
+        chunks_us.push_back(wall.max_slice_us);
         // Once more by the thread's own time, in which the machine's other work does not show.
         const Frames own = play(pool, {sizeof(FlgClock), nullptr, processor_time_ns});
         own_ticks_us.insert(own_ticks_us.end(), own.ticks_us.begin(), own.ticks_us.end());
@@ -132,14 +132,14 @@ std::vector<Row> run_ticks() {
     std::snprintf(note, sizeof note, "%zu ticks, longest %.0f us; in processor time p99 %.0f us, longest %.0f us",
                   ticks_us.size(), *std::max_element(ticks_us.begin(), ticks_us.end()), share(own_ticks_us),
                   *std::max_element(own_ticks_us.begin(), own_ticks_us.end()));
-    const std::vector<double> least_us = least_chunks_us(pool);
+    const std::vector<double> min_us = min_chunks_us(pool);
     char rounds[160];
     std::snprintf(rounds, sizeof rounds,
                   "%zu chunks, each the least of %d rounds; longest of a round of frames: %s, median %.0f us",
-                  least_us.size(), kRounds, stage.c_str(), median(chunks_us));
+                  min_us.size(), kRounds, stage.c_str(), median(chunks_us));
     return {below("flgContextTick at 2 ms under load, p99", share(ticks_us), "us", kTickBarUs, note),
-            below("longest kernel chunk under load", *std::max_element(least_us.begin(), least_us.end()), "us",
-                  kChunkBarUs, rounds)};
+            below("longest kernel chunk under load", *std::max_element(min_us.begin(), min_us.end()), "us", kChunkBarUs,
+                  rounds)};
 }
 
 }  // namespace flg::bench

@@ -42,7 +42,7 @@ using samples::CurveSource;
 struct Measures {
     uint32_t closed = 0, single_points = 0, without_length = 0;
     uint64_t repeated_points = 0, backwards = 0;
-    uint32_t fewest_points = std::numeric_limits<uint32_t>::max(), most_points = 0;
+    uint32_t fewest_points = std::numeric_limits<uint32_t>::max(), max_points = 0;
     double total_length = 0.0;
     std::vector<double> lengths;
     float low[3], high[3];
@@ -57,7 +57,7 @@ Measures measure(const FlgCurveSetView& view) {
     for (uint32_t c = 0; c < view.curve_count; ++c) {
         const uint32_t first = view.curve_offsets[c], end = view.curve_offsets[c + 1];
         m.fewest_points = std::min(m.fewest_points, end - first);
-        m.most_points = std::max(m.most_points, end - first);
+        m.max_points = std::max(m.max_points, end - first);
         m.closed += view.curve_flags != nullptr && (view.curve_flags[c] & FLG_CURVE_CLOSED) != 0;
         const double length = samples::curve_length(view, c);
         m.lengths.push_back(length);
@@ -114,7 +114,7 @@ void describe_curves(const CurveSource& source, Report& report) {
     const double median = m.lengths[m.lengths.size() / 2];
     std::cout << source.name() << ": " << info.format << ", units " << info.units << "\n"
               << "curves: " << view.curve_count << " (" << m.closed << " closed), points: " << source.point_count()
-              << " (" << m.fewest_points << " to " << m.most_points << " a curve)\n"
+              << " (" << m.fewest_points << " to " << m.max_points << " a curve)\n"
               << "length: " << m.total_length << " m; a curve: " << m.lengths.front() << " to " << m.lengths.back()
               << " m, median " << median << " m\n"
               << "box: " << m.low[0] << " " << m.low[1] << " " << m.low[2] << " to " << m.high[0] << " " << m.high[1]

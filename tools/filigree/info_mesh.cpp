@@ -14,7 +14,7 @@ namespace {
 
 struct Measures {
     double area = 0.0;
-    double shortest_edge = std::numeric_limits<double>::max(), longest_edge = 0.0;
+    double shortest_edge = std::numeric_limits<double>::max(), max_edge = 0.0;
     uint64_t without_area = 0;
 };
 
@@ -29,7 +29,7 @@ Measures measure(const FlgMeshView& view) {
             for (size_t i = 0; i < 3; ++i) edges[k][i] = static_cast<double>(to[i]) - from[i];
             const double length = std::hypot(edges[k][0], edges[k][1], edges[k][2]);
             m.shortest_edge = std::min(m.shortest_edge, length);
-            m.longest_edge = std::max(m.longest_edge, length);
+            m.max_edge = std::max(m.max_edge, length);
         }
         const double *u = edges[0], *v = edges[1];
         const double area =
@@ -59,7 +59,7 @@ void describe_mesh(const MeshFile& mesh, Report& report) {
     std::cout << mesh.name() << ": " << info.format << ", units as given\n"
               << "vertices: " << info.vertex_count << ", faces: " << info.polygon_count
               << ", triangles: " << info.triangle_count << ", regions: " << info.region_count << "\n"
-              << "area: " << m.area << " m2; edges: " << m.shortest_edge << " to " << m.longest_edge << " m\n"
+              << "area: " << m.area << " m2; edges: " << m.shortest_edge << " to " << m.max_edge << " m\n"
               << "box: " << low[0] << " " << low[1] << " " << low[2] << " to " << high[0] << " " << high[1] << " "
               << high[2] << " m\n";
     describe_origin(view.origin, report);
@@ -92,7 +92,7 @@ void describe_mesh(const MeshFile& mesh, Report& report) {
     report.counts["regions"] = info.region_count;
     report.counts["without_area"] = m.without_area;
     report.quality["area"] = m.area;
-    report.quality["edge_length"] = {{"min", m.shortest_edge}, {"max", m.longest_edge}};
+    report.quality["edge_length"] = {{"min", m.shortest_edge}, {"max", m.max_edge}};
     report.quality["box"] = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 

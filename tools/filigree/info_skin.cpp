@@ -8,7 +8,7 @@
 namespace flg::cli {
 namespace {
 
-constexpr uint32_t kMostNames = 12;  // printed; the report has all
+constexpr uint32_t kMaxNames = 12;  // printed; the report has all
 
 // How many vertices have 1, 2, 3 and 4 joints.
 std::vector<uint64_t> count_influences(const FlgSkinView& view) {
@@ -34,10 +34,10 @@ void describe_skin(const SkinFile& skin, Report& report) {
               << " parts; vertices of 1 to 4 joints: " << influences[0] << " " << influences[1] << " " << influences[2]
               << " " << influences[3] << "\njoints:";
     for (uint32_t j = 0; j < view.joint_count; ++j) {
-        if (j < kMostNames) std::cout << (j == 0 ? " " : ", ") << view.joint_names[j];
+        if (j < kMaxNames) std::cout << (j == 0 ? " " : ", ") << view.joint_names[j];
         names.push_back(view.joint_names[j]);
     }
-    std::cout << (view.joint_count > kMostNames ? ", ...\n" : "\n");
+    std::cout << (view.joint_count > kMaxNames ? ", ...\n" : "\n");
     for (const FlgSkinAnimation& animation : skin.animations()) {
         const float start = animation.times[0], end = animation.times[animation.key_count - 1];
         std::cout << "animation: " << animation.name << ", " << animation.key_count << " keys, " << start << " to "

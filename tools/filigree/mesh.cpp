@@ -13,7 +13,7 @@
 namespace flg::cli {
 namespace {
 
-constexpr uint32_t kMostLevels = 8;
+constexpr uint32_t kMaxLevels = 8;
 
 const std::map<std::string, FlgSubdivision> kSchemes = {{"midpoint", FLG_SUBDIVISION_MIDPOINT},
                                                         {"loop", FLG_SUBDIVISION_LOOP}};
@@ -151,7 +151,7 @@ std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common) {
     refine->add_option("--levels", o->levels, "Number of splits, 1 to 8")
         ->type_name("N")
         ->capture_default_str()
-        ->check(CLI::Range(1u, kMostLevels).description(""));
+        ->check(CLI::Range(1u, kMaxLevels).description(""));
     add_choice(*refine, "--scheme", o->scheme, kSchemes,
                "Places new vertices in the middle of their edges, or by Loop's scheme, which smoothes");
     return commands;

@@ -56,7 +56,7 @@ struct Box {
 };
 
 Box box_of(const MotionFile& file) {
-    constexpr double least_share = 0.02;  // of its longest side: flat bodies are seen too
+    constexpr double min_share = 0.02;  // of its longest side: flat bodies are seen too
     double low[3], high[3], longest = 0;
     for (size_t k = 0; k < 3; ++k) {
         low[k] = -0.5 * file.desc.body_box[k];
@@ -67,7 +67,7 @@ Box box_of(const MotionFile& file) {
         }
         longest = std::max(longest, high[k] - low[k]);
     }
-    const double least = 0.5 * least_share * (longest > 0 ? longest : 1);
+    const double least = 0.5 * min_share * (longest > 0 ? longest : 1);
     for (size_t k = 0; k < 3; ++k) {
         if (high[k] - low[k] >= 2 * least) continue;
         const double middle = 0.5 * (low[k] + high[k]);

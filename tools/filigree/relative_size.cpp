@@ -16,7 +16,7 @@ using samples::value_at;
 constexpr double kSwingPerRadius = 1.8;   // more: a painted stroke's style swings wider than the paint did
 constexpr double kFinest = 16.0;          // times finer than the example's proportion; more: turns too small to see
 constexpr double kRadiusPerSwing = 0.12;  // more: thicker lines, whose turns touch
-constexpr double kLeastScale = 1e-6, kMostScale = 1e6;
+constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 constexpr double kGroupsPerOctave = 2.0;  // of scales; more: scales closer to each curve's own, more jobs
 
 double size_of(const FlgCurveSetView& view, uint32_t curve) {
@@ -59,7 +59,7 @@ CurveSize RelativeSize::of(const FlgCurveSetView& target, uint32_t curve) const 
         scale = std::clamp(kSwingPerRadius * radius / rms_, scale / kFinest, scale);
         thickness = std::min(1.0, kRadiusPerSwing * scale * rms_ / radius);
     }
-    return {static_cast<float>(std::clamp(scale, kLeastScale, kMostScale)), static_cast<float>(thickness)};
+    return {static_cast<float>(std::clamp(scale, kMinScale, kMaxScale)), static_cast<float>(thickness)};
 }
 
 float RelativeSize::radius_at(float scale) const {

@@ -54,14 +54,14 @@ struct Options {
     std::string strokes, output;
     bool fast = false;
     FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
-    std::optional<float> radius_min, radius_max;
+    std::optional<float> min_radius, max_radius;
     SurfaceOptions surface;
 };
 
 // One of the recorded strokes, as a hand would draw it.
 struct Recording {
     std::vector<FlgLiveSample> samples;
-    float scale, radius_min, radius_max;
+    float scale, min_radius, max_radius;
     std::optional<std::array<float, 4>> color;
 };
 
@@ -117,14 +117,14 @@ Recording record(const Options& options, const RelativeSize& relative, const Flg
                  uint64_t& retimed) {
     const CurveSize size = relative.of(view, curve);
     Recording recording = {samples_of(view, curve, retimed), options.apply.scale().value_or(size.scale),
-                           options.live.radius_min, options.live.radius_max, std::nullopt};
+                           options.live.min_radius, options.live.max_radius, std::nullopt};
     if (!options.apply.scale()) {
         const float radius = full_radius(view, curve);
-        recording.radius_max = radius > 0.0f ? size.thickness * radius : relative.radius_at(size.scale);
-        recording.radius_min = kLightest * recording.radius_max;
+        recording.max_radius = radius > 0.0f ? size.thickness * radius : relative.radius_at(size.scale);
+        recording.min_radius = kLightest * recording.max_radius;
     }
-    if (options.radius_min) recording.radius_min = *options.radius_min;
-    if (options.radius_max) recording.radius_max = *options.radius_max;
+    if (options.min_radius) recording.min_radius = *options.min_radius;
+    if (options.max_radius) recording.max_radius = *options.max_radius;
     if (const FlgColumn* colors = find_column(view, FLG_ATTRIBUTE_COLOR)) {
         const float* c = value_at(*colors, view.curve_offsets[curve]);
         recording.color = {c[0], c[1], c[2], c[3]};
@@ -141,8 +141,8 @@ public:
         const std::vector<FlgLiveSample>& samples = recording.samples;
         const auto start = Clock::now();
         desc_.scale = recording.scale;
-        desc_.radius_min = recording.radius_min;
-        desc_.radius_max = recording.radius_max;
+        desc_.min_radius = recording.min_radius;
+        desc_.max_radius = recording.max_radius;
         begin();
         bool drawn = false;
         for (const FlgLiveSample& sample : samples) {
@@ -370,10 +370,10 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     app->add_option("--max-jump", live.max_jump, "Strokes are broken where samples are further apart, metres, > 0")
         ->capture_default_str()
         ->check(above_zero());
-    app->add_option("--radius-min", o->radius_min,
+    app->add_option("--radius-min", o->min_radius,
                     "Radius at pressure 0, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.001")
         ->check(at_least_zero());
-    app->add_option("--radius-max", o->radius_max,
+    app->add_option("--radius-max", o->max_radius,
                     "Radius at pressure 1, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.005")
         ->check(at_least_zero());
     o->surface.add_to(*app);

@@ -12,7 +12,7 @@
 namespace flg::cli {
 namespace {
 
-constexpr int kMostRounds = 8;
+constexpr int kMaxRounds = 8;
 constexpr double kFirstMove = 1e-6;  // of the way into the vertex' triangles; doubled until the place is a new one
 
 using Place = std::array<float, 3>;
@@ -35,7 +35,7 @@ std::vector<FlgColumn> columns_with(const FlgMeshView& mesh, const std::vector<f
 
 SettledMesh::SettledMesh(Session& session, const MeshSurface& surface, Report& report) : view_(*surface.view().mesh) {
     const FlgContext context = session.context();
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
         if (!separate()) {
             report.counts["moved_vertices"] = moved_;
             report.quality["farthest_move"] = farthest_;

@@ -17,7 +17,7 @@ namespace {
 
 using samples::CurveSource;
 
-constexpr uint32_t kMostPatchSizes = 8, kMostPatch = 1024;
+constexpr uint32_t kMaxPatchSizes = 8, kMaxPatch = 1024;
 // Weight of attributes that are not lengths, where none is given: this share of the style's length for a difference of
 // 1.
 constexpr double kWeightPerLength = 0.01;
@@ -108,7 +108,7 @@ void StyleOptions::add_to(CLI::App& app) {
                        "The style's unstyled form, as many curves; made from the style if not given"));
     add(app.add_option("--patch", desc_.patch, "p, points each way that are compared before a jump, 1 to 1024")
             ->capture_default_str()
-            ->check(CLI::Range(1u, kMostPatch).description("")));
+            ->check(CLI::Range(1u, kMaxPatch).description("")));
     add(app.add_option("--points", desc_.point_count, "Points of the style, 0: as many as its curves ask for")
             ->capture_default_str());
     add(app.add_option_function<std::vector<std::string>>(
@@ -156,11 +156,11 @@ void StyleOptions::parse_attributes(const std::vector<std::string>& words) {
 }
 
 void StyleOptions::parse_patch_sizes(const std::vector<std::string>& words) {
-    if (words.size() > kMostPatchSizes) throw CLI::ValidationError("--multiresolution", "takes at most 8 patch sizes");
+    if (words.size() > kMaxPatchSizes) throw CLI::ValidationError("--multiresolution", "takes at most 8 patch sizes");
     for (const std::string& word : words) {
         const auto [size, weight] = split(word);
         float patch = 0.0f, counts = 1.0f;
-        if (!read_number(size, patch) || patch < 1.0f || patch > kMostPatch || patch != std::floor(patch) ||
+        if (!read_number(size, patch) || patch < 1.0f || patch > kMaxPatch || patch != std::floor(patch) ||
             (size.size() < word.size() && (!read_number(weight, counts) || !(counts > 0.0f)))) {
             throw CLI::ValidationError("--multiresolution",
                                        "'" + word + "' is not P:W with P from 1 to 1024 and W > 0");

@@ -35,7 +35,7 @@ struct Options {
     std::string save_guide, save_matching, save_path;
 };
 
-constexpr uint32_t kMostStrokes = 1024;
+constexpr uint32_t kMaxStrokes = 1024;
 constexpr float kStraight = 1e-9f;  // metres: a style with less has no displacement
 
 const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_METHOD_ROTATION_MINIMIZING},
@@ -144,7 +144,7 @@ Command add_stylize(CLI::App& program, const CommonOptions& common) {
     app->add_flag("--network", o->network, "Ends stay where they are, so that curves that meet still meet");
     app->add_option("--strokes", o->strokes, "Stylized copies of each curve, 1 to 1024")
         ->capture_default_str()
-        ->check(CLI::Range(1u, kMostStrokes).description(""));
+        ->check(CLI::Range(1u, kMaxStrokes).description(""));
     app->add_option("--max-points", o->max_points, "Maximum points of the result; 0 = 2^31")
         ->capture_default_str()
         ->check(CLI::Range(0u, 1u << 31).description(""));

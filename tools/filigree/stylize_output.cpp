@@ -82,7 +82,7 @@ void add_runs(const FlgCurveSetView& result, Report& report) {
         ++points;
     });
     report.quality["mean_copied_run"] = runs == 0 ? 0.0 : static_cast<double>(points) / static_cast<double>(runs);
-    report.quality["longest_copied_run"] = longest;
+    report.quality["max_copied_run"] = longest;
     report.quality["jumps"] = jumps;
 }
 

@@ -16,8 +16,8 @@ namespace {
 // 5000 pixels wide.
 constexpr float kToleranceShare = 1e-4f;
 // More is tolerated for larger files than this.
-constexpr std::uintmax_t kMostBytes = 40'000'000;
-constexpr int kMostRounds = 6;
+constexpr std::uintmax_t kMaxBytes = 40'000'000;
+constexpr int kMaxRounds = 6;
 constexpr double kToleranceForSize = 1.5;  // sizes fall as a power of the tolerance, not faster than its inverse
 
 }  // namespace
@@ -75,8 +75,8 @@ void SurfaceOptions::write(const std::string& file, const FlgCurveSetView& view,
         if (flgCurveFileWrite(file.c_str(), &view, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
         if (!surface) return;
         const std::uintmax_t size = std::filesystem::file_size(file);
-        if (tolerance_ || size <= kMostBytes || round == kMostRounds) break;
-        const double over = static_cast<double>(size) / static_cast<double>(kMostBytes);
+        if (tolerance_ || size <= kMaxBytes || round == kMaxRounds) break;
+        const double over = static_cast<double>(size) / static_cast<double>(kMaxBytes);
         desc.tolerance *= static_cast<float>(std::max(1.5, std::pow(over, kToleranceForSize)));
     }
     report.quality["tolerance"] = desc.tolerance;

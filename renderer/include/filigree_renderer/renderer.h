@@ -135,7 +135,7 @@ struct DrawOptions {
     // for the UI to cover. All 0: the whole target.
     glm::ivec4 viewport{0};
     // While only the UI changes between frames of a target, the picture improves: each frame varies a little, and the
-    // target shows the mean of up to most_refined of them, with smooth edges and soft shadows. Then the picture stays,
+    // target shows the mean of up to max_refined of them, with smooth edges and soft shadows. Then the picture stays,
     // and a frame costs a copy of it and the UI.
     bool refines = false;
     // Scales the resolution each way, 0.25 to 1, for the first frame after a change, which is then enlarged: for slow
@@ -143,7 +143,7 @@ struct DrawOptions {
     float changing_scale = 1.0f;
 };
 
-constexpr uint32_t most_refined = 16;
+constexpr uint32_t max_refined = 16;
 
 // The renderer's device memory, bytes.
 struct MemoryReport {
@@ -176,7 +176,7 @@ public:
     uint32_t width() const;
     uint32_t height() const;
     float aspect() const { return static_cast<float>(width()) / static_cast<float>(height()); }
-    // Number of frames averaged in the picture: 0 after a change and without DrawOptions::refines, up to most_refined.
+    // Number of frames averaged in the picture: 0 after a change and without DrawOptions::refines, up to max_refined.
     uint32_t refined() const;
 
 protected:

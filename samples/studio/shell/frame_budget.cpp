@@ -31,9 +31,9 @@ void FrameBudget::add(const FlgFrameReport& report, double frame_ms) {
     frame_ms_[next_] = static_cast<float>(frame_ms);
     next_ = (next_ + 1) % kFrames;
     last_ = report;
-    if (report.longest_chunk_us > longest_us_) {
-        longest_us_ = report.longest_chunk_us;
-        longest_stage_ = report.longest_chunk_stage;
+    if (report.max_slice_us > max_us_) {
+        max_us_ = report.max_slice_us;
+        max_stage_ = report.max_slice_stage;
     }
 }
 
@@ -57,9 +57,9 @@ void FrameBudget::draw_graph(const glm::ivec4& viewport) const {
                      ImGuiWindowFlags_NoSavedSettings);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, {low.x + width, low.y + height}, IM_COL32(25, 24, 22, 170), 0.25f * unit);
-    float most_ms = 2.0f * kSixtieth_ms;
-    for (const float ms : frame_ms_) most_ms = std::max(most_ms, ms);
-    const float bottom = low.y + height, per_ms = (height - 1.2f * unit) / most_ms, bar = width / kBars;
+    float max_ms = 2.0f * kSixtieth_ms;
+    for (const float ms : frame_ms_) max_ms = std::max(max_ms, ms);
+    const float bottom = low.y + height, per_ms = (height - 1.2f * unit) / max_ms, bar = width / kBars;
     for (size_t i = 0; i < kBars; ++i) {
         const size_t at = (next_ + kFrames - kBars + i) % kFrames;
         const float left = low.x + static_cast<float>(i) * bar, tick = 1e-3f * tick_us_[at] * per_ms;
@@ -101,8 +101,8 @@ void FrameBudget::draw_all(const glm::ivec4& viewport, uint32_t budget_us, const
     const render::FrameStats& stats = renderer.stats();
     row("tick", "%.0f us", static_cast<double>(last_.tick_us));
     row("queue", "%.0f jobs", last_.jobs_pending);
-    row("longest chunk", "%.0f us", static_cast<double>(longest_us_));
-    if (longest_stage_[0] != '\0') ImGui::TextDisabled("  in %s", longest_stage_);
+    row("longest chunk", "%.0f us", static_cast<double>(max_us_));
+    if (max_stage_[0] != '\0') ImGui::TextDisabled("  in %s", max_stage_);
     ImGui::Separator();
     row("frame", "%.1f ms", static_cast<double>(frame_ms_[(next_ + kFrames - 1) % kFrames]));
     row("renderer", "%.2f ms", stats.cpu_ms);

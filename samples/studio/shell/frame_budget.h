@@ -34,8 +34,8 @@ private:
     std::array<float, kFrames> tick_us_{}, worker_us_{}, frame_ms_{};
     size_t next_ = 0;
     FlgFrameReport last_{};
-    float longest_us_ = 0.0f;  // since the start
-    const char* longest_stage_ = "";
+    float max_us_ = 0.0f;  // since the start
+    const char* max_stage_ = "";
 };
 
 }  // namespace flg::studio

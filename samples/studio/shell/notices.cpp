@@ -13,7 +13,7 @@ namespace {
 constexpr float kShown_s = 6.0f, kErrorShown_s = 12.0f, kFading_s = 0.6f;
 constexpr float kFadingFrame_s = 1.0f / 30.0f;
 constexpr size_t kKept = 100;
-constexpr int kMostAtOnce = 5;
+constexpr int kMaxAtOnce = 5;
 
 ImVec4 color_of(Weight weight) {
     switch (weight) {
@@ -45,7 +45,7 @@ void Notices::draw(float seconds) {
         if (it->left_s <= 0.0f) continue;
         it->left_s -= seconds;
         ui::frame_in(std::max(it->left_s - kFading_s, kFadingFrame_s));
-        if (drawn == kMostAtOnce) continue;
+        if (drawn == kMaxAtOnce) continue;
         ImGui::SetNextWindowPos({window.Pos.x + 0.5f * window.Size.x, bottom}, ImGuiCond_Always, {0.5f, 1.0f});
         ImGui::SetNextWindowBgAlpha(0.92f * std::clamp(it->left_s / kFading_s, 0.0f, 1.0f));
         const std::string name = "##notice" + std::to_string(drawn++);

@@ -18,9 +18,9 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-constexpr int kPatience = 60;          // frames that a widget may take to appear
-constexpr int kLongestWait = 60 * 60;  // frames without idleness: a minute of the script's time
-constexpr int kMovesBetween = 12;      // of a drag
+constexpr int kPatience = 60;      // frames that a widget may take to appear
+constexpr int kMaxWait = 60 * 60;  // frames without idleness: a minute of the script's time
+constexpr int kMovesBetween = 12;  // of a drag
 
 struct Key {
     int code;
@@ -318,7 +318,7 @@ void ScriptPlayer::start_command(const ScriptStep& step) {
         // Twice in a row: what is done may start something else.
         if (host_.idle() && tries_ > 2)
             ++next_;
-        else if (tries_ > kLongestWait)
+        else if (tries_ > kMaxWait)
             throw StudioError("the app is still busy.");
         return;
     }

@@ -20,10 +20,10 @@ namespace {
 constexpr double kScriptFrame_s = 1.0 / 60.0;
 constexpr int kFramesBetweenDraws = 40;  // in scripts, where nobody looks
 constexpr int kQuietFrames = 2;          // in which nothing happened, before the app sleeps until something does
-constexpr double kLongestSleep_s = 1.0;
-constexpr double kFrame_s = 1.0 / 60.0;          // while something goes on
-constexpr double kLongestUnseen_s = 1.0 / 20.0;  // that input may wait, when there is more of it than pictures
-constexpr uint32_t kShotFrames = 8;              // that a script's picture is the mean of
+constexpr double kMaxSleep_s = 1.0;
+constexpr double kFrame_s = 1.0 / 60.0;      // while something goes on
+constexpr double kMaxUnseen_s = 1.0 / 20.0;  // that input may wait, when there is more of it than pictures
+constexpr uint32_t kShotFrames = 8;          // that a script's picture is the mean of
 constexpr int kFramesUntilTimed = 4;
 constexpr double kSlowFrame_ms = 40.0;  // on the device: while something moves, half the pixels each way
 constexpr double kFastFrame_ms = 8.0;   // of those: all of them again
@@ -163,7 +163,7 @@ bool Studio::frame() {
         notices_.draw(0.0f);
     draw();
     worked_ms_ = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - now).count();
-    if (unsaved() && autosave_.waits(app_.changes)) ui::frame_in(kLongestSleep_s);
+    if (unsaved() && autosave_.waits(app_.changes)) ui::frame_in(kMaxSleep_s);
     if (autosave_.due(app_.seconds, app_.changes) && unsaved())
         guarded("save a recovery copy", [&] { autosave_.write(document(), app_.seconds, app_.changes); });
     rest();
@@ -435,11 +435,11 @@ void Studio::choose_changing_scale() {
 // what comes next can't wait.
 bool Studio::shows_new() {
     if (window_ && glfwGetWindowAttrib(window_->handle(), GLFW_ICONIFIED) == GLFW_TRUE) return false;
-    if (input_.pending() && !input_.exposed && seconds_since(drawn_at_) < kLongestUnseen_s) return false;
+    if (input_.pending() && !input_.exposed && seconds_since(drawn_at_) < kMaxUnseen_s) return false;
     const render::Camera& camera = view_.orbit.camera;
     const Shown now{gui_.fingerprint(), camera.eye,     camera.target,
                     camera.up,          view_.viewport, {target_->width(), target_->height()}};
-    const bool refines = target_->refined() < render::most_refined;
+    const bool refines = target_->refined() < render::max_refined;
     const bool is_new = !(now == shown_) || renderer_.changed() || input_.exposed;
     shown_ = now;
     only_refines_ = refines && !is_new;
@@ -454,8 +454,8 @@ void Studio::rest() {
     const bool asleep = quiet_frames_ > kQuietFrames;
     if (!options_.report.empty()) report(asleep);
     if (!window_ || player_ || closing_ || input_.pending()) return;
-    const double longest_s = asleep ? std::min(ui::next_frame_in(), kLongestSleep_s) : kFrame_s;
-    const double left_s = longest_s - (asleep ? 0.0 : seconds_since(frame_start_));
+    const double max_s = asleep ? std::min(ui::next_frame_in(), kMaxSleep_s) : kFrame_s;
+    const double left_s = max_s - (asleep ? 0.0 : seconds_since(frame_start_));
     if (left_s <= 0.0) return;
     glfwWaitEventsTimeout(left_s);  // an event ends it
     input_.came_at_once();

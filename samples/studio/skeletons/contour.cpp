@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kEnds = 0.2;                // of the path, on either side, where its ends may overshoot each other
 constexpr size_t kFewest = 24, kMost = 600;  // points of a ring
-constexpr double kLeastLength = 12.0, kLeastHalfWidth = 0.75;  // spacings
-constexpr size_t kMostTried = 4000;                            // points that are tried for crossings, each with each
+constexpr double kMinLength = 12.0, kMinHalfWidth = 0.75;  // spacings
+constexpr size_t kMaxTried = 4000;                         // points that are tried for crossings, each with each
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
@@ -96,10 +96,10 @@ Ring ring_of_path(std::span<const glm::dvec2> path, double spacing) {
     if (points.size() < 3) return {};
     points = without_overshoot(points);
     const double length = length_of(points);
-    if (points.size() < 3 || length < kLeastLength * spacing) return {};
+    if (points.size() < 3 || length < kMinLength * spacing) return {};
     const auto count = std::clamp(static_cast<size_t>(length / spacing), kFewest, kMost);
     Ring ring = smoothed(smoothed(resampled(points, count)));
-    if (half_width_of(ring) < kLeastHalfWidth * spacing) return {};
+    if (half_width_of(ring) < kMinHalfWidth * spacing) return {};
     return ring;
 }
 
@@ -156,7 +156,7 @@ std::vector<glm::dvec2> crossings_of(const Contour& contour, size_t most) {
             edges.push_back({ring[i], ring[(i + 1) % ring.size()], r, i, ring.size()});
     }
     std::vector<glm::dvec2> places;
-    if (edges.size() > kMostTried) return places;
+    if (edges.size() > kMaxTried) return places;
     for (size_t i = 0; i < edges.size() && places.size() < most; ++i) {
         for (size_t j = i + 1; j < edges.size() && places.size() < most; ++j) {
             const Edge &e = edges[i], &f = edges[j];

@@ -8,7 +8,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr size_t kLongestName = 48;  // bytes; the SDK takes 63 with what it adds
+constexpr size_t kMaxName = 48;  // bytes; the SDK takes 63 with what it adds
 
 }  // namespace
 
@@ -52,7 +52,7 @@ DrawnPart* Drawing::find(uint32_t id) {
 
 std::string Drawing::free_name(const std::string& base, uint32_t but_of) const {
     // Whole characters of UTF-8.
-    size_t length = std::min(base.size(), kLongestName);
+    size_t length = std::min(base.size(), kMaxName);
     while (length > 0 && length < base.size() && (static_cast<unsigned char>(base[length]) & 0xc0) == 0x80) --length;
     const std::string wanted = length == 0 ? "part" : base.substr(0, length);
     const auto is_taken = [&](const std::string& name) {

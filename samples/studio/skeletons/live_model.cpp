@@ -7,7 +7,7 @@ namespace flg::studio {
 namespace {
 
 constexpr uint32_t kQuickVertices = 2500, kFineVertices = 16000;
-constexpr size_t kMostCrossings = 16;
+constexpr size_t kMaxCrossings = 16;
 
 std::array<float, 4> array_of(const FlgBoneThresholds& from) {
     return {from.simplify, from.merge, from.prune, from.collapse};
@@ -92,7 +92,7 @@ void LiveModel::look_at_parts() {
         made.state.ready = result == FLG_OK;
         if (result >= 0) continue;
         made.state.fault = flgErrorGetMessage();
-        made.state.crossings = crossings_of(*contour, kMostCrossings);
+        made.state.crossings = crossings_of(*contour, kMaxCrossings);
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr float kRing = 64.0f, kKnob = 7.0f, kReach = 11.0f;
 // Places on the ring, from its centre: to the upper right, lower right, and below.
 constexpr glm::vec2 kTurnAt{0.7071f, -0.7071f}, kSizeAt{0.7071f, 0.7071f}, kDepthAt{0.0f, 1.0f};
-constexpr double kLeastSize = 0.02, kMostSize = 50.0;
+constexpr double kMinSize = 0.02, kMaxSize = 50.0;
 
 double angle_of(glm::vec2 px) {
     return std::atan2(-static_cast<double>(px.y), static_cast<double>(px.x));
@@ -100,14 +100,14 @@ glm::dvec3 MoveTool::moved_in_view(glm::vec2 px) const {
 }
 
 double MoveTool::moved_in_depth(glm::vec2 px) const {
-    constexpr float kLeastSeen = 0.3f;  // of a length across the view
+    constexpr float kMinSeen = 0.3f;  // of a length across the view
     const View& view = editor_.app.view;
     const float metres = view.metres_per_px(grab_at_);
     const glm::vec2 moved = px - grab_px_;
     const auto here = view.project(grab_at_), nearer = view.project(grab_at_ + glm::vec3(0, 0, 10.0f * metres));
     if (here && nearer) {
         const glm::vec2 axis = (*nearer - *here) / 10.0f;  // pixels to a pixel's worth of metres
-        if (glm::length(axis) > kLeastSeen)
+        if (glm::length(axis) > kMinSeen)
             return static_cast<double>(metres * glm::dot(moved, axis) / glm::dot(axis, axis));
     }
     // Seen along it: down is nearer.
@@ -137,7 +137,7 @@ void MoveTool::drag(const Pointer& mouse) {
         const double from = static_cast<double>(glm::distance(grab_px_, centre_px_));
         const double share = from > 0.0 ? static_cast<double>(glm::distance(mouse.px, centre_px_)) / from : 1.0;
         part.at = before_.at, part.scale = before_.scale;
-        part.place(before_.turn, glm::clamp(before_.scale * share, kLeastSize, kMostSize));
+        part.place(before_.turn, glm::clamp(before_.scale * share, kMinSize, kMaxSize));
     }
 }
 

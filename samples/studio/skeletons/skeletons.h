@@ -88,7 +88,7 @@ private:
     // Of the whole, or of the part that is refined.
     FlgBoneThresholds thresholds() const;
     void set_thresholds(const FlgBoneThresholds& thresholds);
-    void threshold_slider(const char* label, float FlgBoneThresholds::*which, float most_percent, const char* tip);
+    void threshold_slider(const char* label, float FlgBoneThresholds::*which, float max_percent, const char* tip);
     void branch_slider(uint32_t branch);
     // After each slider: a step of undo where it was let go of.
     void end_slider();

@@ -127,11 +127,11 @@ void Skeletons::set_thresholds(const FlgBoneThresholds& thresholds) {
         editor_.change("bones").thresholds = thresholds;
 }
 
-void Skeletons::threshold_slider(const char* label, float FlgBoneThresholds::*which, float most_percent,
+void Skeletons::threshold_slider(const char* label, float FlgBoneThresholds::*which, float max_percent,
                                  const char* tip) {
     FlgBoneThresholds all = thresholds();
     float percent = 100.0f * all.*which;
-    if (ui::slider(label, &percent, 0.0f, most_percent, "%.2f %%", tip)) {
+    if (ui::slider(label, &percent, 0.0f, max_percent, "%.2f %%", tip)) {
         all.*which = 0.01f * percent;
         set_thresholds(all);
     }

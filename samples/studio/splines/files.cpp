@@ -60,8 +60,8 @@ void read_obstacles(SplineEditor& editor, const JsonPlace& root) {
     std::vector<Obstacle> read;
     bool flat = false;
     for (const JsonPlace& item : root.at("obstacles").items()) read.push_back(read_obstacle(item, &flat));
-    if (read.size() + editor.document.obstacles.size() > kMostObstacles)
-        root.fail("has more obstacles than there may be, " + std::to_string(kMostObstacles));
+    if (read.size() + editor.document.obstacles.size() > kMaxObstacles)
+        root.fail("has more obstacles than there may be, " + std::to_string(kMaxObstacles));
     for (Obstacle& obstacle : read) {
         obstacle.id = ++editor.document.last_id;
         obstacle.name = next_name("Obstacle", static_cast<uint32_t>(editor.document.obstacles.size()) + 1);

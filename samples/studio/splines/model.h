@@ -98,7 +98,7 @@ struct Motion {
 };
 
 // As many as a set of the SDK takes, with borders.
-constexpr size_t kMostObstacles = 255;
+constexpr size_t kMaxObstacles = 255;
 
 struct Document {
     std::vector<Curve> curves;

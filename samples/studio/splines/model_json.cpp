@@ -21,7 +21,7 @@ constexpr const char* kForms[] = {"tube", "ribbon", "line"};
 constexpr const char* kKinds[] = {"ball", "box", "capsule"};
 constexpr const char* kInertias[] = {"body", "ball", "rod"};
 constexpr double kFarthest = 1e6;
-constexpr size_t kMostItems = 4096, kMostPoints = 4096;
+constexpr size_t kMaxItems = 4096, kMaxPoints = 4096;
 
 json from_vector(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
@@ -106,7 +106,7 @@ Curve to_curve(const JsonPlace& j, const std::vector<uint32_t>& ids) {
     c.name = j.at("name").text();
     c.visible = j.at("visible").flag();
     c.ground = to_ground(j.at("on"), ids);
-    for (const JsonPlace& p : list(j.at("points"), kMostPoints)) c.points.push_back(vector(p));
+    for (const JsonPlace& p : list(j.at("points"), kMaxPoints)) c.points.push_back(vector(p));
     c.closed = j.at("closed").flag();
     c.energy = static_cast<FlgSplineEnergy>(word(j.at("energy"), kEnergies));
     c.tension = j.at("tension").real(1e-12, 1e12);
@@ -175,7 +175,7 @@ Motion to_motion(const JsonPlace& j, const std::vector<uint32_t>& ids) {
     m.ground = to_ground(j.at("on"), ids);
     m.body = word(j.at("body"), body_names());
     m.size = j.at("size").real(1e-9, kFarthest);
-    for (const JsonPlace& k : list(j.at("keys"), kMostPoints)) {
+    for (const JsonPlace& k : list(j.at("keys"), kMaxPoints)) {
         Key key;
         key.time = k.at("time").real(-kFarthest, kFarthest);
         if (!m.keys.empty() && !(key.time > m.keys.back().time)) k.fail("is no later than the key before");
@@ -212,9 +212,9 @@ Document from_json(const json& part, const std::vector<uint32_t>& ids) {
     if (part.is_null() || (part.is_object() && part.empty())) return document;
     try {
         const JsonPlace j(part, "splines");
-        for (const JsonPlace& c : list(j.at("curves"), kMostItems)) document.curves.push_back(to_curve(c, ids));
-        for (const JsonPlace& o : list(j.at("obstacles"), kMostObstacles)) document.obstacles.push_back(to_obstacle(o));
-        for (const JsonPlace& m : list(j.at("motions"), kMostItems)) document.motions.push_back(to_motion(m, ids));
+        for (const JsonPlace& c : list(j.at("curves"), kMaxItems)) document.curves.push_back(to_curve(c, ids));
+        for (const JsonPlace& o : list(j.at("obstacles"), kMaxObstacles)) document.obstacles.push_back(to_obstacle(o));
+        for (const JsonPlace& m : list(j.at("motions"), kMaxItems)) document.motions.push_back(to_motion(m, ids));
     } catch (const cli::InputError& error) {
         throw StudioError(error.what());
     }

@@ -9,10 +9,10 @@
 namespace flg::studio::splines {
 namespace {
 
-constexpr float kClick = 3.0f;          // of the layout: a click stays within
-constexpr double kCoincide = 2e-3;      // of the scene's size: points in a row are farther apart
-constexpr double kHover = 0.35;         // of a body's length, over the surface
-constexpr double kLongestSlope = 12.0;  // of the curve's own speed, 1
+constexpr float kClick = 3.0f;      // of the layout: a click stays within
+constexpr double kCoincide = 2e-3;  // of the scene's size: points in a row are farther apart
+constexpr double kHover = 0.35;     // of a body's length, over the surface
+constexpr double kMaxSlope = 12.0;  // of the curve's own speed, 1
 constexpr double kRest_s = 0.6;
 constexpr double kSmallest = 2e-3;  // of the scene's size
 
@@ -159,7 +159,7 @@ void MouseTool::drag_slope(const Ray& ray, Curve& curve) {
     glm::dvec3 slope = (glm::dvec3(*tip) - at) / slope_length(editor_);
     const double length = glm::length(slope);
     if (!(length > 1e-3)) return;
-    if (length > kLongestSlope) slope *= kLongestSlope / length;
+    if (length > kMaxSlope) slope *= kMaxSlope / length;
     (begin ? curve.begin_slope : curve.end_slope) =
         glm::conjugate(glm::dquat(editor_.surfaces.placement(curve.ground).turn)) * slope;
 }

@@ -10,7 +10,7 @@ namespace flg::studio::splines {
 namespace {
 
 constexpr const char* kStyles[] = {"loops", "curls", "braid", "knots", "wave", "knit", "zigzag", "tremor"};
-constexpr uint32_t kMostPoints = 2'000'000;
+constexpr uint32_t kMaxPoints = 2'000'000;
 // Turns what was drawn above the curve to its side.
 constexpr float kFlat[9] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};
 
@@ -68,7 +68,7 @@ void Decorator::update(const FoundCurve& found, uint64_t version, const Ornament
     desc.scale = ornament.size / std::max(style->info().displacement_rms, 1e-9f);
     desc.frame = found.normals.empty() ? FLG_FRAME_METHOD_ROTATION_MINIMIZING : FLG_FRAME_METHOD_SUPPLIED;
     if (ornament.flat) std::copy(std::begin(kFlat), std::end(kFlat), desc.basis);
-    desc.max_points = kMostPoints;
+    desc.max_points = kMaxPoints;
     filigree::Job job;
     running_ = app_.context.stylize(desc, &job);
     ended_ = std::make_shared<Ended>();

@@ -113,8 +113,8 @@ void SplineEditor::remove_point(Curve& of, int index) {
 // ---- Obstacles
 
 Obstacle& SplineEditor::add_obstacle(FlgObstacleKind of, const glm::dvec3& at) {
-    if (document.obstacles.size() >= kMostObstacles)
-        throw StudioError("There are " + std::to_string(kMostObstacles) + " obstacles already, the most there can be.");
+    if (document.obstacles.size() >= kMaxObstacles)
+        throw StudioError("There are " + std::to_string(kMaxObstacles) + " obstacles already, the most there can be.");
     const double r = kSolid * size();
     const char* const word = of == FLG_OBSTACLE_KIND_BALL ? "Ball" : of == FLG_OBSTACLE_KIND_BOX ? "Box" : "Capsule";
     Obstacle added;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kLightest = 0.35f;  // the radius without pressure, of that with
 constexpr float kAnyJump_m = 1e6f;
-constexpr uint32_t kMostPoints = 1u << 17;
+constexpr uint32_t kMaxPoints = 1u << 17;
 
 // Turns the y axis to `normal`.
 glm::vec4 orientation_of(const glm::vec3& normal) {
@@ -60,11 +60,11 @@ FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms, float siz
     desc.magnitude = settings.styled ? settings.magnitude : 0.0f;
     desc.temperature = settings.temperature;
     desc.scale = rms > 0.0f ? 0.01f * larger * settings.scale_cm / rms : 1.0f;
-    desc.radius_max = 0.001f * larger * settings.radius_mm * (size > 0.0f && !settings.styled ? kThickness : 1.0f);
-    desc.radius_min = size > 0.0f ? 0.0f : kLightest * desc.radius_max;
+    desc.max_radius = 0.001f * larger * settings.radius_mm * (size > 0.0f && !settings.styled ? kThickness : 1.0f);
+    desc.min_radius = size > 0.0f ? 0.0f : kLightest * desc.max_radius;
     desc.smoothing = kHandSmoothing_s;
     desc.max_jump = kAnyJump_m;
-    desc.max_points = kMostPoints;
+    desc.max_points = kMaxPoints;
     desc.frame = FLG_FRAME_METHOD_SUPPLIED;
     if (!settings.upright) {
         // The style's first normal becomes the second one, which lies in the surface.

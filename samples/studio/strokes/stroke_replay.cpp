@@ -7,7 +7,7 @@ namespace flg::studio {
 namespace {
 
 // Each stroke that is drawn again takes memory of its own until the end.
-constexpr size_t kMostAtOnce = 256;
+constexpr size_t kMaxAtOnce = 256;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void StrokeReplay::stop() {
 void StrokeReplay::update(const StrokeDocument& document) {
     if (layer_ == 0) return;
     const StrokeLayer* layer = document.find(layer_);
-    if (layer == nullptr || stroke_ >= std::min(layer->strokes.size(), kMostAtOnce)) {
+    if (layer == nullptr || stroke_ >= std::min(layer->strokes.size(), kMaxAtOnce)) {
         stop();
         return;
     }

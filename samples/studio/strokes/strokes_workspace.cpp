@@ -368,10 +368,10 @@ void StrokesWorkspace::overlay(ImDrawList& list) {
         list.AddPolyline(ring, count, IM_COL32(60, 40, 20, 160), ImDrawFlags_Closed, 0.7f * unit);
     }
     // As many lines as can be drawn in a millisecond or two.
-    constexpr size_t kMostPoints = 20'000;
+    constexpr size_t kMaxPoints = 20'000;
     size_t points = 0;
     for (const StrokePtr& stroke : selected_) points += stroke->samples.size();
-    const size_t step = 1 + points / kMostPoints;
+    const size_t step = 1 + points / kMaxPoints;
     const auto trace = [&](const StrokePtr& stroke, ImU32 color, float width) {
         if (!is_seen(app_.scene, *stroke)) return;
         const render::Placement move = moved(app_.scene, *stroke);

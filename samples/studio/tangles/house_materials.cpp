@@ -8,7 +8,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr size_t kMostMaterials = 256;
+constexpr size_t kMaxMaterials = 256;
 
 glm::vec3 srgb(uint32_t hex) {
     glm::vec3 color;
@@ -86,7 +86,7 @@ Palette palette_from_json(const nlohmann::json& json) {
                                      share_of(m.at("metallic"), 1.0f), share_of(m.at("roughness"), 1.0f),
                                      share_of(m.at("border_px"), kWidest), color_of(m.at("border_color"))});
     }
-    if (palette.materials.size() < house_palette().materials.size() || palette.materials.size() > kMostMaterials)
+    if (palette.materials.size() < house_palette().materials.size() || palette.materials.size() > kMaxMaterials)
         throw StudioError("The document has too few or too many materials.");
     palette.border_px = share_of(json.at("border_px"), kWidest);
     palette.border_color = color_of(json.at("border_color"));

@@ -11,7 +11,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr int kMostLines = 40;
+constexpr int kMaxLines = 40;
 
 // A length, about the one that was proposed.
 void length_slider(const char* label, float* value, float proposed, const char* tip) {
@@ -77,7 +77,7 @@ void TanglesWorkspace::draw_sizes(Ornament& ornament) {
                            "Width of a band, as a share of the way from start to end. More makes fewer, wider bands.");
             else
                 length_slider("Width", &r.delta, first.delta, "Width of each band along the surface.");
-            ui::slider("Bands", &r.count, 0, kMostLines, r.count == 0 ? "as many as fit" : "%d",
+            ui::slider("Bands", &r.count, 0, kMaxLines, r.count == 0 ? "as many as fit" : "%d",
                        "Most lines to cut. 0 cuts as many as fit.");
             break;
         case Action::stream:
@@ -97,17 +97,17 @@ void TanglesWorkspace::draw_sizes(Ornament& ornament) {
             break;
         case Action::frames:
             length_slider("Width", &r.size, first.size, "Width of each frame.");
-            ui::slider("Frames##count", &r.count, 1, kMostLines, "%d", "Number of nested frames.");
+            ui::slider("Frames##count", &r.count, 1, kMaxLines, "%d", "Number of nested frames.");
             break;
         case Action::flower:
             length_slider("Spacing", &r.spacing, first.spacing,
                           "Least distance between centres. More makes fewer flowers.");
-            ui::slider("Petals", &r.count, 1, kMostLines, "%d", "Number of nested rings of petals.");
+            ui::slider("Petals", &r.count, 1, kMaxLines, "%d", "Number of nested rings of petals.");
             break;
         case Action::grid:
             length_slider("Width", &r.size, first.size,
                           "Width of each column along the first border. More makes fewer columns.");
-            ui::slider("Rows", &r.count, 1, kMostLines, "%d", "Number of rows from border to border.");
+            ui::slider("Rows", &r.count, 1, kMaxLines, "%d", "Number of rows from border to border.");
             break;
         case Action::outline: length_slider("Width", &r.size, first.size, "Width of the band."); break;
         case Action::lace:

@@ -10,7 +10,7 @@
 namespace flg::studio {
 namespace {
 
-constexpr size_t kMostDocument = size_t{16} << 20;  // bytes of a .json that is looked into
+constexpr size_t kMaxDocument = size_t{16} << 20;  // bytes of a .json that is looked into
 
 Paints paints_of(const nlohmann::json& ornament) {
     Paints paints;
@@ -131,7 +131,7 @@ void TanglesWorkspace::replay(Ornament& ornament, Waiting waiting) {
 
 bool TanglesWorkspace::open(const std::string& path) {
     std::error_code error;
-    if (std::filesystem::path(path).extension() != ".json" || std::filesystem::file_size(path, error) > kMostDocument)
+    if (std::filesystem::path(path).extension() != ".json" || std::filesystem::file_size(path, error) > kMaxDocument)
         return false;
     std::ifstream file(path);
     const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);

@@ -187,7 +187,7 @@ typedef struct FlgContextDesc {
      * Default 1. */
     uint32_t worker_count;
     /* Microseconds each worker may work between two calls of flgContextTick; 0 = no limit. Unused without workers. A
-     * worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0. */
+     * worker stops at the first pause after its budget: at most one slice (100 us) later. Default 0. */
     uint32_t worker_budget_us;
     /* The host's hooks. Each may be null: the library's own. The structs are copied; their functions and user_data must
      * live until the context is destroyed. */
@@ -207,7 +207,7 @@ FLG_API FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size)
 FLG_API FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context);
 
 /* Cancels all jobs and frees everything the context owns, including all handles. Joins built-in workers, which takes at
- * most one kernel chunk (100 us). If the host's job system still holds Filigree's tasks, it cancels the jobs and
+ * most one slice (100 us). If the host's job system still holds Filigree's tasks, it cancels the jobs and
  * returns FLG_NOT_READY: let the job system run, then call again. Meanwhile all other calls are refused. Callbacks of
  * the cancelled jobs do not run. Null is allowed and does nothing. */
 FLG_API FlgResult flgContextDestroy(FlgContext context);
@@ -215,23 +215,23 @@ FLG_API FlgResult flgContextDestroy(FlgContext context);
 /* What one flgContextTick did, and what the workers did since the previous one. */
 typedef struct FlgFrameReport {
     uint32_t struct_size;
-    uint32_t jobs_finished;          /* jobs published by this tick */
-    uint64_t frame;                  /* counts calls of flgContextTick, from 1 */
-    uint32_t jobs_pending;           /* unfinished jobs, including those waiting for others */
-    float tick_us;                   /* wall time of this call */
-    float work_us;                   /* part of it spent advancing jobs (0 with workers) */
-    float callback_us;               /* part of it spent in the host's callbacks */
-    float worker_us;                 /* time all workers spent on jobs since the last tick */
-    float longest_chunk_us;          /* longest uninterrupted kernel chunk since the last tick, on any thread */
-    const char* longest_chunk_stage; /* its stage, a string literal; "start" before a job's first, "" without a chunk */
-    FlgJob longest_chunk_job;        /* its job; may have been released since */
+    uint32_t jobs_finished;      /* jobs published by this tick */
+    uint64_t frame;              /* counts calls of flgContextTick, from 1 */
+    uint32_t jobs_pending;       /* unfinished jobs, including those waiting for others */
+    float tick_us;               /* wall time of this call */
+    float work_us;               /* part of it spent advancing jobs (0 with workers) */
+    float callback_us;           /* part of it spent in the host's callbacks */
+    float worker_us;             /* time all workers spent on jobs since the last tick */
+    float max_slice_us;          /* longest slice of uninterrupted work since the last tick, on any thread */
+    const char* max_slice_stage; /* its stage, a string literal; "start" before a job's first, "" without a slice */
+    FlgJob max_slice_job;        /* its job; may have been released since */
 } FlgFrameReport;
 
 FLG_API FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_size);
 
 /* Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks, and,
  * in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a context
- * without workers then runs all its jobs to the end. Ends at most one kernel chunk after its budget. `report` may be
+ * without workers then runs all its jobs to the end. Ends at most one slice after its budget. `report` may be
  * null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was done, at
  * the cost of their release. */
 FLG_API FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
@@ -316,7 +316,7 @@ typedef struct FlgJobStatus {
     const char* stage;      /* the current stage, a string literal; "" before the first */
     const char* error;      /* what went wrong, "" if nothing; valid until the job is released */
     float busy_us;          /* time spent on it, over all threads */
-    float longest_chunk_us; /* its longest uninterrupted kernel chunk so far */
+    float max_slice_us; /* its longest slice of uninterrupted work so far */
 } FlgJobStatus;
 
 FLG_API FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size);

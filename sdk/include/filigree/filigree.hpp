@@ -3635,11 +3635,11 @@ public:
         return detail::done<flgPickErrorGetMessage>(result);
     }
 
-    /// Likewise for curves, as round tubes: with their RADIUS, or half their WIDTH, but at least `least_radius`
-    /// (metres, > 0), so that thin lines can be hit. Cost: about 1.6 us a point that is new, with flgPickSceneCommit.
+    /// Likewise for curves, as round tubes: with their RADIUS, or half their WIDTH, but at least `min_radius` (metres,
+    /// > 0), so that thin lines can be hit. Cost: about 1.6 us a point that is new, with flgPickSceneCommit.
     /// Calls flgPickSceneSetCurves.
-    Result<bool> set_curves(uint32_t object, const FlgCurveSetView& curves, float least_radius) const {
-        const FlgResult result = flgPickSceneSetCurves(handle_, object, &curves, least_radius);
+    Result<bool> set_curves(uint32_t object, const FlgCurveSetView& curves, float min_radius) const {
+        const FlgResult result = flgPickSceneSetCurves(handle_, object, &curves, min_radius);
         return detail::done<flgPickErrorGetMessage>(result);
     }
 
@@ -3692,9 +3692,9 @@ public:
 
     /// Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks,
     /// and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a
-    /// context without workers then runs all its jobs to the end. Ends at most one kernel chunk after its budget.
-    /// `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released before
-    /// their job was done, at the cost of their release.
+    /// context without workers then runs all its jobs to the end. Ends at most one slice after its budget. `report` may
+    /// be null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was
+    /// done, at the cost of their release.
     /// Calls flgContextTick.
     Result<FrameReport> tick(uint32_t budget_us) const {
         FlgFrameReport report;
@@ -3976,7 +3976,7 @@ public:
 
     /// Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it
     /// to the joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones. Parts that
-    /// meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than most_vertices, or if a
+    /// meet no other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than max_vertices, or if a
     /// part lies further from the origin than 1e7 sides of the triangles that vertex_count asks for. Cost: 15 us a
     /// vertex.
     /// Calls flgSkinCreate.

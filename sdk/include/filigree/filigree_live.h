@@ -19,7 +19,7 @@
  *                  flgCurveSetStylize knows a curve's length and takes the nearest whole number of steps, so its
  *                  last point is the curve's end. Here the step is exact, and the last point lies up to one step
  *                  before the end.
- * Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, multiplied
+ * Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
  *                  by that attribute relative to its mean over the style.
  * Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
  *                  a motion at that speed gets there, starting at 0.
@@ -78,7 +78,7 @@ typedef struct FlgLiveStrokeDesc {
     float temperature; /* the style must be warm at this temperature */
     float scale;       /* > 0 */
     /* Radius at pressure 0 and at pressure 1, metres, >= 0. Default 0.001 and 0.005. */
-    float radius_min, radius_max;
+    float min_radius, max_radius;
     /* Time constant of an exponential filter on position and pressure, seconds, >= 0; adds that much lag to a steady
      * hand. Exact for hands that move evenly between samples, so independent of the sample rate. 0: none. Default 0. */
     float smoothing;

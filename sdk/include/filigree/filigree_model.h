@@ -284,11 +284,11 @@ typedef struct FlgSkinView {
 
 typedef struct FlgSkinDesc {
     uint32_t struct_size;
-    uint32_t vertex_count;      /* approximate count, within 15 %, if no part is too thin: 100 to most_vertices, default
+    uint32_t vertex_count;      /* approximate count, within 15 %, if no part is too thin: 100 to max_vertices, default
                                    10000 */
     const FlgJobOptions* job;
     FlgModel model;
-    uint32_t most_vertices;     /* upper limit where thin parts need more: 100 to 4194304, default 200000 */
+    uint32_t max_vertices;      /* upper limit where thin parts need more: 100 to 4194304, default 200000 */
     float blend;                /* rounds edges where parts cross over this length: metres, up to 1e30; below 0:
                                    automatic, 0.15 of the smaller part's radius; 0: none. Default -1 */
 } FlgSkinDesc;
@@ -297,7 +297,7 @@ FLG_API FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size);
 
 /* Starts a job that makes one closed surface from all parts of a model, manifold however they meet, and binds it to the
  * joints. Weights are smooth, 0 to 1, at most 4 per vertex, and a part moves with its own bones. Parts that meet no
- * other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than most_vertices, or if a part lies
+ * other stay separate pieces. FLG_ERROR_LIMIT if the thinnest part needs more than max_vertices, or if a part lies
  * further from the origin than 1e7 sides of the triangles that vertex_count asks for. Cost: 15 us a vertex. */
 FLG_API FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 

@@ -57,10 +57,10 @@ FLG_API void flgPickSceneDestroy(FlgPickScene scene);
 FLG_API FlgResult flgPickSceneSetSurface(FlgPickScene scene, uint32_t object, const FlgSurfaceView* surface,
                                          const uint32_t* changed, uint32_t changed_count);
 
-/* Likewise for curves, as round tubes: with their RADIUS, or half their WIDTH, but at least `least_radius` (metres, >
+/* Likewise for curves, as round tubes: with their RADIUS, or half their WIDTH, but at least `min_radius` (metres, >
  * 0), so that thin lines can be hit. Cost: about 1.6 us a point that is new, with flgPickSceneCommit. */
 FLG_API FlgResult flgPickSceneSetCurves(FlgPickScene scene, uint32_t object, const FlgCurveSetView* curves,
-                                        float least_radius);
+                                        float min_radius);
 
 /* FLG_ERROR_INVALID_ARGUMENT if nothing is under that index. */
 FLG_API FlgResult flgPickSceneRemove(FlgPickScene scene, uint32_t object);

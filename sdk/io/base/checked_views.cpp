@@ -17,8 +17,8 @@ namespace flg::io {
 
 namespace {
 
-constexpr uint32_t most_columns = 16;
-constexpr uint32_t most_components = 16;
+constexpr uint32_t max_columns = 16;
+constexpr uint32_t max_components = 16;
 
 struct ColumnRule {
     FlgAttribute attribute;
@@ -47,8 +47,8 @@ Vector<float> packed(const Column& column, size_t point_count, uint32_t componen
 
 CheckedColumns::CheckedColumns(const FlgColumn* columns, uint32_t count, size_t point_count)
     : columns_(columns), count_(count) {
-    if (count < 1 || count > most_columns) {
-        fail(FLG_ERROR_INVALID_ARGUMENT, "view.column_count", "is %u, must be 1 to %u", count, most_columns);
+    if (count < 1 || count > max_columns) {
+        fail(FLG_ERROR_INVALID_ARGUMENT, "view.column_count", "is %u, must be 1 to %u", count, max_columns);
     }
     if (!columns) fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns", "is null");
     for (uint32_t i = 0; i < count; ++i) check(i, point_count);
@@ -77,7 +77,7 @@ void CheckedColumns::check(uint32_t index, size_t point_count) const {
     if (rule == std::end(rules) && column.attribute < FLG_ATTRIBUTE_USER) {
         fail(FLG_ERROR_INVALID_ARGUMENT, place + ".attribute", "is %d, no attribute known", column.attribute);
     }
-    const bool fits = rule == std::end(rules) ? column.components >= 1 && column.components <= most_components
+    const bool fits = rule == std::end(rules) ? column.components >= 1 && column.components <= max_components
                                               : column.components == rule->components;
     if (!fits) {
         fail(FLG_ERROR_INVALID_ARGUMENT, place + ".components", "is %u, which does not fit attribute %d",
@@ -143,13 +143,13 @@ void CheckedView::check_curves() const {
 }
 
 void check_material(const FlgMeshMaterial& material, const String& place) {
-    constexpr size_t longest_name = 255;
+    constexpr size_t max_name = 255;
     constexpr float widest_border_px = 64;
     const auto check_in = [&](float value, float most, const char* member) {
         if (value >= 0 && value <= most) return;
         fail(FLG_ERROR_INVALID_ARGUMENT, place + member, "is %g, must be from 0 to %g", double{value}, double{most});
     };
-    if (material.name && (strnlen(material.name, longest_name + 1) > longest_name || !is_utf8(material.name))) {
+    if (material.name && (strnlen(material.name, max_name + 1) > max_name || !is_utf8(material.name))) {
         fail(FLG_ERROR_INVALID_ARGUMENT, place + "name", "must be UTF-8 of at most 255 bytes");
     }
     for (const float value : material.color) check_in(value, 1, "color");
@@ -168,9 +168,9 @@ CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* de
     color = columns.find(FLG_ATTRIBUTE_COLOR);
     normal = columns.find(FLG_ATTRIBUTE_NORMAL);
     check_triangles();
-    if (desc_.face_column_count > most_face_columns) {
+    if (desc_.face_column_count > max_face_columns) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.face_column_count", "is %u, must be at most %u", desc_.face_column_count,
-             most_face_columns);
+             max_face_columns);
     }
     if (desc_.face_column_count != 0) check_argument(desc_.face_columns, "desc.face_columns");
     for (uint32_t i = 0; i < desc_.face_column_count; ++i) check_face_column(i);
@@ -199,16 +199,15 @@ void CheckedMesh::check_triangles() const {
 }
 
 void CheckedMesh::check_face_column(uint32_t index) const {
-    constexpr size_t longest_name = 63;
+    constexpr size_t max_name = 63;
     const String place = "desc.face_columns[" + to_text(index) + "]";
     const FlgMeshFaceColumn& column = desc_.face_columns[index];
     check_argument(column.name, (place + ".name").c_str());
     check_argument(column.values, (place + ".values").c_str());
-    const std::string_view name(column.name, strnlen(column.name, longest_name + 1));
-    const bool sound =
-        !name.empty() && name.size() <= longest_name && std::all_of(name.begin(), name.end(), [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-        });
+    const std::string_view name(column.name, strnlen(column.name, max_name + 1));
+    const bool sound = !name.empty() && name.size() <= max_name && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    });
     if (!sound || name == "region" || name == "vertex_indices") {
         fail(FLG_ERROR_INVALID_ARGUMENT, place + ".name", "is %s, which is no name for a face column",
              cited(name).c_str());
@@ -231,8 +230,8 @@ namespace {
 
 constexpr double length_tolerance = 1e-3;
 constexpr double sum_tolerance = 1e-4;
-constexpr size_t longest_name = 255;
-constexpr uint32_t most_parts = 1u << 24;  // floats tell them apart
+constexpr size_t max_name = 255;
+constexpr uint32_t max_parts = 1u << 24;  // floats tell them apart
 
 String at(const String& array, size_t index) {
     return array + "[" + to_text(index) + "]";
@@ -248,7 +247,7 @@ void check_floats(const float* values, size_t count, const String& name) {
 }
 
 void check_name(const char* name, const String& place) {
-    if (!name || (strnlen(name, longest_name + 1) <= longest_name && is_utf8(name))) return;
+    if (!name || (strnlen(name, max_name + 1) <= max_name && is_utf8(name))) return;
     fail(FLG_ERROR_INVALID_ARGUMENT, place, "must be UTF-8 of at most 255 bytes");
 }
 
@@ -272,9 +271,9 @@ CheckedSkin::CheckedSkin(const FlgSkinFileWriteDesc* desc) {
 }
 
 void CheckedSkin::check_joints() const {
-    if (skin_.joint_count == 0 || skin_.joint_count > most_joints) {
+    if (skin_.joint_count == 0 || skin_.joint_count > max_joints) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.skin.joint_count", "is %u, must be 1 to %u", skin_.joint_count,
-             most_joints);
+             max_joints);
     }
     check_floats(skin_.joint_positions, 3 * joint_count(), "desc.skin.joint_positions");
     check_argument(skin_.joint_parents, "desc.skin.joint_parents");
@@ -298,9 +297,9 @@ void CheckedSkin::check_vertices() const {
     check_argument(skin_.vertex_weights, "desc.skin.vertex_weights");
     for (size_t v = 0; v < vertex_count(); ++v) {
         check_binding(v);
-        if (part(v) < most_parts) continue;
+        if (part(v) < max_parts) continue;
         fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_parts", v), "is %u, must be below %u", part(v),
-             most_parts);
+             max_parts);
     }
 }
 

@@ -23,8 +23,8 @@ constexpr NamedAttribute named[] = {
     {FLG_ATTRIBUTE_SPEED, 1, "speed"},
 };
 constexpr std::string_view user_prefix = "user";
-constexpr uint32_t most_components = 16;
-constexpr size_t most_columns = 16;
+constexpr uint32_t max_components = 16;
+constexpr size_t max_columns = 16;
 
 // The attribute of the name `userN` or `userN_0`; none: FLG_ATTRIBUTE_USER - 1.
 FlgAttribute user_attribute(std::string_view name) {
@@ -71,7 +71,7 @@ Vector<VertexColumn> columns_of_names(std::span<const std::string_view> names) {
     const auto add = [&](FlgAttribute attribute, uint32_t components) {
         const bool known = std::any_of(columns.begin(), columns.end(),
                                        [&](const VertexColumn& column) { return column.attribute == attribute; });
-        if (!known && columns.size() + 1 < most_columns) columns.push_back({attribute, components, {}});
+        if (!known && columns.size() + 1 < max_columns) columns.push_back({attribute, components, {}});
     };
     for (const NamedAttribute& known : named) {
         if (has_column(names, known.attribute, known.components)) add(known.attribute, known.components);
@@ -81,7 +81,7 @@ Vector<VertexColumn> columns_of_names(std::span<const std::string_view> names) {
         if (attribute < FLG_ATTRIBUTE_USER) continue;
         uint32_t components = 1;
         if (name.ends_with("_0")) {
-            components = most_components;
+            components = max_components;
             while (components > 1 && !has_column(names, attribute, components)) --components;
             // `userN_0` alone is none of our names.
             if (components == 1) continue;

@@ -159,7 +159,7 @@ ByteBlock read_file(const Path& path, const String& place, uint64_t limit) {
 
 namespace {
 
-constexpr int most_tries = 1000;
+constexpr int max_tries = 1000;
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -176,8 +176,8 @@ void write_to_host(const Path& path, std::string_view content) {
 
 // Where a file of this name is: renaming over a symbolic link would replace the link.
 std::filesystem::path followed(std::filesystem::path path) {
-    constexpr int most_links = 40;  // as the kernel has it
-    for (int i = 0; i < most_links; ++i) {
+    constexpr int max_links = 40;  // as the kernel has it
+    for (int i = 0; i < max_links; ++i) {
         if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path))) return path;
         path = path.parent_path() / std::filesystem::read_symlink(path);
     }
@@ -186,7 +186,7 @@ std::filesystem::path followed(std::filesystem::path path) {
 
 // A new file beside `path`; the names of files that exist, also of other programs writing now, are passed over.
 File open_beside(const std::filesystem::path& path, std::filesystem::path& temporary) {
-    for (int i = 0; i < most_tries; ++i) {
+    for (int i = 0; i < max_tries; ++i) {
         temporary = path;
         temporary += ".tmp" + std::to_string(i);
         if (std::FILE* file = std::fopen(temporary.string().c_str(), "wbx")) return File(file, std::fclose);

@@ -37,9 +37,9 @@ bool Json::operator==(const Json& other) const {
 
 class JsonParser {
 public:
-    JsonParser(Bytes text, uint32_t most_levels, std::string_view part, std::string_view only,
+    JsonParser(Bytes text, uint32_t max_levels, std::string_view part, std::string_view only,
                std::pmr::memory_resource& arena)
-        : text_(as_text(text)), most_levels_(most_levels), part_(part), only_(only), arena_(arena) {
+        : text_(as_text(text)), max_levels_(max_levels), part_(part), only_(only), arena_(arena) {
         constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
         if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
     }
@@ -82,8 +82,8 @@ private:
     // What is not kept is checked only.
     Json value(uint32_t level, bool keep) {
         skip_space();
-        if (level > most_levels_) {
-            fail(FLG_ERROR_LIMIT, String(part_), "its JSON nests deeper than %u levels", most_levels_);
+        if (level > max_levels_) {
+            fail(FLG_ERROR_LIMIT, String(part_), "its JSON nests deeper than %u levels", max_levels_);
         }
         Json result;
         switch (peek()) {
@@ -278,7 +278,7 @@ private:
     }
 
     const std::string_view text_;
-    const uint32_t most_levels_;
+    const uint32_t max_levels_;
     const std::string_view part_, only_;
     std::pmr::memory_resource& arena_;
     size_t at_ = 0;
@@ -288,7 +288,7 @@ private:
     String unescaped_;
 };
 
-JsonDocument::JsonDocument(Bytes text, uint32_t most_levels, std::string_view part, std::string_view only)
-    : root_(JsonParser(text, most_levels, part, only, arena_).document()) {}
+JsonDocument::JsonDocument(Bytes text, uint32_t max_levels, std::string_view part, std::string_view only)
+    : root_(JsonParser(text, max_levels, part, only, arena_).document()) {}
 
 }  // namespace flg::io

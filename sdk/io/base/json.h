@@ -67,10 +67,10 @@ struct JsonMember {
 
 class JsonDocument {
 public:
-    // Refuses what is no JSON, and what nests deeper than `most_levels`. Of several members of one name the last
+    // Refuses what is no JSON, and what nests deeper than `max_levels`. Of several members of one name the last
     // counts. `part`: what failures name before the place. With `only`, the root's other members are checked and passed
     // over.
-    JsonDocument(Bytes text, uint32_t most_levels, std::string_view part = {}, std::string_view only = {});
+    JsonDocument(Bytes text, uint32_t max_levels, std::string_view part = {}, std::string_view only = {});
 
     const Json& root() const { return root_; }
 

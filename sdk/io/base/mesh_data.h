@@ -16,7 +16,7 @@
 
 namespace flg::io {
 
-constexpr uint32_t most_face_columns = 16;
+constexpr uint32_t max_face_columns = 16;
 
 struct FaceColumn {
     String name;

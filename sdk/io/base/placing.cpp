@@ -9,7 +9,7 @@ namespace flg::io {
 
 void EdgeLoss::add(const float* a, const float* b) {
     // Six bits of each edge are left: the shape is as good as a drawing.
-    constexpr double least_steps = 64;
+    constexpr double min_steps = 64;
     double square = 0;
     float size = 0;
     for (uint32_t k = 0; k < 3; ++k) {
@@ -21,7 +21,7 @@ void EdgeLoss::add(const float* a, const float* b) {
         ++none_;
         return;
     }
-    const double least = least_steps * double{float_step(size)};
+    const double least = min_steps * double{float_step(size)};
     ++(square >= least * least ? kept_ : lost_);
 }
 

@@ -9,7 +9,7 @@
 
 namespace flg::io {
 
-constexpr uint32_t most_joints = 65535;
+constexpr uint32_t max_joints = 65535;
 constexpr uint32_t joints_a_vertex = 4;
 
 struct AnimationData {

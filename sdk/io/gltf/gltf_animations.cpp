@@ -65,15 +65,15 @@ private:
     Map<uint64_t, Vector<float>> times_;  // by accessor
 };
 
-constexpr uint64_t most_turns = uint64_t{1} << 26;
+constexpr uint64_t max_turns = uint64_t{1} << 26;
 constexpr double length_tolerance = 0.02;  // of quaternions; bytes hold no better ones
 constexpr const char* path_names[] = {"translation", "rotation", "scale"};
 
 void TurnLimit::add(uint64_t turns, const String& place) {
     count_ += turns;
-    if (count_ > most_turns) {
+    if (count_ > max_turns) {
         fail(FLG_ERROR_LIMIT, place, "all animations together have more than %llu keys times nodes",
-             static_cast<unsigned long long>(most_turns));
+             static_cast<unsigned long long>(max_turns));
     }
 }
 

@@ -35,7 +35,7 @@ namespace {
 // ---- Columns of curves as attributes of glTF lines, besides positions, colours and radii; filigree_io.h lists them.
 // Lengths and speeds grow by the cube root of the volume's change under their node, directions are turned by it.
 
-constexpr uint32_t most_gltf_components = 4;
+constexpr uint32_t max_gltf_components = 4;
 
 // One of a primitive's, checked to fit its vertices.
 struct GltfColumn {
@@ -104,20 +104,20 @@ String gltf_column_name(FlgAttribute attribute) {
 }
 
 Vector<GltfColumn> read_columns(const GltfDocument& document, const GltfPrimitive& primitive, uint64_t vertex_count) {
-    constexpr size_t most_columns = 13;  // beside positions, colours and radii
+    constexpr size_t max_columns = 13;  // beside positions, colours and radii
     Vector<GltfColumn> columns;
     for (const JsonMember& member : primitive.json.find("attributes")->members()) {
         const NamedAttribute known = attribute_of(member.name);
         if (known.attribute == FLG_ATTRIBUTE_POSITION) continue;
         GltfValues values = *read_attribute(document, primitive, String(member.name).c_str());
         const bool fits =
-            known.components == 0 ? values.components <= most_gltf_components : values.components == known.components;
+            known.components == 0 ? values.components <= max_gltf_components : values.components == known.components;
         if (!fits || values.count != vertex_count) {
             fail(FLG_ERROR_FORMAT, values.place, "holds no values fit for %llu vertices",
                  static_cast<unsigned long long>(vertex_count));
         }
         const auto same = [&](const GltfColumn& other) { return other.attribute == known.attribute; };
-        if (columns.size() == most_columns || std::any_of(columns.begin(), columns.end(), same)) {
+        if (columns.size() == max_columns || std::any_of(columns.begin(), columns.end(), same)) {
             fail(FLG_ERROR_FORMAT, values.place, "is one column too many, or one that is there already");
         }
         columns.push_back({known.attribute, std::move(values)});
@@ -127,7 +127,7 @@ Vector<GltfColumn> read_columns(const GltfDocument& document, const GltfPrimitiv
 
 void append_placed(const GltfColumn& column, uint32_t vertex, const Transform& t, Vector<float>& out) {
     const uint32_t count = column.values.components;
-    double values[most_gltf_components];
+    double values[max_gltf_components];
     for (uint32_t k = 0; k < count; ++k) values[k] = column.values.number(vertex, k);
     if (is_direction(column.attribute)) {
         double turned[3];
@@ -302,7 +302,7 @@ Vector<LineColumn> line_columns(const CheckedView& view, GlbBuilder& glb) {
         const FlgColumn& column = view.columns()[i];
         const String name = gltf_column_name(column.attribute);
         if (name.empty()) continue;
-        if (column.components > most_gltf_components) {
+        if (column.components > max_gltf_components) {
             fail(FLG_ERROR_INVALID_ARGUMENT, "view.columns[" + to_text(i) + "].components",
                  "is %u, .glb holds at most 4", column.components);
         }

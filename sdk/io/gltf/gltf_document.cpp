@@ -20,8 +20,8 @@ namespace {
 constexpr uint32_t max_depth = 128;
 // Parsed JSON takes an order of magnitude more memory than its text.
 constexpr uint64_t max_json = uint64_t{1} << 29;
-constexpr uint64_t least_stride = 4;
-constexpr uint64_t most_stride = 252;
+constexpr uint64_t min_stride = 4;
+constexpr uint64_t max_stride = 252;
 
 String element_place(const char* array, uint64_t index) {
     return String(array) + "[" + to_text(index) + "]";
@@ -356,7 +356,7 @@ GltfValues GltfDocument::values_of(uint64_t index, const String& place, bool of_
 
     if (accessor.find("bufferView")) {
         const View view = this->view(gltf_required(accessor, "bufferView", values.place), values.place + ".bufferView");
-        if (view.stride != 0 && (view.stride < std::max(least_stride, element_size) || view.stride > most_stride)) {
+        if (view.stride != 0 && (view.stride < std::max(min_stride, element_size) || view.stride > max_stride)) {
             fail(FLG_ERROR_FORMAT, view.place + ".byteStride", "is %llu for values of %llu bytes",
                  static_cast<unsigned long long>(view.stride), static_cast<unsigned long long>(element_size));
         }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr size_t pose_size = 12;
 constexpr double rotation_tolerance = 1e-3;
-constexpr size_t longest_name = 255;
+constexpr size_t max_name = 255;
 // Metres; the format asks for one. There is no far end.
 constexpr const char* near_plane = "0.01";
 
@@ -53,7 +53,7 @@ CheckedMotion::CheckedMotion(const FlgMotionFileWriteDesc* desc) {
     if (desc_.position_count == 0) fail(FLG_ERROR_INVALID_ARGUMENT, "desc.position_count", "is 0, must be at least 1");
     check_argument(desc_.times, "desc.times");
     check_argument(desc_.poses, "desc.poses");
-    if (desc_.name && (strnlen(desc_.name, longest_name + 1) > longest_name || !is_utf8(desc_.name)))
+    if (desc_.name && (strnlen(desc_.name, max_name + 1) > max_name || !is_utf8(desc_.name)))
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.name", "must be UTF-8 of at most 255 bytes");
     if (!(desc_.camera_fov_rad >= 0 && double{desc_.camera_fov_rad} < std::numbers::pi)) {
         fail(FLG_ERROR_INVALID_ARGUMENT, "desc.camera_fov_rad", "is %g, must be 0 or above and below pi",

@@ -94,8 +94,8 @@ GltfSkeleton::GltfSkeleton(const GltfDocument& document, const GltfNodes& nodes,
 void GltfSkeleton::read_joints(const GltfDocument& document, const String& place, const Json& json) {
     const Vector<uint64_t> listed = read_node_list(json, "joints", place);
     if (listed.empty()) fail(FLG_ERROR_FORMAT, place, "has no joints");
-    if (listed.size() > most_joints) {
-        fail(FLG_ERROR_LIMIT, place, "has %zu joints, more than the limit of %u", listed.size(), most_joints);
+    if (listed.size() > max_joints) {
+        fail(FLG_ERROR_LIMIT, place, "has %zu joints, more than the limit of %u", listed.size(), max_joints);
     }
     constexpr uint32_t none = 0xffffffffu;
     Vector<uint32_t> joint_of(nodes_.size(), none);  // of nodes: the file's number, later ours

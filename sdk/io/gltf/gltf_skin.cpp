@@ -25,8 +25,8 @@ namespace flg::io {
 
 namespace {
 
-constexpr double sum_tolerance = 0.01;              // of weights; bytes are no better
-constexpr uint64_t most_parts = uint64_t{1} << 24;  // floats tell them apart
+constexpr double sum_tolerance = 0.01;             // of weights; bytes are no better
+constexpr uint64_t max_parts = uint64_t{1} << 24;  // floats tell them apart
 constexpr uint64_t no_material = UINT64_MAX;
 
 class GltfSkinReader {
@@ -217,7 +217,7 @@ private:
 
     uint32_t part_at(const GltfValues& parts, uint32_t vertex) const {
         const double part = parts.number(vertex, 0);
-        if (!(part >= 0 && part < most_parts && part == std::floor(part)))
+        if (!(part >= 0 && part < max_parts && part == std::floor(part)))
             fail(FLG_ERROR_FORMAT, parts.place, "vertex %u is of part %g, must be a whole number of 0 to 2^24", vertex,
                  part);
         return static_cast<uint32_t>(part);

@@ -163,7 +163,7 @@ Vector<size_t> needed_samples(const Vector<brush::Section>& sections, bool close
     return reducer.kept();
 }
 
-constexpr size_t most_vertices = 65535;  // that 16 bits number; the last number has another meaning
+constexpr size_t max_vertices = 65535;  // that 16 bits number; the last number has another meaning
 
 class Sweeper {
 public:
@@ -210,7 +210,7 @@ private:
             fail(FLG_ERROR_LIMIT, "", "the surface takes more than the limit of 2 GiB");
         }
         const auto fits = [&](const SweptPiece& piece) {
-            return piece.geometry == geometry && piece.vertex_count() + counts.vertices <= most_vertices;
+            return piece.geometry == geometry && piece.vertex_count() + counts.vertices <= max_vertices;
         };
         const size_t recent = pieces_.size() < 2 ? 0 : pieces_.size() - 2;
         const auto found = std::find_if(pieces_.begin() + static_cast<std::ptrdiff_t>(recent), pieces_.end(), fits);

@@ -206,8 +206,8 @@ struct SvgOutline {
 
 constexpr double pi = std::numbers::pi;
 constexpr double tolerance = 1e-3;  // of a curve's size
-constexpr size_t most_points = size_t{1} << 24;
-constexpr size_t most_values = 6;  // of a transform
+constexpr size_t max_path_points = size_t{1} << 24;
+constexpr size_t max_values = 6;  // of a transform
 
 SvgPoint operator+(const SvgPoint& a, const SvgPoint& b) {
     return {a.x + b.x, a.y + b.y};
@@ -288,7 +288,7 @@ public:
 
 private:
     void add(const SvgPoint& point) {
-        if (++count_ > most_points) fail(FLG_ERROR_LIMIT, line_place(line_), "more than 2^24 points");
+        if (++count_ > max_path_points) fail(FLG_ERROR_LIMIT, line_place(line_), "more than 2^24 points");
         outline_.points.push_back(point);
     }
     void end(bool closed) {
@@ -451,7 +451,7 @@ Vector<SvgOutline> rectangle(const SvgTag& tag) {
     return pen.take();
 }
 
-SvgTransform make_transform(std::string_view name, const std::array<double, most_values>& v, size_t count,
+SvgTransform make_transform(std::string_view name, const std::array<double, max_values>& v, size_t count,
                             uint64_t line) {
     const auto turned = [](double degrees) {
         const double cosine = std::cos(degrees * pi / 180), sine = std::sin(degrees * pi / 180);
@@ -486,9 +486,9 @@ SvgTransform read_transform(std::string_view text, uint64_t line) {
         std::string_view name = numbers.rest().substr(0, open);
         name = name.substr(0, name.find_first_of(" \t\r\n"));
         numbers.skip(open + 1);
-        std::array<double, most_values> values{};
+        std::array<double, max_values> values{};
         size_t count = 0;
-        while (count < most_values && numbers.at_number()) values[count++] = numbers.number();
+        while (count < max_values && numbers.at_number()) values[count++] = numbers.number();
         if (!numbers.more() || numbers.take() != ')') {
             fail(FLG_ERROR_FORMAT, line_place(line), "the transform does not end: %s", cited(name).c_str());
         }
@@ -515,7 +515,7 @@ Vector<SvgOutline> read_outlines(const SvgTag& tag) {
     return {};
 }
 
-constexpr size_t most_depth = 256;
+constexpr size_t max_depth = 256;
 
 // What is only drawn where something else refers to it.
 bool is_hidden(std::string_view name) {
@@ -561,8 +561,8 @@ private:
             fail(FLG_ERROR_FORMAT, line_place(tag.line), "the first element is not svg: %s", cited(tag.name).c_str());
         }
         is_drawing_ = true;
-        if (stack_.size() >= most_depth) {
-            fail(FLG_ERROR_LIMIT, line_place(tag.line), "elements lie more than %zu deep in each other", most_depth);
+        if (stack_.size() >= max_depth) {
+            fail(FLG_ERROR_LIMIT, line_place(tag.line), "elements lie more than %zu deep in each other", max_depth);
         }
         const Level around = stack_.empty() ? Level{} : stack_.back();
         const Level level = {tag.name, around.transform * read_transform(tag.attribute("transform"), tag.line),

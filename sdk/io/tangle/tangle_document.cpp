@@ -339,7 +339,7 @@ FlgTangleSeedPlaces TangleDocument::read_places_of(const JsonValue& value, Array
 namespace {
 
 // Longer arrays go into the side file.
-constexpr uint64_t longest_line = 12;  // numbers
+constexpr uint64_t max_line = 12;  // numbers
 
 // The double with the fewest digits that is read as this float.
 double shortest(float value) {
@@ -421,7 +421,7 @@ private:
         if (count > 0 && !data) fail(FLG_ERROR_INVALID_ARGUMENT, where, "is null");
         const auto* const bytes = static_cast<const char*>(data);
         JsonText json;
-        if (count * words > longest_line) {
+        if (count * words > max_line) {
             const size_t at = arrays.size();
             if (at + count * words * 4 > max_bytes)
                 fail(FLG_ERROR_LIMIT, where, "makes the document's arrays too large");

@@ -20,13 +20,13 @@ namespace flg::io {
 
 namespace {
 
-constexpr uint32_t most_levels = 16;
+constexpr uint32_t max_levels = 16;
 
 // The side file of the document that is there now; empty if there is none that can be read.
 String present_side_file(const Path& path) {
     try {
         const ByteBlock text = read_file(path, "", max_tangle_json);
-        const JsonDocument json(text.bytes(), most_levels);
+        const JsonDocument json(text.bytes(), max_levels);
         return read_side_file(JsonValue(json.root(), "")).name;
     } catch (const std::bad_alloc&) {
         throw;
@@ -99,7 +99,7 @@ FlgResult flgTangleFileRead(const char* path, const FlgFileHooks* hooks, FlgTang
     return read_into(out_file, "flgTangleFileRead", path, hooks, [](const Path& source) {
         const Path place = resolved(source);
         const ByteBlock text = read_file(place, "", max_tangle_json);
-        const JsonDocument json(text.bytes(), most_levels);
+        const JsonDocument json(text.bytes(), max_levels);
         const JsonValue document(json.root(), "");
         const ByteBlock arrays = read_arrays(place, read_side_file(document));
         return make_owned<FlgTangleFileT>(document, arrays.bytes());

@@ -82,8 +82,8 @@ private:
 
     // Three numbers and what parts them take six bytes; the last line may lack its end.
     void check_count(uint64_t count, const char* what) const {
-        constexpr uint64_t least_line = 6;
-        const uint64_t fitting = (lines_.rest().size() + 1) / least_line;
+        constexpr uint64_t min_line = 6;
+        const uint64_t fitting = (lines_.rest().size() + 1) / min_line;
         if (count <= fitting) return;
         fail(FLG_ERROR_FORMAT, place(), "declares %llu %s, but at most %llu fit",
              static_cast<unsigned long long>(count), what, static_cast<unsigned long long>(fitting));

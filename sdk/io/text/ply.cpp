@@ -69,7 +69,7 @@ struct PlyHeader {
     // Null if there is none.
     const PlyElement* find(std::string_view element) const;
     // The fewest bytes a row of this element can take.
-    uint64_t least_row(const PlyElement& element) const;
+    uint64_t min_row(const PlyElement& element) const;
 };
 
 struct TypeName {
@@ -83,7 +83,7 @@ constexpr TypeName type_names[] = {
     {"float", "float32", PlyType::float32}, {"double", "float64", PlyType::float64},
 };
 
-constexpr size_t most_entries = 256;
+constexpr size_t max_entries = 256;
 
 class HeaderReader {
 public:
@@ -140,8 +140,8 @@ private:
         const std::string_view name = cursor_.word();
         const bool printable = std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; });
         if (name.empty() || !printable) refuse("no name", name);
-        if (entries == most_entries) {
-            fail(FLG_ERROR_LIMIT, place(), "more than %zu elements, or properties of one", most_entries);
+        if (entries == max_entries) {
+            fail(FLG_ERROR_LIMIT, place(), "more than %zu elements, or properties of one", max_entries);
         }
         return String(name);
     }
@@ -201,7 +201,7 @@ const PlyElement* PlyHeader::find(std::string_view element) const {
     return found == elements.end() ? nullptr : &*found;
 }
 
-uint64_t PlyHeader::least_row(const PlyElement& element) const {
+uint64_t PlyHeader::min_row(const PlyElement& element) const {
     // A digit each, and blanks or the end of the line between them.
     if (encoding == PlyEncoding::ascii) return 2 * element.properties.size();
     uint64_t size = 0;
@@ -385,7 +385,7 @@ private:
 
     void check_count(const PlyElement& element) const {
         // The last line of a text may lack its end.
-        const uint64_t fitting = (rows_.left() + 1) / header_.least_row(element);
+        const uint64_t fitting = (rows_.left() + 1) / header_.min_row(element);
         if (element.count <= fitting) return;
         fail(FLG_ERROR_FORMAT, line_place(element.line), "declares %llu rows of the element %s, but at most %llu fit",
              static_cast<unsigned long long>(element.count), cited(element.name).c_str(),
@@ -486,7 +486,7 @@ private:
             } else if (!property.is_list() && is_integer(property.type)) {
                 if (property.name == "region") {
                     role = region;
-                } else if (data_.face_columns.size() < most_face_columns) {
+                } else if (data_.face_columns.size() < max_face_columns) {
                     role = data_.face_columns.size();
                     data_.face_columns.push_back({property.name, {}});
                 }

@@ -3,7 +3,7 @@
 // to; an ear is a convex corner whose triangle holds none of the corners that are reflex or flat. The next ear is
 // looked for where the last one was cut, which spreads the triangles. Invariant: n corners give n - 2 triangles, so
 // that each polygon stays where its fan was. Departures: polygons that have no ear left (they cross themselves) and
-// those of more than most_corners keep a fan of what is left.
+// those of more than max_corners keep a fan of what is left.
 #include "io/text/polygons.h"
 
 #include <array>
@@ -15,7 +15,7 @@ namespace flg::io {
 
 namespace {
 
-constexpr uint32_t most_corners = 1024;
+constexpr uint32_t max_corners = 1024;
 
 using Point = std::array<double, 2>;
 
@@ -35,7 +35,7 @@ public:
         if (length(normal) == 0) return;
         project(normal);
         if (is_convex()) return;
-        if (fan.corners > most_corners) {
+        if (fan.corners > max_corners) {
             long_.add(fan.first);
             return;
         }

@@ -17,7 +17,7 @@ constexpr std::string_view closed_word = "closed";
 
 constexpr std::string_view columns_word = "columns";
 constexpr const char* coordinates[] = {"x", "y", "z"};
-constexpr size_t most_names = 256;
+constexpr size_t max_names = 256;
 
 // The words of a line that is a comment, without the #.
 Vector<std::string_view> comment_words(std::string_view line) {
@@ -102,7 +102,7 @@ private:
             fail(FLG_ERROR_FORMAT, line_place(line), "`# columns` once only, before the first point");
         }
         declared_ = true;
-        if (names.size() > most_names) {
+        if (names.size() > max_names) {
             fail(FLG_ERROR_FORMAT, line_place(line), "`# columns` has %zu names, more than 256", names.size());
         }
         data_.columns = columns_of_names(names);

@@ -67,7 +67,7 @@ constexpr uint32_t local_signature = 0x04034b50;
 constexpr uint32_t directory_signature = 0x02014b50;
 constexpr uint32_t end_signature = 0x06054b50;
 constexpr size_t end_record_size = 22;
-constexpr size_t longest_comment = 65535;
+constexpr size_t max_comment = 65535;
 constexpr uint16_t flag_encrypted = 1;
 constexpr uint16_t method_stored = 0;
 constexpr uint16_t method_deflate = 8;
@@ -79,7 +79,7 @@ constexpr uint64_t deflate_slack = 1024;
 size_t find_end_record(Bytes file) {
     if (file.size() >= end_record_size) {
         const size_t last = file.size() - end_record_size;
-        const size_t first = last > longest_comment ? last - longest_comment : 0;
+        const size_t first = last > max_comment ? last - max_comment : 0;
         for (size_t at = last + 1; at-- > first;) {
             uint32_t signature;
             std::memcpy(&signature, file.data() + at, sizeof signature);
@@ -250,18 +250,18 @@ ZipContent ZipReader::read(std::string_view name, uint64_t limit) const {
 // metadata.json holds much that isn't needed. Only BrushIndex, an array of strings in the root object, is kept while
 // the text is parsed: a document of everything takes many times the text's size, and hostile text packs well.
 
-constexpr size_t most_brushes = size_t{1} << 16;
-constexpr uint32_t most_depth = 256;
+constexpr size_t max_brushes = size_t{1} << 16;
+constexpr uint32_t max_depth = 256;
 constexpr std::string_view index_name = "BrushIndex";
 
 // GUIDs of the brushes that strokes name by number. `part`: the metadata's name within the sketch, for failures.
 Vector<String> read_brush_index(Bytes metadata, const String& part) {
-    const JsonDocument document(metadata, most_depth, part, index_name);
+    const JsonDocument document(metadata, max_depth, part, index_name);
     const Json* const index = document.root().find(index_name);
     if (!index) fail(FLG_ERROR_FORMAT, part, "has no BrushIndex");
     const String place = (part + ".").append(index_name);
     if (!index->is_array()) fail(FLG_ERROR_FORMAT, place, "is no array");
-    if (index->size() > most_brushes) fail(FLG_ERROR_LIMIT, place, "has more than 65536 brushes");
+    if (index->size() > max_brushes) fail(FLG_ERROR_LIMIT, place, "has more than 65536 brushes");
     Vector<String> guids;
     for (size_t i = 0; i < index->size(); ++i) {
         if (!(*index)[i].is_string()) fail(FLG_ERROR_FORMAT, place + "[" + to_text(i) + "]", "is no string");
@@ -355,7 +355,7 @@ constexpr uint32_t point_known = 0x3;
 constexpr uint32_t position_floats = 3;
 constexpr uint32_t orientation_floats = 4;
 constexpr float metres_per_unit = 0.1f;
-constexpr float least_width = 0.1f;  // m: the part of the width that is left without pressure
+constexpr float min_width = 0.1f;  // m: the part of the width that is left without pressure
 constexpr float milliseconds = 1000.0f;
 // How far a quaternion's squared length may be from 1 before it is normalized; sound files stay within 1e-5.
 constexpr float unit_tolerance = 1e-3f;
@@ -485,7 +485,7 @@ public:
                 pressure_odd = true;
             }
             data_.pressures[point_] = pressure;
-            data_.radii[point_] = half_width * (least_width + (1.0f - least_width) * pressure);
+            data_.radii[point_] = half_width * (min_width + (1.0f - min_width) * pressure);
             std::memcpy(&data_.colors[point_ * 4], color, sizeof color);
 
             const uint32_t ms = has_time ? std::bit_cast<uint32_t>(words[time_word]) : 0;

@@ -13,7 +13,7 @@ namespace {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 // Of the size: a correction that is longer is none.
-constexpr double longest_correction = 0.02;
+constexpr double max_correction = 0.02;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ bool ImageManifold::project(double* x, double* hint) const {
         Eigen::Matrix<double, 6, 2> basis;
         tangent_basis(lifted.data(), hint, basis.data());
         const Vec6 along = basis * (basis.transpose() * (from - lifted));
-        if (along.head<3>().norm() <= longest_correction * size()) {
+        if (along.head<3>().norm() <= max_correction * size()) {
             Vec3 corrected = place + along.head<3>();
             if (surface_.project(corrected.data(), hint)) place = corrected;
             lift(place.data(), hint, lifted.data());

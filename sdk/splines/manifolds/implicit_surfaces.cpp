@@ -13,7 +13,7 @@ namespace {
 // Distances need no bound on a step: the first one arrives.
 constexpr double unbounded = 1e300;
 // Of the size: a step along other functions' gradients, which hold near the surface only.
-constexpr double longest_step = 0.1;
+constexpr double max_step = 0.1;
 
 }  // namespace
 
@@ -66,7 +66,7 @@ bool PlaneSurface::evaluate(const double* x, double*, double* value, double* gra
 }
 
 NamedSurface::NamedSurface(const ImplicitFormula& formula)
-    : Hypersurface(3, 0, formula.size, longest_step * formula.size), function_(formula.function) {}
+    : Hypersurface(3, 0, formula.size, max_step * formula.size), function_(formula.function) {}
 
 bool NamedSurface::evaluate(const double* x, double*, double* value, double* gradient, double* second) const {
     const SpaceJet jet =

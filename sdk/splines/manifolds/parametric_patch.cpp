@@ -19,9 +19,9 @@ constexpr double far_away = 0.02;
 
 // The direction that solves h step = -gradient; h is symmetric. False unless h is positive definite.
 bool solve(double huu, double huv, double hvv, double gu, double gv, std::array<double, 2>& step) {
-    constexpr double least_share = 1e-3;  // of the product of the diagonal: beyond it the matrix is as good as singular
+    constexpr double min_share = 1e-3;  // of the product of the diagonal: beyond it the matrix is as good as singular
     const double determinant = huu * hvv - huv * huv;
-    if (!(huu > 0 && hvv > 0 && determinant > least_share * huu * hvv)) return false;
+    if (!(huu > 0 && hvv > 0 && determinant > min_share * huu * hvv)) return false;
     step = {(huv * gv - hvv * gu) / determinant, (huv * gu - huu * gv) / determinant};
     return true;
 }

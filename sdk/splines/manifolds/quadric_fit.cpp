@@ -15,7 +15,7 @@ constexpr double through_weight = 1e4;
 constexpr double ridge = 1e-6;
 // Beyond these the surface is creased, or the neighbours are too far apart to tell: cosine of a neighbour's normal,
 // slope of the fitted plane, and the part of the squared heights that is not explained.
-constexpr double least_cosine = 0.5, most_slope = 0.35, most_unexplained = 0.25;
+constexpr double min_cosine = 0.5, max_slope = 0.35, max_unexplained = 0.25;
 // Of the spacing, squared: heights below are noise anyway.
 constexpr double flat_height = 1e-4;
 
@@ -58,7 +58,7 @@ void QuadricFit::add_point(const Vec3& point) {
 
 void QuadricFit::add_normal(const Vec3& point, const Vec3& normal) {
     const double up = normal_.dot(normal);
-    if (!(up > least_cosine)) {
+    if (!(up > min_cosine)) {
         creased_ = true;
         return;
     }
@@ -91,12 +91,12 @@ BentNormal QuadricFit::solve() const {
     const double swing = std::sqrt(half * half + x[4] * x[4]);
     const double largest = std::abs(mean) + swing;
     result.curvature = largest * per_spacing_;
-    if (creased_ || x[1] * x[1] + x[2] * x[2] > most_slope * most_slope) return result;
+    if (creased_ || x[1] * x[1] + x[2] * x[2] > max_slope * max_slope) return result;
 
     // The part of the squares that the quadric explains is x . right.
     double unexplained = squares_;
     for (size_t i = 0; i < unknowns; ++i) unexplained -= x[i] * right_[i];
-    const bool bad = unexplained > most_unexplained * squares_ + flat_height * weights_;
+    const bool bad = unexplained > max_unexplained * squares_ + flat_height * weights_;
     if (bad && through_) return result;
     result.height = through_ ? 0 : x[0] / per_spacing_;
     result.normal = (normal_ - x[1] * u_ - x[2] * v_).normalized();

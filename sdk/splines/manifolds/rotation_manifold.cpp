@@ -15,7 +15,7 @@ constexpr int max_newton_rounds = 8;
 // Radians. The turn that was this small led to the rotation up to its square.
 constexpr double last_turn = 1e-9;
 // Newton's method is for the neighbourhood: a turn by more than this is left to the quaternions.
-constexpr double longest_turn = 1.0;
+constexpr double max_turn = 1.0;
 constexpr int max_sweeps = 12;
 
 // Cayley's rotation about `turn` by 2 atan(|turn| / 2).
@@ -62,7 +62,7 @@ bool newton(const Mat3& m, Mat3& a) {
         Vec3 turn;
         if (!solve(h, g, std::abs(trace), turn)) return false;
         const double length = turn.norm();
-        if (!(length <= longest_turn)) return false;
+        if (!(length <= max_turn)) return false;
         a = a * turned(turn);
         if (length <= last_turn) return true;
     }

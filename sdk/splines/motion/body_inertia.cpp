@@ -9,7 +9,7 @@ namespace flg {
 
 namespace {
 
-constexpr double least_share = 1e-2;
+constexpr double min_share = 1e-2;
 // Of the size of the coordinates: points nearer to each other than this are in one place.
 constexpr double rounding = 1e-12;
 
@@ -22,7 +22,7 @@ void thicken(std::array<double, 3>& f, double coordinates) {
     }
     std::array<size_t, 3> order{0, 1, 2};
     std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return f[a] != f[b] ? f[a] > f[b] : a < b; });
-    f[order[1]] = std::max(f[order[1]], least_share * largest);
+    f[order[1]] = std::max(f[order[1]], min_share * largest);
 }
 
 }  // namespace

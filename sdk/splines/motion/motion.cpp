@@ -76,7 +76,7 @@ private:
     const Chain& chain_;
 };
 
-double least_tension(const MotionInput& input) {
+double min_tension(const MotionInput& input) {
     return input.bending > 0 ? input.tension : std::numeric_limits<double>::infinity();
 }
 
@@ -170,7 +170,7 @@ Task<double> find_path_around(Pace& pace, const Scene& scene, const Chain& chain
     const CubicData data{.knots = {found.parameters.data(), nodes + (scene.input.closed ? 1 : 0)},
                          .values = {found.nodes.data(), 3 * nodes},
                          .ends = ends_of(scene.input),
-                         .tension = least_tension(scene.input)};
+                         .tension = min_tension(scene.input)};
     co_await sample_spline(pace, scene, data, chain, path.data());
     co_return found.report.energy;
 }
@@ -180,7 +180,7 @@ Task<double> find_path(Pace& pace, const Scene& scene, const Chain& chain, Buffe
     const CubicData data{.knots = scene.keys.times(),
                          .values = scene.keys.barycentres(),
                          .ends = ends_of(scene.input),
-                         .tension = least_tension(scene.input)};
+                         .tension = min_tension(scene.input)};
     const double energy = co_await sample_spline(pace, scene, data, chain, path.data());
     if (scene.input.smoothing == 0) co_return scene.input.bending > 0 ? energy : scene.input.tension* energy;
 
@@ -241,7 +241,7 @@ Task<void> begin_coarsely(Pace& pace, const Scene& scene, const Chain& chain, do
                          .values = {optimizer.points(), size_t{9} * coarse.nodes},
                          .dimension = 9,
                          .ends = ends_of(scene.input),
-                         .tension = least_tension(scene.input)};
+                         .tension = min_tension(scene.input)};
     co_await sample_spline(pace, scene, data, chain, points);
 }
 

@@ -16,7 +16,7 @@ using Mat3 = Eigen::Matrix3d;
 // Of the body's size, or of how far it is off: nearer to each other two poses are one.
 constexpr double same_pose = 1e-12;
 constexpr double largest_number = 1e100;
-constexpr double least_gap = 1e-9;  // between two keys, of the whole motion: differences would drown in rounding
+constexpr double min_gap = 1e-9;  // between two keys, of the whole motion: differences would drown in rounding
 
 [[noreturn]] void refuse(size_t key, const char* what) {
     throw Failure(FLG_ERROR_INVALID_ARGUMENT, "keys[%zu] %s", key, what);
@@ -49,7 +49,7 @@ void MotionKeys::check(size_t key) {
                       times_[key - 1]);
     }
     const double span = input_.times.back() - input_.times.front();
-    if (key > 0 && time - times_[key - 1] <= least_gap * span) {
+    if (key > 0 && time - times_[key - 1] <= min_gap * span) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "keys[%zu] has the time %.9g, too soon after %.9g for a motion of %.3g s", key, time,
                       times_[key - 1], span);

@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t max_near = BarrierSurface::max_near;
 constexpr uint32_t max_d = Obstacle::max_dimension;
 // Of the size: so far a step of Newton's method goes at most. f is a distance nearly everywhere, so most are exact.
-constexpr double longest_step = 0.25;
+constexpr double max_step = 0.25;
 
 struct Near {
     uint32_t obstacle;
@@ -67,7 +67,7 @@ double checked_radius(const ObstacleSet& obstacles, double radius) {
 }  // namespace
 
 BarrierSurface::BarrierSurface(const ObstacleSet& obstacles, double radius, double size)
-    : Hypersurface(obstacles.dimension() + 1, 0, size, longest_step * size),
+    : Hypersurface(obstacles.dimension() + 1, 0, size, max_step * size),
       obstacles_(obstacles),
       radius_(checked_radius(obstacles, radius)) {}
 

@@ -11,7 +11,7 @@ namespace flg {
 namespace {
 
 constexpr double deep = 0.5;  // of the core's depth
-constexpr uint32_t most_looks = 64;
+constexpr uint32_t max_looks = 64;
 
 // How often the way from a to b turns around p, beside what its ends and others' cancel: its crossings of the ray from
 // p along x.
@@ -147,7 +147,7 @@ bool ObstacleSet::pierces(uint32_t i, const double* a, const double* b) const {
         for (uint32_t k = 0; k < dimension_; ++k) at[k] = a[k] + t * (b[k] - a[k]);
         const double above = obstacles_[i]->evaluate(at.data(), nullptr, nullptr) + depth;
         if (above < 0) return true;
-        done += std::max(above, length / most_looks);
+        done += std::max(above, length / max_looks);
         if (length == 0) break;
     }
     return false;

@@ -10,7 +10,7 @@ namespace flg {
 
 namespace {
 
-constexpr double least_layer = 4, smooth_from = 3;  // cells: nearer to the mesh the distance's crease is felt
+constexpr double min_layer = 4, smooth_from = 3;  // cells: nearer to the mesh the distance's crease is felt
 
 double checked_depth(const SampledDistance& distance) {
     if (!(distance.deepest > 0)) {
@@ -20,7 +20,7 @@ double checked_depth(const SampledDistance& distance) {
 }
 
 double checked_epsilon(const SampledDistance& distance, double epsilon) {
-    const double least = least_layer * distance.grid.spacing;
+    const double least = min_layer * distance.grid.spacing;
     if (!(epsilon >= least && epsilon < distance.reach)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a layer has epsilon %g, it must be %g at least and less than %g",
                       epsilon, least, distance.reach);

@@ -20,7 +20,7 @@ std::shared_ptr<T> make_shared_in(Memory* memory, Arguments&&... arguments) {
     return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::forward<Arguments>(arguments)...);
 }
 
-double longest_side(const Surface& surface) {
+double max_side(const Surface& surface) {
     double longest = 0;
     for (int c = 0; c < 3; ++c) longest = std::max(longest, double{surface.extent.upper[c]} - surface.extent.lower[c]);
     return longest;
@@ -37,8 +37,8 @@ Task<void> make_obstacles(Pace& pace, std::shared_ptr<Obstacles> out) {
             continue;
         }
         const bool is_layer = mesh.kind == FLG_OBSTACLE_KIND_LAYER;
-        const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * longest_side(*mesh.surface) + out->clearance;
-        const double cell = (longest_side(*mesh.surface) + 2 * reach) / mesh.cells;
+        const double reach = is_layer ? 1.5 * mesh.layer : solid_reach * max_side(*mesh.surface) + out->clearance;
+        const double cell = (max_side(*mesh.surface) + 2 * reach) / mesh.cells;
         if (is_layer && mesh.layer < layer_cells * cell) {
             throw Failure(
                 FLG_ERROR_INVALID_ARGUMENT,

@@ -13,9 +13,9 @@ namespace {
 constexpr uint32_t max_rounds = 60;
 constexpr double last_step = 1e-9;  // of the size, as of Hypersurface
 // A step is no longer than so many times what the two functions are off. Normals that are nearly the same ask for more.
-constexpr double longest_step = 4;
+constexpr double max_step = 4;
 // Of the product of squares: less is no tangent plane.
-constexpr double least_determinant = 1e-10;
+constexpr double min_determinant = 1e-10;
 
 using Vec4 = std::array<double, 4>;
 
@@ -39,7 +39,7 @@ struct SurfaceBarrier::Constraints {
             for (uint32_t j = 0; j < 2; ++j) gram[i][j] = dot(gradient[i], gradient[j]);
         }
         determinant = gram[0][0] * gram[1][1] - gram[0][1] * gram[1][0];
-        return determinant > least_determinant * gram[0][0] * gram[1][1];
+        return determinant > min_determinant * gram[0][0] * gram[1][1];
     }
     // The combination of gradients that has these products with them.
     std::array<double, 2> solve(double a, double b) const {
@@ -82,7 +82,7 @@ bool SurfaceBarrier::project(double* x, double* hint) const {
         if (!std::isfinite(length)) return false;
         const double off =
             std::abs(c.value[0]) / std::sqrt(c.gram[0][0]) + std::abs(c.value[1]) / std::sqrt(c.gram[1][1]);
-        const double share = length > longest_step * off ? longest_step * off / length : 1;
+        const double share = length > max_step * off ? max_step * off / length : 1;
         for (uint32_t i = 0; i < 4; ++i) at[i] -= share * step[i];
         if (length <= last_step * size()) {
             std::copy_n(at.begin(), 4, x);

@@ -177,8 +177,8 @@ bool CutTriangulation::is_delaunay(const Edge& edge) const {
 }
 
 void CutTriangulation::begin_improvement() {
-    constexpr uint32_t most_passes = 8;
-    passes_left_ = most_passes;
+    constexpr uint32_t max_passes = 8;
+    passes_left_ = max_passes;
     improved_to_ = 0;
     pass_flipped_ = false;
 }

@@ -98,8 +98,8 @@ double GeodesicSeeds::angle_at(Corner corner) const {
 }
 
 void GeodesicSeeds::add_turn(Corner corner, const RegionSet& regions, uint32_t label) {
-    constexpr uint32_t most_triangles = 64;              // more are no turn but a fan of slivers
-    constexpr double least_turn = 0.3, rounding = 1e-4;  // radians
+    constexpr uint32_t max_triangles = 64;             // more are no turn but a fan of slivers
+    constexpr double min_turn = 0.3, rounding = 1e-4;  // radians
     constexpr double quarter = std::numbers::pi / 2;
     const bool side = regions.contains(mesh_.regions[triangle_of(corner)]);
     double angle = angle_at(corner);
@@ -107,11 +107,11 @@ void GeodesicSeeds::add_turn(Corner corner, const RegionSet& regions, uint32_t l
     for (uint32_t i = 1;; ++i) {
         const Corner next = mesh_.turn(last);
         if (next == no_index || regions.contains(mesh_.regions[triangle_of(next)]) != side) break;
-        if (i == most_triangles || next == corner) return;
+        if (i == max_triangles || next == corner) return;
         angle += angle_at(next);
         last = next;
     }
-    if (angle < 2 * quarter + least_turn) return;
+    if (angle < 2 * quarter + min_turn) return;
     const Vec3 centre = load_vec3(positions_[mesh_.vertex_at(corner)].data());
     double turned = 0;
     for (Corner at = corner; at != last; at = mesh_.turn(at)) {

@@ -17,7 +17,7 @@ constexpr float bucket_width = 1.0f;
 // Of a front, times the mean edge: sharper ones are noise.
 constexpr float sharpest_bend = 0.15f;
 // So that a few long edges do not ask for a ring without end.
-constexpr float most_buckets = 4000.0f;
+constexpr float max_buckets = 4000.0f;
 constexpr uint32_t vertices_at_a_time = 100;  // some 10 us
 
 // Where the fronts of two sources meet, or those of a curve with itself. Unfolding (wave_step.h) takes both ends of an
@@ -32,7 +32,7 @@ constexpr uint32_t vertices_at_a_time = 100;  // some 10 us
 // Of the edge from v to m: how much further than from the unfolded point m may be. That point is not where it should be
 // by the surface's curvature and by the distances' errors.
 constexpr float tolerance = 0.015f;
-constexpr uint32_t most_edges = 4;  // looked at around v
+constexpr uint32_t max_edges = 4;  // looked at around v
 
 struct Angle {
     float cosine = 1, sine = 0;
@@ -107,7 +107,7 @@ std::optional<float> distance_by_own_front(const GeodesicBlock& block, const Wav
     FanWalk walk(block, lane, across_next);
     if (!walk.advance()) return {};
     Angle from_target = walk.turned();
-    for (uint32_t edge = 0; edge < most_edges; ++edge) {
+    for (uint32_t edge = 0; edge < max_edges; ++edge) {
         const WaveState& end = states[walk.rank()];
         if (end.distance == std::numeric_limits<float>::infinity()) return along;
         const Sight sight(own, end, walk.length());
@@ -144,7 +144,7 @@ void RefinedSolver::begin(std::span<const Seed> seeds, bool labelled, const Geod
     }
     if (labelled && labels_.size() < ranks) labels_ = Buffer<uint32_t>(blocks_.blocks.capacity(), memory_);
     labelled_ = labels_tell_fronts_ = labelled;
-    const float width = std::max(bucket_width * blocks_.edges.mean(), blocks_.edges.longest() / most_buckets);
+    const float width = std::max(bucket_width * blocks_.edges.mean(), blocks_.edges.longest() / max_buckets);
     buckets_per_metre_ = 1 / width;
     bend_max_ = sharpest_bend / blocks_.edges.mean();
     queue_.reset(static_cast<uint32_t>(blocks_.edges.longest() * buckets_per_metre_) + 3);

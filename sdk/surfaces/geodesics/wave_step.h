@@ -38,7 +38,7 @@ struct alignas(8) WaveState {
 };
 
 // Changes of a distance below this part of it are not worth to go on with.
-constexpr float least_improvement = 1e-5f;
+constexpr float min_improvement = 1e-5f;
 // The front at a source that is a point, 1/metres.
 constexpr float sharpest_front = 1e15f;
 
@@ -63,13 +63,13 @@ struct alignas(64) WaveStep {
 
 // How much more hollow than bent a front may be: as one that closes in on a point half an edge ahead, as those do that
 // meet opposite to their source.
-constexpr float most_hollow = 12;
+constexpr float max_hollow = 12;
 // A hollow front grows more so by itself, and the noise in it with it. So where the ends of an edge differ, what goes
 // on from between them is at most that many times as hollow as the less hollow of both, or that share of bend_max.
 constexpr float hollow_ratio = 1.5f;
 constexpr float hollow_share = 0.25f;
 
-// Of the states by rank, that of rank 0 is -infinity. Fronts stay between -most_hollow * bend_max and bend_max + 1/d,
+// Of the states by rank, that of rank 0 is -infinity. Fronts stay between -max_hollow * bend_max and bend_max + 1/d,
 // and a triangle bends them by at most bend_max: what is sharper, or more hollow, is noise of the mesh. `count` is from
 // 1 to wave_step_vertices.
 using WaveStepFunction = void (*)(const WaveVertex* vertices, uint32_t count, const WaveState* states, float bend_max,

@@ -179,7 +179,7 @@ FLG_INLINE void wave_step(const WaveVertex* const* vertices, const WaveState* st
     const Floats length = load(vertices, &GeodesicBlock::lengths), tangent = load(vertices, &GeodesicBlock::tangents);
     const Floats curvature = load(vertices, &GeodesicBlock::curvatures);
     const Floats distance = load(vertices, &WaveState::distance), own_front = load(vertices, &WaveState::front);
-    const Floats bend_limit = lanes(bend_max), hollowest = lanes(-most_hollow * bend_max);
+    const Floats bend_limit = lanes(bend_max), hollowest = lanes(-max_hollow * bend_max);
     const Floats sharpest = one / distance + bend_limit;
     Float8 fars[4], far_fronts[4];
     for (uint32_t i = 0; i < vertices_at_a_time; ++i) load_states(states, *vertices[i]->block, fars[i], far_fronts[i]);
@@ -241,7 +241,7 @@ FLG_INLINE void wave_step(const WaveVertex* const* vertices, const WaveState* st
     const Floats along = distance + length;
     const Masks takes_back = back < ahead;
     const Floats best_across = least(back, ahead);
-    const Masks takes_edge = ~(best_across <= along * lanes(1 + least_improvement));
+    const Masks takes_edge = ~(best_across <= along * lanes(1 + min_improvement));
     const Floats best = least(best_across, along);
 
     // The front on the way that is taken, from the edge that it crosses or from the vertex.
@@ -259,7 +259,7 @@ FLG_INLINE void wave_step(const WaveVertex* const* vertices, const WaveState* st
         const Masks side = ~takes_edge & ((takes_back & -beyond) | (~takes_back & from_previous(beyond)));
         __builtin_memcpy(step.sides + at, &side, sizeof side);
     }
-    const Masks improves = best < far * lanes(1 - least_improvement);
+    const Masks improves = best < far * lanes(1 - min_improvement);
     step.improved |= bits(improves) << at;
     step.across_next |= bits(improves & takes_back & ~takes_edge) << at;
     step.across_previous |= bits(improves & ~(takes_back | takes_edge)) << at;

@@ -39,7 +39,7 @@ void visit_fan(const Mesh& mesh, uint32_t vertex, Take take) {
 constexpr uint32_t fans_fetched = 8;  // at a time
 template <class VertexAt, class Fetch>
 [[gnu::always_inline]] inline void fetch_fans(const Mesh& mesh, VertexAt vertex_at, uint32_t count, Fetch fetch) {
-    constexpr uint32_t most_triangles = 8;
+    constexpr uint32_t max_triangles = 8;
     const uint32_t now = std::min(count, fans_fetched);
     std::array<uint32_t, fans_fetched> firsts, triangles;
     for (uint32_t i = 0; i < now; ++i) {
@@ -53,7 +53,7 @@ template <class VertexAt, class Fetch>
     for (uint32_t i = 2 * now; i < std::min(count, 3 * fans_fetched); ++i) {
         __builtin_prefetch(&mesh.corner_of_vertex[vertex_at(i)]);
     }
-    for (uint32_t turn = 0; turn < most_triangles; ++turn) {
+    for (uint32_t turn = 0; turn < max_triangles; ++turn) {
         for (uint32_t i = 0; i < now; ++i) {
             if (triangles[i] == no_index) continue;
             const Triple& vertices = mesh.triangles[triangles[i]];

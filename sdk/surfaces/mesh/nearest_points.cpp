@@ -11,7 +11,7 @@ namespace {
 
 // More would only be empty: the cells that a surface passes are few among those of its box.
 constexpr double cells_per_triangle = 2;
-constexpr double least_cells = 64, most_cells_an_axis = 4096;
+constexpr double min_cells = 64, max_cells_an_axis = 4096;
 
 // The weights of b and c at the point of the segment b-c, or of the triangle a-b-c, that is nearest to p.
 struct Nearest {
@@ -59,9 +59,9 @@ void NearestPoints::measure(uint32_t triangle) {
 // Cubes, so many as there may be.
 void NearestPoints::choose_cells() {
     const Vec3 box = upper_ - lower_;
-    const double most = std::max(least_cells, cells_per_triangle * mesh_.triangle_count());
-    const auto along = [&](int axis) { return std::min(std::floor(box[axis] / size_) + 1, most_cells_an_axis); };
-    size_ = std::max(box.maxCoeff() / most_cells_an_axis, std::numeric_limits<double>::min());
+    const double most = std::max(min_cells, cells_per_triangle * mesh_.triangle_count());
+    const auto along = [&](int axis) { return std::min(std::floor(box[axis] / size_) + 1, max_cells_an_axis); };
+    size_ = std::max(box.maxCoeff() / max_cells_an_axis, std::numeric_limits<double>::min());
     while (along(0) * along(1) * along(2) > most) size_ *= 1.25;
     for (int axis = 0; axis < 3; ++axis) cells_[static_cast<size_t>(axis)] = static_cast<int32_t>(along(axis));
 }

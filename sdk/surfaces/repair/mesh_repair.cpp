@@ -681,8 +681,8 @@ Task<void> split_vertices(Pace& pace, Repair& repair) {
 // Twice the area is the height times the longest edge.
 bool is_flat(const Mesh& mesh, const Triple& corners) {
     const Vec3 a = mesh.position(corners[0]), b = mesh.position(corners[1]), c = mesh.position(corners[2]);
-    const double longest_sq = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    return (b - a).cross(c - a).norm() <= flat_height * longest_sq;
+    const double max_sq = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return (b - a).cross(c - a).norm() <= flat_height * max_sq;
 }
 
 Task<void> finish_mesh(Pace& pace, Repair& repair) {

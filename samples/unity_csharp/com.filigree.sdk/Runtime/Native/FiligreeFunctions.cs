@@ -76,9 +76,9 @@ namespace Filigree
 
         /// <summary>
         /// Cancels all jobs and frees everything the context owns, including all handles. Joins built-in workers, which
-        /// takes at most one kernel chunk (100 us). If the host's job system still holds Filigree's tasks, it cancels
-        /// the jobs and returns FlgResult.NotReady: let the job system run, then call again. Meanwhile all other calls
-        /// are refused. Callbacks of the cancelled jobs do not run. Null is allowed and does nothing.
+        /// takes at most one slice (100 us). If the host's job system still holds Filigree's tasks, it cancels the jobs
+        /// and returns FlgResult.NotReady: let the job system run, then call again. Meanwhile all other calls are
+        /// refused. Callbacks of the cancelled jobs do not run. Null is allowed and does nothing.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextDestroy(FlgContext context);
@@ -89,9 +89,9 @@ namespace Filigree
         /// <summary>
         /// Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their
         /// callbacks, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means
-        /// no limit: a context without workers then runs all its jobs to the end. Ends at most one kernel chunk after
-        /// its budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results
-        /// released before their job was done, at the cost of their release.
+        /// no limit: a context without workers then runs all its jobs to the end. Ends at most one slice after its
+        /// budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released
+        /// before their job was done, at the cost of their release.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextTick(FlgContext context, uint budget_us, FlgFrameReport* report);

@@ -19,7 +19,7 @@
 //                  flgCurveSetStylize knows a curve's length and takes the nearest whole number of steps, so its
 //                  last point is the curve's end. Here the step is exact, and the last point lies up to one step
 //                  before the end.
-// Radius           radius_min + (radius_max - radius_min) * pressure; if the style has a RADIUS attribute, multiplied
+// Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
 //                  by that attribute relative to its mean over the style.
 // Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
 //                  a motion at that speed gets there, starting at 0.

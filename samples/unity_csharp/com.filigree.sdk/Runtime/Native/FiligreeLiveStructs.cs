@@ -20,9 +20,9 @@ namespace Filigree
         /// <summary>&gt; 0</summary>
         public float scale;
         /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>
-        public float radius_min;
+        public float min_radius;
         /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>
-        public float radius_max;
+        public float max_radius;
         /// <summary>
         /// Time constant of an exponential filter on position and pressure, seconds, &gt;= 0; adds that much lag to a
         /// steady hand. Exact for hands that move evenly between samples, so independent of the sample rate. 0: none.

@@ -293,13 +293,13 @@ namespace Filigree
     {
         public uint struct_size;
         /// <summary>
-        /// approximate count, within 15 %, if no part is too thin: 100 to most_vertices, default 10000
+        /// approximate count, within 15 %, if no part is too thin: 100 to max_vertices, default 10000
         /// </summary>
         public uint vertex_count;
         public FlgJobOptions* job;
         public FlgModel model;
         /// <summary>upper limit where thin parts need more: 100 to 4194304, default 200000</summary>
-        public uint most_vertices;
+        public uint max_vertices;
         /// <summary>
         /// rounds edges where parts cross over this length: metres, up to 1e30; below 0: automatic, 0.15 of the smaller
         /// part's radius; 0: none. Default -1

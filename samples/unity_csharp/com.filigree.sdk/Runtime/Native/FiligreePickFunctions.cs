@@ -45,13 +45,13 @@ namespace Filigree
             FlgPickScene scene, uint @object, FlgSurfaceView* surface, uint* changed, uint changed_count);
 
         /// <summary>
-        /// Likewise for curves, as round tubes: with their RADIUS, or half their WIDTH, but at least `least_radius`
+        /// Likewise for curves, as round tubes: with their RADIUS, or half their WIDTH, but at least `min_radius`
         /// (metres, &gt; 0), so that thin lines can be hit. Cost: about 1.6 us a point that is new, with
         /// flgPickSceneCommit.
         /// </summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneSetCurves(
-            FlgPickScene scene, uint @object, FlgCurveSetView* curves, float least_radius);
+            FlgPickScene scene, uint @object, FlgCurveSetView* curves, float min_radius);
 
         /// <summary>FlgResult.ErrorInvalidArgument if nothing is under that index.</summary>
         [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

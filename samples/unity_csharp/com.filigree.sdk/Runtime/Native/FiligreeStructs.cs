@@ -148,7 +148,7 @@ namespace Filigree
         public uint worker_count;
         /// <summary>
         /// Microseconds each worker may work between two calls of flgContextTick; 0 = no limit. Unused without workers.
-        /// A worker stops at the first pause after its budget: at most one chunk (100 us) later. Default 0.
+        /// A worker stops at the first pause after its budget: at most one slice (100 us) later. Default 0.
         /// </summary>
         public uint worker_budget_us;
         /// <summary>
@@ -186,12 +186,12 @@ namespace Filigree
         public float callback_us;
         /// <summary>time all workers spent on jobs since the last tick</summary>
         public float worker_us;
-        /// <summary>longest uninterrupted kernel chunk since the last tick, on any thread</summary>
-        public float longest_chunk_us;
-        /// <summary>its stage, a string literal; "start" before a job's first, "" without a chunk</summary>
-        public byte* longest_chunk_stage;
+        /// <summary>longest slice of uninterrupted work since the last tick, on any thread</summary>
+        public float max_slice_us;
+        /// <summary>its stage, a string literal; "start" before a job's first, "" without a slice</summary>
+        public byte* max_slice_stage;
         /// <summary>its job; may have been released since</summary>
-        public FlgJob longest_chunk_job;
+        public FlgJob max_slice_job;
     }
 
     /// <summary>Bytes of the host's allocator.</summary>
@@ -285,8 +285,8 @@ namespace Filigree
         public byte* error;
         /// <summary>time spent on it, over all threads</summary>
         public float busy_us;
-        /// <summary>its longest uninterrupted kernel chunk so far</summary>
-        public float longest_chunk_us;
+        /// <summary>its longest slice of uninterrupted work so far</summary>
+        public float max_slice_us;
     }
 
     /// <summary>How long a stage of a job took.</summary>

@@ -86,8 +86,8 @@ namespace Filigree.Samples
             FlgLiveStrokeDesc desc = Native.flgLiveStrokeDefaults();
             desc.temperature = temperature;
             desc.magnitude = magnitude;
-            desc.radius_min = radiusMin;
-            desc.radius_max = radiusMax;
+            desc.min_radius = radiusMin;
+            desc.max_radius = radiusMax;
             desc.max_points = (uint)maxPoints;
             stroke = LiveStroke.TryBegin(style, desc);
             if (stroke == null)
