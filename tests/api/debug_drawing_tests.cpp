@@ -171,6 +171,19 @@ TEST(DebugDrawingApi, PolygonsFunctionsAndMeshesAreDrawn) {
         EXPECT_EQ(std::max(std::abs(around.end(v)[0] - 1), std::abs(around.end(v)[1] - 1)), 1.5);
     }
 
+    FlgObstacle function = box_of(3, 4, 5);
+    function.kind = FLG_OBSTACLE_KIND_FUNCTION;
+    function.value = [](void*, const double* x, double* gradient) {
+        const double length = std::hypot(x[0], x[1], x[2]);
+        for (int k = 0; k < 3; ++k) gradient[k] = x[k] / length;
+        return length - 2;
+    };
+    const FlgObstacles ball = make_obstacles(host, {function});
+    host.finish();
+    const Drawn box = draw(host, flgDebugDrawObstacles, ball);
+    ASSERT_EQ(box.line_count(), 12u);
+    for (uint32_t v = 0; v < 24; ++v) EXPECT_EQ(std::abs(box.end(v)[2]), 5);
+
     FlgObstacle mesh = flgObstacleDefaults();
     mesh.kind = FLG_OBSTACLE_KIND_MESH;
     mesh.surface = mesh_surface(host, cube(2));
@@ -525,16 +538,18 @@ TEST(DebugDrawingApi, RefusesWhatIsWrong) {
 
 TEST(DebugDrawingApi, WhatIsNotThereIsNotDrawn) {
     const Host host;
-    Curves straight;
-    straight.add_point(0, 0, 0);
-    straight.end_curve();
-    FlgStyleDesc style = flgStyleDefaults();
-    style.style = host.create(straight);
+    Curves point;
+    point.add_point(0, 0, 0);
+    point.end_curve();
+    FlgStyleDesc style_desc = flgStyleDefaults();
+    style_desc.style = host.create(point);
+    FlgStyle style{};
     FlgCurveSetResampleDesc resample = flgCurveSetResampleDefaults();
     resample.curves = host.create(arcs(1));
     resample.spacing = 1;
     FlgCurveSet set{};
-    FlgJob job{};
+    FlgJob job{}, failing{};
+    ASSERT_EQ(flgStyleCreate(host.context, &style_desc, &style, &failing), FLG_OK) << flgErrorGetMessage();
     ASSERT_EQ(flgCurveSetResample(host.context, &resample, &set, &job), FLG_OK) << flgErrorGetMessage();
     const FlgDebugDrawDesc desc = flgDebugDrawDefaults();
     FlgDebugDrawing drawing = flgDebugDrawingDefaults();
@@ -545,6 +560,8 @@ TEST(DebugDrawingApi, WhatIsNotThereIsNotDrawn) {
     host.finish();
     EXPECT_EQ(flgDebugDrawCurveSet(host.context, set, &desc, &drawing), FLG_ERROR_CANCELLED);
     EXPECT_EQ(drawing.line_count, 0u);
+    expect_failure(flgDebugDrawStyle(host.context, style, &desc, &drawing), FLG_ERROR_INVALID_ARGUMENT,
+                   host.status_of(failing).error);
 }
 
 }  // namespace

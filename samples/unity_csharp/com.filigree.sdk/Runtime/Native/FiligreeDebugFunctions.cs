@@ -21,8 +21,9 @@
 //              FlgResult.ErrorLimit if an
 //              array is too small; the counts then say how much room it takes, and nothing is written. On all other
 //              failures the counts are 0.
-// Cost         Counting is one pass over the range, writing two. A pass takes about 2 ns for each triangle or point
-//              that is looked at and 10 ns for each line that is written, unless stated otherwise.
+// Cost         Counting is one pass over the range, writing two. A pass takes about 5 ns for each triangle or point
+//              that is looked at, and for each line 15 ns to count it or 30 ns to write it: the edges of a million
+//              triangles 70 ms, their borders 10 ms.
 
 using System;
 using System.Runtime.InteropServices;
