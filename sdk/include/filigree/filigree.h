@@ -316,7 +316,7 @@ typedef struct FlgJobStatus {
     const char* stage;      /* the current stage, a string literal; "" before the first */
     const char* error;      /* what went wrong, "" if nothing; valid until the job is released */
     float busy_us;          /* time spent on it, over all threads */
-    float max_slice_us; /* its longest slice of uninterrupted work so far */
+    float max_slice_us;     /* its longest slice of uninterrupted work so far */
 } FlgJobStatus;
 
 FLG_API FlgResult flgJobStatusInit(FlgJobStatus* status, uint32_t struct_size);
