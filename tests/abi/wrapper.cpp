@@ -47,6 +47,8 @@ bool straight_skeletons_work(filigree::Context& context) {
     context.run({job});
     const filigree::StraightSkeleton::Rings rings = skeleton.offset(0.5);
     const filigree::StraightSkeletonView view = skeleton.view();
+    filigree::DebugDrawing drawing;
+    if (!context.debug_draw_straight_skeleton(skeleton.get(), {}, drawing) || drawing.line_count != 9) return false;
     return job.finished() && view.node_count == 6 && view.nodes.size() == 18 && view.face_nodes.size() == 14 &&
            rings.points.size() == 8 && rings.edges.size() == 4 && rings.offsets.size() == 2 && rings.offsets[1] == 4 &&
            skeleton.offset(2).points.empty();

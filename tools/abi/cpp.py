@@ -305,7 +305,7 @@ class Wrapper:
         if types and types[0] == "FlgContext":
             second = types[1] if len(types) > 1 else ""
             longest = max((o for o in self._owners if self._noun_is(function, o)), key=len, default="")
-            if "Create" not in function["name"] and longest in (second, self._described(second)):
+            if longest and "Create" not in function["name"] and longest in (second, self._described(second)):
                 return longest
             return "FlgContext"
         if types and types[0] in self._objects:
@@ -325,7 +325,7 @@ class Wrapper:
     def _name(self, function: dict, owner: str) -> str:
         name = function["name"][3:]
         if owner == "FlgContext" and not name.startswith("Context"):
-            noun = max((o[3:] for o in self._owners if self._noun_is(function, o)), key=len)
+            noun = max((o[3:] for o in self._owners if self._noun_is(function, o)), key=len, default="")
             rest = name[len(noun):]
             return _snake(noun + rest[len("Create"):]) if rest.startswith("Create") else _snake(rest)
         if owner:

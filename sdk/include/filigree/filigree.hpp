@@ -4165,6 +4165,141 @@ public:
         if (out_job) *out_job = Job(handle_, job_made);
         return detail::made(result, SurfaceCurves(handle_, out_curves));
     }
+
+    /// Curves. LINES and POINTS; FRAMES, where the set has a NORMAL column; SEAMS, where it has STYLE_INDEX. Tangents
+    /// are those of the TANGENT column, or between neighbours. Default LINES, FRAMES and SEAMS. Elements: curves. With
+    /// partial_results the leading curves are drawn. Cost: a pass over the points.
+    /// Calls flgDebugDrawCurveSet.
+    Result<bool> debug_draw_curve_set(FlgCurveSet set, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawCurveSet(handle_, set, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A style: LINES, the example as matched to the guide; GUIDE, green; DISPLACEMENT, grey, from guide to example;
+    /// FRAMES of the guide. Default LINES, GUIDE and DISPLACEMENT. Elements: curves. Cost: a pass over the points.
+    /// Calls flgDebugDrawStyle.
+    Result<bool> debug_draw_style(FlgStyle style, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawStyle(handle_, style, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A surface: EDGES, coloured by label; BORDERS, red where there is only one triangle, and coloured by the greater
+    /// label between labels; POINTS, the vertices. Default BORDERS. Elements: triangles, of POINTS vertices. Cost: a
+    /// pass over the triangles.
+    /// Calls flgDebugDrawSurface.
+    Result<bool> debug_draw_surface(FlgSurface surface, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawSurface(handle_, surface, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A field: POINTS, the vertices of its surface, from blue (its least value) to red (its greatest); grey where it
+    /// is infinite. Default POINTS. Elements: vertices. Refuses a field of an earlier revision of its surface. Cost: a
+    /// pass over the vertices, and 1 ns a vertex of the surface for the least and greatest value.
+    /// Calls flgDebugDrawField.
+    Result<bool> debug_draw_field(FlgField field, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawField(handle_, field, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// Curves on a surface, lifted into space: LINES and POINTS. Default LINES. Elements: curves. Refuses curves of an
+    /// earlier revision of their surface. Cost: a pass over the points.
+    /// Calls flgDebugDrawSurfaceCurves.
+    Result<bool> debug_draw_surface_curves(FlgSurfaceCurves curves, const DebugDrawDesc& desc,
+        FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawSurfaceCurves(handle_, curves, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A tangle: BORDERS between regions, coloured by the greater look, grey where none is seen (looks are the same),
+    /// red where the surface ends; EDGES, coloured by region; SEEDS, the points, samples, lines and first border
+    /// vertices that the operators started from, coloured by operator. Default BORDERS and SEEDS. Elements: triangles,
+    /// of SEEDS operators. Places of seeds are those when the operator was applied. Cost: a pass over the triangles,
+    /// and the operators' seeds.
+    /// Calls flgDebugDrawTangle.
+    Result<bool> debug_draw_tangle(FlgTangle tangle, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawTangle(handle_, tangle, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A straight skeleton, in the drawing's unit: BORDERS, the contour; LINES, the arcs, and POINTS, their inner
+    /// nodes, from blue (time 0) to red (the latest). Default all of these. Elements: points of the contour, arcs,
+    /// nodes. Cost: a pass over points, arcs and nodes, and 1 ns a node for the latest time.
+    /// Calls flgDebugDrawStraightSkeleton.
+    Result<bool> debug_draw_straight_skeleton(FlgStraightSkeleton skeleton, const DebugDrawDesc& desc,
+        FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawStraightSkeleton(handle_, skeleton, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// An outline in its place: BORDERS, the contour. Default BORDERS. Elements: rings. Cost: a pass over the points.
+    /// Calls flgDebugDrawOutline.
+    Result<bool> debug_draw_outline(FlgOutline outline, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawOutline(handle_, outline, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A part, in the drawing's unit: BORDERS, the outline; LINES, the axis, green; POINTS, its nodes; FRAMES, the
+    /// slices across its branches, grey. Default BORDERS and LINES. Elements: rings, arcs, nodes, samples. Cost: a pass
+    /// over the points.
+    /// Calls flgDebugDrawPart.
+    Result<bool> debug_draw_part(FlgPart part, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawPart(handle_, part, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A part's surface, in the drawing's unit: EDGES. Default EDGES. Elements: triangles. Cost: a pass over the
+    /// triangles.
+    /// Calls flgDebugDrawPartMesh.
+    Result<bool> debug_draw_part_mesh(FlgPartMesh mesh, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawPartMesh(handle_, mesh, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A model: LINES, a bone from each joint's parent to it, as an octahedron; POINTS, the joints. Both coloured by
+    /// part. Default both. Elements: joints. Cost: a pass over the joints.
+    /// Calls flgDebugDrawModel.
+    Result<bool> debug_draw_model(FlgModel model, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawModel(handle_, model, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A skin at rest: LINES and POINTS of its joints, as of a model, in one colour; EDGES, coloured by part. Default
+    /// LINES and POINTS. Elements: joints, of EDGES triangles. Cost: a pass over the joints or triangles.
+    /// Calls flgDebugDrawSkin.
+    Result<bool> debug_draw_skin(FlgSkin skin, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawSkin(handle_, skin, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// Obstacles: LINES, their wireframes; CLEARANCE, grey, the same moved outwards by the clearance, without rounding
+    /// corners. Functions are drawn as their boxes; meshes, layers and borders as the edges of their surface as it is
+    /// now, and as its box while it changes. The clearance of a mesh is that of its box; layers and borders show none.
+    /// Default both. Elements: obstacles. Cost: a pass over the obstacles, and over the triangles of meshes.
+    /// Calls flgDebugDrawObstacles.
+    Result<bool> debug_draw_obstacles(FlgObstacles obstacles, const DebugDrawDesc& desc,
+        FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawObstacles(handle_, obstacles, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A spline: LINES, orange if rounds ran out or it stalled (FlgSplineEnding); POINTS, the nodes of the given
+    /// points, yellow; FRAMES, where the spline has normals. Default LINES and POINTS. Elements: nodes, of POINTS given
+    /// points. Of more than three coordinates the first three are drawn; of two, z is 0. With partial_results the last
+    /// round is drawn. Cost: a pass over the nodes.
+    /// Calls flgDebugDrawSpline.
+    Result<bool> debug_draw_spline(FlgSpline spline, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawSpline(handle_, spline, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A motion: LINES, the barycentre's path; FRAMES, the body's axes x, y, z at it in red, green, blue; POINTS, the
+    /// keys, yellow. Default all of these. Elements: positions, of POINTS keys. With partial_results the last round is
+    /// drawn. Cost: a pass over the positions.
+    /// Calls flgDebugDrawMotion.
+    Result<bool> debug_draw_motion(FlgMotion motion, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawMotion(handle_, motion, &desc, &drawing);
+        return detail::done(result);
+    }
 };
 
 /// [any thread] The version of the loaded library. flgContextCreate compares it with the header's: the major
@@ -4288,141 +4423,6 @@ inline const char* formula_name(uint32_t number) {
 /// Calls flgPickErrorGetMessage.
 inline const char* pick_error_message() {
     return flgPickErrorGetMessage();
-}
-
-/// Curves. LINES and POINTS; FRAMES, where the set has a NORMAL column; SEAMS, where it has STYLE_INDEX. Tangents
-/// are those of the TANGENT column, or between neighbours. Default LINES, FRAMES and SEAMS. Elements: curves. With
-/// partial_results the leading curves are drawn. Cost: a pass over the points.
-/// Calls flgDebugDrawCurveSet.
-inline Result<bool> debug_draw_curve_set(FlgCurveSet set, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawCurveSet(context_, set, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A style: LINES, the example as matched to the guide; GUIDE, green; DISPLACEMENT, grey, from guide to example;
-/// FRAMES of the guide. Default LINES, GUIDE and DISPLACEMENT. Elements: curves. Cost: a pass over the points.
-/// Calls flgDebugDrawStyle.
-inline Result<bool> debug_draw_style(FlgStyle style, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawStyle(context_, style, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A surface: EDGES, coloured by label; BORDERS, red where there is only one triangle, and coloured by the greater
-/// label between labels; POINTS, the vertices. Default BORDERS. Elements: triangles, of POINTS vertices. Cost: a
-/// pass over the triangles.
-/// Calls flgDebugDrawSurface.
-inline Result<bool> debug_draw_surface(FlgSurface surface, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawSurface(context_, surface, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A field: POINTS, the vertices of its surface, from blue (its least value) to red (its greatest); grey where it
-/// is infinite. Default POINTS. Elements: vertices. Refuses a field of an earlier revision of its surface. Cost: a
-/// pass over the vertices, and 1 ns a vertex of the surface for the least and greatest value.
-/// Calls flgDebugDrawField.
-inline Result<bool> debug_draw_field(FlgField field, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawField(context_, field, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// Curves on a surface, lifted into space: LINES and POINTS. Default LINES. Elements: curves. Refuses curves of an
-/// earlier revision of their surface. Cost: a pass over the points.
-/// Calls flgDebugDrawSurfaceCurves.
-inline Result<bool> debug_draw_surface_curves(FlgSurfaceCurves curves, const DebugDrawDesc& desc,
-    FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawSurfaceCurves(context_, curves, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A tangle: BORDERS between regions, coloured by the greater look, grey where none is seen (looks are the same),
-/// red where the surface ends; EDGES, coloured by region; SEEDS, the points, samples, lines and first border
-/// vertices that the operators started from, coloured by operator. Default BORDERS and SEEDS. Elements: triangles,
-/// of SEEDS operators. Places of seeds are those when the operator was applied. Cost: a pass over the triangles,
-/// and the operators' seeds.
-/// Calls flgDebugDrawTangle.
-inline Result<bool> debug_draw_tangle(FlgTangle tangle, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawTangle(context_, tangle, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A straight skeleton, in the drawing's unit: BORDERS, the contour; LINES, the arcs, and POINTS, their inner
-/// nodes, from blue (time 0) to red (the latest). Default all of these. Elements: points of the contour, arcs,
-/// nodes. Cost: a pass over points, arcs and nodes, and 1 ns a node for the latest time.
-/// Calls flgDebugDrawStraightSkeleton.
-inline Result<bool> debug_draw_straight_skeleton(FlgStraightSkeleton skeleton, const DebugDrawDesc& desc,
-    FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawStraightSkeleton(context_, skeleton, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// An outline in its place: BORDERS, the contour. Default BORDERS. Elements: rings. Cost: a pass over the points.
-/// Calls flgDebugDrawOutline.
-inline Result<bool> debug_draw_outline(FlgOutline outline, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawOutline(context_, outline, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A part, in the drawing's unit: BORDERS, the outline; LINES, the axis, green; POINTS, its nodes; FRAMES, the
-/// slices across its branches, grey. Default BORDERS and LINES. Elements: rings, arcs, nodes, samples. Cost: a pass
-/// over the points.
-/// Calls flgDebugDrawPart.
-inline Result<bool> debug_draw_part(FlgPart part, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawPart(context_, part, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A part's surface, in the drawing's unit: EDGES. Default EDGES. Elements: triangles. Cost: a pass over the
-/// triangles.
-/// Calls flgDebugDrawPartMesh.
-inline Result<bool> debug_draw_part_mesh(FlgPartMesh mesh, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawPartMesh(context_, mesh, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A model: LINES, a bone from each joint's parent to it, as an octahedron; POINTS, the joints. Both coloured by
-/// part. Default both. Elements: joints. Cost: a pass over the joints.
-/// Calls flgDebugDrawModel.
-inline Result<bool> debug_draw_model(FlgModel model, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawModel(context_, model, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A skin at rest: LINES and POINTS of its joints, as of a model, in one colour; EDGES, coloured by part. Default
-/// LINES and POINTS. Elements: joints, of EDGES triangles. Cost: a pass over the joints or triangles.
-/// Calls flgDebugDrawSkin.
-inline Result<bool> debug_draw_skin(FlgSkin skin, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawSkin(context_, skin, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// Obstacles: LINES, their wireframes; CLEARANCE, grey, the same moved outwards by the clearance, without rounding
-/// corners. Functions are drawn as their boxes; meshes, layers and borders as the edges of their surface as it is
-/// now, and as its box while it changes. The clearance of a mesh is that of its box; layers and borders show none.
-/// Default both. Elements: obstacles. Cost: a pass over the obstacles, and over the triangles of meshes.
-/// Calls flgDebugDrawObstacles.
-inline Result<bool> debug_draw_obstacles(FlgObstacles obstacles, const DebugDrawDesc& desc,
-    FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawObstacles(context_, obstacles, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A spline: LINES, orange if rounds ran out or it stalled (FlgSplineEnding); POINTS, the nodes of the given
-/// points, yellow; FRAMES, where the spline has normals. Default LINES and POINTS. Elements: nodes, of POINTS given
-/// points. Of more than three coordinates the first three are drawn; of two, z is 0. With partial_results the last
-/// round is drawn. Cost: a pass over the nodes.
-/// Calls flgDebugDrawSpline.
-inline Result<bool> debug_draw_spline(FlgSpline spline, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawSpline(context_, spline, &desc, &drawing);
-    return detail::done(result);
-}
-
-/// A motion: LINES, the barycentre's path; FRAMES, the body's axes x, y, z at it in red, green, blue; POINTS, the
-/// keys, yellow. Default all of these. Elements: positions, of POINTS keys. With partial_results the last round is
-/// drawn. Cost: a pass over the positions.
-/// Calls flgDebugDrawMotion.
-inline Result<bool> debug_draw_motion(FlgMotion motion, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
-    const FlgResult result = flgDebugDrawMotion(context_, motion, &desc, &drawing);
-    return detail::done(result);
 }
 
 #ifdef FILIGREE_NO_EXCEPTIONS
