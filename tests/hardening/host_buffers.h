@@ -10,7 +10,7 @@
 
 namespace flg::test {
 
-// Never given back: where a scenario ends early, a job may still write.
+// Of a thread, so longer than its contexts: where a scenario ends early, a job may still write.
 struct HostBuffers {
     static constexpr uint32_t rows = 4096;
     std::array<FlgBufferColumn, 4> columns;
@@ -19,7 +19,7 @@ struct HostBuffers {
 };
 
 inline HostBuffers& host_buffers() {
-    static HostBuffers buffers;
+    static thread_local HostBuffers buffers;
     return buffers;
 }
 
