@@ -31,7 +31,7 @@ void check_revision(const T& product, const char* argument) {
 template <class T>
 std::shared_ptr<T> read_current(const HandleTable<T>& table, uint64_t id, const char* argument,
                                 Submission& submission) {
-    const std::shared_ptr<T> product = table.get(id, argument);
+    const std::shared_ptr<T>& product = table.get(id, argument);
     check_revision(*product, argument);
     submission.read(*product, argument);
     return product;

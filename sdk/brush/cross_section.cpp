@@ -45,7 +45,8 @@ CrossSection::CrossSection(const Style& style) : vertices(vertex_count(style)), 
         // The corners of a hard section come in pairs, one for each side.
         const uint32_t corner = style.hard ? (v + 1) / 2 : v;
         const double angle = side * (corner % sides);
-        const double facing = style.hard ? side * (v / 2 + 0.5) : angle;
+        const uint32_t faced = v / 2;
+        const double facing = style.hard ? side * (faced + 0.5) : angle;
         place[0][v] = cosine(angle);
         place[1][v] = sine(angle);
         normal[0][v] = cosine(facing);

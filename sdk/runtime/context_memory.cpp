@@ -104,13 +104,16 @@ void ContextMemory::give_back(void* block, size_t size, size_t alignment) noexce
     const size_t tag_at = tag_offset(size);
     const size_t whole = tag_at + sizeof(Tag);
     Tag tag;
+    JobAccount* address;  // if the tag is one
+    static_assert(sizeof tag == sizeof address);
     std::memcpy(&tag, static_cast<std::byte*>(block) + tag_at, sizeof tag);
+    std::memcpy(&address, static_cast<std::byte*>(block) + tag_at, sizeof address);
     host_.deallocate(block, whole, std::max(alignment, alignof(Tag)));
     total_.subtract(whole);
     if (tag < kind_count) {
         counter(static_cast<MemoryKind>(tag)).subtract(whole);
     } else {
-        auto& account = *reinterpret_cast<JobAccount*>(tag);
+        JobAccount& account = *address;
         const uint64_t before = account.state.fetch_sub(whole, std::memory_order_acq_rel);
         account.counter(before).subtract(whole);
         if ((before & ~JobAccount::settled) == whole) close(account);

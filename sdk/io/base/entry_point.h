@@ -46,7 +46,7 @@ struct CheckedHooks {
 // Those that a descriptor names, if it is long enough to name any.
 template <class Desc>
 const FlgFileHooks* hooks_of(const Desc* desc) {
-    return desc && desc->struct_size >= offsetof(Desc, hooks) + sizeof desc->hooks ? desc->hooks : nullptr;
+    return desc && desc->struct_size >= offsetof(Desc, hooks) + sizeof(void*) ? desc->hooks : nullptr;
 }
 
 // Likewise an entry point's body that takes the path of a file.

@@ -12,7 +12,7 @@
 namespace flg::io {
 
 std::span<const JsonMember> Json::members() const {
-    return is_object() ? std::span(members_, size_) : std::span<const JsonMember>();
+    return is_object() ? std::span(value_.members, size_) : std::span<const JsonMember>();
 }
 
 const Json* Json::find(std::string_view name) const {
@@ -25,13 +25,13 @@ const Json* Json::find(std::string_view name) const {
 bool Json::operator==(const Json& other) const {
     if (type_ != other.type_ || size_ != other.size_) return false;
     switch (type_) {
-        case Type::number: return number_ == other.number_;
+        case Type::number: return value_.number == other.value_.number;
         case Type::string: return string() == other.string();
-        case Type::array: return std::equal(items_, items_ + size_, other.items_);
+        case Type::array: return std::equal(value_.items, value_.items + size_, other.value_.items);
         case Type::object:
-            return std::equal(members_, members_ + size_, other.members_,
+            return std::equal(value_.members, value_.members + size_, other.value_.members,
                               [](const auto& a, const auto& b) { return a.name == b.name && a.value == b.value; });
-        default: return count_ == other.count_;
+        default: return value_.count == other.value_.count;
     }
 }
 
@@ -92,14 +92,14 @@ private:
             case '"': {
                 const std::string_view text = string(keep);
                 result.type_ = Json::Type::string;
-                result.string_ = text.data();
+                result.value_.string = text.data();
                 result.size_ = static_cast<uint32_t>(text.size());
                 break;
             }
             case 't':
                 word("true");
                 result.type_ = Json::Type::boolean;
-                result.count_ = 1;
+                result.value_.count = 1;
                 break;
             case 'f':
                 word("false");
@@ -126,7 +126,7 @@ private:
         const size_t count = items_.size() - first;
         result.type_ = Json::Type::array;
         result.size_ = static_cast<uint32_t>(count);
-        result.items_ = copy(items_.data() + first, count);
+        result.value_.items = copy(items_.data() + first, count);
         items_.resize(first);
     }
 
@@ -148,7 +148,7 @@ private:
             expect('}');
         }
         result.type_ = Json::Type::object;
-        result.members_ = nullptr;
+        result.value_.members = nullptr;
         if (members_.size() == first) return;
         const auto begin = members_.begin() + static_cast<std::ptrdiff_t>(first);
         std::sort(begin, members_.end(), [](const OpenMember& a, const OpenMember& b) {
@@ -160,7 +160,7 @@ private:
         JsonMember* const to = take_room<JsonMember>(result.size_);
         for (size_t i = 0; i < result.size_; ++i)
             std::construct_at(to + i, JsonMember{members_[first + i].name, members_[first + i].value});
-        result.members_ = to;
+        result.value_.members = to;
         members_.resize(first);
     }
 
@@ -267,13 +267,13 @@ private:
         }
         const char* const begin = text_.data() + first;
         const char* const end = text_.data() + at_;
-        if (whole && std::from_chars(begin, end, result.count_).ec == std::errc{}) {
+        if (whole && std::from_chars(begin, end, result.value_.count).ec == std::errc{}) {
             result.type_ = Json::Type::count;
             return;
         }
         result.type_ = Json::Type::number;
-        result.number_ = 0;
-        if (std::from_chars(begin, end, result.number_).ec == std::errc{} || small) return;
+        result.value_.number = 0;
+        if (std::from_chars(begin, end, result.value_.number).ec == std::errc{} || small) return;
         fail(FLG_ERROR_FORMAT, byte_place(part_, at_), "is no JSON: holds a number beyond those of doubles");
     }
 

@@ -28,15 +28,15 @@ public:
     bool is_array() const { return type_ == Type::array; }
     bool is_object() const { return type_ == Type::object; }
 
-    bool boolean() const { return count_ != 0; }
-    uint64_t count() const { return count_; }
-    double number() const { return is_count() ? static_cast<double>(count_) : number_; }
-    std::string_view string() const { return {string_, size_}; }
+    bool boolean() const { return value_.count != 0; }
+    uint64_t count() const { return value_.count; }
+    double number() const { return is_count() ? static_cast<double>(value_.count) : value_.number; }
+    std::string_view string() const { return {value_.string, size_}; }
     std::string_view string_or(std::string_view otherwise) const { return is_string() ? string() : otherwise; }
 
     // Of arrays; 0 for others.
     size_t size() const { return is_array() ? size_ : 0; }
-    const Json& operator[](size_t index) const { return items_[index]; }
+    const Json& operator[](size_t index) const { return value_.items[index]; }
     // Of objects: by name, each once; none for others.
     std::span<const JsonMember> members() const;
     // A member; null if there is none, and for what is no object.
@@ -49,13 +49,13 @@ private:
     friend class JsonParser;
     enum class Type : uint8_t { null, boolean, count, number, string, array, object };
 
-    union {
-        uint64_t count_ = 0;
-        double number_;
-        const char* string_;
-        const Json* items_;
-        const JsonMember* members_;
-    };
+    union Value {
+        uint64_t count = 0;
+        double number;
+        const char* string;
+        const Json* items;
+        const JsonMember* members;
+    } value_;
     uint32_t size_ = 0;
     Type type_ = Type::null;
 };

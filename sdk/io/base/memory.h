@@ -41,6 +41,7 @@ const FlgAllocator& current_allocator();
 void* take_memory(size_t size, size_t alignment);
 void give_memory_back(void* memory, size_t size, size_t alignment) noexcept;
 
+// NOLINTBEGIN(readability-identifier-naming, bugprone-sizeof-expression): the standard's name; T may be a pointer.
 template <class T>
 struct Allocator {
     using value_type = T;
@@ -54,6 +55,7 @@ struct Allocator {
     void deallocate(T* memory, size_t count) noexcept { give_memory_back(memory, count * sizeof(T), alignof(T)); }
     bool operator==(const Allocator&) const = default;
 };
+// NOLINTEND(readability-identifier-naming, bugprone-sizeof-expression)
 
 using String = std::basic_string<char, std::char_traits<char>, Allocator<char>>;
 template <class T>
