@@ -105,9 +105,9 @@ void ContextMemory::give_back(void* block, size_t size, size_t alignment) noexce
     const size_t whole = tag_at + sizeof(Tag);
     Tag tag;
     JobAccount* address;  // if the tag is one
-    static_assert(sizeof tag == sizeof address);
+    static_assert(sizeof(Tag) == sizeof(void*));
     std::memcpy(&tag, static_cast<std::byte*>(block) + tag_at, sizeof tag);
-    std::memcpy(&address, static_cast<std::byte*>(block) + tag_at, sizeof address);
+    std::memcpy(&address, static_cast<std::byte*>(block) + tag_at, sizeof tag);
     host_.deallocate(block, whole, std::max(alignment, alignof(Tag)));
     total_.subtract(whole);
     if (tag < kind_count) {
