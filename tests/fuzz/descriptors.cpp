@@ -11,6 +11,8 @@
 #include <typeindex>
 #include <vector>
 
+#include "filigree/filigree_brush.h"
+#include "filigree/filigree_buffers.h"
 #include "filigree/filigree_debug.h"
 #include "filigree/filigree_live.h"
 #include "filigree/filigree_model.h"
