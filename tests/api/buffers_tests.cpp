@@ -9,7 +9,6 @@
 #include "api/part_inputs.h"
 #include "api/surface_inputs.h"
 #include "filigree/filigree_buffers.h"
-#include "filigree/filigree_live.h"
 
 namespace flg::test {
 namespace {

@@ -207,9 +207,9 @@ FLG_API FlgResult flgContextDescInit(FlgContextDesc* desc, uint32_t struct_size)
 FLG_API FlgResult flgContextCreate(const FlgContextDesc* desc, FlgContext* out_context);
 
 /* Cancels all jobs and frees everything the context owns, including all handles. Joins built-in workers, which takes at
- * most one slice (100 us). If the host's job system still holds Filigree's tasks, it cancels the jobs and
- * returns FLG_NOT_READY: let the job system run, then call again. Meanwhile all other calls are refused. Callbacks of
- * the cancelled jobs do not run. Null is allowed and does nothing. */
+ * most one slice (100 us). If the host's job system still holds Filigree's tasks, it cancels the jobs and returns
+ * FLG_NOT_READY: let the job system run, then call again. Meanwhile all other calls are refused. Callbacks of the
+ * cancelled jobs do not run. Null is allowed and does nothing. */
 FLG_API FlgResult flgContextDestroy(FlgContext context);
 
 /* What one flgContextTick did, and what the workers did since the previous one. */

@@ -1153,7 +1153,7 @@ struct CurveFileInfo {
     uint32_t curve_count{};
     /// FlgCurveFileInfo::point_count.
     uint64_t point_count{};
-    /// "tilt", "xyz", "obj", "gltf"
+    /// "tilt", "xyz", "obj", "gltf", "svg"
     const char* format{};
     /// of the file, before conversion: "decimetres, left-handed", "metres", "as given"
     const char* units{};

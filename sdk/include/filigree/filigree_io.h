@@ -123,7 +123,7 @@ typedef struct FlgCurveFileInfo {
     uint32_t struct_size;
     uint32_t curve_count;
     uint64_t point_count;
-    const char* format;           /* "tilt", "xyz", "obj", "gltf" */
+    const char* format;           /* "tilt", "xyz", "obj", "gltf", "svg" */
     const char* units;            /* of the file, before conversion: "decimetres, left-handed", "metres", "as given" */
     float box_min[3], box_max[3]; /* of the positions, metres */
     float total_length;           /* of all curves as polylines, metres */

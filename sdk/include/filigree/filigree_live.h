@@ -39,10 +39,9 @@
  *                  (FlgLiveStrokeInfo::waiting_samples counts the samples behind).
  * Threads          Functions marked [any thread, one per stroke] may run while another thread is inside any other call
  *                  of the context, flgContextTick included: an input thread pushes and never waits for a tick. They
- * take no
- *                  lock. Only calls that take the same stroke must not overlap each other, and flgContextDestroy must
- *                  not overlap anything. So hand a stroke to the input thread after flgLiveStrokeBegin, and take it
- *                  back before flgLiveStrokeEnd, Resume, Split or Release.
+ *                  take no lock. Only calls that take the same stroke must not overlap each other, and
+ *                  flgContextDestroy must not overlap anything. So hand a stroke to the input thread after
+ *                  flgLiveStrokeBegin, and take it back before flgLiveStrokeEnd, Resume, Split or Release.
  * Style by stroke  Pass flgLiveStrokeEnd's samples to flgStyleCreate as the style. It is ready in the next frame at 90
  *                  Hz (11 ms, one worker) for strokes of up to about 600 samples; 1,200 take about 4 frames, 2,400 take
  *                  6. Preparation time grows faster than the number of style points, which stops at 2,048 by default.

@@ -110,7 +110,7 @@ namespace Filigree
         public uint struct_size;
         public uint curve_count;
         public ulong point_count;
-        /// <summary>"tilt", "xyz", "obj", "gltf"</summary>
+        /// <summary>"tilt", "xyz", "obj", "gltf", "svg"</summary>
         public byte* format;
         /// <summary>of the file, before conversion: "decimetres, left-handed", "metres", "as given"</summary>
         public byte* units;
