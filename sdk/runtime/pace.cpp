@@ -13,7 +13,7 @@ Memory* frame_memory(Pace& pace) {
 bool Pace::await_ready() noexcept {
     const uint64_t now_ns = host_.now_ns();
     end_chunk(now_ns);
-    return now_ns < deadline_ns_ && !job_.given_up();
+    return now_ns < deadline_ns_ && --chunks_left_ > 0 && !job_.given_up();
 }
 
 void Pace::stage(const char* name) noexcept {
@@ -37,6 +37,7 @@ void Pace::advance(uint64_t units) noexcept {
 void Pace::begin_slice(uint64_t now_ns, uint64_t deadline_ns) noexcept {
     slice_start_ns_ = chunk_start_ns_ = now_ns;
     deadline_ns_ = deadline_ns;
+    chunks_left_ = 512;
     longest_ = {};
 }
 

@@ -30,7 +30,9 @@ public:
     Pace(const Pace&) = delete;
     Pace& operator=(const Pace&) = delete;
 
-    // Awaiting a pace ends the chunk; suspends when the slice's time is over or the job was cancelled.
+    // Awaiting a pace ends the chunk; suspends when the slice's time is over, after 512 chunks, or when the job was
+    // cancelled. The number of chunks bounds the stack of compilers that make no tail calls (unoptimized code, thread
+    // sanitizer): there every task that was awaited since the slice began keeps its frame.
     bool await_ready() noexcept;
     void await_suspend(std::coroutine_handle<> point) noexcept { resume_point = point; }
     void await_resume() const noexcept {}
@@ -67,6 +69,7 @@ private:
     uint64_t slice_start_ns_ = 0;
     uint64_t deadline_ns_ = 0;
     uint64_t chunk_start_ns_ = 0;
+    uint32_t chunks_left_ = 0;
     Chunk longest_;
 };
 

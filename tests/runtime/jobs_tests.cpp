@@ -50,6 +50,24 @@ TEST_F(WithoutWorkers, ProgressRisesAndIsOneExactlyWhenDone) {
     EXPECT_EQ(last, 1.0f);
 }
 
+Task<void> add_one(Pace& pace, uint64_t& sum) {
+    ++sum;
+    co_await pace;
+}
+
+Task<void> add_ones(Pace& pace, uint32_t count, uint64_t& sum) {
+    for (uint32_t i = 0; i < count; ++i) co_await add_one(pace, sum);
+}
+
+// Without tail calls (unoptimized code, thread sanitizer) each task that was awaited in a slice keeps its frame.
+TEST_F(WithoutWorkers, ATickWithoutABudgetNeedsABoundedStack) {
+    Runtime runtime(desc(clock), &memory);
+    uint64_t sum = 0;
+    submit(runtime, [&](Pace& pace) { return add_ones(pace, 1'000'000, sum); });
+    EXPECT_EQ(runtime.tick(0).jobs_pending, 0u);
+    EXPECT_EQ(sum, 1'000'000u);
+}
+
 TEST_F(WithoutWorkers, HigherPriorityRunsFirstEqualsInOrder) {
     Runtime runtime(desc(clock), &memory);
     std::vector<int> order;
