@@ -74,9 +74,8 @@ FlgResult flgSurfaceCutIsolines(FlgContext context, const FlgSurfaceCutIsolinesD
         const std::shared_ptr<Field> out = out_field ? make_object<Field>(memory, surface, memory) : nullptr;
         std::pmr::vector<uint32_t> regions = list_regions(read.regions, read.region_count, memory);
         LevelRequest levels = read_levels(read.levels, read.level_count, read.level_first, read.level_every, memory);
-        CutIsolinesRequest request{.surface = surface,
+        CutIsolinesRequest request{.field = field,
                                    .revision = surface->order.revision() + 1,
-                                   .field = field,
                                    .regions = std::move(regions),
                                    .levels = std::move(levels),
                                    .first_label = read.first_label,
@@ -108,11 +107,8 @@ FlgResult flgSurfaceCutCurves(FlgContext context, const FlgSurfaceCutCurvesDesc*
         const auto curves = read_current(self.surface_curves, read.curves.id, "desc.curves", submission);
         const auto surface = curves->surface;
         submission.change_surface(surface, "the surface of desc.curves");
-        CutCurvesRequest request{.surface = surface,
-                                 .revision = surface->order.revision() + 1,
-                                 .curves = curves,
-                                 .first_label = read.first_label};
-        submission.job().strand.start(cut_curves(submission.pace(), std::move(request)));
+        submission.job().strand.start(
+            cut_curves(submission.pace(), curves, read.first_label, surface->order.revision() + 1));
         submission.commit(make_object<SurfaceChange>(memory, surface, nullptr), MemoryKind::surfaces, out_job);
     });
 }

@@ -32,9 +32,9 @@ void check(const FlgFieldGeodesicDesc& desc) {
     }
 }
 
-GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc, Submission& submission) {
+GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc, const Field& out,
+                             Submission& submission) {
     Memory* memory = context.memory[MemoryKind::surfaces];
-    const auto surface = context.surfaces.get(desc.surface.id, "desc.surface");
     // What may fail comes first: GCC 12 frees members of an aggregate twice if a later one throws.
     GeodesicSources sources;
     sources.vertices = read_indices(desc.vertices, desc.vertex_count, "desc.vertices", memory);
@@ -42,18 +42,16 @@ GeodesicRequest read_request(Context& context, const FlgFieldGeodesicDesc& desc,
     sources.border_regions = read_border_regions(desc, memory);
     RegionSet regions = read_regions(desc.regions, desc.region_count, memory);
     Buffer<uint32_t> targets = read_indices(desc.targets, desc.target_count, "desc.targets", memory);
-    auto out = make_object<Field>(memory, surface, memory);
-    GeodesicRequest request{.surface = surface,
+    GeodesicRequest request{.surface = out.surface,
                             .sources = std::move(sources),
                             .regions = std::move(regions),
                             .max_distance = desc.max_distance,
                             .targets = std::move(targets),
                             .labelled = desc.labels != 0,
-                            .perturbation = {desc.perturbation, desc.frequency, desc.seed},
-                            .out = std::move(out)};
+                            .perturbation = {desc.perturbation, desc.frequency, desc.seed}};
     if (desc.curves.id != 0) {
         request.sources.curves = context.surface_curves.get(desc.curves.id, "desc.curves");
-        check_same_surface(*request.out, *request.sources.curves, "desc.curves");
+        check_same_surface(out, *request.sources.curves, "desc.curves");
         submission.read(*request.sources.curves, "desc.curves");
     }
     return request;
@@ -83,15 +81,17 @@ FlgResult flgFieldCreateGeodesic(FlgContext context, const FlgFieldGeodesicDesc*
                                  FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_field, "out_field", out_job);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldGeodesicDesc read = read_struct(desc, default_geodesic_desc(), "desc");
         check(read);
         Submission submission(self, read.job);
-        GeodesicRequest request = read_request(self, read, submission);
-        const auto out = request.out;
+        const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
+        const auto out = make_object<Field>(memory, surface, memory);
+        GeodesicRequest request = read_request(self, read, *out, submission);
         // In a perturbed metric the solver builds its own.
-        if (read.perturbation == 0) submission.wait_for(start_blocks(self, request.surface));
-        submission.read_surface(request.surface, "desc.surface");
-        submission.job().strand.start(solve_geodesic(submission.pace(), std::move(request)));
+        if (read.perturbation == 0) submission.wait_for(start_blocks(self, surface));
+        submission.read_surface(surface, "desc.surface");
+        submission.job().strand.start(solve_geodesic(submission.pace(), std::move(request), out));
         *out_field = {submission.commit(self.fields, out, out_job)};
     });
 }

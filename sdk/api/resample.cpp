@@ -5,12 +5,6 @@
 #include "api/inputs.h"
 #include "curves/sampling_job.h"
 
-namespace flg {
-
-namespace {}  // namespace
-
-}  // namespace flg
-
 using namespace flg;
 
 extern "C" {
@@ -33,8 +27,7 @@ FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc*
         const auto out = make_object<CurveSet>(memory, memory);
         out->origin = in->origin;
         submission.read(*in, "desc.curves");
-        submission.job().strand.start(
-            resample_curves(submission.pace(), ResampleRequest{in, out, read.spacing, read.frame}));
+        submission.job().strand.start(resample_curves(submission.pace(), in, read.spacing, read.frame, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
     });
 }

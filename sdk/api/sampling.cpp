@@ -39,15 +39,9 @@ FlgResult flgSurfaceSample(FlgContext context, const FlgSurfaceSampleDesc* desc,
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         const auto out = make_object<Field>(memory, surface, memory);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
-        SamplingRequest request{.surface = surface,
-                                .regions = std::move(regions),
-                                .radius = read.radius,
-                                .max_count = read.max_count == 0 ? UINT32_MAX : read.max_count,
-                                .seed = read.seed,
-                                .out = out};
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");
-        submission.job().strand.start(sample_surface(submission.pace(), std::move(request)));
+        submission.job().strand.start(sample_surface(submission.pace(), read, std::move(regions), out));
         *out_field = {submission.commit(self.fields, out, out_job)};
     });
 }

@@ -79,8 +79,8 @@ FlgResult flgFieldTraceIsolines(FlgContext context, const FlgFieldTraceIsolinesD
         const auto out = make_object<TracedCurves>(memory, field->surface, memory);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
         LevelRequest levels = read_levels(read.levels, read.level_count, read.level_first, read.level_every, memory);
-        IsolinesRequest request{field, std::move(regions), std::move(levels), out};
-        submission.job().strand.start(trace_isolines(submission.pace(), std::move(request)));
+        submission.job().strand.start(
+            trace_isolines(submission.pace(), field, std::move(regions), std::move(levels), out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
     });
 }
@@ -102,13 +102,7 @@ FlgResult flgFieldTraceStreams(FlgContext context, const FlgFieldTraceStreamsDes
         const auto out = make_object<TracedCurves>(memory, field->surface, memory);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
         Buffer<SurfacePoint> starts = read_points(read.starts, read.start_count, "desc.starts", memory);
-        StreamsRequest request{.field = field,
-                               .regions = std::move(regions),
-                               .starts = std::move(starts),
-                               .further_starts = nullptr,
-                               .downhill = read.downhill != 0,
-                               .end_value = read.end_value,
-                               .out = out};
+        StreamsRequest request{field, std::move(regions), std::move(starts), nullptr, read, out};
         if (read.border_samples.id != 0) {
             request.further_starts = self.surface_curves.get(read.border_samples.id, "desc.border_samples");
             check_same_surface(*field, *request.further_starts, "desc.border_samples");
@@ -135,14 +129,13 @@ FlgResult flgFieldTracePaths(FlgContext context, const FlgFieldTracePathsDesc* d
         Buffer<SurfacePoint> points = read_points(read.points, *(offsets.end() - 1), "desc.points", memory);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
         const auto out = make_object<TracedCurves>(memory, surface, memory);
-        PathsRequest request{.paths = {.offsets = std::move(offsets),
-                                       .points = std::move(points),
-                                       .closed = read.closed != 0,
-                                       .regions = std::move(regions)},
-                             .out = out};
+        Paths paths{.offsets = std::move(offsets),
+                    .points = std::move(points),
+                    .closed = read.closed != 0,
+                    .regions = std::move(regions)};
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");
-        submission.job().strand.start(trace_paths(submission.pace(), std::move(request)));
+        submission.job().strand.start(trace_paths(submission.pace(), std::move(paths), out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
     });
 }

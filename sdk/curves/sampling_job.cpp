@@ -154,11 +154,12 @@ void column_pairs(const Sampling& sampling, uint32_t out_curve, std::pmr::vector
     }
 }
 
-Task<void> resample_curves(Pace& pace, ResampleRequest request) {
-    Sampling sampling{.in = *request.in,
-                      .out = *request.out,
-                      .spacing = request.spacing,
-                      .frame = request.frame,
+Task<void> resample_curves(Pace& pace, std::shared_ptr<const CurveSet> in, double spacing, FlgFrameMethod frame,
+                           std::shared_ptr<CurveSet> out) {
+    Sampling sampling{.in = *in,
+                      .out = *out,
+                      .spacing = spacing,
+                      .frame = frame,
                       .copies = 1,
                       .max_points = 0,
                       .plans = {},

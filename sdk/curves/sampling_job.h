@@ -53,14 +53,8 @@ Task<void> plan_sampling(Pace& pace, Sampling& sampling, std::pmr::vector<CurveS
 FrameColumns frame_columns(const Sampling& sampling, uint32_t out_curve);
 void column_pairs(const Sampling& sampling, uint32_t out_curve, std::pmr::vector<ColumnPair>& pairs);
 
-struct ResampleRequest {
-    std::shared_ptr<const CurveSet> in;
-    std::shared_ptr<CurveSet> out;
-    double spacing;
-    FlgFrameMethod frame;
-};
-
 // The whole of flgCurveSetResample.
-Task<void> resample_curves(Pace& pace, ResampleRequest request);
+Task<void> resample_curves(Pace& pace, std::shared_ptr<const CurveSet> in, double spacing, FlgFrameMethod frame,
+                           std::shared_ptr<CurveSet> out);
 
 }  // namespace flg

@@ -42,7 +42,7 @@ Task<std::pmr::vector<RegionLevels>> list_labels(Pace& pace, const CutIsolinesRe
     const bool all = request.regions.empty();
     // (Not a conditional expression: GCC 12 destroys what is awaited in one twice.)
     std::pmr::vector<uint32_t> regions(request.regions, pace.memory());
-    if (all) regions = co_await list_regions(pace, request.surface->mesh());
+    if (all) regions = co_await list_regions(pace, request.field->surface->mesh());
     std::pmr::vector<RegionLevels> labels(pace.memory());
     co_await each(pace, regions.size(), Cost::some_ns, [&](uint32_t i) {
         const uint64_t first = request.first_label + (all ? 0 : uint64_t{level_count + 1} * labels.size());
@@ -86,28 +86,29 @@ bool release(MeshEdit& edit) {
 
 Task<void> cut_along_isolines(Pace& pace, const CutIsolinesRequest& request, const CutLevels& levels,
                               const ExtraColumn& field, MeshEdit& edit) {
-    Surface& surface = *request.surface;
+    Surface& surface = *request.field->surface;
     co_await embed_isolines(pace, surface.mesh(), surface.columns, field.index(), levels, edit);
     if (request.out) request.out->data.distances = co_await copy_out(pace, field.values());
     co_await update_after_edit(pace, surface, edit, request.revision);
 }
 
-Task<void> cut_along_curves(Pace& pace, const CutCurvesRequest& request, MeshEdit& edit) {
-    Surface& surface = *request.surface;
+Task<void> cut_along_curves(Pace& pace, const TracedCurves& curves, uint32_t first_label, uint32_t revision,
+                            MeshEdit& edit) {
+    Surface& surface = *curves.surface;
     EmbeddedCurves embedded(pace.memory());
-    co_await embed_curves(pace, surface.mesh(), surface.columns, request.curves->curves, edit, embedded);
-    if (request.first_label != no_index) {
+    co_await embed_curves(pace, surface.mesh(), surface.columns, curves.curves, edit, embedded);
+    if (first_label != no_index) {
         pace.stage("label");
         std::pmr::deque<RegionPart> parts(pace.memory());
-        co_await divide_regions(pace, surface.mesh(), embedded.edges, request.first_label, edit, parts);
+        co_await divide_regions(pace, surface.mesh(), embedded.edges, first_label, edit, parts);
     }
-    co_await update_after_edit(pace, surface, edit, request.revision);
+    co_await update_after_edit(pace, surface, edit, revision);
 }
 
 }  // namespace
 
 Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
-    Surface& surface = *request.surface;
+    Surface& surface = *request.field->surface;
     pace.stage("levels");
     const Buffer<float> levels =
         co_await list_levels(pace, request.field->data.distances, request.levels, max_cut_levels);
@@ -126,11 +127,11 @@ Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request) {
     while (!release(edit)) co_await pace;
 }
 
-Task<void> cut_curves(Pace& pace, CutCurvesRequest request) {
+Task<void> cut_curves(Pace& pace, std::shared_ptr<const TracedCurves> curves, uint32_t first_label, uint32_t revision) {
     pace.stage("cut");
     MeshEdit edit(pace.memory());
-    Task<void> cut = cut_along_curves(pace, request, edit);
-    co_await run_or_take_back(pace, *request.surface, edit, cut);
+    Task<void> cut = cut_along_curves(pace, *curves, first_label, revision, edit);
+    co_await run_or_take_back(pace, *curves->surface, edit, cut);
     while (!release(edit)) co_await pace;
 }
 

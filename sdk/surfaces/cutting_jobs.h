@@ -10,9 +10,8 @@
 namespace flg {
 
 struct CutIsolinesRequest {
-    std::shared_ptr<Surface> surface;
-    uint32_t revision;  // of the surface after the cut
     std::shared_ptr<const Field> field;
+    uint32_t revision;                   // of its surface after the cut
     std::pmr::vector<uint32_t> regions;  // rising; empty: all
     LevelRequest levels;
     uint32_t first_label;        // no_index: labels stay
@@ -22,14 +21,7 @@ struct CutIsolinesRequest {
 // The whole of flgSurfaceCutIsolines.
 Task<void> cut_isolines(Pace& pace, CutIsolinesRequest request);
 
-struct CutCurvesRequest {
-    std::shared_ptr<Surface> surface;
-    uint32_t revision;  // of the surface after the cut
-    std::shared_ptr<const TracedCurves> curves;
-    uint32_t first_label;  // no_index: labels stay
-};
-
-// The whole of flgSurfaceCutCurves.
-Task<void> cut_curves(Pace& pace, CutCurvesRequest request);
+// The whole of flgSurfaceCutCurves. `revision`: of the surface after the cut.
+Task<void> cut_curves(Pace& pace, std::shared_ptr<const TracedCurves> curves, uint32_t first_label, uint32_t revision);
 
 }  // namespace flg

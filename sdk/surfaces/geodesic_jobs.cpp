@@ -100,8 +100,8 @@ const GeodesicBlocks& blocks_of(const Surface& surface) {
     return *surface.solvers.blocks;
 }
 
-Task<void> solve_geodesic(Pace& pace, GeodesicRequest request) {
-    co_await solve_field(pace, request, request.out->data);
+Task<void> solve_geodesic(Pace& pace, GeodesicRequest request, std::shared_ptr<Field> out) {
+    co_await solve_field(pace, request, out->data);
 }
 
 Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField& out) {

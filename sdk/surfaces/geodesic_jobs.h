@@ -34,13 +34,12 @@ struct GeodesicRequest {
     Buffer<uint32_t> targets;
     bool labelled;
     Perturbation perturbation;
-    std::shared_ptr<Field> out;
 };
 
 // The whole of flgFieldCreateGeodesic. Fails if a source or a target names what does not exist.
-Task<void> solve_geodesic(Pace& pace, GeodesicRequest request);
+Task<void> solve_geodesic(Pace& pace, GeodesicRequest request, std::shared_ptr<Field> out);
 
-// Its field, wherever that is kept; what the request says of `out` does not matter.
+// Its field, wherever that is kept.
 Task<void> solve_field(Pace& pace, const GeodesicRequest& request, DistanceField& out);
 
 // Distances from one point, right at least on the way to another: what paths between them are traced on. The surface's

@@ -17,19 +17,19 @@ Buffer<BorderStretch> whole_loops(const RegionLoops& loops, Memory* memory) {
 
 }  // namespace
 
-Task<void> sample_surface(Pace& pace, SamplingRequest request) {
+Task<void> sample_surface(Pace& pace, FlgSurfaceSampleDesc desc, RegionSet regions, std::shared_ptr<Field> out) {
     pace.stage("sample");
-    const Mesh& mesh = request.surface->mesh();
+    Surface& surface = *out->surface;
+    const Mesh& mesh = surface.mesh();
     const SolveLimits limits{.distance = unreachable, .targets = std::pmr::vector<uint32_t>(pace.memory())};
-    const GeodesicBlocks& blocks = blocks_of(*request.surface);
-    const GeodesicRegion bound = co_await bound_region(pace, mesh, blocks, request.regions);
-    auto solver = request.surface->solvers.pool.lend(blocks);
+    const GeodesicBlocks& blocks = blocks_of(surface);
+    const GeodesicRegion bound = co_await bound_region(pace, mesh, blocks, regions);
+    auto solver = surface.solvers.pool.lend(blocks);
     const std::span<const Seed> nothing;
     co_await solve_distances(pace, *solver, nothing, limits, true, &bound);
-    Field& out = *request.out;
-    out.samples =
-        co_await sample_poisson(pace, mesh, request.regions, *solver, request.radius, request.max_count, request.seed);
-    co_await take_field(pace, *solver, true, out.data);
+    const uint32_t most = desc.max_count == 0 ? UINT32_MAX : desc.max_count;
+    out->samples = co_await sample_poisson(pace, mesh, regions, *solver, desc.radius, most, desc.seed);
+    co_await take_field(pace, *solver, true, out->data);
     solver.give_back();
 }
 

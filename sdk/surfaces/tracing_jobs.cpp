@@ -35,15 +35,14 @@ Task<double> trace_stretch(Pace& pace, Surface& surface, const Paths& paths, uin
 
 }  // namespace
 
-Task<void> trace_isolines(Pace& pace, IsolinesRequest request) {
+Task<void> trace_isolines(Pace& pace, std::shared_ptr<const Field> field, RegionSet regions, LevelRequest levels,
+                          std::shared_ptr<TracedCurves> out) {
     pace.stage("levels");
-    const Buffer<float> levels =
-        co_await list_levels(pace, request.field->data.distances, request.levels, max_isoline_levels);
+    const Buffer<float> list = co_await list_levels(pace, field->data.distances, levels, max_isoline_levels);
     pace.stage("isolines");
-    TracedCurves& out = *request.out;
-    const std::span<const float> values = values_of(*request.field), at(levels.data(), levels.size());
-    co_await add_isolines(pace, out.surface->mesh(), values, at, request.regions, out.curves);
-    co_await flatten_curves(pace, out);
+    const std::span<const float> values = values_of(*field), at(list.data(), list.size());
+    co_await add_isolines(pace, out->surface->mesh(), values, at, regions, out->curves);
+    co_await flatten_curves(pace, *out);
 }
 
 Task<void> trace_streams(Pace& pace, StreamsRequest request) {
@@ -58,18 +57,17 @@ Task<void> trace_streams(Pace& pace, StreamsRequest request) {
 
     pace.stage("streams");
     IntegralCurveOptions options;
-    options.downhill = request.downhill;
-    if (std::isfinite(request.end_value)) options.level = request.end_value;
+    options.downhill = request.desc.downhill != 0;
+    if (std::isfinite(request.desc.end_value)) options.level = request.desc.end_value;
     const std::span<const float> values = values_of(*request.field);
     const std::span<const SurfacePoint> from(starts.data(), starts.size());
     co_await add_integral_curves(pace, out.surface->mesh(), values, request.regions, from, options, out.curves);
     co_await flatten_curves(pace, out);
 }
 
-Task<void> trace_paths(Pace& pace, PathsRequest request) {
-    TracedCurves& out = *request.out;
-    co_await trace_polylines(pace, *out.surface, request.paths, "desc.points", out.curves);
-    co_await flatten_curves(pace, out);
+Task<void> trace_paths(Pace& pace, Paths paths, std::shared_ptr<TracedCurves> out) {
+    co_await trace_polylines(pace, *out->surface, paths, "desc.points", out->curves);
+    co_await flatten_curves(pace, *out);
 }
 
 Task<void> trace_polylines(Pace& pace, Surface& surface, const Paths& paths, const char* argument, SurfaceCurves& out) {

@@ -8,23 +8,16 @@
 
 namespace flg {
 
-struct IsolinesRequest {
-    std::shared_ptr<const Field> field;
-    RegionSet regions;
-    LevelRequest levels;
-    std::shared_ptr<TracedCurves> out;
-};
-
 // The whole of flgFieldTraceIsolines.
-Task<void> trace_isolines(Pace& pace, IsolinesRequest request);
+Task<void> trace_isolines(Pace& pace, std::shared_ptr<const Field> field, RegionSet regions, LevelRequest levels,
+                          std::shared_ptr<TracedCurves> out);
 
 struct StreamsRequest {
     std::shared_ptr<const Field> field;
     RegionSet regions;
     Buffer<SurfacePoint> starts;
     std::shared_ptr<const TracedCurves> further_starts;  // or null
-    bool downhill;
-    float end_value;  // infinite: none
+    FlgFieldTraceStreamsDesc desc;                       // checked; its handles are resolved above, its arrays copied
     std::shared_ptr<TracedCurves> out;
 };
 
@@ -38,14 +31,9 @@ struct Paths {
     RegionSet regions;
 };
 
-struct PathsRequest {
-    Paths paths;
-    std::shared_ptr<TracedCurves> out;
-};
-
 // The whole of flgFieldTracePaths. Fails if a point does not exist or can't be reached from the one before it. Paths
 // without length are left out.
-Task<void> trace_paths(Pace& pace, PathsRequest request);
+Task<void> trace_paths(Pace& pace, Paths paths, std::shared_ptr<TracedCurves> out);
 
 // Its curves, wherever they are kept. `argument`: what errors call the points.
 Task<void> trace_polylines(Pace& pace, Surface& surface, const Paths& paths, const char* argument, SurfaceCurves& out);

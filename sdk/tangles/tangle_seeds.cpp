@@ -302,8 +302,7 @@ Task<void> solve_seeds(Pace& pace, const RegionTree& tree, const std::shared_ptr
                                   .max_distance = unreachable,
                                   .targets = {},
                                   .labelled = labelled,
-                                  .perturbation = perturbation,
-                                  .out = nullptr};
+                                  .perturbation = perturbation};
     co_await solve_field(pace, request, field);
 }
 
