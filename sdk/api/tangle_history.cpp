@@ -133,41 +133,18 @@ private:
     }
 
     FlgTangleDivideDesc describe(const DivideRequest& request) {
-        FlgTangleDivideDesc desc = default_divide_desc();
-        desc.kind = request.kind;
+        FlgTangleDivideDesc desc = request.desc;
         show(request.regions, desc.regions, desc.region_count);
-        desc.count = request.count;
         desc.a = describe(request.a);
         desc.b = describe(request.b);
-        desc.delta = request.delta;
-        desc.grouping = request.grouping;
-        desc.cycle = request.cycle;
-        desc.scaffold = request.scaffold ? 1 : 0;
-        desc.closed = request.closed ? 1 : 0;
-        desc.perturbation = request.perturbation.amount;
-        desc.frequency = request.perturbation.frequency;
-        desc.seed = request.perturbation.seed;
         return desc;
     }
 
-    static FlgTangleApplyMacroDesc describe(const MacroRequest& request) {
-        FlgTangleApplyMacroDesc desc = default_macro_desc();
-        desc.kind = request.kind;
+    // Of macros and displacements.
+    template <class Request>
+    static decltype(Request::desc) describe(const Request& request) {
+        decltype(Request::desc) desc = request.desc;
         show(request.regions, desc.regions, desc.region_count);
-        desc.count = request.count;
-        desc.size = request.size;
-        desc.spacing = request.spacing;
-        desc.seed = request.seed;
-        return desc;
-    }
-
-    static FlgTangleDisplaceDesc describe(const DisplaceRequest& request) {
-        FlgTangleDisplaceDesc desc = default_displace_desc();
-        show(request.regions, desc.regions, desc.region_count);
-        desc.amount = request.amount;
-        desc.bias = request.bias;
-        desc.gain = request.gain;
-        desc.reach = request.reach;
         return desc;
     }
 

@@ -66,6 +66,16 @@ void check_divide(const FlgTangleDivideDesc& desc) {
     check_range(is_positive(desc.frequency), "desc.frequency", desc.frequency, "finite and above 0");
 }
 
+// What a history keeps of a descriptor: neither whose step it is nor what it points to.
+template <class Desc>
+Desc numbers_of(Desc desc) {
+    desc.tangle = {};
+    desc.job = nullptr;
+    desc.regions = nullptr;
+    desc.region_count = 0;
+    return desc;
+}
+
 }  // namespace
 
 FlgTangleDivideDesc default_divide_desc() {
@@ -104,35 +114,30 @@ std::pmr::vector<RegionId> read_region_ids(const uint32_t* regions, uint32_t cou
 DivideRequest read_divide(const FlgTangleDivideDesc& desc, Memory* memory) {
     check_divide(desc);
     DivideRequest request(memory);
-    request.kind = desc.kind;
+    request.desc = numbers_of(desc);
+    request.desc.a = request.desc.b = nullptr;
     request.regions = read_region_ids(desc.regions, desc.region_count, "desc.regions", memory);
     request.a = read_seeds(desc.a, desc.seed, "desc.a", memory);
     request.b = read_seeds(desc.b, desc.seed, "desc.b", memory);
-    request.delta = desc.delta;
-    request.count = desc.count;
-    request.grouping = desc.grouping;
-    request.cycle = desc.cycle;
-    request.scaffold = desc.scaffold != 0;
-    request.closed = desc.closed != 0;
-    request.perturbation = {desc.perturbation, desc.frequency, desc.seed};
     return request;
 }
 
 void check_seeds_of(const DivideRequest& request) {
     const TangleSeeds& a = request.a;
     if (a.empty()) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.a is empty, the operator has nothing to begin at");
-    if (request.kind == FLG_TANGLE_OPERATOR_POLYLINE && (a.points.size() == 1 || (a.points.empty() && !a.curves))) {
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_POLYLINE &&
+        (a.points.size() == 1 || (a.points.empty() && !a.curves))) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.a.point_count is %zu, a polyline needs 2 points at least, or curves and none",
                       a.points.size());
     }
     const bool has_cells = !a.points.empty() || a.sample_radius > 0 || a.border_spacing > 0;
-    if (request.kind == FLG_TANGLE_OPERATOR_VORONOI && !has_cells) {
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_VORONOI && !has_cells) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.a has neither points nor samples for cells to form around");
     }
-    if (request.kind == FLG_TANGLE_OPERATOR_CONTOUR && !request.b.empty() && !(request.delta < 1)) {
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_CONTOUR && !request.b.empty() && !(request.desc.delta < 1)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.delta is %g, of a blended field it must be below 1",
-                      double{request.delta});
+                      double{request.desc.delta});
     }
 }
 
@@ -143,12 +148,8 @@ MacroRequest read_macro(const FlgTangleApplyMacroDesc& desc, Memory* memory) {
     check_range(is_positive(desc.size), "desc.size", desc.size, "finite and above 0");
     check_range(is_positive(desc.spacing), "desc.spacing", desc.spacing, "finite and above 0");
     MacroRequest macro(memory);
-    macro.kind = desc.kind;
+    macro.desc = numbers_of(desc);
     macro.regions = read_region_ids(desc.regions, desc.region_count, "desc.regions", memory);
-    macro.count = desc.count;
-    macro.size = desc.size;
-    macro.spacing = desc.spacing;
-    macro.seed = desc.seed;
     return macro;
 }
 
@@ -159,11 +160,8 @@ DisplaceRequest read_displace(const FlgTangleDisplaceDesc& desc, Memory* memory)
     check_range(desc.gain > 0 && desc.gain < 1, "desc.gain", desc.gain, "between 0 and 1");
     check_range(desc.reach >= 0 && std::isfinite(desc.reach), "desc.reach", desc.reach, "finite and at least 0");
     DisplaceRequest request(memory);
+    request.desc = numbers_of(desc);
     request.regions = read_region_ids(desc.regions, desc.region_count, "desc.regions", memory);
-    request.amount = desc.amount;
-    request.bias = desc.bias;
-    request.gain = desc.gain;
-    request.reach = desc.reach;
     return request;
 }
 

@@ -48,6 +48,7 @@ double schlick_gain(double t, double gain) {
 
 Task<void> displace_regions(Pace& pace, Tangle& tangle, const DisplaceRequest& request, uint32_t revision,
                             TangleStep& step) {
+    const FlgTangleDisplaceDesc& desc = request.desc;
     Surface& surface = *tangle.surface;
     Mesh& mesh = surface.mesh();
     pace.stage("field");
@@ -67,13 +68,13 @@ Task<void> displace_regions(Pace& pace, Tangle& tangle, const DisplaceRequest& r
         const uint32_t label = mesh.regions[t];
         uint32_t work = 1;
         if (!leaves.set.contains(label)) return work;
-        const double reach = request.reach > 0 ? request.reach : largest[label];
+        const double reach = desc.reach > 0 ? desc.reach : largest[label];
         for (const uint32_t vertex : mesh.triangles[t]) {
             const float distance = field.distances[vertex];
             if (seen[vertex] != 0 || !(distance > 0) || !std::isfinite(distance)) continue;
             seen[vertex] = 1;
             const double share = std::min(distance / reach, 1.0);
-            const double height = request.amount * schlick_gain(schlick_bias(share, request.bias), request.gain);
+            const double height = desc.amount * schlick_gain(schlick_bias(share, desc.bias), desc.gain);
             const Vec3 to = mesh.position(vertex) + height * vertex_normal(mesh, vertex);
             moves.push_back(
                 {vertex, {static_cast<float>(to.x()), static_cast<float>(to.y()), static_cast<float>(to.z())}});

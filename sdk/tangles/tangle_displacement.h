@@ -16,9 +16,8 @@ double schlick_gain(double t, double gain);
 struct DisplaceRequest {
     explicit DisplaceRequest(Memory* memory) : regions(memory) {}
 
+    FlgTangleDisplaceDesc desc{};  // checked; without what it points to
     std::pmr::vector<RegionId> regions;
-    float amount = 0, bias = 0.5f, gain = 0.5f;
-    float reach = 0;  // metres; 0: each leaf's own
 };
 
 // Displaces regions as part of a step.

@@ -9,11 +9,8 @@ namespace flg {
 struct MacroRequest {
     explicit MacroRequest(Memory* memory) : regions(memory) {}
 
-    FlgTangleMacro kind = FLG_TANGLE_MACRO_SUNBURST;
+    FlgTangleApplyMacroDesc desc{};  // checked; without what it points to
     std::pmr::vector<RegionId> regions;
-    uint32_t count = 0;
-    float size = 0, spacing = 0;  // metres
-    uint64_t seed = 1;
 };
 
 // One or two operators, one after the other on the same regions.

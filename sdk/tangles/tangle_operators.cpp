@@ -110,11 +110,11 @@ struct Scene {
 Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, DistanceField& field) {
     pace.stage("field");
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.a, "desc.a",
-                         scene.request.perturbation, false, field);
+                         scene.request.perturbation(), false, field);
     if (scene.request.b.empty()) co_return;
     DistanceField other;
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.b, "desc.b",
-                         scene.request.perturbation, false, other);
+                         scene.request.perturbation(), false, other);
     co_await each(pace, field.distances.size(), Cost::some_ns,
                   [&](uint32_t v) { field.distances[v] = blend(field.distances[v], other.distances[v]); });
 }
@@ -122,7 +122,7 @@ Task<void> solve_or_blend(Pace& pace, Tangle& tangle, const Scene& scene, Distan
 // Makes leaves of a partition's components and labels the triangles with them.
 Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const RegionPartition& partition,
                        const Buffer<NewLeaf>& leaves, MeshEdit& edit, TreeEdit& tree_edit) {
-    const LeafRules rules{scene.request.grouping, scene.request.cycle, scene.request.scaffold};
+    const LeafRules rules{scene.request.desc.grouping, scene.request.desc.cycle, scene.request.desc.scaffold != 0};
     const Buffer<RegionId> regions = co_await add_leaves(pace, tangle.tree, tree_edit, leaves, rules);
     Mesh& mesh = scene.surface.mesh();
     co_await each_within(pace, mesh, partition.leaves, Cost::tens_of_ns,
@@ -134,8 +134,8 @@ Task<void> make_leaves(Pace& pace, Tangle& tangle, const Scene& scene, const Reg
 // While it is cut, leaf i of the list has the labels first + i * (levels + 1) and up, one a band between levels.
 Task<void> cut_contours(Pace& pace, Tangle& tangle, const Scene& scene, const DistanceField& field, TangleStep& step) {
     LevelRequest asked;
-    asked.count = scene.request.count;
-    asked.first = asked.every = scene.request.delta;
+    asked.count = scene.request.desc.count;
+    asked.first = asked.every = scene.request.desc.delta;
     const Buffer<float> levels = co_await list_levels(pace, field.distances, asked, max_cut_levels);
     const auto bands = static_cast<uint32_t>(levels.size() + 1);
     const uint32_t first = tangle.tree.size();
@@ -240,11 +240,11 @@ Task<void> number_sides(Pace& pace, const SurfaceCurves& curves, const EmbeddedC
 // One number a part: of strips, of sides, or by their order.
 Task<Buffer<uint32_t>> number_parts(Pace& pace, const Scene& scene, const SurfaceCurves& curves,
                                     const EmbeddedCurves& embedded, const RegionPartition& partition) {
-    const bool strips = scene.request.kind == FLG_TANGLE_OPERATOR_STREAM;
+    const bool strips = scene.request.desc.kind == FLG_TANGLE_OPERATOR_STREAM;
     Buffer<uint32_t> numbers(partition.part_count, pace.memory());
     co_await each(pace, numbers.size(), Cost::some_ns, [&](uint32_t p) { numbers[p] = strips ? 0 : p; });
     if (strips) co_await number_strips(pace, curves, embedded, partition, numbers);
-    if (scene.request.kind == FLG_TANGLE_OPERATOR_POLYLINE && scene.request.a.curves) {
+    if (scene.request.desc.kind == FLG_TANGLE_OPERATOR_POLYLINE && scene.request.a.curves) {
         co_await number_sides(pace, curves, embedded, partition, numbers);
     }
     co_return numbers;
@@ -282,7 +282,7 @@ Task<void> trace_streams(Pace& pace, Tangle& tangle, const Scene& scene, Surface
     if (!a.regions.empty()) own = co_await list_leaves(pace, tangle.tree, a.regions, "desc.a");
     const RegionSet& within = a.regions.empty() ? scene.leaves.set : own.set;
     const Buffer<SurfacePoint> starts =
-        co_await find_stream_starts(pace, scene.surface, within, a, scene.request.delta, "desc.a");
+        co_await find_stream_starts(pace, scene.surface, within, a, scene.request.desc.delta, "desc.a");
     const IntegralCurveOptions options;
     const std::span<const float> values(field.distances.data(), field.distances.size());
     const std::span<const SurfacePoint> from(starts.data(), starts.size());
@@ -293,7 +293,7 @@ Task<void> trace_cells(Pace& pace, Tangle& tangle, const Scene& scene, SurfaceCu
     pace.stage("field");
     DistanceField cells;
     co_await solve_seeds(pace, tangle.tree, tangle.surface, scene.leaves, scene.request.a, "desc.a",
-                         scene.request.perturbation, true, cells);
+                         scene.request.perturbation(), true, cells);
     pace.stage("cells");
     curves = co_await voronoi_borders(pace, scene.surface.mesh(), scene.leaves.set, cells);
 }
@@ -308,7 +308,7 @@ Task<void> trace_shortest_ways(Pace& pace, const Scene& scene, SurfaceCurves& cu
     co_await each(pace, points.size(), Cost::some_ns, [&](uint32_t i) { copies[i] = points[i]; });
     const Paths paths{.offsets = std::move(offsets),
                       .points = std::move(copies),
-                      .closed = scene.request.closed,
+                      .closed = scene.request.desc.closed != 0,
                       .regions = std::move(bound)};
     co_await trace_polylines(pace, scene.surface, paths, "desc.a.points", curves);
 }
@@ -385,16 +385,16 @@ Task<void> divide_regions(Pace& pace, Tangle& tangle, const DivideRequest& reque
                           TangleStep& step) {
     const LeafSet leaves = co_await list_leaves(pace, tangle.tree, request.regions, "desc.regions");
     const Scene scene{*tangle.surface, leaves, request, revision};
-    if (request.kind == FLG_TANGLE_OPERATOR_CONTOUR) {
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_CONTOUR) {
         DistanceField field;
         co_await solve_or_blend(pace, tangle, scene, field);
         co_await cut_contours(pace, tangle, scene, field, step);
         co_return;
     }
     SurfaceCurves curves(pace.memory());
-    if (request.kind == FLG_TANGLE_OPERATOR_STREAM) co_await trace_streams(pace, tangle, scene, curves);
-    if (request.kind == FLG_TANGLE_OPERATOR_VORONOI) co_await trace_cells(pace, tangle, scene, curves);
-    if (request.kind == FLG_TANGLE_OPERATOR_POLYLINE) co_await trace_polyline(pace, scene, curves);
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_STREAM) co_await trace_streams(pace, tangle, scene, curves);
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_VORONOI) co_await trace_cells(pace, tangle, scene, curves);
+    if (request.desc.kind == FLG_TANGLE_OPERATOR_POLYLINE) co_await trace_polyline(pace, scene, curves);
     co_await cut_along(pace, tangle, scene, curves, step);
 }
 

@@ -11,16 +11,11 @@ namespace flg {
 struct DivideRequest {
     explicit DivideRequest(Memory* memory) : regions(memory), a(memory), b(memory) {}
 
-    FlgTangleOperator kind = FLG_TANGLE_OPERATOR_CONTOUR;
+    FlgTangleDivideDesc desc{};  // checked; without what it points to, which is copied below
     std::pmr::vector<RegionId> regions;
     TangleSeeds a, b;
-    float delta = 0;
-    uint32_t count = 0;
-    FlgTangleGrouping grouping = FLG_TANGLE_GROUPING_TWO;
-    uint32_t cycle = 0;
-    bool scaffold = false;
-    bool closed = false;
-    Perturbation perturbation;
+
+    Perturbation perturbation() const { return {desc.perturbation, desc.frequency, desc.seed}; }
 };
 
 // Divides regions as part of a step. `revision`: the surface's after the change. If it throws after it changed
