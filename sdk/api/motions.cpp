@@ -55,29 +55,22 @@ BodyInertia read_body(const FlgMotionDesc& desc) {
     return inertia_of_points({desc.body_points, size_t{3} * count}, {desc.body_masses, count});
 }
 
-void read_weights(const FlgMotionDesc& desc, MotionInput& input) {
+void check_weights(const FlgMotionDesc& desc) {
     check_enum(desc.energy, FLG_SPLINE_ENERGY_E2, FLG_SPLINE_ENERGY_ET, "desc.energy", "FLG_SPLINE_");
     if (desc.energy == FLG_SPLINE_ENERGY_ET) {
         check_range(desc.tension > 0 && desc.tension <= largest_weight, "desc.tension", desc.tension,
                     "above 0, to 1e12");
-        input.tension = desc.tension;
-    }
-    if (desc.energy == FLG_SPLINE_ENERGY_E1) {
-        input.bending = 0;
-        input.tension = 1;
     }
     check_range(desc.smoothing >= 0 && desc.smoothing <= largest_smoothing, "desc.smoothing", desc.smoothing,
                 "from 0 to 1e9");
-    input.smoothing = desc.smoothing;
     check_range(desc.max_rounds >= 1 && desc.max_rounds <= max_rounds, "desc.max_rounds", desc.max_rounds,
                 "1 to 10000");
-    input.max_rounds = desc.max_rounds;
     check_range(desc.tolerance >= 1e-12 && desc.tolerance <= 1, "desc.tolerance", desc.tolerance, "1e-12 to 1");
-    input.tolerance = desc.tolerance;
 }
 
 MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
     MotionInput input(memory);
+    input.desc = desc;
     const uint32_t keys = desc.key_count;
     check_range(keys >= 2 && keys <= FLG_MOTION_MAX_KEYS, "desc.key_count", keys, "2 to 65536");
     require(desc.times, "desc.times");
@@ -86,21 +79,21 @@ MotionInput read_input(const FlgMotionDesc& desc, Memory* memory) {
     input.origin = read_origin(desc.origin, "desc.origin");
     input.poses.assign(desc.poses, desc.poses + MotionKeys::pose_size * keys);
     input.body = read_body(desc);
-    read_weights(desc, input);
-    input.closed = desc.closed != 0;
-    if (input.closed) {
+    check_weights(desc);
+    if (desc.closed != 0) {
         const double mean = (input.times.back() - input.times.front()) / (keys - 1);
-        input.end_time = desc.end_time != 0 ? desc.end_time : input.times.back() + mean;
+        if (desc.end_time == 0) input.desc.end_time = input.times.back() + mean;
     } else {
         check_range(desc.end_time == 0, "desc.end_time", desc.end_time, "0 for motions that are not closed");
     }
-    const uint64_t intervals = uint64_t{default_intervals} * (input.closed ? keys : keys - 1);
-    const uint64_t usual = std::min<uint64_t>(intervals + (input.closed ? 0 : 1), FLG_MOTION_MAX_POSITIONS);
-    input.positions = desc.position_count != 0 ? desc.position_count : static_cast<uint32_t>(usual);
+    const uint64_t intervals = uint64_t{default_intervals} * (desc.closed ? keys : keys - 1);
+    const uint64_t usual = std::min<uint64_t>(intervals + (desc.closed ? 0 : 1), FLG_MOTION_MAX_POSITIONS);
+    uint32_t& positions = input.desc.position_count;
+    if (positions == 0) positions = static_cast<uint32_t>(usual);
     // The optimizer's cycles have three nodes at least.
-    const uint32_t least = std::max(keys, input.closed ? 3u : 2u);
-    check_range(input.positions >= least && input.positions <= FLG_MOTION_MAX_POSITIONS, "desc.position_count",
-                input.positions, "key_count to 2^20, closed 3 at least");
+    const uint32_t least = std::max(keys, desc.closed ? 3u : 2u);
+    check_range(positions >= least && positions <= FLG_MOTION_MAX_POSITIONS, "desc.position_count", positions,
+                "key_count to 2^20, closed 3 at least");
     return input;
 }
 
@@ -113,7 +106,6 @@ void read_obstacles(Context& context, const FlgMotionDesc& desc, MotionInput& in
     check_range(desc.smoothing == 0, "desc.smoothing", desc.smoothing, "0 with obstacles");
     const double radius = desc.obstacle_radius;
     check_range(radius >= 1e-5 && radius <= 0.1, "desc.obstacle_radius", radius, "1e-5 to 0.1");
-    input.obstacle_radius = radius;
     check_range(desc.side_count <= ObstacleSet::max_count, "desc.side_count", desc.side_count, "at most 256");
     if (desc.side_count > 0) require(desc.sides, "desc.sides");
     for (uint32_t i = 0; i < desc.side_count; ++i) {

@@ -87,8 +87,6 @@ void read_curve(const FlgSplineDesc& desc, uint32_t ambient, SplineRequest& requ
         check_range(desc.node_count <= FLG_SPLINE_MAX_NODES, "desc.node_count", desc.node_count, "at most 2^20");
         check_enum(desc.start, FLG_SPLINE_START_GEODESIC, FLG_SPLINE_START_PROJECTED, "desc.start",
                    "FLG_SPLINE_START_");
-        request.node_count = desc.node_count;
-        request.start = desc.start;
         return;
     }
     require(desc.curve_knots, "desc.curve_knots");
@@ -133,7 +131,6 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldP
     if (desc.curve) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.curve can't be given together with desc.obstacles");
     check_range(desc.obstacle_radius >= 1e-5 && desc.obstacle_radius <= 0.1, "desc.obstacle_radius",
                 desc.obstacle_radius, "1e-5 to 0.1");
-    request.obstacle_radius = desc.obstacle_radius;
     if (desc.side_count > 0) require(desc.sides, "desc.sides");
     check_range(desc.side_count <= ObstacleSet::max_count, "desc.side_count", desc.side_count, "at most 256");
     request.sides = Buffer<ObstacleSide>(desc.side_count, context.memory[MemoryKind::curves]);
@@ -144,7 +141,7 @@ void read_obstacles(Context& context, const FlgSplineDesc& desc, const ManifoldP
     }
 }
 
-void read_subdivisions(const FlgSplineDesc& desc, SplineRequest& request) {
+void check_subdivisions(const FlgSplineDesc& desc) {
     check_range(desc.subdivisions <= max_subdivisions, "desc.subdivisions", desc.subdivisions, "0 to 8");
     const uint64_t by_default = std::min(32 * desc.point_count, FLG_SPLINE_MAX_NODES);
     const uint64_t first = desc.curve ? desc.curve_count : desc.node_count > 0 ? desc.node_count : by_default;
@@ -152,7 +149,6 @@ void read_subdivisions(const FlgSplineDesc& desc, SplineRequest& request) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.subdivisions is %u, which makes more than 2^20 nodes of %u",
                       desc.subdivisions, static_cast<uint32_t>(first));
     }
-    request.subdivisions = desc.subdivisions;
 }
 
 }  // namespace
@@ -177,11 +173,12 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
         submission.read(*manifold, "desc.manifold");
         const uint32_t ambient = manifold->given_ambient;
         SplineRequest request;
+        request.desc = read;
         request.problem.closed = read.closed != 0;
         check_range(read.point_count <= max_points, "desc.point_count", read.point_count, "at most 65536");
         read_energy(read, request.problem);
         read_curve(read, ambient, request, memory);
-        read_subdivisions(read, request);
+        check_subdivisions(read);
         read_parameters(read, request.problem, memory);
         read_obstacles(self, read, *manifold, request, submission);
         request.points = read_numbers(read.points, size_t{read.point_count} * ambient, "desc.points", memory);

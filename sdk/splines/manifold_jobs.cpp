@@ -32,11 +32,8 @@ Task<void> make_mesh_manifold(Pace& pace, std::shared_ptr<ManifoldProduct> out) 
 Task<void> make_cloud_manifold(Pace& pace, Buffer<Position> points, Buffer<Position> normals, uint32_t neighbours,
                                std::shared_ptr<ManifoldProduct> out) {
     pace.stage("samples");
-    const CloudInput input{.points = points.data(),
-                           .normals = normals.data(),
-                           .count = static_cast<uint32_t>(points.size()),
-                           .neighbours = neighbours};
-    SampledSurface sampled = co_await sample_cloud(pace, input);
+    const std::span<const Position> places(points.data(), points.size()), normal_list(normals.data(), normals.size());
+    SampledSurface sampled = co_await sample_cloud(pace, places, normal_list, neighbours);
     out->largest_deviation = sampled.deviation.largest;
     out->mean_deviation = sampled.deviation.mean();
     out->manifold = keep(std::move(sampled.surface), pace.memory());

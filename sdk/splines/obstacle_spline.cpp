@@ -130,7 +130,7 @@ Task<void> minimize_among(Pace& pace, const SplineRequest& request, SplineProble
     const ObstacleSet& set = request.placed->set();
     const uint32_t d = set.dimension();
     const Buffer<double> points = std::move(problem.given);
-    const double size = scene_size(set, request.points), last = request.obstacle_radius * size,
+    const double size = scene_size(set, request.points), last = request.desc.obstacle_radius * size,
                  tolerance = problem.tolerance;
     double radius = std::min(std::max(first_radius * size, last), 0.9 * set.reach());
     Barrier barrier(held, set, radius, size);
@@ -172,8 +172,8 @@ Task<void> make_obstacle_spline(Pace& pace, SplineRequest& request) {
     FirstCurve first(pace.memory());
     co_await find_beginning(pace, request, given, first);
     const uint32_t segments = given.segments(d);
-    const uint32_t nodes = request.node_count > 0
-                               ? request.node_count
+    const uint32_t nodes = request.desc.node_count > 0
+                               ? request.desc.node_count
                                : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     // Finer where pieces would go through what they are to keep out of.
     pace.stage("minimize");

@@ -210,7 +210,7 @@ Task<void> begin_chain(Pace& pace, const SplineRequest& request, uint32_t nodes,
     co_await find_first_curve(pace, held, points, first);
     const uint32_t first_nodes = coarsest(points.segments(held.manifold->ambient()), nodes);
     co_await place_nodes(pace, *held.manifold, first, points, first_nodes, 2, problem);
-    if (request.start == FLG_SPLINE_START_PROJECTED) co_await unrestricted_spline(pace, problem);
+    if (request.desc.start == FLG_SPLINE_START_PROJECTED) co_await unrestricted_spline(pace, problem);
 }
 
 // One node between two.
@@ -275,15 +275,15 @@ Task<void> make_spline(Pace& pace, SplineRequest request) {
     pace.stage("begin");
     const uint32_t segments = static_cast<uint32_t>(given.size() / n) - (problem.closed ? 0 : 1);
     const uint32_t least = 2 * segments + (problem.closed ? 0 : 1);
-    const uint32_t wanted = request.node_count > 0
-                                ? request.node_count
+    const uint32_t wanted = request.desc.node_count > 0
+                                ? request.desc.node_count
                                 : std::min(32 * segments + (problem.closed ? 0 : 1), FLG_SPLINE_MAX_NODES);
     const uint32_t nodes = std::max(wanted, least);
     co_await begin_chain(pace, request, nodes, problem, given);
     pace.stage("minimize");
     const double tolerance = problem.tolerance;
     const uint32_t max_rounds = problem.max_rounds;
-    uint32_t subdivisions = request.subdivisions, rounds = 0;
+    uint32_t subdivisions = request.desc.subdivisions, rounds = 0;
     for (;;) {
         const bool is_coarse = request.curve.empty() && problem.points.size() < size_t{nodes} * n;
         problem.tolerance = is_coarse ? std::max(tolerance, coarse_tolerance) : tolerance;

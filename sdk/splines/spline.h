@@ -46,18 +46,15 @@ private:
 
 struct SplineRequest {
     std::shared_ptr<Spline> out;
-    std::shared_ptr<const Spline> warm_start;  // or null
-    Buffer<double> points;                     // as given, given_ambient each
-    Buffer<double> curve;                      // the same, or empty
-    Buffer<double> slopes[2];                  // the same, or empty
-    SplineProblem problem;                     // options, parameters and, with a curve, knots
-    FlgSplineStart start = FLG_SPLINE_START_GEODESIC;
-    uint32_t node_count = 0;
-    uint32_t subdivisions = 0;
+    std::shared_ptr<const Spline> warm_start;    // or null
+    Buffer<double> points;                       // as given, given_ambient each
+    Buffer<double> curve;                        // the same, or empty
+    Buffer<double> slopes[2];                    // the same, or empty
+    SplineProblem problem;                       // options, parameters and, with a curve, knots
+    FlgSplineDesc desc{};                        // checked; its handles are resolved here, its arrays copied
     std::shared_ptr<const Obstacles> obstacles;  // or null
     std::optional<PlacedObstacles> placed;       // these from the spline's origin; by the job
     Buffer<ObstacleSide> sides;
-    double obstacle_radius = 1e-3;  // of the scene's size
 };
 
 // The whole of flgSplineCreate.

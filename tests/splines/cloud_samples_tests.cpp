@@ -44,12 +44,9 @@ std::vector<Vec3> vertices_of(const Soup& soup) {
 }
 
 SampledSurface sample(const Cloud& cloud, bool with_normals, bool haltingly = false, uint32_t neighbours = 16) {
-    const CloudInput input{.points = cloud.points.data(),
-                           .normals = with_normals ? cloud.normals.data() : nullptr,
-                           .count = static_cast<uint32_t>(cloud.points.size()),
-                           .neighbours = neighbours};
+    const auto normals = with_normals ? std::span<const Position>(cloud.normals) : std::span<const Position>();
     return run_now(
-        test_memory(), [&](Pace& pace) { return sample_cloud(pace, input); }, haltingly);
+        test_memory(), [&](Pace& pace) { return sample_cloud(pace, cloud.points, normals, neighbours); }, haltingly);
 }
 
 class CloudSamples : public testing::TestWithParam<bool> {};

@@ -42,7 +42,10 @@ Pose pose_at(const double* p) {
 MotionInput random_keys(size_t count, double amount, bool closed) {
     MotionInput input(nan_memory());
     input.body = inertia_of_points(hammer, {});
-    input.closed = closed;
+    input.desc.closed = closed;
+    input.desc.tolerance = 1e-6;
+    input.desc.max_rounds = 200;
+    input.desc.obstacle_radius = 1e-3;
     std::mt19937 random(static_cast<unsigned>(count));
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> gap(0.6, 1.4);
@@ -58,8 +61,8 @@ MotionInput random_keys(size_t count, double amount, bool closed) {
         }
         rotation = rotation * turn(amount * Vec3(normal(random), normal(random), normal(random)).normalized());
     }
-    input.end_time = time;
-    input.positions = static_cast<uint32_t>(24 * count);
+    input.desc.end_time = time;
+    input.desc.position_count = static_cast<uint32_t>(24 * count);
     return input;
 }
 
@@ -72,8 +75,8 @@ std::shared_ptr<Motion> make(const MotionInput& input, bool haltingly = false) {
 }
 
 void set_energy(MotionInput& input, FlgSplineEnergy energy, double tension = 3) {
-    input.bending = energy == FLG_SPLINE_ENERGY_E1 ? 0 : 1;
-    input.tension = energy == FLG_SPLINE_ENERGY_E2 ? 0 : energy == FLG_SPLINE_ENERGY_E1 ? 1 : tension;
+    input.desc.energy = energy;
+    input.desc.tension = tension;
 }
 
 constexpr FlgSplineEnergy all_energies[] = {FLG_SPLINE_ENERGY_E2, FLG_SPLINE_ENERGY_E1, FLG_SPLINE_ENERGY_ET};
@@ -95,7 +98,7 @@ TEST(Motion, KeysAreHit) {
             }
             EXPECT_EQ(view.key_positions[0], 0u);
             if (closed) {
-                EXPECT_EQ(view.times[view.position_count], input.end_time);
+                EXPECT_EQ(view.times[view.position_count], input.desc.end_time);
             } else {
                 EXPECT_EQ(view.key_positions[5], view.position_count - 1);
             }
@@ -128,7 +131,7 @@ TEST(Motion, TheBarycentreIsTheClassicalSpline) {
             const FlgMotionView& view = motion->view();
             const Vec3 middle(view.barycentre[0], view.barycentre[1], view.barycentre[2]);
             std::vector<double> values, knots(input.times.begin(), input.times.end());
-            if (closed) knots.push_back(input.end_time);
+            if (closed) knots.push_back(input.desc.end_time);
             for (size_t i = 0; i < 5; ++i) {
                 const Vec3 p = pose_at(&input.poses[12 * i]).at(middle);
                 values.insert(values.end(), p.data(), p.data() + 3);
@@ -136,7 +139,7 @@ TEST(Motion, TheBarycentreIsTheClassicalSpline) {
             const CubicData data{.knots = knots,
                                  .values = values,
                                  .ends = closed ? CubicEnds::periodic : CubicEnds::natural,
-                                 .tension = energy == FLG_SPLINE_ENERGY_E1 ? HUGE_VAL : input.tension};
+                                 .tension = energy == FLG_SPLINE_ENERGY_E1 ? HUGE_VAL : input.tension()};
             const NaturalCubic spline = run_now(nan_memory(), [&](Pace& pace) { return natural_cubic(pace, data); });
             for (uint32_t i = 0; i < view.position_count; ++i) {
                 Vec3 expected;
@@ -187,7 +190,7 @@ TEST(Motion, FourthDerivativesAreInBalance) {
     double before = 0;
     for (const uint32_t positions : {121u, 241u}) {
         MotionInput input = random_keys(5, 1.5, false);
-        input.positions = positions;
+        input.desc.position_count = positions;
         const auto motion = make(input);
         const FlgMotionView& view = motion->view();
         double worst = 0;
@@ -210,7 +213,7 @@ TEST(Motion, SecondDerivativesAreInBalanceAtTheEnds) {
     double before = 0;
     for (const uint32_t positions : {121u, 481u}) {
         MotionInput input = random_keys(4, 1.5, false);
-        input.positions = positions;
+        input.desc.position_count = positions;
         const auto motion = make(input);
         const FlgMotionView& view = motion->view();
         double greatest = 0;
@@ -229,7 +232,7 @@ TEST(Motion, SecondDerivativesAreInBalanceAtTheEnds) {
 TEST(Motion, FreeBodiesKeepTheirAngularMomentum) {
     MotionInput input = random_keys(2, 2.5, false);
     set_energy(input, FLG_SPLINE_ENERGY_E1);
-    input.positions = 401;
+    input.desc.position_count = 401;
     const auto motion = make(input);
     const FlgMotionView& view = motion->view();
     const Vec3 middle(view.barycentre[0], view.barycentre[1], view.barycentre[2]);
@@ -270,7 +273,7 @@ TEST(Motion, BallsTurnAboutOneAxis) {
     MotionInput input = random_keys(2, 2, false);
     input.body = BodyInertia();
     set_energy(input, FLG_SPLINE_ENERGY_E1);
-    input.positions = 101;
+    input.desc.position_count = 101;
     const auto motion = make(input);
     const FlgMotionView& view = motion->view();
     const Mat3 first = pose_at(view.poses).rotation, last = pose_at(view.poses + 1200).rotation;
@@ -306,7 +309,7 @@ TEST(Motion, IsEquivariant) {
     }
     const auto first = make(input), second = make(moved);
     EXPECT_NEAR(first->view().energy, second->view().energy, 1e-9 * first->view().energy);
-    for (uint32_t i = 0; i < input.positions; ++i) {
+    for (uint32_t i = 0; i < input.desc.position_count; ++i) {
         const Pose expected = change(pose_at(first->view().poses + 12 * i));
         const Pose found = pose_at(second->view().poses + 12 * i);
         EXPECT_LT((expected.rotation - found.rotation).norm(), 1e-7);
@@ -316,17 +319,17 @@ TEST(Motion, IsEquivariant) {
 
 TEST(Motion, ManyPositionsComeToTheSameMotion) {
     MotionInput coarse = random_keys(5, 1.5, false), fine = coarse, straight = coarse;
-    coarse.positions = 4 * 20 + 1;
-    fine.positions = 4 * 80 + 1;
+    coarse.desc.position_count = 4 * 20 + 1;
+    fine.desc.position_count = 4 * 80 + 1;
     for (size_t i = 0; i < 5; ++i) coarse.times[i] = fine.times[i] = static_cast<double>(i);
     const auto a = make(coarse), b = make(fine);
-    for (uint32_t i = 0; i < coarse.positions; ++i) {
+    for (uint32_t i = 0; i < coarse.desc.position_count; ++i) {
         EXPECT_EQ(a->view().times[i], b->view().times[4 * i]);
         const Pose p = pose_at(a->view().poses + 12 * i), q = pose_at(b->view().poses + 48 * i);
         EXPECT_LT((p.rotation - q.rotation).norm(), 2e-4);
     }
     // Few positions, where no coarse chain comes first.
-    straight.positions = 5;
+    straight.desc.position_count = 5;
     const auto keys_only = make(straight);
     EXPECT_EQ(keys_only->view().position_count, 5u);
     EXPECT_EQ(keys_only->view().ending, FLG_SPLINE_ENDING_CONVERGED);
@@ -336,11 +339,11 @@ TEST(Motion, ManyPositionsComeToTheSameMotion) {
 // goes far off.
 TEST(Motion, SmoothingGoesNearTheKeys) {
     MotionInput input = random_keys(40, 0.4, false);
-    input.positions = 40;
+    input.desc.position_count = 40;
     const double rough = make(input)->view().energy;
     double energy = rough, off = 0;
     for (const double smoothing : {1e-8, 1e-2, 1.0}) {
-        input.smoothing = smoothing;
+        input.desc.smoothing = smoothing;
         const auto motion = make(input);
         double distance = 0;
         for (size_t i = 0; i < 40; ++i) {
@@ -365,7 +368,7 @@ TEST(Motion, SmoothingGoesNearTheKeys) {
 // Fig. 16: with a clearance of the body's radius no point of it comes into the obstacle, however it turns.
 TEST(Motion, KeepsOutOfObstacles) {
     MotionInput input = random_keys(2, 2, false);
-    input.positions = 200;
+    input.desc.position_count = 200;
     const double ways[2][3] = {{-4, 0.1, 0}, {4, 0.2, 0.1}};
     for (size_t k = 0; k < 2; ++k) {
         const Pose pose = pose_at(&input.poses[12 * k]);
@@ -382,7 +385,7 @@ TEST(Motion, KeepsOutOfObstacles) {
     const auto around = make(input), halting = make(input, true);
     const auto nearest = [&](const Motion& motion) {
         double least = 1e9;
-        for (uint32_t i = 0; i < input.positions; ++i) {
+        for (uint32_t i = 0; i < input.desc.position_count; ++i) {
             for (size_t p = 0; p < hammer.size(); p += 3) {
                 const Vec3 point(hammer[p], hammer[p + 1], hammer[p + 2]);
                 least = std::min(least, pose_at(motion.view().poses + 12 * i).at(point).norm());
@@ -395,7 +398,8 @@ TEST(Motion, KeepsOutOfObstacles) {
     EXPECT_GT(around->view().barycentre_energy, through->view().barycentre_energy);
     // The rotations know nothing of it.
     EXPECT_EQ(around->view().rotation_energy, through->view().rotation_energy);
-    EXPECT_TRUE(std::equal(around->view().poses, around->view().poses + 12 * input.positions, halting->view().poses));
+    EXPECT_TRUE(
+        std::equal(around->view().poses, around->view().poses + 12 * input.desc.position_count, halting->view().poses));
     for (int c = 0; c < 12; ++c) EXPECT_NEAR(around->view().poses[12 * 199 + c], input.poses[12 + c], 1e-12);
     // A key within the clearance.
     input.poses[3] += 4;
@@ -410,7 +414,8 @@ TEST(Motion, KeepsOutOfObstacles) {
 TEST(Motion, SameBitsWhereverItPauses) {
     const MotionInput input = random_keys(6, 2, true);
     const auto whole = make(input), halting = make(input, true);
-    EXPECT_TRUE(std::equal(whole->view().poses, whole->view().poses + 12 * input.positions, halting->view().poses));
+    EXPECT_TRUE(
+        std::equal(whole->view().poses, whole->view().poses + 12 * input.desc.position_count, halting->view().poses));
     EXPECT_EQ(whole->view().energy, halting->view().energy);
 }
 

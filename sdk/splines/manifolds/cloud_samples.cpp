@@ -34,21 +34,24 @@ double dot(const Position& a, const Position& b) {
 
 // The points in the order of their tree, with what is found of each.
 struct Cloud {
-    Cloud(const CloudInput& of, Memory* memory)
-        : input(of),
-          per_point(std::min(std::clamp(of.neighbours, min_neighbours, max_neighbours), of.count - 1)),
-          places(of.count, memory),
-          normals(of.count, memory),
-          near(size_t{of.count} * per_point, memory),
-          reaches(of.count, memory) {}
+    Cloud(std::span<const Position> points, std::span<const Position> point_normals, uint32_t neighbours,
+          Memory* memory)
+        : given(points),
+          given_normals(point_normals),
+          count(static_cast<uint32_t>(points.size())),
+          per_point(std::min(std::clamp(neighbours, min_neighbours, max_neighbours), count - 1)),
+          places(count, memory),
+          normals(count, memory),
+          near(size_t{count} * per_point, memory),
+          reaches(count, memory) {}
 
     // The nearest points that lie elsewhere; and the direction across which they are narrowest.
     void find_neighbours(uint32_t at) {
         const Vec3 place = load_vec3(places[at].data());
         double squares[max_neighbours], limit = std::numeric_limits<double>::infinity();
-        uint32_t found[max_neighbours], count = 0, visited = 0;
+        uint32_t found[max_neighbours], found_count = 0, visited = 0;
         // Those beside it in the order are near, and the k-th neighbour is no farther than the farthest of k of them.
-        const uint32_t begin = std::min(at - std::min(at, per_point / 2), input.count - 1 - per_point);
+        const uint32_t begin = std::min(at - std::min(at, per_point / 2), count - 1 - per_point);
         double farthest = 0, closest = limit;
         for (uint32_t i = begin; i <= begin + per_point; ++i) {
             const double square = (load_vec3(places[i].data()) - place).squaredNorm();
@@ -60,32 +63,32 @@ struct Cloud {
             for (uint32_t i = first; i < end; ++i) {
                 const double square = (load_vec3(places[i].data()) - place).squaredNorm();
                 if (!(square > 0) || !(square < limit)) continue;
-                uint32_t slot = count < per_point ? count++ : per_point - 1;
+                uint32_t slot = found_count < per_point ? found_count++ : per_point - 1;
                 for (; slot > 0 && squares[slot - 1] > square; --slot) {
                     squares[slot] = squares[slot - 1];
                     found[slot] = found[slot - 1];
                 }
                 squares[slot] = square;
                 found[slot] = i;
-                if (count == per_point) limit = squares[per_point - 1];
+                if (found_count == per_point) limit = squares[per_point - 1];
             }
             visited += end - first;
             if (visited > max_visited) limit = 0;
         });
         std::fill_n(&near[size_t{at} * per_point], per_point, no_index);
-        std::copy_n(found, count, &near[size_t{at} * per_point]);
-        reaches[at] = count > 0 ? std::sqrt(squares[count - 1]) : 0;
-        if (input.normals || count < 2) return;
+        std::copy_n(found, found_count, &near[size_t{at} * per_point]);
+        reaches[at] = found_count > 0 ? std::sqrt(squares[found_count - 1]) : 0;
+        if (!given_normals.empty() || found_count < 2) return;
 
         Vec3 mean = place;
-        for (uint32_t i = 0; i < count; ++i) mean += load_vec3(places[found[i]].data());
-        mean /= count + 1;
+        for (uint32_t i = 0; i < found_count; ++i) mean += load_vec3(places[found[i]].data());
+        mean /= found_count + 1;
         Eigen::Matrix3d spread = (place - mean) * (place - mean).transpose();
-        for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t i = 0; i < found_count; ++i) {
             const Vec3 d = load_vec3(places[found[i]].data()) - mean;
             spread += d * d.transpose();
         }
-        spread /= squares[count - 1];
+        spread /= squares[found_count - 1];
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
         solver.computeDirect(spread);
         const Vec3 widths = solver.eigenvalues();
@@ -106,7 +109,7 @@ struct Cloud {
             reach = std::min(reach, max_reach * reaches[own[i]]);
             if (normal.dot(other_normal) < 0) continue;  // on the other side of a thin part
             quadric.add_point(other);
-            if (input.normals && !other_normal.isZero()) quadric.add_normal(other, other_normal.normalized());
+            if (!given_normals.empty() && !other_normal.isZero()) quadric.add_normal(other, other_normal.normalized());
         }
         BentNormal bent = quadric.solve();
         if (bent.curvature * spacing > max_bent) {
@@ -118,7 +121,8 @@ struct Cloud {
         samples.push_back({{on.x(), on.y(), on.z()}, {n.x(), n.y(), n.z()}, bent.bend, reach});
     }
 
-    const CloudInput input;
+    const std::span<const Position> given, given_normals;
+    const uint32_t count;
     const uint32_t per_point;
     Buffer<Position> places, normals;
     PointTree tree;
@@ -200,7 +204,7 @@ struct SpanningTree {
 
 // Turns normals, of unit length or 0, to one side of each connected part; returns how many parts there are.
 Task<uint32_t> orient(Pace& pace, Cloud& cloud) {
-    const uint32_t points = cloud.input.count, per_point = cloud.per_point;
+    const uint32_t points = cloud.count, per_point = cloud.per_point;
     SpanningTree tree(cloud.places, cloud.normals, pace.memory());
     co_await each(pace, points, Cost::some_ns, [&](uint32_t i) {
         tree.nodes[i] = {no_index, no_index, no_index, SpanningTree::buckets};
@@ -232,25 +236,26 @@ Task<uint32_t> orient(Pace& pace, Cloud& cloud) {
 
 // The points in an order that keeps near ones together.
 Task<void> place(Pace& pace, Cloud& cloud) {
-    const uint32_t count = cloud.input.count;
+    const uint32_t count = cloud.count;
     GrowingBuffer<Position> positions(count, pace.memory());
-    co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { positions[i] = cloud.input.points[i]; });
+    co_await each(pace, count, Cost::some_ns, [&](uint32_t i) { positions[i] = cloud.given[i]; });
     const SpatialOrder order = co_await spatial_order(pace, positions);
     co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
         const uint32_t from = order.vertex_at(i);
-        cloud.places[i] = cloud.input.points[from];
+        cloud.places[i] = cloud.given[from];
         cloud.normals[i] = {};
-        if (!cloud.input.normals) return;
-        store_vec3(load_vec3(cloud.input.normals[from].data()).stableNormalized(), cloud.normals[i].data());
+        if (cloud.given_normals.empty()) return;
+        store_vec3(load_vec3(cloud.given_normals[from].data()).stableNormalized(), cloud.normals[i].data());
     });
 }
 
 }  // namespace
 
-Task<SampledSurface> sample_cloud(Pace& pace, CloudInput input) {
-    const uint32_t count = input.count;
+Task<SampledSurface> sample_cloud(Pace& pace, std::span<const Position> points, std::span<const Position> normals,
+                                  uint32_t neighbours) {
+    const auto count = static_cast<uint32_t>(points.size());
     if (count < 4) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "a surface needs 4 points, and there are %u", count);
-    Cloud cloud(input, pace.memory());
+    Cloud cloud(points, normals, neighbours, pace.memory());
     co_await place(pace, cloud);
     const Position* const places = cloud.places.data();
     const auto ball = [places](uint32_t i, double* centre, double& radius) {
@@ -260,7 +265,7 @@ Task<SampledSurface> sample_cloud(Pace& pace, CloudInput input) {
     cloud.tree = co_await point_tree(pace, count, ball);
     co_await each(pace, count, Cost::microseconds, [&](uint32_t i) { cloud.find_neighbours(i); });
     uint32_t parts = 0;
-    if (!input.normals) parts = co_await orient(pace, cloud);
+    if (normals.empty()) parts = co_await orient(pace, cloud);
     GrowingBuffer<OrientedSample> samples(count, pace.memory());
     samples.resize(0);
     co_await each(pace, count, Cost::microseconds, [&](uint32_t i) { cloud.fit(i, samples); });

@@ -7,21 +7,18 @@
 // normal of its highest point (along z) points up: outwards, if the part is closed.
 #pragma once
 
+#include <span>
+
 #include "splines/manifolds/sampled_surface.h"
 
 namespace flg {
 
-struct CloudInput {
-    const Position* points = nullptr;   // metres, finite
-    const Position* normals = nullptr;  // outwards, of any length; may be null
-    uint32_t count = 0;
-    // Of each point, 6 to 32: more of them smooth more. A sample reaches as far as the last of them.
-    uint32_t neighbours = 16;
-};
-
+// `points`: metres, finite. `normals`: outwards, of any length; may be empty. Both outlive the task. `neighbours`: of
+// each point, 6 to 32: more of them smooth more; a sample reaches as far as the last of them.
 // A Failure says so if there are fewer than 4 points, or fewer than 4 that have a sample: points in whose neighbourhood
-// there is no plane have none. The arrays outlive the task. The deviation is that of points of the cloud: their noise.
-// About 6 us and 300 bytes a point.
-Task<SampledSurface> sample_cloud(Pace& pace, CloudInput input);
+// there is no plane have none. The deviation is that of points of the cloud: their noise. About 6 us and 300 bytes a
+// point.
+Task<SampledSurface> sample_cloud(Pace& pace, std::span<const Position> points, std::span<const Position> normals,
+                                  uint32_t neighbours);
 
 }  // namespace flg

@@ -36,8 +36,8 @@ struct Scene {
 // Positions that are not keys are shared by segments as their durations are.
 Chain fine_chain(const Scene& scene, Memory* memory) {
     const std::span<const double> times = scene.keys.times();
-    const uint32_t more = scene.input.positions - static_cast<uint32_t>(scene.keys.count());
-    Chain chain{scene.input.positions, Buffer<uint32_t>(scene.keys.count(), memory)};
+    const uint32_t more = scene.input.desc.position_count - static_cast<uint32_t>(scene.keys.count());
+    Chain chain{scene.input.desc.position_count, Buffer<uint32_t>(scene.keys.count(), memory)};
     for (uint32_t i = 0; i < chain.knots.size(); ++i) {
         const double share = (times[i] - times.front()) / (times.back() - times.front());
         chain.knots[i] = i + static_cast<uint32_t>(std::lround(share * more));
@@ -46,7 +46,7 @@ Chain fine_chain(const Scene& scene, Memory* memory) {
 }
 
 Chain coarse_chain(const Scene& scene, Memory* memory) {
-    Chain chain{coarse_intervals * scene.segments() + (scene.input.closed ? 0 : 1),
+    Chain chain{coarse_intervals * scene.segments() + (scene.input.desc.closed ? 0 : 1),
                 Buffer<uint32_t>(scene.keys.count(), memory)};
     for (uint32_t i = 0; i < chain.knots.size(); ++i) chain.knots[i] = coarse_intervals * i;
     return chain;
@@ -77,19 +77,23 @@ private:
 };
 
 double min_tension(const MotionInput& input) {
-    return input.bending > 0 ? input.tension : std::numeric_limits<double>::infinity();
+    return input.bending() > 0 ? input.tension() : std::numeric_limits<double>::infinity();
+}
+
+void set_options(const MotionInput& input, SplineProblem& problem) {
+    problem.closed = input.desc.closed != 0;
+    problem.bending = input.bending();
+    problem.tension = input.tension();
+    problem.smoothing = input.desc.smoothing;
+    problem.tolerance = input.desc.tolerance;
+    problem.max_rounds = input.desc.max_rounds;
 }
 
 // What the two splines have in common.
 SplineProblem problem_of(const Scene& scene, const Manifold& manifold, const Chain& chain, Memory* memory) {
     SplineProblem problem;
     problem.manifold = &manifold;
-    problem.closed = scene.input.closed;
-    problem.bending = scene.input.bending;
-    problem.tension = scene.input.tension;
-    problem.smoothing = scene.input.smoothing;
-    problem.tolerance = scene.input.tolerance;
-    problem.max_rounds = scene.input.max_rounds;
+    set_options(scene.input, problem);
     const size_t n = manifold.ambient(), count = scene.keys.count();
     problem.points = Buffer<double>(n * chain.nodes, memory);
     problem.knots = Buffer<uint32_t>(count, memory);
@@ -117,7 +121,7 @@ Task<double> sample_spline(Pace& pace, const Scene& scene, const CubicData& data
 }
 
 CubicEnds ends_of(const MotionInput& input) {
-    return input.closed ? CubicEnds::periodic : CubicEnds::natural;
+    return input.desc.closed ? CubicEnds::periodic : CubicEnds::natural;
 }
 
 // Keys that no path around the obstacles can pass through are named as such.
@@ -146,16 +150,13 @@ Task<double> find_path_around(Pace& pace, const Scene& scene, const Chain& chain
     request.out = std::allocate_shared<Spline>(allocator, space);
     request.out->origin = scene.input.origin;
     request.obstacles = scene.input.obstacles;
-    request.obstacle_radius = scene.input.obstacle_radius;
+    request.desc.obstacle_radius = scene.input.desc.obstacle_radius;
     request.sides = Buffer<ObstacleSide>(scene.input.sides.size(), pace.memory());
     for (size_t i = 0; i < request.sides.size(); ++i) request.sides[i] = scene.input.sides[i];
-    request.node_count = std::min(std::max(chain.nodes, path_intervals * scene.segments() + 1), FLG_SPLINE_MAX_NODES);
+    request.desc.node_count =
+        std::min(std::max(chain.nodes, path_intervals * scene.segments() + 1), FLG_SPLINE_MAX_NODES);
     SplineProblem& problem = request.problem;
-    problem.closed = scene.input.closed;
-    problem.bending = scene.input.bending;
-    problem.tension = scene.input.tension;
-    problem.tolerance = scene.input.tolerance;
-    problem.max_rounds = scene.input.max_rounds;
+    set_options(scene.input, problem);
     request.points = Buffer<double>(3 * scene.keys.count(), pace.memory());
     problem.parameters = Buffer<double>(scene.keys.times().size(), pace.memory());
     co_await each(pace, scene.keys.times().size(), Cost::some_ns, [&](uint32_t i) {
@@ -167,7 +168,7 @@ Task<double> find_path_around(Pace& pace, const Scene& scene, const Chain& chain
     co_await make_spline(pace, std::move(request));
     const Spline::Chain& found = around->chain;
     const size_t nodes = found.nodes.size() / 3;
-    const CubicData data{.knots = {found.parameters.data(), nodes + (scene.input.closed ? 1 : 0)},
+    const CubicData data{.knots = {found.parameters.data(), nodes + (scene.input.desc.closed ? 1 : 0)},
                          .values = {found.nodes.data(), 3 * nodes},
                          .ends = ends_of(scene.input),
                          .tension = min_tension(scene.input)};
@@ -182,7 +183,7 @@ Task<double> find_path(Pace& pace, const Scene& scene, const Chain& chain, Buffe
                          .ends = ends_of(scene.input),
                          .tension = min_tension(scene.input)};
     const double energy = co_await sample_spline(pace, scene, data, chain, path.data());
-    if (scene.input.smoothing == 0) co_return scene.input.bending > 0 ? energy : scene.input.tension* energy;
+    if (scene.input.desc.smoothing == 0) co_return scene.input.bending() > 0 ? energy : scene.input.tension() * energy;
 
     double size = 0;
     for (const double value : scene.keys.barycentres()) size = std::max(size, std::abs(value));
@@ -229,7 +230,7 @@ Task<void> begin_coarsely(Pace& pace, const Scene& scene, const Chain& chain, do
     SplineOptimizer optimizer(problem, pace.memory());
     co_await SplineOptimizer::minimize(pace, optimizer);
 
-    const bool closed = scene.input.closed;
+    const bool closed = scene.input.desc.closed != 0;
     Buffer<double> times(coarse.nodes + (closed ? 1 : 0), pace.memory());
     ChainWalk coarse_walk(scene, coarse);
     co_await each(pace, coarse.nodes, Cost::tens_of_ns, [&](uint32_t i) {
@@ -252,7 +253,7 @@ Task<void> show_state(Pace& pace, const Scene& scene, const Buffer<double>& path
     state.report = report;
     state.barycentre_energy = path_energy;
     Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
-    co_await each(pace, scene.input.positions, Cost::hundreds_of_ns, [&](uint32_t i) {
+    co_await each(pace, scene.input.desc.position_count, Cost::hundreds_of_ns, [&](uint32_t i) {
         const Mat3 turn = scene.rotations.rotation_of(rotations + size_t{9} * i);
         const Vec3 at(path[3 * i], path[3 * i + 1], path[3 * i + 2]);
         pose_of(scene.input.body, at, turn, state.poses.data() + MotionKeys::pose_size * i);
@@ -268,11 +269,11 @@ Task<void> show_state(Pace& pace, const Scene& scene, const Buffer<double>& path
 
 Motion::Motion(MotionInput given, Memory* memory)
     : input(std::move(given)),
-      times(input.positions + (input.closed ? 1 : 0), memory),
+      times(input.desc.position_count + (input.desc.closed ? 1 : 0), memory),
       key_positions(input.times.size(), memory) {
     for (MotionState& state : states.all()) {
-        state.poses = Buffer<double>(MotionKeys::pose_size * input.positions, memory);
-        state.quaternions = Buffer<double>(size_t{4} * input.positions, memory);
+        state.poses = Buffer<double>(MotionKeys::pose_size * input.desc.position_count, memory);
+        state.quaternions = Buffer<double>(size_t{4} * input.desc.position_count, memory);
     }
 }
 
@@ -289,9 +290,9 @@ void Motion::show() noexcept {
     view_ = {};
     view_.struct_size = sizeof view_;
     write_origin(input.origin, view_.origin);
-    view_.position_count = input.positions;
+    view_.position_count = input.desc.position_count;
     view_.key_count = static_cast<uint32_t>(input.times.size());
-    view_.closed = input.closed ? 1 : 0;
+    view_.closed = input.desc.closed ? 1 : 0;
     view_.times = times.data();
     view_.poses = state.poses.data();
     view_.quaternions = state.quaternions.data();
@@ -318,7 +319,7 @@ void Motion::show() noexcept {
 Task<void> make_motion(Pace& pace, std::shared_ptr<Motion> out) {
     const MotionInput& input = out->input;
     pace.stage("keys");
-    const MotionKeyInput given{input.times, input.poses, input.closed, input.end_time};
+    const MotionKeyInput given{input.times, input.poses, input.desc.closed != 0, input.desc.end_time};
     const MotionKeys keys = co_await check_keys(pace, given, input.body);
     out->greatest_stretch = keys.greatest_stretch();
     const RotationManifold rotations(input.body.f);
@@ -329,7 +330,7 @@ Task<void> make_motion(Pace& pace, std::shared_ptr<Motion> out) {
         walk.go_to(i);
         out->times[i] = walk.time;
     });
-    if (input.closed) out->times[chain.nodes] = keys.times().back();
+    if (input.desc.closed) out->times[chain.nodes] = keys.times().back();
     co_await each(pace, keys.count(), Cost::some_ns, [&](uint32_t i) { out->key_positions[i] = chain.knots[i]; });
 
     pace.stage("barycentre");
@@ -344,7 +345,7 @@ Task<void> make_motion(Pace& pace, std::shared_ptr<Motion> out) {
     pace.stage("rotations");
     SplineProblem problem = problem_of(scene, rotations, chain, pace.memory());
     co_await set_rotations(pace, scene, chain, problem);
-    const bool coarse_first = input.smoothing == 0 && chain.nodes > 2 * coarse_intervals * scene.segments();
+    const bool coarse_first = input.desc.smoothing == 0 && chain.nodes > 2 * coarse_intervals * scene.segments();
     if (coarse_first) {
         co_await begin_coarsely(pace, scene, chain, problem.points.data());
     } else {

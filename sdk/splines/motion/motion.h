@@ -28,19 +28,19 @@ namespace flg {
 struct MotionInput {
     explicit MotionInput(Memory* memory) : times(memory), poses(memory), sides(memory) {}
 
-    Origin origin{};  // of the poses' positions
+    FlgMotionDesc desc{};  // checked, its defaults filled in; its handles are resolved below, its arrays copied
+    Origin origin{};       // of the poses' positions
     BodyInertia body;
     std::pmr::vector<double> times, poses;  // of keys, see motion_keys.h
-    bool closed = false;
-    double end_time = 0;
-    double bending = 1, tension = 0, smoothing = 0;  // see SplineProblem; per second squared, seconds to the third
-    uint32_t positions = 0;                          // at least as many as keys
-    double tolerance = 1e-6;
-    uint32_t max_rounds = 200;
     // What the barycentre keeps out of, or null; see SplineRequest.
     std::shared_ptr<const Obstacles> obstacles;
     std::pmr::vector<ObstacleSide> sides;
-    double obstacle_radius = 1e-3;
+
+    // The energy's, see SplineProblem; tension: per second squared.
+    double bending() const { return desc.energy == FLG_SPLINE_ENERGY_E1 ? 0 : 1; }
+    double tension() const {
+        return desc.energy == FLG_SPLINE_ENERGY_ET ? desc.tension : desc.energy == FLG_SPLINE_ENERGY_E1 ? 1 : 0;
+    }
 };
 
 // The motion after a round.
