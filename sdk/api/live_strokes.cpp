@@ -62,21 +62,6 @@ void check(const FlgLiveStrokeDesc& desc) {
     check_basis(desc.basis);
 }
 
-LiveSettings settings_of(const FlgLiveStrokeDesc& desc) {
-    LiveSettings settings;
-    settings.magnitude = desc.magnitude;
-    settings.scale = desc.scale;
-    settings.min_radius = desc.min_radius;
-    settings.max_radius = desc.max_radius;
-    settings.smoothing = desc.smoothing;
-    settings.frame = desc.frame;
-    std::copy(std::begin(desc.basis), std::end(desc.basis), settings.basis.begin());
-    settings.from_start = desc.start != FLG_STYLE_START_RANDOM;
-    settings.seed = desc.seed;
-    settings.max_points = desc.max_points;
-    return settings;
-}
-
 FlgCurveSetView empty_view() {
     auto view = sized<FlgCurveSetView>();
     return view;
@@ -164,9 +149,7 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
                 "job is done",
                 NumberText(read.temperature).c_str());
         }
-        request.settings = settings_of(read);
-        request.max_jump = read.max_jump;
-        request.max_samples = read.max_samples;
+        request.desc = read;
         request.origin = read_origin(read.origin, "desc.origin");
         *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(memory, request, memory))};
         return FLG_OK;
@@ -335,15 +318,13 @@ FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc,
         check(read);
         Submission submission(self, job);
         LiveReplayRequest request;
+        request.desc = read;
         request.style = self.styles.get(read.style.id, "desc.style");
         request.samples = self.curve_sets.get(samples.id, "samples");
         submission.read(*request.style, "desc.style");
         submission.read(*request.samples, "samples");
         request.out = make_object<CurveSet>(memory, memory);
         request.out->origin = request.samples->origin;
-        request.settings = settings_of(read);
-        request.temperature = read.temperature;
-        request.max_jump = read.max_jump;
         const std::shared_ptr<CurveSet> out = request.out;
         submission.job().strand.start(replay_strokes(submission.pace(), std::move(request)));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};

@@ -134,7 +134,7 @@ Task<void> measure_curve(Pace& pace, Replay& replay, uint32_t curve) {
             check_sample(sample, i);
             if (i > 0) {
                 const FlgLiveSample before = sample_at(samples, i - 1);
-                check_next_sample(before.position, before.time, sample, replay.request.max_jump, i);
+                check_next_sample(before.position, before.time, sample, replay.request.desc.max_jump, i);
             }
         } catch (const Failure& failure) {
             throw Failure(failure.result(), "curve %u: %.200s", curve, failure.what());
@@ -210,18 +210,18 @@ Task<void> split_stroke(Pace& pace, LiveSplit& split) {
 }
 
 Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
-    const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, request.temperature);
+    const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, request.desc.temperature);
     const PreparedStyle& style = request.style->prepared;
-    Replay replay{request, request.settings, live_columns(style)};
+    Replay replay{request, live_settings(request.desc), live_columns(style)};
     replay.settings.style = &style;
     replay.settings.trees = trees.get();
 
     pace.stage("check");
     CurveSet& out = *request.out;
     const uint32_t curves = request.samples->curve_count();
-    if (request.settings.smoothing > 0 && !request.samples->find(FLG_ATTRIBUTE_TIME)) {
+    if (replay.settings.smoothing > 0 && !request.samples->find(FLG_ATTRIBUTE_TIME)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.smoothing is %g, but samples have no TIME column",
-                      request.settings.smoothing);
+                      replay.settings.smoothing);
     }
     out.allocate_curves(curves);
     co_await fork(pace, curves, &measure_curve, replay);

@@ -38,9 +38,7 @@ struct LiveReplayRequest {
     std::shared_ptr<Style> style;
     std::shared_ptr<const CurveSet> samples;
     std::shared_ptr<CurveSet> out;
-    LiveSettings settings;   // without style and trees; curve c is drawn with seed + c
-    double temperature = 0;  // in units of the style's
-    double max_jump = 1;     // metres
+    FlgLiveStrokeDesc desc;  // checked; its style is resolved above; curve c is drawn with seed + c
 };
 // Stages "path_trees", "check", "live_stroke".
 Task<void> replay_strokes(Pace& pace, LiveReplayRequest request);

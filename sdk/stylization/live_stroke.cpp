@@ -70,19 +70,34 @@ const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t firs
     return view;
 }
 
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc) {
+    LiveSettings settings;
+    settings.magnitude = desc.magnitude;
+    settings.scale = desc.scale;
+    settings.min_radius = desc.min_radius;
+    settings.max_radius = desc.max_radius;
+    settings.smoothing = desc.smoothing;
+    settings.frame = desc.frame;
+    std::copy(std::begin(desc.basis), std::end(desc.basis), settings.basis.begin());
+    settings.from_start = desc.start != FLG_STYLE_START_RANDOM;
+    settings.seed = desc.seed;
+    settings.max_points = desc.max_points;
+    return settings;
+}
+
 LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
     : origin(request.origin),
       style_(request.style),
       trees_(request.trees),
-      settings_(request.settings),
-      max_jump_(request.max_jump),
-      max_samples_(request.max_samples),
-      positions_(size_t{3} * request.max_samples, memory),
-      orientations_(size_t{4} * request.max_samples, memory),
-      pressures_(request.max_samples, memory),
-      times_(request.max_samples, memory),
-      host_times_(request.max_samples, memory),
-      checkpoints_(request.max_samples / checkpoint_interval + 1, memory),
+      settings_(live_settings(request.desc)),
+      max_jump_(request.desc.max_jump),
+      max_samples_(request.desc.max_samples),
+      positions_(size_t{3} * request.desc.max_samples, memory),
+      orientations_(size_t{4} * request.desc.max_samples, memory),
+      pressures_(request.desc.max_samples, memory),
+      times_(request.desc.max_samples, memory),
+      host_times_(request.desc.max_samples, memory),
+      checkpoints_(request.desc.max_samples / checkpoint_interval + 1, memory),
       samples_{positions_.data(), orientations_.data(), pressures_.data(), times_.data()},
       columns_(live_columns(request.style->prepared)) {
     settings_.style = &style_->prepared;

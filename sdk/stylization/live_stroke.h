@@ -28,11 +28,12 @@ namespace flg {
 struct LiveStrokeRequest {
     std::shared_ptr<Style> style;
     std::shared_ptr<PathTrees> trees;
-    LiveSettings settings;  // without style and trees
-    double max_jump = 1;    // metres
-    uint32_t max_samples = 16'384;
     Origin origin{};
+    FlgLiveStrokeDesc desc;  // checked; its style is resolved above
 };
+
+// Without style and trees.
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc);
 
 // Throws what the host is told of values that can't be taken: numbers first, then the sample's place after the one
 // before it.
