@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The C# binding of abi.json: a file for each header and kind of thing, of blittable structs and static functions with
 pointers, so that no call marshals, copies or allocates. Structs, fields and functions keep their C names, which the
-comments, that come along, speak of; values of enums become FlgResult.NotReady.
+comments, that come along, speak of; values of enums become FlgResult.NotReady. Layouts are those of C: C# lays structs
+out in sequence.
 """
 import re
 import textwrap
@@ -90,7 +91,8 @@ class Binding:
 
     def _file(self, header: dict, kind: str, body: list[str]) -> str:
         lines = ["// SPDX-License-Identifier: MIT",
-                 f"// {kind} of {header['name']}. Written by tools/abi/generate from sdk/api/abi.json: change the header."]
+                 f"// {kind} of {header['name']}. "
+                 "Written by tools/abi/generate from sdk/api/abi.json: change the header."]
         if kind == "Functions":
             lines.append("//")
             source = self._said(header["doc"]).split("\n")
@@ -98,8 +100,11 @@ class Binding:
                 inner = re.match(" *", after if after.startswith(" ") else line)[0]
                 lines += textwrap.wrap(line, _WIDTH + 4, initial_indent="// ", subsequent_indent="// " + inner,
                                        drop_whitespace=True, replace_whitespace=False) or ["//"]
-        using = ["using System;", "using System.Runtime.InteropServices;"]
-        lines += ["", *using, "", "namespace Filigree", "{"]
+        lines += ["", "using System;"]
+        if any("Cdecl" in line for line in body):
+            lines += ["using System.Runtime.InteropServices;",
+                      "using static System.Runtime.InteropServices.CallingConvention;"]
+        lines += ["", "namespace Filigree", "{"]
         return "\n".join(lines + [f"    {line}" if line else "" for line in body[:-1]] + ["}", ""])
 
     # ---- Types ---------------------------------------------------------------------------------------------------
@@ -149,25 +154,25 @@ class Binding:
         return lines + ["}", ""]
 
     def _handle(self, name: str) -> list[str]:
-        return ["[StructLayout(LayoutKind.Sequential)]", f"public partial struct {name} : IEquatable<{name}>", "{",
+        return [f"public partial struct {name} : IEquatable<{name}>", "{",
                 "    public ulong id;", "    public bool IsNull => id == 0;",
                 f"    public bool Equals({name} other) => id == other.id;",
                 f"    public override bool Equals(object other) => other is {name} handle && Equals(handle);",
                 "    public override int GetHashCode() => id.GetHashCode();", "}"]
 
     def _object(self, name: str) -> list[str]:
-        return ["[StructLayout(LayoutKind.Sequential)]", f"public partial struct {name}", "{", "    public IntPtr pointer;",
+        return [f"public partial struct {name}", "{", "    public IntPtr pointer;",
                 "    public bool IsNull => pointer == IntPtr.Zero;", "}"]
 
     def _callback(self, callback: dict) -> list[str]:
         parameters = ", ".join(self._parameters(callback["parameters"]))
         head = f"public unsafe delegate {self._type(callback['returns'])} {_delegate(callback['name'])}("
         lines = self._doc(f"Of {callback['name']}. {callback['doc']}".strip(), "")
-        return lines + ["[UnmanagedFunctionPointer(CallingConvention.Cdecl)]", *self._call(head, parameters), ""]
+        return lines + ["[UnmanagedFunctionPointer(Cdecl)]", *self._call(head, parameters), ""]
 
     def _struct(self, struct: dict) -> list[str]:
         lines = self._doc(struct["doc"], "")
-        lines += ["[StructLayout(LayoutKind.Sequential)]", f"public unsafe partial struct {struct['name']}", "{"]
+        lines += [f"public unsafe partial struct {struct['name']}", "{"]
         for f in struct["fields"]:
             if f["type"] in self._callbacks:
                 doc = f"A {_delegate(f['type'])}, by Marshal.GetFunctionPointerForDelegate. {f['doc']}".strip()
@@ -191,8 +196,7 @@ class Binding:
         lines = ["public static unsafe partial class Native", "{"]
         for function in functions:
             lines += self._doc(function["doc"], "    ")
-            lines.append(f"    [DllImport(Library.{library}, CallingConvention = CallingConvention.Cdecl, "
-                         "ExactSpelling = true)]")
+            lines.append(f"    [DllImport(Library.{library}, CallingConvention = Cdecl, ExactSpelling = true)]")
             head = f"public static extern {self._type(function['returns'])} {function['name']}("
             lines += ["    " + line for line in self._call(head, ", ".join(self._parameters(function["parameters"])))]
             lines.append("")
@@ -213,5 +217,5 @@ class Binding:
         room = _WIDTH - 4
         if len(head) + len(parameters) + 2 <= room:
             return [f"{head}{parameters});"]
-        lines = textwrap.wrap(parameters, room - 4, break_long_words=False, break_on_hyphens=False)
+        lines = textwrap.wrap(parameters, room - 4 - len(");"), break_long_words=False, break_on_hyphens=False)
         return [head] + [f"    {line}" for line in lines[:-1]] + [f"    {lines[-1]});"]

@@ -30,18 +30,19 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBrushMeshDescInit(FlgBrushMeshDesc* desc, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBrushMeshStateInit(FlgBrushMeshState* state, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBrushMeshSizesInit(FlgBrushMeshSizes* sizes, uint struct_size);
 
         /// <summary>
@@ -49,11 +50,11 @@ namespace Filigree
         /// is not changed. FlgResult.ErrorLimit above 2^32 - 1 vertices. Cost: one pass over the points, about 20 ns
         /// each.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBrushMeshGetSizes(
             FlgBrushMeshDesc* desc, FlgBrushMeshState* state, FlgBrushMeshSizes* out_sizes);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBrushMeshOutputInit(FlgBrushMeshOutput* output, uint struct_size);
 
         /// <summary>
@@ -64,7 +65,7 @@ namespace Filigree
         /// or overlap), FlgResult.ErrorLimit for indices that the format cannot hold. Cost: about 0.25 us a point of a
         /// tube of 8 sides with positions, normals and indices; one core.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBrushMeshWrite(
             FlgBrushMeshDesc* desc, FlgBrushMeshState* state, FlgBrushMeshOutput* output, FlgBrushMeshSizes* out_sizes);
 

@@ -2,12 +2,10 @@
 // Structs of filigree_brush.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
     /// <summary>What to make, and of which curves.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBrushMeshDesc
     {
         public uint struct_size;
@@ -72,7 +70,6 @@ namespace Filigree
     }
 
     /// <summary>Where a growing stroke is. One per stroke; plain data that the host may copy, but not change.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBrushMeshState
     {
         public uint struct_size;
@@ -87,7 +84,6 @@ namespace Filigree
     }
 
     /// <summary>What a call of flgBrushMeshWrite writes.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBrushMeshSizes
     {
         public uint struct_size;
@@ -105,7 +101,6 @@ namespace Filigree
     /// <summary>
     /// Where a column of vertices goes; several may be interleaved. Only the components are written, nothing between.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgVertexColumn
     {
         /// <summary>each at most once</summary>
@@ -123,7 +118,6 @@ namespace Filigree
     /// The buffers. They must not overlap each other, nor the input. Written from front to back and never read: mapped
     /// memory of a graphics card will do.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBrushMeshOutput
     {
         public uint struct_size;

@@ -27,15 +27,16 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBufferOutputInit(FlgBufferOutput* output, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgColumnsWriteDescInit(FlgColumnsWriteDesc* desc, uint struct_size);
 
         /// <summary>
@@ -43,7 +44,7 @@ namespace Filigree
         /// FlgNumberFormat. Errors: FlgResult.ErrorInvalidArgument, also for buffers that are too small, unaligned or
         /// overlap. Cost: as memcpy for packed floats; else 1 to 3 ns a number.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgColumnsWrite(FlgColumnsWriteDesc* desc);
 
         /// <summary>
@@ -51,11 +52,11 @@ namespace Filigree
         /// above; FlgResult.ErrorLimit for indices that the format cannot hold: 65534 is the largest of UINT16, 2^32 -
         /// 2 of UINT32. Cost: one pass to check and one to write, below 1 ns an index.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgIndicesWrite(uint* indices, uint index_count, FlgBufferOutput* output);
 
         /// <summary>Starts a job that writes the columns of curves. Cost: that of flgColumnsWrite.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetWrite(
             FlgContext context, FlgCurveSet curves, FlgBufferOutput* output, FlgJobOptions* job, FlgJob* out_job);
 
@@ -63,7 +64,7 @@ namespace Filigree
         /// Starts a job that writes columns, indices and regions of a surface, as it is after the changes that were
         /// started before. Later changes wait for the job. Cost: that of flgColumnsWrite and flgIndicesWrite.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceWrite(
             FlgContext context, FlgSurface surface, FlgBufferOutput* output, FlgJobOptions* job, FlgJob* out_job);
 
@@ -71,7 +72,7 @@ namespace Filigree
         /// Starts a job that writes a field's columns: VALUE and, if it has labels, LABEL; FLG_NO_INDEX becomes the
         /// largest number of a narrow format. Cost: that of flgColumnsWrite.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldWrite(
             FlgContext context, FlgField field, FlgBufferOutput* output, FlgJobOptions* job, FlgJob* out_job);
 
@@ -80,7 +81,7 @@ namespace Filigree
         /// and UNORM16 the largest weight gets what makes the sum exactly 1. (flgSkinPose writes matrices into the
         /// host's memory anyway.) Cost: that of flgColumnsWrite and flgIndicesWrite.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinWrite(
             FlgContext context, FlgSkin skin, FlgBufferOutput* output, FlgJobOptions* job, FlgJob* out_job);
 
@@ -88,7 +89,7 @@ namespace Filigree
         /// Starts a job that writes indices and column POSITION of a part's body. Cost: that of flgColumnsWrite and
         /// flgIndicesWrite.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshWrite(
             FlgContext context, FlgPartMesh mesh, FlgBufferOutput* output, FlgJobOptions* job, FlgJob* out_job);
 

@@ -2,7 +2,6 @@
 // Structs of filigree_buffers.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -11,7 +10,6 @@ namespace Filigree
     /// SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS,
     /// VALUE and the host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBufferColumn
     {
         /// <summary>each at most once</summary>
@@ -36,7 +34,6 @@ namespace Filigree
     }
 
     /// <summary>The buffers, and which part of a result they get.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBufferOutput
     {
         public uint struct_size;
@@ -84,7 +81,6 @@ namespace Filigree
     }
 
     /// <summary>Columns of any view, and where they go.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgColumnsWriteDesc
     {
         public uint struct_size;

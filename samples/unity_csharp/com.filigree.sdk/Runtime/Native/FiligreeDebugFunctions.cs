@@ -27,15 +27,16 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawDescInit(FlgDebugDrawDesc* desc, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawingInit(FlgDebugDrawing* drawing, uint struct_size);
 
         /// <summary>
@@ -43,7 +44,7 @@ namespace Filigree
         /// Tangents are those of the TANGENT column, or between neighbours. Default LINES, FRAMES and SEAMS. Elements:
         /// curves. With partial_results the leading curves are drawn. Cost: a pass over the points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawCurveSet(
             FlgContext context, FlgCurveSet set, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -52,7 +53,7 @@ namespace Filigree
         /// example; FRAMES of the guide. Default LINES, GUIDE and DISPLACEMENT. Elements: curves. Cost: a pass over the
         /// points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawStyle(
             FlgContext context, FlgStyle style, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -61,7 +62,7 @@ namespace Filigree
         /// greater label between labels; POINTS, the vertices. Default BORDERS. Elements: triangles, of POINTS
         /// vertices. Cost: a pass over the triangles.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawSurface(
             FlgContext context, FlgSurface surface, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -70,7 +71,7 @@ namespace Filigree
         /// it is infinite. Default POINTS. Elements: vertices. Refuses a field of an earlier revision of its surface.
         /// Cost: a pass over the vertices, and 1 ns a vertex of the surface for the least and greatest value.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawField(
             FlgContext context, FlgField field, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -78,7 +79,7 @@ namespace Filigree
         /// Curves on a surface, lifted into space: LINES and POINTS. Default LINES. Elements: curves. Refuses curves of
         /// an earlier revision of their surface. Cost: a pass over the points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawSurfaceCurves(
             FlgContext context, FlgSurfaceCurves curves, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -89,7 +90,7 @@ namespace Filigree
         /// triangles, of SEEDS operators. Places of seeds are those when the operator was applied. Cost: a pass over
         /// the triangles, and the operators' seeds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawTangle(
             FlgContext context, FlgTangle tangle, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -98,7 +99,7 @@ namespace Filigree
         /// nodes, from blue (time 0) to red (the latest). Default all of these. Elements: points of the contour, arcs,
         /// nodes. Cost: a pass over points, arcs and nodes, and 1 ns a node for the latest time.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawStraightSkeleton(
             FlgContext context, FlgStraightSkeleton skeleton, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -106,7 +107,7 @@ namespace Filigree
         /// An outline in its place: BORDERS, the contour. Default BORDERS. Elements: rings. Cost: a pass over the
         /// points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawOutline(
             FlgContext context, FlgOutline outline, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -115,7 +116,7 @@ namespace Filigree
         /// slices across its branches, grey. Default BORDERS and LINES. Elements: rings, arcs, nodes, samples. Cost: a
         /// pass over the points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawPart(
             FlgContext context, FlgPart part, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -123,7 +124,7 @@ namespace Filigree
         /// A part's surface, in the drawing's unit: EDGES. Default EDGES. Elements: triangles. Cost: a pass over the
         /// triangles.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawPartMesh(
             FlgContext context, FlgPartMesh mesh, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -131,7 +132,7 @@ namespace Filigree
         /// A model: LINES, a bone from each joint's parent to it, as an octahedron; POINTS, the joints. Both coloured
         /// by part. Default both. Elements: joints. Cost: a pass over the joints.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawModel(
             FlgContext context, FlgModel model, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -139,7 +140,7 @@ namespace Filigree
         /// A skin at rest: LINES and POINTS of its joints, as of a model, in one colour; EDGES, coloured by part.
         /// Default LINES and POINTS. Elements: joints, of EDGES triangles. Cost: a pass over the joints or triangles.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawSkin(
             FlgContext context, FlgSkin skin, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -150,7 +151,7 @@ namespace Filigree
         /// and borders show none. Default both. Elements: obstacles. Cost: a pass over the obstacles, and over the
         /// triangles of meshes.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawObstacles(
             FlgContext context, FlgObstacles obstacles, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -160,7 +161,7 @@ namespace Filigree
         /// given points. Of more than three coordinates the first three are drawn; of two, z is 0. With partial_results
         /// the last round is drawn. Cost: a pass over the nodes.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawSpline(
             FlgContext context, FlgSpline spline, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
@@ -169,7 +170,7 @@ namespace Filigree
         /// the keys, yellow. Default all of these. Elements: positions, of POINTS keys. With partial_results the last
         /// round is drawn. Cost: a pass over the positions.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawMotion(
             FlgContext context, FlgMotion motion, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 

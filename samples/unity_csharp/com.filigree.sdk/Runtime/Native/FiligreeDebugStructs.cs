@@ -2,12 +2,10 @@
 // Structs of filigree_debug.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
     /// <summary>An end of a line, or a point.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgDebugVertex
     {
         /// <summary>metres</summary>
@@ -17,7 +15,6 @@ namespace Filigree
     }
 
     /// <summary>What to draw, and how.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgDebugDrawDesc
     {
         public uint struct_size;
@@ -39,7 +36,6 @@ namespace Filigree
     }
 
     /// <summary>A drawing. The host owns the arrays; an array that is null is counted, but not written.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgDebugDrawing
     {
         public uint struct_size;

@@ -25,6 +25,7 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
@@ -34,44 +35,44 @@ namespace Filigree
         /// [any thread] The version of the loaded library. flgContextCreate compares it with the header's: the major
         /// versions must match, and while the major version is 0 the minor versions too.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern uint flgVersionGet();
 
         /// <summary>
         /// [any thread] Why the last failing call on this thread failed: one sentence, never null, valid until the next
         /// failing call on this thread. Successful calls leave it unchanged.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgErrorGetMessage();
 
         /// <summary>
         /// [any thread] The name of a result, such as "FLG_ERROR_LIMIT"; "FLG_RESULT_UNKNOWN" for other values.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgResultGetName(FlgResult result);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgAllocatorInit(FlgAllocator* allocator, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobSystemInit(FlgJobSystem* system, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLogInit(FlgLog* log, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgClockInit(FlgClock* clock, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgProfilerInit(FlgProfiler* profiler, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextDescInit(FlgContextDesc* desc, uint struct_size);
 
         /// <summary>
         /// Creates a context and starts its workers. `desc` may be null: all defaults. Cost: below a millisecond.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextCreate(FlgContextDesc* desc, FlgContext* out_context);
 
         /// <summary>
@@ -80,10 +81,10 @@ namespace Filigree
         /// and returns FlgResult.NotReady: let the job system run, then call again. Meanwhile all other calls are
         /// refused. Callbacks of the cancelled jobs do not run. Null is allowed and does nothing.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextDestroy(FlgContext context);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFrameReportInit(FlgFrameReport* report, uint struct_size);
 
         /// <summary>
@@ -93,10 +94,10 @@ namespace Filigree
         /// budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released
         /// before their job was done, at the cost of their release.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextTick(FlgContext context, uint budget_us, FlgFrameReport* report);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint struct_size);
 
         /// <summary>
@@ -106,7 +107,7 @@ namespace Filigree
         /// copies of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates
         /// nothing.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory);
 
         /// <summary>
@@ -114,17 +115,17 @@ namespace Filigree
         /// timeout passes. Returns FlgResult.Ok if there is something to publish or no job is left, FlgResult.NotReady
         /// otherwise. Returns at once in a context without workers, where flgContextTick does the work.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextWait(FlgContext context, uint timeout_us);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobOptionsInit(FlgJobOptions* options, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobStatusInit(FlgJobStatus* status, uint struct_size);
 
         /// <summary>The job's state as of the last flgContextTick. Cost: tens of nanoseconds.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobGetStatus(FlgContext context, FlgJob job, FlgJobStatus* out_status);
 
         /// <summary>
@@ -132,7 +133,7 @@ namespace Filigree
         /// stages and sets `out_count` to their total (at most 16). `out_stages` may be null when capacity is 0. Cost:
         /// tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobGetStages(
             FlgContext context, FlgJob job, FlgStageTime* out_stages, uint capacity, uint* out_count);
 
@@ -142,14 +143,14 @@ namespace Filigree
         /// held is freed, and jobs that depend on it fail. Cancelling a finished job does nothing. Cost: tens of
         /// nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobCancel(FlgContext context, FlgJob job);
 
         /// <summary>
         /// Releases the handle; the job continues, and its callback still runs. Functions that start a job accept a
         /// null `out_job` if no handle is needed. Cost: tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgJobRelease(FlgContext context, FlgJob job);
 
         /// <summary>
@@ -158,14 +159,14 @@ namespace Filigree
         /// result of the first of `jobs` that failed, or FlgResult.NotReady when the time is over. Callbacks of jobs
         /// run as in flgContextTick. Not from callbacks.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextRun(FlgContext context, FlgJob* jobs, uint count, double seconds);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetViewInit(FlgCurveSetView* view, uint struct_size);
 
         /// <summary>[any thread] The view's column of an attribute, null if there is none.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgColumn* flgCurveSetViewGetColumn(FlgCurveSetView* view, FlgAttribute attribute);
 
         /// <summary>
@@ -173,7 +174,7 @@ namespace Filigree
         /// Accepts repeated points and zero-length curves unchanged; each function documents how it treats them. Cost:
         /// one pass over the data, about 2 ms for a million points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetCreate(
             FlgContext context, FlgCurveSetView* view, FlgCurveSet* out_set);
 
@@ -181,7 +182,7 @@ namespace Filigree
         /// The same for one curve through `count` points, at least 1, of 3 floats each, metres. `flags`: 0 or
         /// FLG_CURVE_CLOSED. Cost: one pass over the points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetCreateFromPoints(
             FlgContext context, float* points, uint count, byte flags, FlgCurveSet* out_set);
 
@@ -191,7 +192,7 @@ namespace Filigree
         /// curves complete at the last flgContextTick instead. Returns the job's error if it failed. Cost: tens of
         /// nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetGetView(
             FlgContext context, FlgCurveSet set, FlgCurveSetView* out_view);
 
@@ -200,10 +201,10 @@ namespace Filigree
         /// makes it continues; cancel the job if the result is not needed. Cost: that of freeing its arrays; for
         /// results of many megabytes some allocators return pages one by one: about 50 us a megabyte.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetResampleDescInit(FlgCurveSetResampleDesc* desc, uint struct_size);
 
         /// <summary>
@@ -213,35 +214,35 @@ namespace Filigree
         /// orientations are normalized. Consecutive repeated points count once. A zero-length curve becomes one point.
         /// Cost: about 100 ns a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetResample(
             FlgContext context, FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
         /// flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleCreate(
             FlgContext context, FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleInfoInit(FlgStyleInfo* info, uint struct_size);
 
         /// <summary>
         /// FlgResult.NotReady until the style is prepared; its job's error if that failed. Cost: tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleGetInfo(FlgContext context, FlgStyle style, FlgStyleInfo* out_info);
 
         /// <summary>
         /// The guide as a curve set with as many curves as the style and with TANGENT and NORMAL columns, relative to
         /// the example's origin (of a loaded style 0). The caller releases it. Cost: one copy.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleGetGuide(FlgContext context, FlgStyle style, FlgCurveSet* out_guide);
 
         /// <summary>
@@ -250,7 +251,7 @@ namespace Filigree
         /// small. FlgResult.NotReady until the style is prepared. Cost: about a millisecond a megabyte; a style has 150
         /// to 250 bytes a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleGetData(
             FlgContext context, FlgStyle style, void* out_data, UIntPtr capacity, UIntPtr* out_size);
 
@@ -259,14 +260,14 @@ namespace Filigree
         /// alignment and may be freed afterwards. FlgResult.ErrorFormat for truncated, damaged or malicious bytes, or
         /// another format version. Cost: about a millisecond a megabyte.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleCreateFromData(
             FlgContext context, void* data, UIntPtr size, FlgStyle* out_style);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint struct_size);
 
         /// <summary>
@@ -289,7 +290,7 @@ namespace Filigree
         /// FlgResult.ErrorInvalidArgument and names it. Cost: about 100 ns a point of the result, and once for each
         /// style and temperature the path trees, 0.1 ms each.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetStylize(
             FlgContext context, FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 

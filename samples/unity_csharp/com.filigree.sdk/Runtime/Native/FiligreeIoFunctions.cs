@@ -45,15 +45,16 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFileSystemInit(FlgFileSystem* files, uint struct_size);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFileHooksInit(FlgFileHooks* hooks, uint struct_size);
 
         /// <summary>
@@ -61,7 +62,7 @@ namespace Filigree
         /// PLACE is a line number, a byte offset (`@1234`), a part of the file's structure or an argument; with FILE
         /// alone if the whole file is meant, such as when it cannot be opened.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgIoErrorGetMessage();
 
         /// <summary>
@@ -70,30 +71,30 @@ namespace Filigree
         /// (unpacked too), 2^31 points. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit,
         /// FlgResult.ErrorOutOfMemory. Cost: 0.1 to 0.2 us a point.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileRead(byte* path, FlgFileHooks* hooks, FlgCurveFile* out_file);
 
         /// <summary>The curves, ready for flgCurveSetCreate; lives until the file is released.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileInfoInit(FlgCurveFileInfo* info, uint struct_size);
 
         /// <summary>The file's contents and warnings. Set struct_size.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info);
 
         /// <summary>One per curve for .tilt files; null and 0 for other formats.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetStrokes(
             FlgCurveFile file, FlgStroke** out_strokes, uint* out_count);
 
         /// <summary>Null is allowed.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern void flgCurveFileRelease(FlgCurveFile file);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
@@ -105,7 +106,7 @@ namespace Filigree
         /// another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to
         /// 0.8.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileWrite(
             byte* path, FlgCurveSetView* view, FlgCurveFileWriteDesc* desc);
 
@@ -118,11 +119,11 @@ namespace Filigree
         /// MB/s of text (2 M triangles: 0.1 s and 0.3 s). `hooks` may be null: all defaults. Limits: 2 GiB a file, and
         /// 2 GiB for the result. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileRead(byte* path, FlgFileHooks* hooks, FlgMeshFile* out_file);
 
         /// <summary>The mesh; lives until the file is released. `regions` is null if the file has none.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetView(FlgMeshFile file, FlgMeshView* out_view);
 
         /// <summary>
@@ -130,7 +131,7 @@ namespace Filigree
         /// face have its values; negative values are stored plus 2^32. Null and 0 for other formats. Lives until the
         /// file is released.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetFaceColumns(
             FlgMeshFile file, FlgMeshFaceColumn** out_columns, uint* out_count);
 
@@ -139,22 +140,22 @@ namespace Filigree
         /// least one has a colour; else null and 0. Missing factors get glTF's defaults: white, metallic 1, roughness
         /// 1. Lines are read only from this library's files: glTF has none. Lives until the file is released.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetMaterials(
             FlgMeshFile file, FlgMeshMaterial** out_materials, uint* out_count);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint struct_size);
 
         /// <summary>The file's contents and warnings. Set struct_size.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info);
 
         /// <summary>Null is allowed.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern void flgMeshFileRelease(FlgMeshFile file);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
@@ -164,7 +165,7 @@ namespace Filigree
         /// range), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
         /// Cost: 0.2 to 0.5 us a triangle.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshFileWriteDesc* desc);
 
         /// <summary>
@@ -181,18 +182,18 @@ namespace Filigree
         /// one core, about 0.4 us a vertex. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit (2
         /// GiB a file and for the result; 65535 joints).
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileRead(byte* path, FlgFileHooks* hooks, FlgSkinFile* out_file);
 
         /// <summary>The skin; lives until the file is released.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
 
         /// <summary>
         /// An animation, 0 to the info's animation_count - 1, in the file's order. Its arrays live until the file is
         /// released.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileGetAnimation(
             FlgSkinFile file, uint animation, FlgSkinAnimation* out_animation);
 
@@ -200,22 +201,22 @@ namespace Filigree
         /// The materials, one per part, or one for all, if at least one has a colour; else null and 0. As
         /// flgMeshFileGetMaterials.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileGetMaterials(
             FlgSkinFile file, FlgMeshMaterial** out_materials, uint* out_count);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint struct_size);
 
         /// <summary>The file's contents and warnings. Set struct_size.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info);
 
         /// <summary>Null is allowed.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern void flgSkinFileRelease(FlgSkinFile file);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
@@ -228,10 +229,10 @@ namespace Filigree
         /// FlgResult.ErrorInvalidArgument, FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile,
         /// FlgResult.ErrorLimit (2 GiB).
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileWrite(byte* path, FlgSkinFileWriteDesc* desc);
 
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionFileWriteDescInit(FlgMotionFileWriteDesc* desc, uint struct_size);
 
         /// <summary>
@@ -243,20 +244,20 @@ namespace Filigree
         /// that are no rotations), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile,
         /// FlgResult.ErrorLimit (2 GiB).
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionFileWrite(byte* path, FlgMotionFileWriteDesc* desc);
 
         /// <summary>
         /// [any thread] The name of a tangle operator in documents and scripts, such as "contour", by FlgTangleOperator
         /// value. Null beyond the last one. A static string. Cost: nanoseconds.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgTangleOperatorGetName(uint number);
 
         /// <summary>
         /// [any thread] Likewise for a macro, such as "sunburst", by FlgTangleMacro value. Cost: nanoseconds.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgTangleMacroGetName(uint number);
 
         /// <summary>
@@ -268,7 +269,7 @@ namespace Filigree
         /// FlgResult.ErrorFile, FlgResult.ErrorLimit (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what
         /// the disk takes.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleFileWrite(byte* path, FlgTangleHistory* history, FlgFileHooks* hooks);
 
         /// <summary>
@@ -278,15 +279,15 @@ namespace Filigree
         /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: some us a step and what the disk
         /// takes.
         /// </summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleFileRead(byte* path, FlgFileHooks* hooks, FlgTangleFile* out_file);
 
         /// <summary>The history, ready for flgTangleReplay; lives until the file is released.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* out_history);
 
         /// <summary>Null is allowed.</summary>
-        [DllImport(Library.Io, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern void flgTangleFileRelease(FlgTangleFile file);
 
         public static FlgFileSystem flgFileSystemDefaults()

@@ -3,40 +3,41 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     /// <summary>Of FlgFileSystem.open. An open file; null if it cannot be opened.</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void* FlgFileSystemOpen(void* user_data, byte* path, FlgFileAccess access);
 
     /// <summary>Of FlgFileSystem.size. Of a file that is read, bytes; above 2 GiB where it has none.</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate ulong FlgFileSystemSize(void* user_data, void* file);
 
     /// <summary>
     /// Of FlgFileSystem.read. Reads the next bytes, at most `size`, and returns how many; 0 at the end, and when it
     /// fails.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate UIntPtr FlgFileSystemRead(void* user_data, void* file, void* out_bytes, UIntPtr size);
 
     /// <summary>
     /// Of FlgFileSystem.write. Appends bytes, and returns how many; fewer than `size` when it fails. Null: no file can
     /// be written.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate UIntPtr FlgFileSystemWrite(void* user_data, void* file, void* bytes, UIntPtr size);
 
     /// <summary>
     /// Of FlgFileSystem.close. Called once for each open file. Of one that is written, `complete` tells whether to keep
     /// it: with 0 what was there before must stay. Returns 0 if it could not be kept.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate uint FlgFileSystemClose(void* user_data, void* file, uint complete);
 
     /// <summary>Of FlgFileSystem.remove. Removes a side file that no document names any more. Null: it stays.</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgFileSystemRemove(void* user_data, byte* path);
 
     /// <summary>
@@ -45,7 +46,6 @@ namespace Filigree
     /// together with `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a
     /// time in a call.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFileSystem
     {
         public uint struct_size;
@@ -88,7 +88,6 @@ namespace Filigree
     /// What a call uses of the host. The structs are copied; what they point to must live as long as what the call
     /// makes.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFileHooks
     {
         public uint struct_size;
@@ -104,7 +103,6 @@ namespace Filigree
         public FlgFileSystem* files;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveFileInfo
     {
         public uint struct_size;
@@ -127,7 +125,6 @@ namespace Filigree
     }
 
     /// <summary>Data of one stroke in a .tilt file, besides its points.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStroke
     {
         /// <summary>the brush's name if known, else its GUID</summary>
@@ -142,7 +139,6 @@ namespace Filigree
         public ulong start_ms;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveFileWriteDesc
     {
         public uint struct_size;
@@ -179,7 +175,6 @@ namespace Filigree
     }
 
     /// <summary>Integers per triangle, with a name.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshFaceColumn
     {
         /// <summary>letters, digits and _, at most 63; not `region` nor `vertex_indices`</summary>
@@ -192,7 +187,6 @@ namespace Filigree
     /// A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are
     /// linear RGB.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshMaterial
     {
         /// <summary>UTF-8, at most 255 bytes; null: `region N`</summary>
@@ -210,7 +204,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshFileInfo
     {
         public uint struct_size;
@@ -234,7 +227,6 @@ namespace Filigree
         public byte** warnings;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshFileWriteDesc
     {
         public uint struct_size;
@@ -252,7 +244,6 @@ namespace Filigree
         public FlgFileHooks* hooks;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSkinFileInfo
     {
         public uint struct_size;
@@ -268,7 +259,6 @@ namespace Filigree
         public byte** warnings;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSkinFileWriteDesc
     {
         public uint struct_size;
@@ -288,7 +278,6 @@ namespace Filigree
         public FlgFileHooks* hooks;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMotionFileWriteDesc
     {
         public uint struct_size;

@@ -2,7 +2,6 @@
 // Types of filigree_io.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -29,7 +28,6 @@ namespace Filigree
     }
 
     /// <summary>Curves read from a file, with their memory.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgCurveFile
     {
         public IntPtr pointer;
@@ -37,7 +35,6 @@ namespace Filigree
     }
 
     /// <summary>A mesh read from a file, with its memory.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgMeshFile
     {
         public IntPtr pointer;
@@ -45,7 +42,6 @@ namespace Filigree
     }
 
     /// <summary>A skin read from a .gltf or .glb file, with its animations and its memory.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSkinFile
     {
         public IntPtr pointer;
@@ -53,7 +49,6 @@ namespace Filigree
     }
 
     /// <summary>A history read from a file, with its memory.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgTangleFile
     {
         public IntPtr pointer;

@@ -50,6 +50,7 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
@@ -61,11 +62,11 @@ namespace Filigree
         /// and flgLiveStrokeBegin. `temperature` as in FlgCurveSetStylizeDesc; `job` may be null: defaults. Cost: 0.1
         /// ms of work for each of up to 256 trees.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleWarm(
             FlgContext context, FlgStyle style, float temperature, FlgJobOptions* job, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint struct_size);
 
         /// <summary>
@@ -74,7 +75,7 @@ namespace Filigree
         /// the allocation of its memory, which it does not touch. (An allocator that returns pages touched before
         /// spares pushes the system's cost of first touches.)
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeBegin(
             FlgContext context, FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
@@ -93,7 +94,7 @@ namespace Filigree
         /// next call for this stroke, its arrays until the stroke is released; curve_count is 0 if there is nothing
         /// new. After flgLiveStrokeEnd: FlgResult.ErrorInvalidArgument. Cost: about 0.2 us a sample and 0.1 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokePush(
             FlgContext context, FlgLiveStroke stroke, FlgLiveSample* samples, uint count, FlgCurveSetView* out_new);
 
@@ -101,7 +102,7 @@ namespace Filigree
         /// [any thread, one per stroke] All points so far; lives as long as flgLiveStrokePush's view. Once the job of
         /// flgLiveStrokeEnd is published: the whole stroke. Cost: tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetPoints(
             FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_view);
 
@@ -116,17 +117,17 @@ namespace Filigree
         /// stroke's release. Works after flgLiveStrokeEnd too, until its job is published: then there is no tip any
         /// more. Cost: about 0.5 us, and 0.1 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetTip(
             FlgContext context, FlgLiveStroke stroke, FlgCurveSetView* out_tip);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeInfoInit(FlgLiveStrokeInfo* info, uint struct_size);
 
         /// <summary>
         /// [any thread, one per stroke] The stroke's progress; set struct_size. Cost: tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeGetInfo(
             FlgContext context, FlgLiveStroke stroke, FlgLiveStrokeInfo* out_info);
 
@@ -135,7 +136,7 @@ namespace Filigree
         /// as it was before they were pushed, to the bit. out_point_count (may be null): points left. Refused for an
         /// ended stroke: resume it first. Cost: that of pushing up to 5 samples.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeUndo(
             FlgContext context, FlgLiveStroke stroke, uint count, uint* out_point_count);
 
@@ -150,7 +151,7 @@ namespace Filigree
         /// succeeds with the points made so far; once the job is published, FlgLiveStrokeInfo::cut is set.
         /// `out_samples` has all samples, so the whole stroke can be stylized from it. Cost: about 6 ns a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeEnd(
             FlgContext context, FlgLiveStroke stroke, FlgJobOptions* job, FlgCurveSet* out_stylized, FlgCurveSet*
             out_samples, FlgJob* out_job);
@@ -160,14 +161,14 @@ namespace Filigree
         /// next sample. FlgResult.NotReady while a job still reads the stroke. Sets already made do not change. Cost:
         /// that of pushing up to 5 samples.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeResume(FlgContext context, FlgLiveStroke stroke);
 
         /// <summary>
         /// Starts a job that splits an ended stroke into two copies that meet: points 0 to `point`, and `point` to the
         /// last. FlgResult.NotReady until the job of flgLiveStrokeEnd is published. Cost: about 10 ns a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeSplit(
             FlgContext context, FlgLiveStroke stroke, uint point, FlgJobOptions* job, FlgCurveSet* out_first,
             FlgCurveSet* out_second, FlgJob* out_job);
@@ -175,7 +176,7 @@ namespace Filigree
         /// <summary>
         /// Ends the stroke without results. Jobs that read the stroke keep its memory until they finish.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke);
 
         /// <summary>
@@ -187,10 +188,10 @@ namespace Filigree
         /// max_samples does not apply. Closed curves are drawn open. The style need not be ready or warm. `job` may be
         /// null. Cost: about 0.3 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokeReplay(
-            FlgContext context, FlgLiveStrokeDesc* desc, FlgCurveSet samples, FlgJobOptions* job, FlgCurveSet* out_set,
-            FlgJob* out_job);
+            FlgContext context, FlgLiveStrokeDesc* desc, FlgCurveSet samples, FlgJobOptions* job, FlgCurveSet*
+            out_set, FlgJob* out_job);
 
         public static FlgLiveStrokeInfo flgLiveStrokeInfoDefaults()
         {

@@ -2,11 +2,9 @@
 // Structs of filigree_live.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLiveStrokeDesc
     {
         public uint struct_size;
@@ -57,7 +55,6 @@ namespace Filigree
     }
 
     /// <summary>One sample of the controller.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLiveSample
     {
         /// <summary>metres, magnitude at most 1e30</summary>
@@ -71,7 +68,6 @@ namespace Filigree
     }
 
     /// <summary>Progress of a stroke.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLiveStrokeInfo
     {
         public uint struct_size;

@@ -2,12 +2,10 @@
 // Types of filigree_live.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
     /// <summary>A stroke being drawn. Strokes are independent of each other.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgLiveStroke : IEquatable<FlgLiveStroke>
     {
         public ulong id;

@@ -14,12 +14,13 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineDescInit(FlgOutlineDesc* desc, uint struct_size);
 
         /// <summary>
@@ -28,25 +29,25 @@ namespace Filigree
         /// visible. Without a direction it also fails if the normals cancel out, as on a closed surface. Cost: 40 ns a
         /// triangle and 3 us a side of the borders.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineCreate(
             FlgContext context, FlgOutlineDesc* desc, FlgOutline* out_outline, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineViewInit(FlgOutlineView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the outline is released. FlgResult.NotReady until its job is published, the job's
         /// error if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineGetView(
             FlgContext context, FlgOutline outline, FlgOutlineView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOutlineRelease(FlgContext context, FlgOutline outline);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartDescInit(FlgPartDesc* desc, uint struct_size);
 
         /// <summary>
@@ -58,24 +59,24 @@ namespace Filigree
         /// spacing. Around a hole the axis passes on one side only: bones cannot form cycles. Cost: 0.1 to 0.3 ms for a
         /// drawn contour.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartCreate(
             FlgContext context, FlgPartDesc* desc, FlgPart* out_part, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartViewInit(FlgPartView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the part is released. FlgResult.NotReady until its job is published, the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartGetView(FlgContext context, FlgPart part, FlgPartView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartRelease(FlgContext context, FlgPart part);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshDescInit(FlgPartMeshDesc* desc, uint struct_size);
 
         /// <summary>
@@ -83,31 +84,31 @@ namespace Filigree
         /// Poisson equation for the height, and joins both sides. The surface is closed and manifold, also around
         /// holes. Cost: 3 ms for 700 vertices.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshCreate(
             FlgContext context, FlgPartMeshDesc* desc, FlgPartMesh* out_mesh, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshViewInit(FlgPartMeshView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the mesh is released. FlgResult.NotReady until its job is published, the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshGetView(
             FlgContext context, FlgPartMesh mesh, FlgPartMeshView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPartMeshRelease(FlgContext context, FlgPartMesh mesh);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgBoneThresholdsInit(FlgBoneThresholds* thresholds, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelPartInit(FlgModelPart* part, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelDescInit(FlgModelDesc* desc, uint struct_size);
 
         /// <summary>
@@ -116,24 +117,24 @@ namespace Filigree
         /// part that meets no earlier one becomes a root. FlgResult.ErrorLimit above 65535 joints. Cost: about 12 us a
         /// part.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelCreate(
             FlgContext context, FlgModelDesc* desc, FlgModel* out_model, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelViewInit(FlgModelView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the model is released. FlgResult.NotReady until its job is published, the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelGetView(FlgContext context, FlgModel model, FlgModelView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgModelRelease(FlgContext context, FlgModel model);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint struct_size);
 
         /// <summary>
@@ -143,7 +144,7 @@ namespace Filigree
         /// max_vertices, or if a part lies further from the origin than 1e7 sides of the triangles that vertex_count
         /// asks for. Cost: 15 us a vertex.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinCreate(
             FlgContext context, FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job);
 
@@ -151,16 +152,16 @@ namespace Filigree
         /// The arrays live until the skin is released. FlgResult.NotReady until its job is published, the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinGetView(FlgContext context, FlgSkin skin, FlgSkinView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinRelease(FlgContext context, FlgSkin skin);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinViewInit(FlgSkinView* view, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinAnimationInit(FlgSkinAnimation* animation, uint struct_size);
 
         /// <summary>
@@ -176,7 +177,7 @@ namespace Filigree
         /// Reads only the skin's joints. Cost: about 50 ns a joint; takes no memory for up to 256 joints, else 56 bytes
         /// a joint of the C++ runtime's.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinPose(
             FlgSkinView* skin, float* rotations, float* translation, float* out_matrices, float* out_dual_quaternions);
 
@@ -189,7 +190,7 @@ namespace Filigree
         ///   out_translation  3, or null; 0 if the animation moves no roots
         /// Cost: about 80 ns a joint, 1 ns a key: all times are checked, and of the rest the two keys that are used.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinAnimationSample(
             FlgSkinAnimation* animation, uint joint_count, float time, float* out_rotations, float* out_translation);
 
@@ -201,7 +202,7 @@ namespace Filigree
         /// The joint with a vertex' largest weight decides the sign of equivalent dual quaternions. Weights must sum to
         /// 1 within 0.0001, the largest first. Cost: about 0.1 us a vertex, one pass to check and one to move.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinDeform(
             FlgSkinView* skin, FlgSkinning skinning, float* transforms, float* out_positions, float* out_normals);
 

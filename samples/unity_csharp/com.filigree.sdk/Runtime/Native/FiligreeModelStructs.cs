@@ -2,11 +2,9 @@
 // Structs of filigree_model.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgOutlineDesc
     {
         public uint struct_size;
@@ -24,7 +22,6 @@ namespace Filigree
     }
 
     /// <summary>Ready to become a part: `contour` for FlgPartDesc, `placement` for FlgModelPart.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgOutlineView
     {
         public uint struct_size;
@@ -41,7 +38,6 @@ namespace Filigree
     /// Fractions are of the part's length: the drawn length of the contour's ring 0, but at most three times its box
     /// diagonal (a frayed line does not make a larger drawing).
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPartDesc
     {
         public uint struct_size;
@@ -61,7 +57,6 @@ namespace Filigree
     }
 
     /// <summary>A point on a branch's axis, with the slice across it.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgAxisSample
     {
         /// <summary>on the axis</summary>
@@ -78,7 +73,6 @@ namespace Filigree
         public double right;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPartView
     {
         public uint struct_size;
@@ -106,7 +100,6 @@ namespace Filigree
         public double length;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPartMeshDesc
     {
         public uint struct_size;
@@ -123,7 +116,6 @@ namespace Filigree
         public double spacing;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPartMeshView
     {
         public uint struct_size;
@@ -140,7 +132,6 @@ namespace Filigree
     /// Resolution of the bones. Fractions are of the model's size, the largest length among its placed parts; the
     /// defaults equal the paper's pixels for a size of 2,000 pixels. 0 to 10 each.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBoneThresholds
     {
         public uint struct_size;
@@ -155,7 +146,6 @@ namespace Filigree
     }
 
     /// <summary>A part, its place in a model, and its refinement there.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelPart
     {
         /// <summary>the same of all parts of a model</summary>
@@ -186,7 +176,6 @@ namespace Filigree
         public float* branch_simplify;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelDesc
     {
         public uint struct_size;
@@ -212,7 +201,6 @@ namespace Filigree
     }
 
     /// <summary>Where a part is attached.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelPartInfo
     {
         /// <summary>how it was connected, before refinement of bones</summary>
@@ -232,7 +220,6 @@ namespace Filigree
     }
 
     /// <summary>Joints, parents first. The bone to a joint turns with its parent.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgModelView
     {
         public uint struct_size;
@@ -258,7 +245,6 @@ namespace Filigree
     }
 
     /// <summary>A surface in one piece and the joints that move it, in the rest pose: no joint is rotated.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSkinView
     {
         public uint struct_size;
@@ -288,7 +274,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSkinDesc
     {
         public uint struct_size;
@@ -308,7 +293,6 @@ namespace Filigree
     }
 
     /// <summary>A motion of a skin's joints.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSkinAnimation
     {
         public uint struct_size;

@@ -2,7 +2,6 @@
 // Types of filigree_model.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -32,7 +31,6 @@ namespace Filigree
     }
 
     /// <summary>A surface's silhouette from afar, as a contour. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgOutline : IEquatable<FlgOutline>
     {
         public ulong id;
@@ -43,7 +41,6 @@ namespace Filigree
     }
 
     /// <summary>A drawn contour with its axis. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgPart : IEquatable<FlgPart>
     {
         public ulong id;
@@ -54,7 +51,6 @@ namespace Filigree
     }
 
     /// <summary>A part's own inflated surface. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgPartMesh : IEquatable<FlgPartMesh>
     {
         public ulong id;
@@ -65,7 +61,6 @@ namespace Filigree
     }
 
     /// <summary>Parts in their places and one tree of joints. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgModel : IEquatable<FlgModel>
     {
         public ulong id;
@@ -76,7 +71,6 @@ namespace Filigree
     }
 
     /// <summary>A model's surface, bound to its joints. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSkin : IEquatable<FlgSkin>
     {
         public ulong id;

@@ -7,12 +7,13 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionDescInit(FlgMotionDesc* desc, uint struct_size);
 
         /// <summary>
@@ -26,11 +27,11 @@ namespace Filigree
         /// an obstacle; the message names the key. Cost: some 15 us a position, closed 20; around obstacles what the
         /// spline there costs.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionCreate(
             FlgContext context, FlgMotionDesc* desc, FlgMotion* out_motion, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionViewInit(FlgMotionView* view, uint struct_size);
 
         /// <summary>
@@ -38,10 +39,10 @@ namespace Filigree
         /// FlgResult.NotReady until its job is published (with partial_results: until its first round), the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionGetView(FlgContext context, FlgMotion motion, FlgMotionView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMotionRelease(FlgContext context, FlgMotion motion);
 
         public static FlgMotionDesc flgMotionDefaults()

@@ -2,11 +2,9 @@
 // Structs of filigree_motion.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMotionDesc
     {
         public uint struct_size;
@@ -83,7 +81,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMotionView
     {
         public uint struct_size;

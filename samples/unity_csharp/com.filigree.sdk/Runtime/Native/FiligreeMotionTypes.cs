@@ -2,7 +2,6 @@
 // Types of filigree_motion.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -15,7 +14,6 @@ namespace Filigree
     }
 
     /// <summary>A motion of a rigid body. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgMotion : IEquatable<FlgMotion>
     {
         public ulong id;

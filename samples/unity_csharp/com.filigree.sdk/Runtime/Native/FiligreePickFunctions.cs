@@ -13,24 +13,25 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
         /// <summary>[any thread] As flgErrorGetMessage, for the functions of this header.</summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgPickErrorGetMessage();
 
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneDescInit(FlgPickSceneDesc* desc, uint struct_size);
 
         /// <summary>`desc` may be null: all defaults. Cost: 0.2 to 1 ms.</summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneCreate(FlgPickSceneDesc* desc, FlgPickScene* out_scene);
 
         /// <summary>Null is allowed.</summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern void flgPickSceneDestroy(FlgPickScene scene);
 
         /// <summary>
@@ -40,7 +41,7 @@ namespace Filigree
         /// The structure is rebuilt once a quarter of the triangles has changed, or with `changed` null. Takes effect
         /// with flgPickSceneCommit. Cost: about 1 us a triangle that is new, with flgPickSceneCommit.
         /// </summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneSetSurface(
             FlgPickScene scene, uint @object, FlgSurfaceView* surface, uint* changed, uint changed_count);
 
@@ -49,19 +50,19 @@ namespace Filigree
         /// (metres, &gt; 0), so that thin lines can be hit. Cost: about 1.6 us a point that is new, with
         /// flgPickSceneCommit.
         /// </summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneSetCurves(
             FlgPickScene scene, uint @object, FlgCurveSetView* curves, float min_radius);
 
         /// <summary>FlgResult.ErrorInvalidArgument if nothing is under that index.</summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneRemove(FlgPickScene scene, uint @object);
 
         /// <summary>
         /// Builds what was set since the last commit. Queries before the first commit hit nothing. Cost: with
         /// flgPickSceneSetSurface, see there.
         /// </summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneCommit(FlgPickScene scene);
 
         /// <summary>
@@ -69,7 +70,7 @@ namespace Filigree
         /// first invalid ray; no ray is then shot. Cost, with 2 million triangles: about a microsecond a ray, half of
         /// that for 10,000 rays or more at a time.
         /// </summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneCastRays(
             FlgPickScene scene, FlgRay* rays, uint ray_count, FlgHit* out_hits);
 
@@ -77,7 +78,7 @@ namespace Filigree
         /// [any thread] The nearest point within `max_distance` (metres, &gt; 0, may be infinite). Cost: some us, tens
         /// if it is far.
         /// </summary>
-        [DllImport(Library.Pick, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Pick, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPickSceneFindNearest(
             FlgPickScene scene, float* point, float max_distance, FlgHit* out_hit);
 

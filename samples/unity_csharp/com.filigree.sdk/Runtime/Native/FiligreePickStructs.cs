@@ -3,6 +3,7 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
@@ -12,10 +13,9 @@ namespace Filigree
     /// returns FlgResult.ErrorOutOfMemory; set that object and commit again. Called from Embree's threads, too. Null:
     /// all is granted.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate uint FlgPickSceneDescEmbreeMemory(void* user_data, long bytes);
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPickSceneDesc
     {
         public uint struct_size;
@@ -43,7 +43,6 @@ namespace Filigree
     }
 
     /// <summary>A ray.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgRay
     {
         /// <summary>magnitude at most 1e18; likewise for positions of surfaces, and points below</summary>
@@ -57,7 +56,6 @@ namespace Filigree
     }
 
     /// <summary>The hit of a ray or a point.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgHit
     {
         /// <summary>the host's index; FLG_NO_INDEX: nothing was hit</summary>

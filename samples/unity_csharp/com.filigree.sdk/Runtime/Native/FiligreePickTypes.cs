@@ -2,12 +2,10 @@
 // Types of filigree_pick.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
     /// <summary>Embree's acceleration structures over copies of surfaces and curves.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgPickScene
     {
         public IntPtr pointer;

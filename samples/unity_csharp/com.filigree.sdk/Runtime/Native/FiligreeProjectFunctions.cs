@@ -6,12 +6,13 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetProjectDescInit(FlgCurveSetProjectDesc* desc, uint struct_size);
 
         /// <summary>
@@ -21,7 +22,7 @@ namespace Filigree
         /// single point are omitted. Fails if consecutive points fall on disconnected parts of the surface. Cost: 0.1
         /// us a triangle of the surface, some us a point near it (more the farther off) and 0.1 us a triangle passed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetProject(
             FlgContext context, FlgCurveSetProjectDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 

@@ -2,11 +2,9 @@
 // Structs of filigree_project.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveSetProjectDesc
     {
         public uint struct_size;

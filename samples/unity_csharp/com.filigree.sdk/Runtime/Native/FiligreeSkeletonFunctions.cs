@@ -6,15 +6,16 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContourViewInit(FlgContourView* view, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStraightSkeletonDescInit(FlgStraightSkeletonDesc* desc, uint struct_size);
 
         /// <summary>
@@ -32,25 +33,25 @@ namespace Filigree
         /// points where the contour touches itself). Crossings get new points, whose input_points are FLG_NO_INDEX.
         /// Repair adds about 2 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStraightSkeletonCreate(
             FlgContext context, FlgStraightSkeletonDesc* desc, FlgStraightSkeleton* out_skeleton, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStraightSkeletonViewInit(FlgStraightSkeletonView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the skeleton is released. FlgResult.NotReady until its job is published, the job's
         /// error if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStraightSkeletonGetView(
             FlgContext context, FlgStraightSkeleton skeleton, FlgStraightSkeletonView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStraightSkeletonRelease(FlgContext context, FlgStraightSkeleton skeleton);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgOffsetPolygonsInit(FlgOffsetPolygons* polygons, uint struct_size);
 
         /// <summary>
@@ -61,7 +62,7 @@ namespace Filigree
         /// failed; FlgResult.ErrorInvalidArgument for a distance below 0 or not finite. Cost: about 50 ns a point of
         /// the contour, each time.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStraightSkeletonOffset(
             FlgContext context, FlgStraightSkeleton skeleton, double distance, FlgOffsetPolygons* polygons);
 

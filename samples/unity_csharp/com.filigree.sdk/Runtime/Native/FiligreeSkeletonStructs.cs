@@ -2,7 +2,6 @@
 // Structs of filigree_skeleton.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -10,7 +9,6 @@ namespace Filigree
     /// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and
     /// may repeat their first point at the end. The host owns the arrays, which must live for the call.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgContourView
     {
         public uint struct_size;
@@ -25,7 +23,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStraightSkeletonDesc
     {
         public uint struct_size;
@@ -40,7 +37,6 @@ namespace Filigree
     /// The first nodes are the contour's points, ring by ring, at time 0. Face i is the area swept by the edge that
     /// starts at point i.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStraightSkeletonView
     {
         public uint struct_size;
@@ -75,7 +71,6 @@ namespace Filigree
     /// <summary>
     /// The front of a straight skeleton at a time. The host owns the arrays; null arrays are not written.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgOffsetPolygons
     {
         public uint struct_size;

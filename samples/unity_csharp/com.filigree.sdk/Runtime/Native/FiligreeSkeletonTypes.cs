@@ -2,7 +2,6 @@
 // Types of filigree_skeleton.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -13,7 +12,6 @@ namespace Filigree
     }
 
     /// <summary>The straight skeleton of a contour. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgStraightSkeleton : IEquatable<FlgStraightSkeleton>
     {
         public ulong id;

@@ -7,24 +7,25 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldShapeDescInit(FlgManifoldShapeDesc* desc, uint struct_size);
 
         /// <summary>Makes a manifold at once. Cost: 0.1 ms at most.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateShape(
             FlgContext context, FlgManifoldShapeDesc* desc, FlgManifold* out_manifold);
 
         /// <summary>The names of formulas, from index 0 on; null beyond the last one. Static strings.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgFormulaGetName(uint number);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldFromSurfaceDescInit(
             FlgManifoldFromSurfaceDesc* desc, uint struct_size);
 
@@ -36,29 +37,29 @@ namespace Filigree
         /// than about 114 degrees, where curves may stall. The surface continues a little beyond open borders:
         /// FlgObstacleKind.Border keeps curves from there. Cost: about 1 us a triangle.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromSurface(
             FlgContext context, FlgManifoldFromSurfaceDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldFromPointsDescInit(FlgManifoldFromPointsDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes the smooth surface of a point cloud by moving least squares (sec. 3.2). Cost: some
         /// us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromPoints(
             FlgContext context, FlgManifoldFromPointsDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldFromGridDescInit(FlgManifoldFromGridDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that makes the zero set of a sampled function, such as signed distances. Cost: about 20 ns a
         /// sample.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateFromGrid(
             FlgContext context, FlgManifoldFromGridDesc* desc, FlgManifold* out_manifold, FlgJob* out_job);
 
@@ -67,11 +68,11 @@ namespace Filigree
         /// crossing creases; the larger the weight (metres, above 0), the more. `base`: a surface in R^3, ready. Points
         /// are given and shown in R^3; the normals are added and dropped internally. Cost: 0.1 ms at most.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateImage(
             FlgContext context, FlgManifold @base, double weight, FlgManifold* out_manifold);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldFunctionsInit(FlgManifoldFunctions* functions, uint struct_size);
 
         /// <summary>
@@ -79,11 +80,11 @@ namespace Filigree
         /// are released. Tests the functions at one point, and refuses results that are not orthonormal or not finite.
         /// Cost: some calls of the functions.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreateHost(
             FlgContext context, FlgManifoldFunctions* functions, double* point_near, FlgManifold* out_manifold);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgPatchFunctionsInit(FlgPatchFunctions* functions, uint struct_size);
 
         /// <summary>
@@ -91,15 +92,15 @@ namespace Filigree
         /// finite, and parallel derivatives. Exclude fixed points such as poles from the domain. Cost: 1089 calls of
         /// the function.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldCreatePatch(
             FlgContext context, FlgPatchFunctions* functions, FlgManifold* out_manifold);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldViewInit(FlgManifoldView* view, uint struct_size);
 
         /// <summary>FlgResult.NotReady until the manifold's job is published, the job's error if it failed.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldGetView(
             FlgContext context, FlgManifold manifold, FlgManifoldView* out_view);
 
@@ -108,18 +109,18 @@ namespace Filigree
         /// out_distances (metres) may be null; a point that cannot be projected stays unchanged and gets HUGE_VAL.
         /// FlgResult.NotReady until the manifold's job is published. Cost: some us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldProject(
             FlgContext context, FlgManifold manifold, double* points, uint point_count, double* out_distances);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgManifoldRelease(FlgContext context, FlgManifold manifold);
 
         /// <summary>A ball of radius 1 at the origin; a box with sides of 2.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstacleInit(FlgObstacle* obstacle, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstaclesDescInit(FlgObstaclesDesc* desc, uint struct_size);
 
         /// <summary>
@@ -128,14 +129,14 @@ namespace Filigree
         /// obstacle. The job fails for meshes that contain nothing, layers thinner than 4 cells, and surfaces without
         /// borders. Cost: of meshes 100 to 500 ns a cell of their grid.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstaclesCreate(
             FlgContext context, FlgObstaclesDesc* desc, FlgObstacles* out_obstacles, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgObstaclesRelease(FlgContext context, FlgObstacles obstacles);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineDescInit(FlgSplineDesc* desc, uint struct_size);
 
         /// <summary>
@@ -147,11 +148,11 @@ namespace Filigree
         /// E2. If rounds run out or rounding stops progress, the curve is still available, and the view says so. Cost:
         /// 1 us a node and round on a mesh, and 3 to 8 rounds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineCreate(
             FlgContext context, FlgSplineDesc* desc, FlgSpline* out_spline, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineViewInit(FlgSplineView* view, uint struct_size);
 
         /// <summary>
@@ -159,10 +160,10 @@ namespace Filigree
         /// FlgResult.NotReady until its job is published (with partial_results: until its first round), the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineGetView(FlgContext context, FlgSpline spline, FlgSplineView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint struct_size);
 
         /// <summary>
@@ -170,11 +171,11 @@ namespace Filigree
         /// R^3, NORMAL. Stylize it in the surface's frame (FlgFrameMethod.Supplied), draw it, project it, or cut along
         /// it. Cost: about 3 ns a node.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineSample(
             FlgContext context, FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSplineRelease(FlgContext context, FlgSpline spline);
 
         public static FlgManifoldShapeDesc flgManifoldShapeDefaults()

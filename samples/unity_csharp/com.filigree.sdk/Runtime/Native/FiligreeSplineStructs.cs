@@ -3,10 +3,10 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgManifoldShapeDesc
     {
         public uint struct_size;
@@ -32,7 +32,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgManifoldFromSurfaceDesc
     {
         public uint struct_size;
@@ -42,7 +41,6 @@ namespace Filigree
         public FlgSurface surface;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgManifoldFromPointsDesc
     {
         public uint struct_size;
@@ -60,7 +58,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgManifoldFromGridDesc
     {
         public uint struct_size;
@@ -81,14 +78,14 @@ namespace Filigree
     /// Of FlgManifoldFunctions.project. Moves point (n numbers) onto the surface nearby; returns 0 if no point can be
     /// found.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate int FlgManifoldFunctionsProject(void* user_data, double* point, double* memory);
 
     /// <summary>
     /// Of FlgManifoldFunctions.tangent_basis. k rows of n numbers: an orthonormal basis of the tangent space at a
     /// projected point.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgManifoldFunctionsTangentBasis(
         void* user_data, double* point, double* memory, double* basis);
 
@@ -96,7 +93,7 @@ namespace Filigree
     /// Of FlgManifoldFunctions.second_form. k x k numbers: the inner products of `force` (n numbers) with the second
     /// fundamental form in the basis. Null: computed from differences of projections.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgManifoldFunctionsSecondForm(
         void* user_data, double* point, double* memory, double* basis, double* force, double* form);
 
@@ -104,7 +101,6 @@ namespace Filigree
     /// A manifold defined by the host. Worker threads call the functions, several at a time. They must not throw, call
     /// the SDK or take more than some us, and must give the same numbers for the same arguments.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgManifoldFunctions
     {
         public uint struct_size;
@@ -143,11 +139,10 @@ namespace Filigree
     /// never be parallel; their cross product points outwards. Called from worker threads, several at a time; must not
     /// throw or call the SDK; 100 ns at most.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgPatchFunctionsEvaluate(void* user_data, double u, double v, double* @out);
 
     /// <summary>A surface in R^3 that the host parametrizes.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPatchFunctions
     {
         public uint struct_size;
@@ -177,7 +172,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgManifoldView
     {
         public uint struct_size;
@@ -201,11 +195,10 @@ namespace Filigree
     /// outside and never exceeds the distance, and writes its gradient, which must not be 0 within half a `half` of the
     /// zero set. centre and half: a box that contains the whole solid.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate double FlgObstacleValue(void* user_data, double* x, double* gradient);
 
     /// <summary>In the plane only x and y are used. Metres.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgObstacle
     {
         /// <summary>the same of all obstacles of a set</summary>
@@ -243,7 +236,6 @@ namespace Filigree
         public void* user_data;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgObstaclesDesc
     {
         public uint struct_size;
@@ -271,7 +263,6 @@ namespace Filigree
     /// against the direction. In the plane the optimized curve stays on that side. In space a ball has no other side,
     /// and the curve may slide over it to where it bends less.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgObstacleSide
     {
         /// <summary>its index in FlgObstaclesDesc</summary>
@@ -281,7 +272,6 @@ namespace Filigree
         public fixed double direction[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSplineDesc
     {
         public uint struct_size;
@@ -371,7 +361,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSplineView
     {
         public uint struct_size;
@@ -420,7 +409,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSplineSampleDesc
     {
         public uint struct_size;

@@ -2,7 +2,6 @@
 // Types of filigree_spline.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -105,7 +104,6 @@ namespace Filigree
     }
 
     /// <summary>A surface of dimension k in R^n that curves stay on. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgManifold : IEquatable<FlgManifold>
     {
         public ulong id;
@@ -116,7 +114,6 @@ namespace Filigree
     }
 
     /// <summary>A curve through points of a manifold. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSpline : IEquatable<FlgSpline>
     {
         public ulong id;
@@ -127,7 +124,6 @@ namespace Filigree
     }
 
     /// <summary>Solids that curves in the plane or in space avoid. Never change once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgObstacles : IEquatable<FlgObstacles>
     {
         public ulong id;

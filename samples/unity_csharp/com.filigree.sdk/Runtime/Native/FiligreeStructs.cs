@@ -3,19 +3,20 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     /// <summary>
     /// Of FlgAllocator.allocate. Returns `size` bytes aligned to `alignment`, a power of two, or null.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void* FlgAllocatorAllocate(void* user_data, UIntPtr size, UIntPtr alignment);
 
     /// <summary>
     /// Of FlgAllocator.free. Takes memory from `allocate`, with the size and alignment requested then.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgAllocatorFree(void* user_data, void* memory, UIntPtr size, UIntPtr alignment);
 
     /// <summary>
@@ -24,7 +25,6 @@ namespace Filigree
     /// the C++ runtime's aligned new and delete. Not included: memory the C++ runtime itself takes for threads and for
     /// the exceptions that stop a failing job.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgAllocator
     {
         public uint struct_size;
@@ -43,11 +43,11 @@ namespace Filigree
     }
 
     /// <summary>Of FlgJobSystem.submit.run.</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgJobSystemSubmitRun(void* task);
 
     /// <summary>Of FlgJobSystem.submit. Null: the SDK uses its own threads, or none.</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgJobSystemSubmit(void* user_data, IntPtr run, void* task);
 
     /// <summary>
@@ -56,7 +56,6 @@ namespace Filigree
     /// us. At most `concurrency` (1 to 256) tasks are handed over at a time. flgContextTick, calls that start jobs, and
     /// tasks themselves call `submit`. It must not call run(task) before it returns, and must not fail.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgJobSystem
     {
         public uint struct_size;
@@ -71,14 +70,13 @@ namespace Filigree
     }
 
     /// <summary>Of FlgLog.write. `message` is valid during the call.</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgLogWrite(void* user_data, FlgLogLevel level, byte* message);
 
     /// <summary>
     /// Messages for the host's log: one sentence, no line break. Called on the host's thread, from inside its calls.
     /// Null: silence.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgLog
     {
         public uint struct_size;
@@ -91,14 +89,13 @@ namespace Filigree
     }
 
     /// <summary>Of FlgClock.now_ns. never decreasing</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate ulong FlgClockNowNs(void* user_data);
 
     /// <summary>
     /// Monotonic nanoseconds, callable from any thread. Null: the system's steady clock. Measures budgets; results
     /// never depend on it.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgClock
     {
         public uint struct_size;
@@ -109,18 +106,17 @@ namespace Filigree
     }
 
     /// <summary>Of FlgProfiler.begin. both or neither</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgProfilerBegin(void* user_data, byte* name);
 
     /// <summary>Of FlgProfiler.end. ends the zone most recently begun on this thread</summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgProfilerEnd(void* user_data);
 
     /// <summary>
     /// Named zones for a profiler such as Tracy or the engine's own. Called on the thread that does the work, properly
     /// nested; names are string literals. Null: none.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgProfiler
     {
         public uint struct_size;
@@ -135,7 +131,6 @@ namespace Filigree
     }
 
     /// <summary>Settings for a new context.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgContextDesc
     {
         public uint struct_size;
@@ -168,7 +163,6 @@ namespace Filigree
     }
 
     /// <summary>What one flgContextTick did, and what the workers did since the previous one.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFrameReport
     {
         public uint struct_size;
@@ -195,7 +189,6 @@ namespace Filigree
     }
 
     /// <summary>Bytes of the host's allocator.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMemoryUse
     {
         /// <summary>held now</summary>
@@ -207,7 +200,6 @@ namespace Filigree
     /// <summary>
     /// What a context holds, by what it is for. A later version may add kinds at the end; `total` counts all of them.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgContextMemory
     {
         public uint struct_size;
@@ -234,7 +226,7 @@ namespace Filigree
     /// result. It may call any function of this header on the context except flgContextTick, flgContextWait and
     /// flgContextDestroy. It must not throw. `job` is null if no handle was requested. Null: none.
     /// </summary>
-    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    [UnmanagedFunctionPointer(Cdecl)]
     public unsafe delegate void FlgJobOptionsOnFinished(void* user_data, FlgJob job, FlgResult result);
 
     /// <summary>
@@ -242,7 +234,6 @@ namespace Filigree
     /// argument. Null: defaults. Read during the call. A job waits for inputs that another job still makes; they need
     /// not be listed here.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgJobOptions
     {
         public uint struct_size;
@@ -270,7 +261,6 @@ namespace Filigree
         public void* user_data;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgJobStatus
     {
         public uint struct_size;
@@ -290,7 +280,6 @@ namespace Filigree
     }
 
     /// <summary>How long a stage of a job took.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStageTime
     {
         /// <summary>string literal</summary>
@@ -302,7 +291,6 @@ namespace Filigree
     }
 
     /// <summary>One column. Input columns may be strided; result columns are tightly packed.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgColumn
     {
         /// <summary>what the values mean</summary>
@@ -321,7 +309,6 @@ namespace Filigree
     /// input the host owns the arrays, which must live for the call; for results the set owns them until it is
     /// released.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveSetView
     {
         public uint struct_size;
@@ -339,7 +326,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveSetResampleDesc
     {
         public uint struct_size;
@@ -360,7 +346,6 @@ namespace Filigree
     /// flgStyleCreate refuses them, or its job does if another job still makes them. Values are sampled where the
     /// matching leads, angles between points the shorter way and unwrapped along the curve. A SPEED must be above 0.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStyleAttribute
     {
         /// <summary>RADIUS, COLOR, RADII, ANGLE, WIDTH, SPEED or USER and above</summary>
@@ -375,7 +360,6 @@ namespace Filigree
     }
 
     /// <summary>One of several patch sizes, sec. 4.5.4: their distances are summed with these weights.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgPatchSize
     {
         /// <summary>p, 1 to 1024</summary>
@@ -388,7 +372,6 @@ namespace Filigree
     /// How a style is prepared (Minarcik, Fiser, Sykora: Example-Based Authoring of Expressive Space Curves, sec. 4.1
     /// to 4.4).
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStyleDesc
     {
         public uint struct_size;
@@ -440,7 +423,6 @@ namespace Filigree
         public FlgStyleAttribute* attributes;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgStyleInfo
     {
         public uint struct_size;
@@ -471,7 +453,6 @@ namespace Filigree
         public float* matching;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgCurveSetStylizeDesc
     {
         public uint struct_size;

@@ -15,19 +15,20 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
     public static unsafe partial class Native
     {
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshViewInit(FlgMeshView* view, uint struct_size);
 
         /// <summary>[any thread] The view's column of an attribute, null if there is none.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgColumn* flgMeshViewGetColumn(FlgMeshView* view, FlgAttribute attribute);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceDescInit(FlgSurfaceDesc* desc, uint struct_size);
 
         /// <summary>
@@ -37,7 +38,7 @@ namespace Filigree
         /// left; also if the mesh lies so far from its origin that floats cannot hold its shape: if most edges are
         /// shorter than 8 times the spacing of floats at their ends. Cost: about 0.3 us a triangle.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCreate(
             FlgContext context, FlgSurfaceDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
 
@@ -45,30 +46,30 @@ namespace Filigree
         /// The same with all defaults for plain arrays: 3 floats a vertex, metres, and 3 vertices a triangle. Cost:
         /// that of flgSurfaceCreate.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCreateFromTriangles(
             FlgContext context, float* positions, uint vertex_count, uint* triangles, uint triangle_count,
             FlgJobOptions* job, FlgSurface* out_surface, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceReportInit(FlgSurfaceReport* report, uint struct_size);
 
         /// <summary>
         /// The report of the job that made the surface; FlgResult.NotReady until it is published, the job's error if it
         /// failed. Cuts do not change it. Cost: tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceGetReport(
             FlgContext context, FlgSurface surface, FlgSurfaceReport* out_report);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceViewInit(FlgSurfaceView* view, uint struct_size);
 
         /// <summary>
         /// The surface's arrays, readable until a job that changes the surface is started. FlgResult.NotReady until
         /// such a job, or the one that makes the surface, is published. Cost: tens of nanoseconds.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceGetView(
             FlgContext context, FlgSurface surface, FlgSurfaceView* out_view);
 
@@ -78,7 +79,7 @@ namespace Filigree
         /// `capacity` indices, each once, ascending, and their total number; `out_triangles` may be null when capacity
         /// is 0. FlgResult.NotReady while the view is not ready. Cost: about 0.5 ns a triangle of the surface.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceGetChanges(
             FlgContext context, FlgSurface surface, uint since_revision, uint* out_triangles, uint capacity, uint*
             out_count);
@@ -86,10 +87,10 @@ namespace Filigree
         /// <summary>
         /// Releases the handle and its views; jobs that use the surface keep its memory until they finish.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceRelease(FlgContext context, FlgSurface surface);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceRefineDescInit(FlgSurfaceRefineDesc* desc, uint struct_size);
 
         /// <summary>
@@ -97,25 +98,25 @@ namespace Filigree
         /// and columns. Fails with FlgResult.ErrorLimit above 2^30 triangles. Vertices keep their indices; new ones
         /// follow. Cost: about 0.12 us a triangle that is made.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceRefine(
             FlgContext context, FlgSurfaceRefineDesc* desc, FlgSurface* out_surface, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCurvesViewInit(FlgSurfaceCurvesView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the curves are released. FlgResult.NotReady until their job is published, the job's
         /// error if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCurvesGetView(
             FlgContext context, FlgSurfaceCurves curves, FlgSurfaceCurvesView* out_view);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCurvesRelease(FlgContext context, FlgSurfaceCurves curves);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCurvesLiftDescInit(FlgSurfaceCurvesLiftDesc* desc, uint struct_size);
 
         /// <summary>
@@ -123,11 +124,11 @@ namespace Filigree
         /// NORMAL: flgCurveSetStylize with FlgFrameMethod.Supplied then decorates them in the surface's frame. Fails if
         /// there are no curves. Cost: about 25 ns a triangle of the surface, for its normals, and 0.1 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCurvesLift(
             FlgContext context, FlgSurfaceCurvesLiftDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldGeodesicDescInit(FlgFieldGeodesicDesc* desc, uint struct_size);
 
         /// <summary>
@@ -138,43 +139,43 @@ namespace Filigree
         /// outside the regions, all distances are infinite. FlgResult.ErrorOutOfMemory also if memory runs out while
         /// building that data.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldCreateGeodesic(
             FlgContext context, FlgFieldGeodesicDesc* desc, FlgField* out_field, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldViewInit(FlgFieldView* view, uint struct_size);
 
         /// <summary>
         /// The arrays live until the field is released. FlgResult.NotReady until its job is published, the job's error
         /// if it failed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldGetView(FlgContext context, FlgField field, FlgFieldView* out_view);
 
         /// <summary>
         /// A field from the host, one value per vertex of the current surface (FlgResult.NotReady while it changes);
         /// values may be infinite, but not NaN. Cost: a copy.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldCreate(
             FlgContext context, FlgSurface surface, float* values, uint value_count, FlgField* out_field);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldRelease(FlgContext context, FlgField field);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldBlendDescInit(FlgFieldBlendDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that blends two distance fields of one surface: from / (from + to), sec. 3.2. 0.5 where both
         /// are 0; infinite where both are infinite. Cost: about 5 ns a vertex.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldBlend(
             FlgContext context, FlgFieldBlendDesc* desc, FlgField* out_field, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceSampleDescInit(FlgSurfaceSampleDesc* desc, uint struct_size);
 
         /// <summary>
@@ -183,11 +184,11 @@ namespace Filigree
         /// by distance in space.) The field: distances to the nearest sample; labels: its cell. Cost: some 3 to 4
         /// fields for 130 points.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceSample(
             FlgContext context, FlgSurfaceSampleDesc* desc, FlgField* out_field, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceSampleBordersDescInit(
             FlgSurfaceSampleBordersDesc* desc, uint struct_size);
 
@@ -195,11 +196,11 @@ namespace Filigree
         /// Starts a job that places points evenly along the borders of a region: one closed curve per border. Such a
         /// curve is not straight in triangles between its points and cannot be cut in. Cost: about 8 ns a triangle.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceSampleBorders(
             FlgContext context, FlgSurfaceSampleBordersDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldTraceIsolinesDescInit(FlgFieldTraceIsolinesDesc* desc, uint struct_size);
 
         /// <summary>
@@ -207,11 +208,11 @@ namespace Filigree
         /// their left. Open isolines come first, then closed ones, each kind ordered by the triangle it begins in;
         /// curve_values are their levels. Cost: about 9 ns a triangle and 0.2 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldTraceIsolines(
             FlgContext context, FlgFieldTraceIsolinesDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldTraceStreamsDescInit(FlgFieldTraceStreamsDesc* desc, uint struct_size);
 
         /// <summary>
@@ -219,11 +220,11 @@ namespace Filigree
         /// Each ends at the border, at `end_value` or at an extremum of the field. A start outside the regions gives no
         /// curve. Cost: about 0.25 us a point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldTraceStreams(
             FlgContext context, FlgFieldTraceStreamsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldTracePathsDescInit(FlgFieldTracePathsDesc* desc, uint struct_size);
 
         /// <summary>
@@ -231,11 +232,11 @@ namespace Filigree
         /// on either side (to 1e-6). The job fails if no path joins two points; zero-length paths are omitted. Cost: a
         /// field for each two points, up to where they meet, and its copy.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgFieldTracePaths(
             FlgContext context, FlgFieldTracePathsDesc* desc, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCutIsolinesDescInit(FlgSurfaceCutIsolinesDesc* desc, uint struct_size);
 
         /// <summary>
@@ -245,11 +246,11 @@ namespace Filigree
         /// `out_field` (may be null): the field on the cut surface. Cost: about 10 ns a triangle of the surface and 0.5
         /// us a triangle cut.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCutIsolines(
             FlgContext context, FlgSurfaceCutIsolinesDesc* desc, FlgField* out_field, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCutCurvesDescInit(FlgSurfaceCutCurvesDesc* desc, uint struct_size);
 
         /// <summary>
@@ -258,7 +259,7 @@ namespace Filigree
         /// cancelled. Cost: as flgSurfaceCutIsolines; n curves that cross each other in one triangle take about n * n
         /// us there.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSurfaceCutCurves(
             FlgContext context, FlgSurfaceCutCurvesDesc* desc, FlgJob* out_job);
 

@@ -2,7 +2,6 @@
 // Structs of filigree_surface.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -10,7 +9,6 @@ namespace Filigree
     /// A triangle mesh in flat arrays. Used for input (the host owns the arrays, which must live for the call) and for
     /// results.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgMeshView
     {
         public uint struct_size;
@@ -28,7 +26,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceDesc
     {
         public uint struct_size;
@@ -43,7 +40,6 @@ namespace Filigree
     }
 
     /// <summary>Defects found in the input, their repairs, and properties of the surface.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceReport
     {
         public uint struct_size;
@@ -94,7 +90,6 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceView
     {
         public uint struct_size;
@@ -106,7 +101,6 @@ namespace Filigree
         public uint* neighbours;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceRefineDesc
     {
         public uint struct_size;
@@ -122,7 +116,6 @@ namespace Filigree
     /// <summary>
     /// At weights (1 - u - v, u, v) of the triangle's corners; u, v &gt;= 0 and u + v &lt;= 1 (clipped within 1e-5).
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfacePoint
     {
         /// <summary>its index</summary>
@@ -133,7 +126,6 @@ namespace Filigree
         public float v;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceCurvesView
     {
         public uint struct_size;
@@ -152,7 +144,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceCurvesLiftDesc
     {
         public uint struct_size;
@@ -162,7 +153,6 @@ namespace Filigree
         public FlgSurfaceCurves curves;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFieldGeodesicDesc
     {
         public uint struct_size;
@@ -204,7 +194,6 @@ namespace Filigree
         public ulong seed;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFieldView
     {
         public uint struct_size;
@@ -223,7 +212,6 @@ namespace Filigree
         public uint revision;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFieldBlendDesc
     {
         public uint struct_size;
@@ -235,7 +223,6 @@ namespace Filigree
         public FlgField to;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceSampleDesc
     {
         public uint struct_size;
@@ -252,7 +239,6 @@ namespace Filigree
         public ulong seed;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceSampleBordersDesc
     {
         public uint struct_size;
@@ -267,7 +253,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFieldTraceIsolinesDesc
     {
         public uint struct_size;
@@ -290,7 +275,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFieldTraceStreamsDesc
     {
         public uint struct_size;
@@ -311,7 +295,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgFieldTracePathsDesc
     {
         public uint struct_size;
@@ -329,7 +312,6 @@ namespace Filigree
         public uint* regions;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceCutIsolinesDesc
     {
         public uint struct_size;
@@ -353,7 +335,6 @@ namespace Filigree
         public uint first_label;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgSurfaceCutCurvesDesc
     {
         public uint struct_size;

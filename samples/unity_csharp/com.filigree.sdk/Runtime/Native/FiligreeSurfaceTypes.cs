@@ -2,7 +2,6 @@
 // Types of filigree_surface.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -22,7 +21,6 @@ namespace Filigree
     }
 
     /// <summary>A mesh with its adjacency and data for geodesics. Cutting changes it.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSurface : IEquatable<FlgSurface>
     {
         public ulong id;
@@ -33,7 +31,6 @@ namespace Filigree
     }
 
     /// <summary>One value per vertex of a surface. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgField : IEquatable<FlgField>
     {
         public ulong id;
@@ -44,7 +41,6 @@ namespace Filigree
     }
 
     /// <summary>Curves on a surface, straight in each triangle. Never change once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgSurfaceCurves : IEquatable<FlgSurfaceCurves>
     {
         public ulong id;

@@ -23,6 +23,7 @@
 
 using System;
 using System.Runtime.InteropServices;
+using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
@@ -32,18 +33,18 @@ namespace Filigree
         /// Starts a job that makes a whole surface the root of a tangle: all labels become 0. The surface's own job may
         /// still run. Cost: about 5 ns a triangle.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleCreate(
             FlgContext context, FlgSurface surface, FlgJobOptions* job, FlgTangle* out_tangle, FlgJob* out_job);
 
         /// <summary>Releases the handle; the surface does not change.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleRelease(FlgContext context, FlgTangle tangle);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleSeedsInit(FlgTangleSeeds* seeds, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDivideDescInit(FlgTangleDivideDesc* desc, uint struct_size);
 
         /// <summary>
@@ -54,10 +55,10 @@ namespace Filigree
         /// (flgSurfaceCutIsolines), and several passes over the surface (2 million triangles: 40 to 60 ms, however
         /// small the regions).
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDivide(FlgContext context, FlgTangleDivideDesc* desc, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleApplyMacroDescInit(FlgTangleApplyMacroDesc* desc, uint struct_size);
 
         /// <summary>
@@ -65,18 +66,18 @@ namespace Filigree
         /// FlgTangleGrouping.Two. Fails as its operators do; sunbursts and grids also fail if the regions together have
         /// fewer than two borders. Cost: its operators'.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleApplyMacro(
             FlgContext context, FlgTangleApplyMacroDesc* desc, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDisplaceDescInit(FlgTangleDisplaceDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that displaces regions, as a step. Fails if they have no borders. Cost: a field and about 2 us
         /// a vertex that moves.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleDisplace(
             FlgContext context, FlgTangleDisplaceDesc* desc, FlgJob* out_job);
 
@@ -84,15 +85,16 @@ namespace Filigree
         /// Starts a job that puts these regions into one new group, sec. 3.4 and appendix A, as a step. Regions may be
         /// leaves or not; fails if one does not exist. Cost: tens of nanoseconds a region.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGroup(
-            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJobOptions* job, FlgJob* out_job);
+            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJobOptions* job, FlgJob*
+            out_job);
 
         /// <summary>
         /// Starts a job that gives each region of the group its own new group, as a step. Fails if there is no such
         /// group. Cost: tens of nanoseconds a region of the tangle.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleUngroup(
             FlgContext context, FlgTangle tangle, uint group, FlgJobOptions* job, FlgJob* out_job);
 
@@ -100,9 +102,10 @@ namespace Filigree
         /// Starts a job that joins the leaves of these regions into one region, with their lowest identifier, as a
         /// step. Fails if they are not connected. Cost: about 20 ns a triangle of the surface.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleJoin(
-            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJobOptions* job, FlgJob* out_job);
+            FlgContext context, FlgTangle tangle, uint* regions, uint region_count, FlgJobOptions* job, FlgJob*
+            out_job);
 
         /// <summary>
         /// Starts a job that returns the visible borders as curves on the surface, chains of its edges. Lift them into
@@ -110,7 +113,7 @@ namespace Filigree
         /// junction, come first, then closed ones; curve_values are lengths. There are none if all looks are the same.
         /// Cost: about 30 ns a triangle.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleTraceBorders(
             FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgSurfaceCurves* out_curves, FlgJob* out_job);
 
@@ -118,7 +121,7 @@ namespace Filigree
         /// Starts a job that undoes the last step; fails if there is none. (A failed job makes no step.) Cost: that of
         /// what the step changed.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleUndo(
             FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgJob* out_job);
 
@@ -126,17 +129,17 @@ namespace Filigree
         /// Starts a job that redoes the last undone step. A new step discards undone steps. Cost: that of what the step
         /// changes.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleRedo(
             FlgContext context, FlgTangle tangle, FlgJobOptions* job, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleSeedPlacesInit(FlgTangleSeedPlaces* places, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleStepInit(FlgTangleStep* step, uint struct_size);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleHistoryInit(FlgTangleHistory* history, uint struct_size);
 
         /// <summary>
@@ -144,7 +147,7 @@ namespace Filigree
         /// tangle is released. FlgResult.NotReady while the info is not ready. Cost: about 1 us a step and some ns a
         /// point.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGetHistory(
             FlgContext context, FlgTangle tangle, FlgTangleHistory* out_history);
 
@@ -158,25 +161,25 @@ namespace Filigree
         /// refuse. Cost: that of the steps; on another mesh also about 0.2 us a triangle for each step that has points
         /// or made regions.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleReplay(
             FlgContext context, FlgTangle tangle, FlgTangleHistory* history, FlgJobOptions* job, FlgJob* out_job);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleInfoInit(FlgTangleInfo* info, uint struct_size);
 
         /// <summary>
         /// FlgResult.NotReady until a job that changes the tangle is published; the surface's error if that failed.
         /// Cost: tens of nanoseconds a region.
         /// </summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGetInfo(FlgContext context, FlgTangle tangle, FlgTangleInfo* out_info);
 
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleRegionInit(FlgTangleRegion* region, uint struct_size);
 
         /// <summary>FlgResult.NotReady while the info is not ready. Cost: tens of nanoseconds.</summary>
-        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgTangleGetRegion(
             FlgContext context, FlgTangle tangle, uint region, FlgTangleRegion* out_region);
 

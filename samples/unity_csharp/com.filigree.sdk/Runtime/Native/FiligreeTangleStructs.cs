@@ -2,7 +2,6 @@
 // Structs of filigree_tangle.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -11,7 +10,6 @@ namespace Filigree
     /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of
     /// the loop's length from its first vertex.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgBorderStretch
     {
         /// <summary>its index</summary>
@@ -25,7 +23,6 @@ namespace Filigree
     /// <summary>
     /// Where an operator starts: everything named here, combined. Empty by default. Arrays are copied.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleSeeds
     {
         public uint struct_size;
@@ -54,7 +51,6 @@ namespace Filigree
     /// For a polyline: 0 left of its curves (where most of the border is) and 1 elsewhere. Otherwise: in the order of
     /// their first triangles.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleDivideDesc
     {
         public uint struct_size;
@@ -96,7 +92,6 @@ namespace Filigree
     }
 
     /// <summary>Common combinations of operators, sec. 3.4 and Fig. 13.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleApplyMacroDesc
     {
         public uint struct_size;
@@ -127,7 +122,6 @@ namespace Filigree
     /// between, the height is a profile of the distance, by the bias and gain of Schlick (1994). Later distances are
     /// measured on the new surface.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleDisplaceDesc
     {
         public uint struct_size;
@@ -151,7 +145,6 @@ namespace Filigree
     /// Where an operator's seeds were: used to find them again on another mesh of the same shape. Positions are x, y, z
     /// in metres.
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleSeedPlaces
     {
         public uint struct_size;
@@ -174,7 +167,6 @@ namespace Filigree
     }
 
     /// <summary>The arguments of a step, and the data needed to repeat it.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleStep
     {
         public uint struct_size;
@@ -210,7 +202,6 @@ namespace Filigree
     /// <summary>
     /// All steps of a tangle: enough to make it again, or to save it in a file (flgTangleFileWrite of filigree_io.h).
     /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleHistory
     {
         public uint struct_size;
@@ -235,7 +226,6 @@ namespace Filigree
         public fixed float box_max[3];
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleInfo
     {
         public uint struct_size;
@@ -254,7 +244,6 @@ namespace Filigree
         public uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct FlgTangleRegion
     {
         public uint struct_size;

@@ -2,7 +2,6 @@
 // Types of filigree_tangle.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -97,7 +96,6 @@ namespace Filigree
     }
 
     /// <summary>A surface, the tree of its regions, and the steps that made them.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgTangle : IEquatable<FlgTangle>
     {
         public ulong id;

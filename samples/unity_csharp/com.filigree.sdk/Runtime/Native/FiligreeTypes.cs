@@ -2,7 +2,6 @@
 // Types of filigree.h. Written by tools/abi/generate from sdk/api/abi.json: change the header.
 
 using System;
-using System.Runtime.InteropServices;
 
 namespace Filigree
 {
@@ -224,7 +223,6 @@ namespace Filigree
     }
 
     /// <summary>A running or finished piece of work.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgJob : IEquatable<FlgJob>
     {
         public ulong id;
@@ -235,7 +233,6 @@ namespace Filigree
     }
 
     /// <summary>Curves in flat arrays; never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgCurveSet : IEquatable<FlgCurveSet>
     {
         public ulong id;
@@ -246,7 +243,6 @@ namespace Filigree
     }
 
     /// <summary>A prepared style: guide, displacement and patch graph. Never changes once ready.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgStyle : IEquatable<FlgStyle>
     {
         public ulong id;
@@ -257,7 +253,6 @@ namespace Filigree
     }
 
     /// <summary>A context owns everything else. At most 1024 exist at a time in a process.</summary>
-    [StructLayout(LayoutKind.Sequential)]
     public partial struct FlgContext : IEquatable<FlgContext>
     {
         public ulong id;
