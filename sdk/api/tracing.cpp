@@ -8,8 +8,7 @@
 #include "api/inputs.h"
 #include "api/surface_inputs.h"
 #include "filigree/filigree_project.h"
-#include "surfaces/lift_curves.h"
-#include "surfaces/project_curves.h"
+#include "surfaces/curves_in_space.h"
 #include "surfaces/tracing_jobs.h"
 
 namespace flg {

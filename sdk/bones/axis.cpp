@@ -5,9 +5,8 @@
 #include <cmath>
 #include <queue>
 
-#include "bones/contour_edges.h"
 #include "runtime/each.h"
-#include "skeletons/plane.h"
+#include "skeletons/point2.h"
 
 namespace flg {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bones/contour_edges.h"
 #include "runtime/each.h"
 
 namespace flg {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "runtime/each.h"
-#include "skeletons/plane.h"
+#include "skeletons/point2.h"
 
 namespace flg {
 namespace {

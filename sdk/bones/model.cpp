@@ -8,7 +8,7 @@
 #include "bones/bounded_dp.h"
 #include "bones/refinement.h"
 #include "runtime/each.h"
-#include "skeletons/plane.h"
+#include "skeletons/point2.h"
 
 namespace flg {
 namespace {

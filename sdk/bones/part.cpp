@@ -7,7 +7,7 @@
 #include "bones/contour_sampling.h"
 #include "runtime/each.h"
 #include "skeletons/contour_repair.h"
-#include "skeletons/plane.h"
+#include "skeletons/point2.h"
 #include "skeletons/straight_skeleton.h"
 
 namespace flg {

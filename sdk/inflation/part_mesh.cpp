@@ -9,7 +9,6 @@
 #include "core/memory.h"
 #include "runtime/each.h"
 #include "skeletons/contour_triangulation.h"
-#include "skeletons/plane.h"
 #include "skeletons/point2.h"
 
 namespace flg {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "curves/curve_set.h"
-#include "splines/obstacles/placed_obstacles.h"
+#include "splines/obstacles/obstacles.h"
 #include "splines/optimizer/first_curve.h"
 #include "splines/optimizer/triple_buffer.h"
 

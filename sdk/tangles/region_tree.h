@@ -64,11 +64,9 @@ public:
     uint32_t size() const { return static_cast<uint32_t>(nodes_.size()); }
     const RegionNode& operator[](RegionId region) const { return nodes_[region]; }
     uint32_t group_count() const { return counts_.groups; }  // all that ever were
-    uint32_t operation_count() const { return counts_.operations; }
 
     // The identifier a region has, also if it was joined.
     RegionId resolve(RegionId region) const;
-    bool is_leaf(RegionId region) const { return nodes_[resolve(region)].child_count == 0; }
     uint32_t depth(RegionId region) const;
     // The group that is seen: that of the nearest region around it, itself included, that is no scaffold's.
     uint32_t visible_group(RegionId region) const;

@@ -2,7 +2,7 @@
 #include "tangles/seed_location.h"
 
 #include "runtime/each.h"
-#include "surfaces/project_curves.h"
+#include "surfaces/curves_in_space.h"
 
 namespace flg {
 

@@ -6,7 +6,7 @@
 #include "bones/bounded_dp.h"
 #include "bones/contour_sampling.h"
 #include "runtime/run_now.h"
-#include "skeletons/plane.h"
+#include "skeletons/point2.h"
 #include "skeletons/random_contours.h"
 
 namespace flg::test {

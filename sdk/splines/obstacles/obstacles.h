@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Obstacles as hosts hold them.
+// Obstacles as hosts hold them, and as they are seen from another origin than their own: from where a curve is; or one
+// of a mesh that has its own origin.
 #pragma once
 
 #include <memory>
@@ -36,6 +37,29 @@ public:
     std::pmr::vector<std::shared_ptr<SampledDistance>> distances;  // what the solids of meshes look into
     std::pmr::vector<std::shared_ptr<const Obstacle>> moved;       // solids of meshes with another origin, before that
     std::optional<ObstacleSet> set;                                // of these; by the job
+};
+
+// An obstacle that is `shift` away. `obstacle` outlives it.
+class PlacedObstacle final : public Obstacle {
+public:
+    PlacedObstacle(const Obstacle& obstacle, const Vec3& shift);
+    double evaluate(const double* x, double* gradient, double* second) const override;
+
+private:
+    const Obstacle& obstacle_;
+    Vec3 shift_;
+};
+
+class PlacedObstacles {
+public:
+    // Keeps `obstacles`, which are ready.
+    PlacedObstacles(std::shared_ptr<const Obstacles> obstacles, const Origin& from, Memory* memory);
+    const ObstacleSet& set() const { return set_ ? *set_ : *obstacles_->set; }
+
+private:
+    std::shared_ptr<const Obstacles> obstacles_;
+    std::pmr::vector<PlacedObstacle> placed_;
+    std::optional<ObstacleSet> set_;  // of these; none if the origin is theirs
 };
 
 // The whole of flgObstaclesCreate.

@@ -75,7 +75,6 @@ public:
     }
     double step_after(uint32_t node) const { return node < intervals_ ? steps_[node] : 0; }
     uint32_t nodes() const { return nodes_; }
-    bool is_closed() const { return closed_; }
 
 private:
     double row(uint32_t node) const { return (step_before(node) + step_after(node)) / 3; }

@@ -50,13 +50,6 @@ public:
         if (from.taken == (from.first == from.last ? from.last_size : chunk_size)) remove_chunk(from);
         return true;
     }
-    // The entry that will come `ahead` pops later, as far as it is at hand: else one of zeros.
-    Entry upcoming(uint32_t bucket, uint32_t ahead) const {
-        const Bucket& from = buckets_[bucket & mask_];
-        const uint32_t at = from.taken + ahead;
-        if (from.first == nullptr || at >= (from.first == from.last ? from.last_size : chunk_size)) return {};
-        return from.first->entries[at];
-    }
 
 private:
     struct Chunk {

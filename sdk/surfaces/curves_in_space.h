@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Curves in space laid onto a surface, so that they can be cut in.
+// Curves in space laid onto a surface, so that they can be cut in; and curves on a surface lifted into space, with its
+// smooth normals as the NORMAL of their frames, so that stylization and ribbons follow the surface.
 //
-// Each point goes to the surface's point nearest to it; from one of these to the next the curve follows the plane
-// through both and the surface's normal (surface_walk.h) and, where no such way leads there, a shortest path.
+// Each point of a curve that is laid goes to the surface's point nearest to it; from one of these to the next the
+// curve follows the plane through both and the surface's normal (surface_walk.h) and, where no such way leads there, a
+// shortest path.
 #pragma once
 
 #include <span>
@@ -29,5 +31,10 @@ Task<void> lay_curves(Pace& pace, Surface& surface, NearestPoints& nearest, Curv
 
 // The whole of flgCurveSetProject.
 Task<void> project_curves(Pace& pace, std::shared_ptr<const CurveSet> set, std::shared_ptr<TracedCurves> out);
+
+// The whole of flgSurfaceCurvesLift. `height`: metres along the normal. Fails with FLG_ERROR_INVALID_ARGUMENT if there
+// are no curves, as no curve set is empty.
+Task<void> lift_curves(Pace& pace, std::shared_ptr<const TracedCurves> traced, float height,
+                       std::shared_ptr<CurveSet> out);
 
 }  // namespace flg
