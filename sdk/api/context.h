@@ -26,6 +26,14 @@ class Obstacles;
 class Spline;
 class Motion;
 
+// What objects behind handles of this kind are counted as.
+MemoryKind memory_kind(HandleKind kind);
+
+template <class T, class... Arguments>
+std::shared_ptr<T> make_object(Memory* memory, Arguments&&... arguments) {
+    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::forward<Arguments>(arguments)...);
+}
+
 // What the handle of a context stands for.
 struct Context {
     Context(const FlgContextDesc& desc, const HostMemory& host_memory, uint32_t salt)
@@ -49,6 +57,17 @@ struct Context {
           splines(HandleKind::spline, salt, memory[MemoryKind::runtime]),
           motions(HandleKind::motion, salt, memory[MemoryKind::runtime]),
           runtime(desc, memory[MemoryKind::runtime]) {}
+
+    // An object for a handle of the table, in the memory it is counted as; which is its last argument, if it takes it.
+    template <class T, class... Arguments>
+    std::shared_ptr<T> make(const HandleTable<T>& table, Arguments&&... arguments) {
+        Memory* const counted = memory[memory_kind(table.kind())];
+        if constexpr (std::is_constructible_v<T, Arguments..., Memory*>) {
+            return make_object<T>(counted, std::forward<Arguments>(arguments)..., counted);
+        } else {
+            return make_object<T>(counted, std::forward<Arguments>(arguments)...);
+        }
+    }
 
     ContextMemory memory;
     HandleTable<Job> jobs;
@@ -78,14 +97,6 @@ Context& get_context(FlgContext context);
 
 // After a first flgContextDestroy that had to wait, nothing else is to be done with a context.
 void refuse_after_destroy(const Context& context);
-
-// What objects behind handles of this kind are counted as.
-MemoryKind memory_kind(HandleKind kind);
-
-template <class T, class... Arguments>
-std::shared_ptr<T> make_object(Memory* memory, Arguments&&... arguments) {
-    return std::allocate_shared<T>(std::pmr::polymorphic_allocator<T>(memory), std::forward<Arguments>(arguments)...);
-}
 
 // Starts a job in two steps, so that a failure in between leaves nothing behind: make one of these, start its job's
 // strand with a task, then commit. `Output` is the object that the job makes.

@@ -71,7 +71,7 @@ FlgResult flgSurfaceCutIsolines(FlgContext context, const FlgSurfaceCutIsolinesD
         const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         const auto surface = field->surface;
         submission.change_surface(surface, "the surface of desc.field");
-        const std::shared_ptr<Field> out = out_field ? make_object<Field>(memory, surface, memory) : nullptr;
+        const std::shared_ptr<Field> out = out_field ? self.make(self.fields, surface) : nullptr;
         std::pmr::vector<uint32_t> regions = list_regions(read.regions, read.region_count, memory);
         LevelRequest levels = read_levels(read.levels, read.level_count, read.level_first, read.level_every, memory);
         CutIsolinesRequest request{.field = field,

@@ -81,12 +81,11 @@ FlgResult flgFieldCreateGeodesic(FlgContext context, const FlgFieldGeodesicDesc*
                                  FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_field, "out_field", out_job);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldGeodesicDesc read = read_struct(desc, default_geodesic_desc(), "desc");
         check(read);
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
-        const auto out = make_object<Field>(memory, surface, memory);
+        const auto out = self.make(self.fields, surface);
         GeodesicRequest request = read_request(self, read, *out, submission);
         // In a perturbed metric the solver builds its own.
         if (read.perturbation == 0) submission.wait_for(start_blocks(self, surface));
@@ -114,7 +113,7 @@ FlgResult flgFieldCreate(FlgContext context, FlgSurface surface, const float* va
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "value_count is %u, but the surface has %u vertices", value_count,
                           of_surface->mesh().vertex_count());
         }
-        const auto field = make_object<Field>(memory, of_surface, memory);
+        const auto field = self.make(self.fields, of_surface);
         field->data.distances = Buffer<float>(value_count, memory);
         for (uint32_t v = 0; v < value_count; ++v) {
             if (std::isnan(values[v])) {
@@ -135,7 +134,6 @@ FlgResult flgFieldRelease(FlgContext context, FlgField field) {
 FlgResult flgFieldBlend(FlgContext context, const FlgFieldBlendDesc* desc, FlgField* out_field, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_field, "out_field", out_job);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgFieldBlendDesc read = read_struct(desc, sized<FlgFieldBlendDesc>(), "desc");
         Submission submission(self, read.job);
         const auto from = self.fields.get(read.from.id, "desc.from");
@@ -143,7 +141,7 @@ FlgResult flgFieldBlend(FlgContext context, const FlgFieldBlendDesc* desc, FlgFi
         check_same_surface(*from, *to, "desc.to");
         submission.read(*from, "desc.from");
         submission.read(*to, "desc.to");
-        const auto out = make_object<Field>(memory, from->surface, memory);
+        const auto out = self.make(self.fields, from->surface);
         out->revision = from->revision;
         submission.job().strand.start(blend_fields(submission.pace(), from, to, out));
         *out_field = {submission.commit(self.fields, out, out_job)};

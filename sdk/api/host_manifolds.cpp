@@ -104,7 +104,7 @@ FlgResult flgManifoldCreateHost(FlgContext context, const FlgManifoldFunctions* 
         if (!read.tangent_basis) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "functions.tangent_basis is null");
         const auto manifold = make_object<HostManifold>(memory, read);
         try_functions(*manifold, point_near);
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->manifold = manifold;
         held->origin = read_origin_in(read.ambient, read.origin, "functions.origin");
         *out_manifold = publish_at_once(self, held);
@@ -123,7 +123,7 @@ FlgResult flgManifoldCreatePatch(FlgContext context, const FlgPatchFunctions* fu
         check_patch(read);
         const auto patch = make_object<HostPatch>(memory, read, memory);
         try_patch(*patch);
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->manifold = patch;
         held->origin = read_origin(read.origin, "functions.origin");
         *out_manifold = publish_at_once(self, held);

@@ -69,9 +69,8 @@ FlgResult flgManifoldShapeDescInit(FlgManifoldShapeDesc* desc, uint32_t struct_s
 FlgResult flgManifoldCreateShape(FlgContext context, const FlgManifoldShapeDesc* desc, FlgManifold* out_manifold) {
     return guarded([&] {
         Context& self = clear_output(context, out_manifold, "out_manifold");
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgManifoldShapeDesc read = read_struct(desc, default_shape_desc(), "desc");
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->manifold = make_shape(self, read);
         held->origin = read_origin(read.origin, "desc.origin");
         if (read.shape == FLG_MANIFOLD_SHAPE_SPACE) {
@@ -88,14 +87,13 @@ FlgResult flgManifoldCreateShape(FlgContext context, const FlgManifoldShapeDesc*
 FlgResult flgManifoldCreateImage(FlgContext context, FlgManifold base, double weight, FlgManifold* out_manifold) {
     return guarded([&] {
         Context& self = clear_output(context, out_manifold, "out_manifold");
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const auto surface = self.manifolds.get(base.id, "base");
         const FlgResult result = visible_result_now(*surface);
         if (result != FLG_OK) return result;
         if (surface->kind != ManifoldKind::hypersurface)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "base is not a surface in R^3");
         check_range(weight > 0 && weight <= largest_length, "weight", weight, "above 0, at most 1e6");
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->base = surface;
         held->origin = surface->origin;
         held->manifold =

@@ -134,7 +134,7 @@ FlgResult flgMotionCreate(FlgContext context, const FlgMotionDesc* desc, FlgMoti
         Submission submission(self, read.job);
         MotionInput input = read_input(read, memory);
         read_obstacles(self, read, input, submission);
-        const auto out = make_object<Motion>(memory, std::move(input), memory);
+        const auto out = self.make(self.motions, std::move(input));
         submission.job().strand.start(make_motion(submission.pace(), out));
         *out_motion = {submission.commit(self.motions, out, out_job)};
     });

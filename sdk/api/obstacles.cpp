@@ -109,7 +109,7 @@ FlgResult flgObstaclesCreate(FlgContext context, const FlgObstaclesDesc* desc, F
         require(read.obstacles, "desc.obstacles");
         check_range(read.clearance >= 0 && read.clearance <= 1e30, "desc.clearance", read.clearance, "0 to 1e30");
         Submission submission(self, read.job);
-        const auto held = make_object<Obstacles>(memory, read.dimension, memory);
+        const auto held = self.make(self.obstacles, read.dimension);
         held->origin = read_origin_in(read.dimension, read.origin, "desc.origin");
         held->clearance = read.clearance;
         for (uint32_t i = 0; i < read.obstacle_count; ++i) {

@@ -46,13 +46,12 @@ FlgResult flgOutlineDescInit(FlgOutlineDesc* desc, uint32_t struct_size) {
 FlgResult flgOutlineCreate(FlgContext context, const FlgOutlineDesc* desc, FlgOutline* out_outline, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_outline, "out_outline", out_job);
-        Memory* const memory = self.memory[MemoryKind::models];
         const FlgOutlineDesc read = read_struct(desc, sized<FlgOutlineDesc>(), "desc");
         for (int i = 0; i < 3; ++i) {
             check_range(is_coordinate(read.direction[i]), "desc.direction", read.direction[i],
                         "finite and at most 1e30 in size");
         }
-        const auto out = make_object<HeldOutline>(memory, memory);
+        const auto out = self.make(self.outlines);
         out->surface = self.surfaces.get(read.surface.id, "desc.surface");
         out->towards = load_vec3(read.direction);
         read_regions(read, *out);

@@ -56,10 +56,9 @@ FlgResult flgManifoldCreateFromSurface(FlgContext context, const FlgManifoldFrom
                                        FlgManifold* out_manifold, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_manifold, "out_manifold", out_job);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgManifoldFromSurfaceDesc read = read_struct(desc, sized<FlgManifoldFromSurfaceDesc>(), "desc");
         Submission submission(self, read.job);
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->kind = ManifoldKind::hypersurface;
         held->surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(held->surface, "desc.surface");
@@ -86,7 +85,7 @@ FlgResult flgManifoldCreateFromPoints(FlgContext context, const FlgManifoldFromP
         Submission submission(self, read.job);
         Buffer<Position> points = read_positions(read.points, read.point_count, "desc.points", memory), normals;
         if (read.normals) normals = read_positions(read.normals, read.point_count, "desc.normals", memory);
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->kind = ManifoldKind::hypersurface;
         held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(
@@ -114,7 +113,7 @@ FlgResult flgManifoldCreateFromGrid(FlgContext context, const FlgManifoldFromGri
                         "finite and at most 1e30 in size");
             values[i] = read.values[i];
         }
-        const auto held = make_object<ManifoldProduct>(memory);
+        const auto held = self.make(self.manifolds);
         held->kind = ManifoldKind::hypersurface;
         held->origin = read_origin(read.origin, "desc.origin");
         submission.job().strand.start(make_grid_manifold(submission.pace(), std::move(values), input, held));

@@ -37,7 +37,7 @@ FlgResult flgSurfaceSample(FlgContext context, const FlgSurfaceSampleDesc* desc,
         check_range(read.radius > 0 && std::isfinite(read.radius), "desc.radius", read.radius, "finite and above 0");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
-        const auto out = make_object<Field>(memory, surface, memory);
+        const auto out = self.make(self.fields, surface);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");
@@ -54,7 +54,6 @@ FlgResult flgSurfaceSampleBorders(FlgContext context, const FlgSurfaceSampleBord
                                   FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgSurfaceSampleBordersDesc read = read_struct(desc, sized<FlgSurfaceSampleBordersDesc>(), "desc");
         check_range(read.spacing > 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
                     "finite and above 0");
@@ -62,7 +61,7 @@ FlgResult flgSurfaceSampleBorders(FlgContext context, const FlgSurfaceSampleBord
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         submission.read_surface(surface, "desc.surface");
-        const auto out = make_object<TracedCurves>(memory, surface, memory);
+        const auto out = self.make(self.surface_curves, surface);
         submission.job().strand.start(sample_border(submission.pace(), read.region, read.spacing, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
     });

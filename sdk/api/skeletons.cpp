@@ -55,7 +55,7 @@ FlgResult flgStraightSkeletonCreate(FlgContext context, const FlgStraightSkeleto
         const FlgStraightSkeletonDesc read = read_struct(desc, default_straight_skeleton_desc(), "desc");
         Submission submission(self, read.job);
         const bool repair = read.repair != 0;
-        const auto out = make_object<HeldStraightSkeleton>(memory, read_contour(read.contour, memory, repair), memory);
+        const auto out = self.make(self.straight_skeletons, read_contour(read.contour, memory, repair));
         out->change.input = read.contour->point_count;
         submission.job().strand.start(make_straight_skeleton(submission.pace(), out, repair));
         *out_skeleton = {submission.commit(self.straight_skeletons, out, out_job)};

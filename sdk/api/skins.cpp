@@ -42,12 +42,11 @@ FlgResult flgPartMeshDescInit(FlgPartMeshDesc* desc, uint32_t struct_size) {
 FlgResult flgPartMeshCreate(FlgContext context, const FlgPartMeshDesc* desc, FlgPartMesh* out_mesh, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_mesh, "out_mesh", out_job);
-        Memory* const memory = self.memory[MemoryKind::models];
         const FlgPartMeshDesc read = read_struct(desc, default_part_mesh_desc(), "desc");
         check_range(read.thickness >= 0.01f && read.thickness <= 100, "desc.thickness", read.thickness, "0.01 to 100");
         check_range(read.spacing >= 0 && std::isfinite(read.spacing), "desc.spacing", read.spacing,
                     "0, or above and finite");
-        const auto out = make_object<HeldPartMesh>(memory, memory);
+        const auto out = self.make(self.part_meshes);
         out->part = self.parts.get(read.part.id, "desc.part");
         out->options = {read.thickness, read.spacing};
         Submission submission(self, read.job);
@@ -76,14 +75,13 @@ FlgResult flgSkinDescInit(FlgSkinDesc* desc, uint32_t struct_size) {
 FlgResult flgSkinCreate(FlgContext context, const FlgSkinDesc* desc, FlgSkin* out_skin, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_skin, "out_skin", out_job);
-        Memory* const memory = self.memory[MemoryKind::models];
         const FlgSkinDesc read = read_struct(desc, default_skin_desc(), "desc");
         check_range(read.max_vertices >= fewest_vertices && read.max_vertices <= largest_limit, "desc.max_vertices",
                     read.max_vertices, "100 to 4194304");
         check_range(read.vertex_count >= fewest_vertices && read.vertex_count <= read.max_vertices, "desc.vertex_count",
                     read.vertex_count, "100 to max_vertices");
         check_range(is_coordinate(read.blend), "desc.blend", read.blend, "finite and at most 1e30 in size");
-        const auto out = make_object<HeldSkin>(memory, memory);
+        const auto out = self.make(self.skins);
         out->model = self.models.get(read.model.id, "desc.model");
         out->options.vertices = read.vertex_count;
         out->options.max_vertices = read.max_vertices;

@@ -198,7 +198,7 @@ FlgResult flgSplineCreate(FlgContext context, const FlgSplineDesc* desc, FlgSpli
             submission.wait_for(start_blocks(self, manifold->surface));
             submission.read_surface(manifold->surface, "the surface of desc.manifold");
         }
-        const auto out = make_object<Spline>(memory, manifold);
+        const auto out = self.make(self.splines, manifold);
         out->origin = origin;
         request.out = out;
         submission.job().strand.start(make_spline(submission.pace(), std::move(request)));
@@ -221,7 +221,6 @@ FlgResult flgSplineSampleDescInit(FlgSplineSampleDesc* desc, uint32_t struct_siz
 FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
-        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgSplineSampleDesc read = read_struct(desc, sized<FlgSplineSampleDesc>(), "desc");
         check_range(is_coordinate(read.height), "desc.height", read.height, "finite and at most 1e30 in size");
         Submission submission(self, read.job);
@@ -229,7 +228,7 @@ FlgResult flgSplineSample(FlgContext context, const FlgSplineSampleDesc* desc, F
         submission.read(*spline, "desc.spline");
         check_range(spline->manifold->given_ambient == 3, "the number of coordinates of desc.spline",
                     spline->manifold->given_ambient, "3");
-        const auto out = make_object<CurveSet>(memory, memory);
+        const auto out = self.make(self.curve_sets);
         out->origin = spline->origin;
         submission.job().strand.start(spline_curves(submission.pace(), spline, read.height, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};

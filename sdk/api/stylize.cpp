@@ -49,7 +49,6 @@ FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* d
                              FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
-        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgCurveSetStylizeDesc read = read_struct(desc, default_stylize_desc(), "desc");
         check(read);
         Submission submission(self, read.job);
@@ -57,7 +56,7 @@ FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* d
         const auto target = self.curve_sets.get(read.target.id, "desc.target");
         submission.read(*style, "desc.style");
         submission.read(*target, "desc.target");
-        const auto out = make_object<CurveSet>(memory, memory);
+        const auto out = self.make(self.curve_sets);
         out->origin = target->origin;
         submission.job().strand.start(apply_style(submission.pace(), StylizeRequest{style, target, out, read}));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};

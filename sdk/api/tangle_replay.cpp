@@ -74,7 +74,7 @@ StepRecords read_request(const FlgTangleStep& step, Memory* memory) {
         case FLG_TANGLE_STEP_KIND_DIVIDE:
             return record_step(read_divide(read_struct(step.divide, default_divide_desc(), "divide"), memory), memory);
         case FLG_TANGLE_STEP_KIND_MACRO:
-            return record_macro(read_macro(read_struct(step.macro, default_macro_desc(), "macro"), memory), memory);
+            return record_step(read_macro(read_struct(step.macro, default_macro_desc(), "macro"), memory), memory);
         case FLG_TANGLE_STEP_KIND_DISPLACE:
             return record_step(read_displace(read_struct(step.displace, default_displace_desc(), "displace"), memory),
                                memory);

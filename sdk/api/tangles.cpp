@@ -71,6 +71,21 @@ FlgResult change_by_list(FlgContext context, FlgTangle tangle, const uint32_t* r
     });
 }
 
+template <class Desc, class Read>
+FlgResult change_by_desc(FlgContext context, const Desc* desc, const Desc& defaults, Read read_request,
+                         FlgJob* out_job) {
+    return guarded([&] {
+        if (out_job) *out_job = {};
+        Context& self = get_context(context);
+        Memory* const memory = self.memory[MemoryKind::surfaces];
+        const Desc read = read_struct(desc, defaults, "desc");
+        auto request = read_request(read, memory);
+        TangleChange change(self, read.job, read.tangle, "desc.tangle");
+        change.needs_blocks();
+        change.make_step(record_step(std::move(request), memory), out_job);
+    });
+}
+
 template <class Start>
 FlgResult change_tangle(FlgContext context, FlgTangle tangle, const FlgJobOptions* job, FlgJob* out_job, Start start) {
     return guarded([&] {
@@ -116,7 +131,7 @@ FlgResult flgTangleCreate(FlgContext context, FlgSurface surface, const FlgJobOp
         Submission submission(self, job);
         const auto on = self.surfaces.get(surface.id, "surface");
         submission.change_surface(on, "surface");
-        const auto tangle = make_object<Tangle>(memory, on, memory);
+        const auto tangle = self.make(self.tangles, on);
         const auto change = make_object<SurfaceChange>(memory, on, tangle);
         submission.job().strand.start(begin_tangle(submission.pace(), tangle));
         *out_tangle = {submission.commit(self.tangles, tangle, change, out_job)};
@@ -145,29 +160,11 @@ FlgResult flgTangleDivide(FlgContext context, const FlgTangleDivideDesc* desc, F
 }
 
 FlgResult flgTangleApplyMacro(FlgContext context, const FlgTangleApplyMacroDesc* desc, FlgJob* out_job) {
-    return guarded([&] {
-        if (out_job) *out_job = {};
-        Context& self = get_context(context);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
-        const FlgTangleApplyMacroDesc read = read_struct(desc, default_macro_desc(), "desc");
-        MacroRequest request = read_macro(read, memory);
-        TangleChange change(self, read.job, read.tangle, "desc.tangle");
-        change.needs_blocks();
-        change.make_step(record_macro(std::move(request), memory), out_job);
-    });
+    return change_by_desc(context, desc, default_macro_desc(), &read_macro, out_job);
 }
 
 FlgResult flgTangleDisplace(FlgContext context, const FlgTangleDisplaceDesc* desc, FlgJob* out_job) {
-    return guarded([&] {
-        if (out_job) *out_job = {};
-        Context& self = get_context(context);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
-        const FlgTangleDisplaceDesc read = read_struct(desc, default_displace_desc(), "desc");
-        DisplaceRequest request = read_displace(read, memory);
-        TangleChange change(self, read.job, read.tangle, "desc.tangle");
-        change.needs_blocks();
-        change.make_step(record_step(std::move(request), memory), out_job);
-    });
+    return change_by_desc(context, desc, default_displace_desc(), &read_displace, out_job);
 }
 
 FlgResult flgTangleGroup(FlgContext context, FlgTangle tangle, const uint32_t* regions, uint32_t region_count,
@@ -195,13 +192,12 @@ FlgResult flgTangleTraceBorders(FlgContext context, FlgTangle tangle, const FlgJ
                                 FlgSurfaceCurves* out_curves, FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const auto of = self.tangles.get(tangle.id, "tangle");
         Submission submission(self, job);
         submission.read(*of, "tangle");
         refuse_changed_surface(*of, "tangle");
         submission.read_surface(of->surface, "the surface of the tangle");
-        const auto out = make_object<TracedCurves>(memory, of->surface, memory);
+        const auto out = self.make(self.surface_curves, of->surface);
         submission.job().strand.start(trace_borders(submission.pace(), of, out));
         *out_curves = {submission.commit(self.surface_curves, out, out_job)};
     });

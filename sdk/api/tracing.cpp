@@ -49,13 +49,12 @@ FlgResult flgSurfaceCurvesLift(FlgContext context, const FlgSurfaceCurvesLiftDes
                                FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_set, "out_set", out_job);
-        Memory* const memory = self.memory[MemoryKind::curves];
         const FlgSurfaceCurvesLiftDesc read = read_struct(desc, sized<FlgSurfaceCurvesLiftDesc>(), "desc");
         check_range(std::isfinite(read.height), "desc.height", read.height, "finite");
         Submission submission(self, read.job);
         const auto curves = read_current(self.surface_curves, read.curves.id, "desc.curves", submission);
         submission.read_surface(curves->surface, "the surface of desc.curves");
-        const auto out = make_object<CurveSet>(memory, memory);
+        const auto out = self.make(self.curve_sets);
         out->origin = curves->surface->origin;
         submission.job().strand.start(lift_curves(submission.pace(), curves, read.height, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
@@ -75,7 +74,7 @@ FlgResult flgFieldTraceIsolines(FlgContext context, const FlgFieldTraceIsolinesD
         Submission submission(self, read.job);
         const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         submission.read_surface(field->surface, "the surface of desc.field");
-        const auto out = make_object<TracedCurves>(memory, field->surface, memory);
+        const auto out = self.make(self.surface_curves, field->surface);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
         LevelRequest levels = read_levels(read.levels, read.level_count, read.level_first, read.level_every, memory);
         submission.job().strand.start(
@@ -98,7 +97,7 @@ FlgResult flgFieldTraceStreams(FlgContext context, const FlgFieldTraceStreamsDes
         Submission submission(self, read.job);
         const auto field = read_current(self.fields, read.field.id, "desc.field", submission);
         submission.read_surface(field->surface, "the surface of desc.field");
-        const auto out = make_object<TracedCurves>(memory, field->surface, memory);
+        const auto out = self.make(self.surface_curves, field->surface);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
         Buffer<SurfacePoint> starts = read_points(read.starts, read.start_count, "desc.starts", memory);
         StreamsRequest request{field, std::move(regions), std::move(starts), nullptr, read, out};
@@ -127,7 +126,7 @@ FlgResult flgFieldTracePaths(FlgContext context, const FlgFieldTracePathsDesc* d
         Buffer<uint32_t> offsets = read_path_offsets(read, memory);
         Buffer<SurfacePoint> points = read_points(read.points, *(offsets.end() - 1), "desc.points", memory);
         RegionSet regions = read_regions(read.regions, read.region_count, memory);
-        const auto out = make_object<TracedCurves>(memory, surface, memory);
+        const auto out = self.make(self.surface_curves, surface);
         Paths paths{.offsets = std::move(offsets),
                     .points = std::move(points),
                     .closed = read.closed != 0,
@@ -147,12 +146,11 @@ FlgResult flgCurveSetProject(FlgContext context, const FlgCurveSetProjectDesc* d
                              FlgJob* out_job) {
     return guarded([&] {
         Context& self = clear_outputs(context, out_curves, "out_curves", out_job);
-        Memory* const memory = self.memory[MemoryKind::surfaces];
         const FlgCurveSetProjectDesc read = read_struct(desc, sized<FlgCurveSetProjectDesc>(), "desc");
         Submission submission(self, read.job);
         const auto surface = self.surfaces.get(read.surface.id, "desc.surface");
         const auto curves = self.curve_sets.get(read.curves.id, "desc.curves");
-        const auto out = make_object<TracedCurves>(memory, surface, memory);
+        const auto out = self.make(self.surface_curves, surface);
         submission.read(*curves, "desc.curves");
         submission.wait_for(start_blocks(self, surface));
         submission.read_surface(surface, "desc.surface");

@@ -11,7 +11,7 @@ namespace flg {
 class Field final : public Product {
 public:
     // For the surface as jobs started now will see it.
-    Field(std::shared_ptr<Surface> of_surface, Memory*)
+    explicit Field(std::shared_ptr<Surface> of_surface)
         : surface(std::move(of_surface)), revision(surface->order.revision()) {}
 
     std::shared_ptr<Surface> surface;

@@ -75,7 +75,7 @@ StepRecords record_step(StepRecord::Request request, Memory* memory) {
     return records;
 }
 
-StepRecords record_macro(MacroRequest macro, Memory* memory) {
+StepRecords record_step(MacroRequest macro, Memory* memory) {
     StepRecords records(memory);
     for (DivideRequest& request : expand_macro(macro, memory)) {
         records.push_back(std::move(record_step(std::move(request), memory)[0]));

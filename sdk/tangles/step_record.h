@@ -39,7 +39,7 @@ struct StepRecord {
 using StepRecords = std::pmr::vector<std::shared_ptr<StepRecord>>;
 
 StepRecords record_step(StepRecord::Request request, Memory* memory);
-StepRecords record_macro(MacroRequest macro, Memory* memory);
+StepRecords record_step(MacroRequest macro, Memory* memory);
 
 // Remembers where the operator's points are, before it changes anything. Refuses points in triangles that do not exist.
 Task<void> record_seeds(Pace& pace, const Mesh& mesh, StepRecord& record);
