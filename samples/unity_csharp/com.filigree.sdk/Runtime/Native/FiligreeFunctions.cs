@@ -88,26 +88,36 @@ namespace Filigree
 
         /// <summary>
         /// Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their
-        /// callbacks, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means
-        /// no limit: a context without workers then runs all its jobs to the end. Ends at most one slice after its
-        /// budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released
-        /// before their job was done, at the cost of their release.
+        /// callbacks, and, in a context without workers, advances jobs until the budget is spent. With 0 it publishes
+        /// one job at most and advances none; with FLG_UNLIMITED a context without workers runs all its jobs to the
+        /// end. Ends at most one slice after its budget. `report` may be null; set its struct_size. Allocates nothing
+        /// in steady state. Frees results released before their job was done, at the cost of their release.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextTick(FlgContext context, uint budget_us, FlgFrameReport* report);
 
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint struct_size);
+        public static extern FlgResult flgMemoryUseInit(FlgMemoryUse* use, uint struct_size);
 
         /// <summary>
-        /// [any thread] What the context holds. The kinds sum to what the allocator has handed out and not got back, to
-        /// the byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that moves
-        /// from one kind to another may be seen in both. An object counts as its kind once its job has ended; the
-        /// copies of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates
-        /// nothing.
+        /// [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed
+        /// out and not got back, to the byte, with the 8 bytes or so that the library adds to each block. While jobs
+        /// run, a block that moves from one kind to another may be seen in both. An object counts as its kind once its
+        /// job has ended; the copies of inputs that a job waits with count as the kind of its result. Cost: tens of
+        /// nanoseconds. Allocates nothing.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory);
+        public static extern FlgResult flgContextGetMemory(
+            FlgContext context, FlgMemoryKind kind, FlgMemoryUse* out_use);
+
+        /// <summary>
+        /// Limits what the context may hold of one kind, or of all, in bytes; 0: no limit. What would exceed it fails
+        /// with FlgResult.ErrorOutOfMemory, as if the allocator had returned null: a call, or a job, whose result
+        /// counts as its kind when it ends. Takes nothing away: with more in use than the limit nothing further is
+        /// taken. FlgContextDesc's memory_limit is the limit of FlgMemoryKind.Total from the start. Cost: nanoseconds.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgContextSetMemoryLimit(FlgContext context, FlgMemoryKind kind, ulong bytes);
 
         /// <summary>
         /// For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the
@@ -363,10 +373,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgContextMemory flgContextMemoryDefaults()
+        public static FlgMemoryUse flgMemoryUseDefaults()
         {
-            FlgContextMemory made;
-            flgContextMemoryInit(&made, (uint)sizeof(FlgContextMemory));
+            FlgMemoryUse made;
+            flgMemoryUseInit(&made, (uint)sizeof(FlgMemoryUse));
             return made;
         }
 
