@@ -86,10 +86,13 @@ void check_samples(const FlgLiveSampleView& samples) {
                       (!samples.times || samples.stride % alignof(double) == 0);
     check_range(samples.stride == 0 || fits, "samples.stride", samples.stride,
                 "0, or a multiple of 4 (with times of 8) of at least 12 (with orientations 16)");
-    check_aligned(samples.positions, alignof(float), "samples.positions");
-    check_aligned(samples.orientations, alignof(float), "samples.orientations");
-    check_aligned(samples.pressures, alignof(float), "samples.pressures");
-    check_aligned(samples.times, alignof(double), "samples.times");
+    const auto check = [](const void* column, uint32_t alignment, const char* name) {
+        if (column) check_aligned(column, alignment, name);
+    };
+    check(samples.positions, alignof(float), "samples.positions");
+    check(samples.orientations, alignof(float), "samples.orientations");
+    check(samples.pressures, alignof(float), "samples.pressures");
+    check(samples.times, alignof(double), "samples.times");
 }
 
 FlgCurveSetView empty_view() {

@@ -230,8 +230,8 @@ TEST(ContextMemoryLimit, OfAKindHoldsForThatKindAlone) {
 
         // Below what is held: nothing further, and nothing is taken away.
         ASSERT_EQ(flgContextSetMemoryLimit(host.context, FLG_MEMORY_KIND_CURVES, 10), FLG_OK);
-        const Curves point = arcs(1, 2);
-        const FlgCurveSetView small = Curves(point).view();
+        Curves arc = arcs(1, 2);
+        const FlgCurveSetView small = arc.view();
         EXPECT_EQ(flgCurveSetCreate(host.context, &small, &set), FLG_ERROR_OUT_OF_MEMORY);
         EXPECT_EQ(host.view_of(before).curve_offsets[1], 20'000u);
         ASSERT_EQ(flgContextSetMemoryLimit(host.context, FLG_MEMORY_KIND_CURVES, 0), FLG_OK);

@@ -53,7 +53,7 @@ Made run(const Scenario& scenario, uint32_t workers, uint32_t at, uint32_t choic
     Made made;
     {
         Calls calls(context);
-        calls.tick_budget_us = workers == 0 ? 1 : 0;
+        calls.tick_budget_us = workers == 0 ? 1 : FLG_UNLIMITED;
         if (at != 0) calls.allowed = {FLG_ERROR_CANCELLED};
         calls.before_tick = [&] {
             if (calls.ticks + 1 != at || calls.jobs().empty()) return;

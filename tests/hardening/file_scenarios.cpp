@@ -54,7 +54,7 @@ void keep_plain_files(Calls& calls) {
         const std::string path = folder.at(name);
         FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &shape, nullptr);
         Owned<FlgMeshFile> read(calls, flgMeshFileRelease, "flgMeshFileRelease");
-        FLG_CALL(calls, flgMeshFileRead, path.c_str(), &read_desc, &read.file);
+        FLG_CALL(calls, flgMeshFileRead, path.c_str(), nullptr, &read.file);
         FlgMeshView view = flgMeshViewDefaults();
         FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
         calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
