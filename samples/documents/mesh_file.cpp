@@ -88,19 +88,15 @@ MeshFile::MeshFile(const std::string& name) : name_(name) {
 }
 
 std::vector<FlgMeshFaceColumn> MeshFile::face_columns() const {
-    const FlgMeshFaceColumn* columns = nullptr;
-    uint32_t count = 0;
-    if (!file_) return {};
-    check_io(flgMeshFileGetFaceColumns(file_.get(), &columns, &count));
-    return {columns, columns + count};
+    std::vector<FlgMeshFaceColumn> columns(info_.face_column_count, flgMeshFaceColumnDefaults());
+    for (uint32_t i = 0; i < columns.size(); ++i) check_io(flgMeshFileGetFaceColumn(file_.get(), i, &columns[i]));
+    return columns;
 }
 
 std::vector<FlgMeshMaterial> MeshFile::materials() const {
-    const FlgMeshMaterial* materials = nullptr;
-    uint32_t count = 0;
-    if (!file_) return {};
-    check_io(flgMeshFileGetMaterials(file_.get(), &materials, &count));
-    return {materials, materials + count};
+    std::vector<FlgMeshMaterial> materials(info_.material_count, flgMeshMaterialDefaults());
+    for (uint32_t i = 0; i < materials.size(); ++i) check_io(flgMeshFileGetMaterial(file_.get(), i, &materials[i]));
+    return materials;
 }
 
 const FlgColumn& positions_of(const FlgMeshView& mesh) {

@@ -25,7 +25,7 @@ struct DrawnPart {
     float thickness = 1;
     bool is_mirrored = false;
     std::optional<FlgBoneThresholds> thresholds;
-    FlgMeshMaterial material = {};  // without a name
+    FlgMeshMaterial material = flgMeshMaterialDefaults();  // without a name
 };
 
 struct ModelDrawing {

@@ -40,7 +40,7 @@ void Session::finish(std::span<const Pending> jobs, Report& report) {
     while (!all_finished()) {
         FlgFrameReport frame = {};
         frame.struct_size = sizeof frame;
-        check(flgContextTick(context_, common_.budget_us, &frame), "tick");
+        check(flgContextTick(context_, common_.tick_budget_us(), &frame), "tick");
         times_.ticks_us.push_back(frame.tick_us);
         if (frame.max_slice_us > times_.max_slice_us) {
             times_.max_slice_us = frame.max_slice_us;

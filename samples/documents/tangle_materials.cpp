@@ -28,7 +28,7 @@ FlgMeshMaterial read_look(const JsonPlace& entry, const FlgMeshMaterial& otherwi
 }  // namespace
 
 std::vector<ScriptMaterial> read_materials(const JsonPlace& list, const Selection& select) {
-    FlgMeshMaterial usual = {};
+    FlgMeshMaterial usual = flgMeshMaterialDefaults();
     std::copy_n(kUsualColor, 3, usual.color);
     usual.roughness = kUsualRoughness;
     std::vector<ScriptMaterial> materials = {{.is_default = true, .regions = {}, .name = "default", .look = usual}};

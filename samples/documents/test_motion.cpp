@@ -32,9 +32,9 @@ TestMotion make_test_motion(const FlgModelView& model, const ModelDrawing& drawi
         const double share = static_cast<double>(key) / (key_count - 1);
         motion.times.push_back(static_cast<float>(share) * seconds);
         for (uint32_t j = 0; j < model.joint_count; ++j) {
-            const FlgModelPartInfo& part = model.parts[model.joint_parts[j]];
-            const std::array<double, 12>& placement = drawing.parts[part.source].placement;
-            const double phase = turn * share - later_by * depth[j] + (part.is_mirrored ? turn / 2 : 0);
+            const uint32_t part = model.joint_parts[j];
+            const std::array<double, 12>& placement = drawing.parts[model.part_sources[part]].placement;
+            const double phase = turn * share - later_by * depth[j] + (model.part_mirrored[part] ? turn / 2 : 0);
             // The root stays, so that the model does.
             const double angle = depth[j] == 0 ? 0 : swing * std::sin(phase);
             const double scale = std::hypot(placement[2], placement[6], placement[10]);

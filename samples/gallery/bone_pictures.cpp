@@ -261,7 +261,7 @@ void connection(Workshop& workshop, Studio& studio) {
         const Line leg = strip({x, -0.25}, {x + 0.35, -2.9}, 0.42);
         const FlgPart parts[] = {make_part(workshop, torso), make_part(workshop, leg)};
         const FlgModelView model = make_model(workshop, parts, kKeepAll);
-        if (model.parts[1].event != event) throw std::runtime_error("connection: another event than the picture's");
+        if (model.part_events[1] != event) throw std::runtime_error("connection: another event than the picture's");
         Sketch& sketch = sketches.emplace_back(workshop, kUnit);
         std::vector<Line> bones[2], joined;
         std::vector<glm::dvec2> joints[2], met;

@@ -60,7 +60,7 @@ DrawnModel::DrawnModel(const cli::ModelDrawing& drawing, uint32_t vertices)
     filigree::check(flgSkinGetView(session_.context(), skin, &skin_));
     motion_ = cli::make_test_motion(bones_, drawing);
     for (uint32_t p = 0; p < bones_.part_count; ++p) {
-        const FlgMeshMaterial& from = drawing.parts[bones_.parts[p].source].material;
+        const FlgMeshMaterial& from = drawing.parts[bones_.part_sources[p]].material;
         look_.regions.push_back({.color = glm::make_vec3(from.color), .roughness = from.roughness});
     }
     rest();

@@ -11,6 +11,7 @@
 #include "gallery/marks.h"
 #include "gallery/pictures.h"
 #include "support/curve_source.h"
+#include "support/live_sample.h"
 
 namespace flg::gallery {
 namespace {
@@ -128,13 +129,13 @@ private:
         scenes::Curve hand, made;
         for (uint32_t i = 0; i < pass.hand.points.size(); ++i) {
             const scenes::Point& p = pass.hand.points[i];
-            FlgLiveSample sample{};
+            samples::LiveSample sample{};
             sample.position[0] = p.x, sample.position[1] = p.y, sample.position[2] = p.z;
             if (pass.frame == FLG_FRAME_METHOD_SUPPLIED)
                 sample.orientation[3] = 1.0f;  // the controller is held upright
             sample.pressure = 0.5f;
             sample.time = static_cast<double>(i) / kSamplesASecond;
-            for (const glm::vec3& point : vectors_of(stroke.push({&sample, 1}))) made.points.push_back(to_point(point));
+            for (const glm::vec3& point : vectors_of(stroke.push(samples::view_of(sample)))) made.points.push_back(to_point(point));
             hand.points.push_back(p);
             if ((i + 1) % kSamplesAFrame != 0 || made.points.empty()) continue;
             std::vector<Layer> layers = finished_;

@@ -5,6 +5,7 @@
 #include "gallery/looks.h"
 #include "gallery/marks.h"
 #include "gallery/pictures.h"
+#include "support/live_sample.h"
 
 namespace flg::gallery {
 namespace {
@@ -13,12 +14,12 @@ constexpr float kSampleRate = 90.0f;  // hertz
 constexpr uint32_t kSamplesAPush = 12;
 constexpr uint32_t kStages = 3;
 
-std::vector<FlgLiveSample> hand_samples() {
-    std::vector<FlgLiveSample> samples;
+std::vector<samples::LiveSample> hand_samples() {
+    std::vector<samples::LiveSample> samples;
     const scenes::Curve stroke = scenes::make_target("flourish", 240);
     for (size_t i = 0; i < stroke.points.size(); ++i) {
         const scenes::Point& p = stroke.points[i];
-        FlgLiveSample& sample = samples.emplace_back(FlgLiveSample{});
+        samples::LiveSample& sample = samples.emplace_back(samples::LiveSample());
         sample.position[0] = p.x, sample.position[1] = p.y, sample.position[2] = p.z;
         sample.pressure = 0.5f;
         sample.time = static_cast<double>(i) / kSampleRate;
@@ -36,7 +37,7 @@ void live(Workshop& workshop, Studio& studio) {
     desc.style = style.get();
     desc.scale = size.scale;
     filigree::LiveStroke stroke = workshop.context().begin(desc);
-    const std::vector<FlgLiveSample> samples = hand_samples();
+    const std::vector<samples::LiveSample> samples = hand_samples();
 
     std::deque<filigree::CurveSet> sets;
     std::vector<Panel> panels;
@@ -44,7 +45,7 @@ void live(Workshop& workshop, Studio& studio) {
     std::vector<scenes::Curve> hand;
     scenes::Point last = {};
     for (uint32_t first = 0, push = 0; first < samples.size(); first += kSamplesAPush, ++push) {
-        const FlgCurveSetView made = stroke.push({&samples[first], kSamplesAPush});
+        const FlgCurveSetView made = stroke.push(samples::view_of({&samples[first], kSamplesAPush}));
         scenes::Curve piece;
         if (push > 0) piece.points.push_back(last);
         for (const glm::vec3& p : vectors_of(made)) piece.points.push_back(to_point(p));

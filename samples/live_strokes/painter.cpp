@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "live_strokes/painter.h"
+#include "support/live_sample.h"
 
 #include <chrono>
 #include <stdexcept>
@@ -93,7 +94,7 @@ void Painter::begin() {
 }
 
 void Painter::push(const XrController& controller, double time_s, Added& added) {
-    FlgLiveSample sample = {};
+    LiveSample sample = {};
     const glm::quat& turned = controller.pose.orientation;
     for (int i = 0; i < 3; ++i) sample.position[i] = controller.pose.position[i];
     sample.orientation[0] = turned.x;
@@ -102,14 +103,15 @@ void Painter::push(const XrController& controller, double time_s, Added& added) 
     sample.orientation[3] = turned.w;
     sample.pressure = controller.trigger;
     sample.time = time_s;
+    const FlgLiveSampleView pushed = view_of(sample);
     FlgCurveSetView fresh = flgCurveSetViewDefaults();
     const auto before = Clock::now();
-    FlgResult result = flgLiveStrokePush(context_, stroke_.live, &sample, 1, &fresh);
+    FlgResult result = flgLiveStrokePush(context_, stroke_.live, &pushed, &fresh);
     added.push_us += std::chrono::duration<double, std::micro>(Clock::now() - before).count();
     if (result == FLG_ERROR_LIMIT) {  // too far, or full: the next stroke begins here
         end();
         begin();
-        result = flgLiveStrokePush(context_, stroke_.live, &sample, 1, &fresh);
+        result = flgLiveStrokePush(context_, stroke_.live, &pushed, &fresh);
     }
     check(result);
     ++added.samples;

@@ -16,17 +16,17 @@ constexpr float kReach = 1.3f;           // metres: the largest side of a drawin
 constexpr float kMinTrigger = 0.02f;     // on a stroke, however light its pressure
 const glm::vec3 kMiddle(0.0f, 1.15f, -0.35f);
 
-glm::vec3 position_of(const FlgLiveSample& sample) {
+glm::vec3 position_of(const LiveSample& sample) {
     return {sample.position[0], sample.position[1], sample.position[2]};
 }
 
-glm::quat orientation_of(const FlgLiveSample& sample) {
+glm::quat orientation_of(const LiveSample& sample) {
     const float* q = sample.orientation;
     const glm::quat turned(q[3], q[0], q[1], q[2]);
     return glm::length(turned) > 0.0f ? glm::normalize(turned) : glm::quat(1, 0, 0, 0);
 }
 
-void set(FlgLiveSample& sample, glm::vec3 position, glm::quat orientation) {
+void set(LiveSample& sample, glm::vec3 position, glm::quat orientation) {
     for (int i = 0; i < 3; ++i) sample.position[i] = position[i];
     sample.orientation[0] = orientation.x;
     sample.orientation[1] = orientation.y;
@@ -58,7 +58,7 @@ void Recording::draw_session() {
             const float out = 0.04f + 0.42f * std::sin(3.1415927f * s) * (0.6f + 0.4f * s);
             const float turn = aside + 1.3f * std::sin(2.6f * s) - 0.9f * s;
             const float up = 0.72f + 0.95f * s - 0.75f * s * s * s;
-            FlgLiveSample sample = {};
+            LiveSample sample = {};
             set(sample, {out * std::sin(turn), up, kMiddle.z + out * std::cos(turn)},
                 glm::angleAxis(turn, glm::vec3(0, 1, 0)) * glm::angleAxis(1.2f * s - 0.4f, glm::vec3(1, 0, 0)));
             sample.pressure = std::sqrt(std::sin(3.1415927f * std::min(s + 0.01f, 0.999f)));
@@ -84,7 +84,7 @@ void Recording::load(const std::string& name) {
         Stroke stroke;
         double even_s = 0.0, time_s = 0.0;
         for (uint32_t i = first; i < last; ++i) {
-            FlgLiveSample sample = {};
+            LiveSample sample = {};
             std::copy_n(value_at(*positions, i), 3, sample.position);
             if (orientations) std::copy_n(value_at(*orientations, i), 4, sample.orientation);
             sample.pressure = pressures ? std::clamp(*value_at(*pressures, i), 0.0f, 1.0f) : 1.0f;
@@ -105,7 +105,7 @@ void Recording::load(const std::string& name) {
 void Recording::bring_near() {
     glm::vec3 low(1e30f), high(-1e30f);
     for (const Stroke& stroke : strokes_) {
-        for (const FlgLiveSample& sample : stroke) {
+        for (const LiveSample& sample : stroke) {
             low = glm::min(low, position_of(sample));
             high = glm::max(high, position_of(sample));
         }
@@ -113,7 +113,7 @@ void Recording::bring_near() {
     const glm::vec3 size = high - low;
     const float scale = std::min(1.0f, kReach / std::max({size.x, size.y, size.z, 1e-6f}));
     for (Stroke& stroke : strokes_)
-        for (FlgLiveSample& sample : stroke)
+        for (LiveSample& sample : stroke)
             set(sample, kMiddle + scale * (position_of(sample) - 0.5f * (low + high)), orientation_of(sample));
 }
 
@@ -123,9 +123,9 @@ XrController Recording::at(double time_s) const {
                                    [&](const Stroke& stroke) { return stroke.back().time >= time_s; });
     if (next == strokes_.end()) return {{position_of(strokes_.back().back()), orientation_of(strokes_.back().back())}};
     const auto after =
-        std::find_if(next->begin(), next->end(), [&](const FlgLiveSample& sample) { return sample.time >= time_s; });
+        std::find_if(next->begin(), next->end(), [&](const LiveSample& sample) { return sample.time >= time_s; });
     const bool on_its_way = after == next->begin();
-    const FlgLiveSample& from = !on_its_way                ? *(after - 1)
+    const LiveSample& from = !on_its_way                ? *(after - 1)
                                 : next == strokes_.begin() ? strokes_.back().back()
                                                            : (next - 1)->back();
     const double from_s = !on_its_way ? from.time : std::max(0.0, after->time - kPauseS);

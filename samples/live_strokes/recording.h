@@ -7,6 +7,7 @@
 
 #include "filigree/filigree_live.h"
 #include "live_strokes/xr_source.h"
+#include "support/live_sample.h"
 
 namespace flg::samples {
 
@@ -23,7 +24,7 @@ public:
     XrController at(double time_s) const;
 
 private:
-    using Stroke = std::vector<FlgLiveSample>;
+    using Stroke = std::vector<LiveSample>;
     void draw_session();
     void load(const std::string& name);
     void bring_near();

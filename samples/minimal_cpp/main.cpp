@@ -41,11 +41,13 @@ void draw_live(filigree::Context& context, const filigree::Style& style) {
     filigree::LiveStroke stroke = context.begin(desc);
     uint32_t points = 0;
     for (int frame = 0; frame <= 180; ++frame) {
-        filigree::LiveSample sample{};
-        sample.time = frame / 90.0;
-        sample.position[0] = static_cast<float>(sample.time);
-        sample.pressure = 1;
-        const filigree::CurveSetView added = stroke.push({&sample, 1});
+        const double time = frame / 90.0;
+        const float place[] = {static_cast<float>(time), 0, 0};
+        filigree::LiveSampleView sample;
+        sample.sample_count = 1;
+        sample.positions = place;
+        sample.times = &time;
+        const filigree::CurveSetView added = stroke.push(sample);
         if (added.curve_count > 0) points += added.curve_offsets[1];
     }
     std::printf("181 samples became %u points while they came in, up to %.3f m off the line\n", points,

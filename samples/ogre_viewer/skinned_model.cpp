@@ -151,7 +151,7 @@ void SkinnedModel::build() {
     const FlgModelView model = model_.view();
     std::vector<Ogre::uint32> colours(skin.vertex_count);
     for (uint32_t v = 0; v < skin.vertex_count; ++v)
-        colours[v] = colours_[model.parts[skin.vertex_parts[v]].source].getAsABGR();
+        colours[v] = colours_[model.part_sources[skin.vertex_parts[v]]].getAsABGR();
     Ogre::SkeletonPtr skeleton = skeleton_of(skin);
     add_walk(*skeleton);
     const Ogre::MeshPtr mesh = mesh_of(skin, colours);

@@ -50,7 +50,7 @@ LiveStroke::LiveStroke(filigree::Context& context, Ogre::SceneNode& node, const 
     warming_ = style_.warm();
     const flg::scenes::Curve flourish = flg::scenes::make_target("flourish", kHandSamples);
     for (const flg::scenes::Point& p : flourish.points) {
-        FlgLiveSample sample = {};
+        flg::samples::LiveSample sample = {};
         sample.position[0] = p.x, sample.position[1] = p.y, sample.position[2] = p.z;
         sample.time = static_cast<double>(hand_.size()) / kSampleRate;
         hand_.push_back(sample);
@@ -77,7 +77,7 @@ void LiveStroke::update(double time) {
     size_t due = taken_;
     while (due < hand_.size() && hand_[due].time <= time - begun_) ++due;
     // What is new, and nothing else, goes to the graphics card.
-    object_.append(stroke_.push({hand_.data() + taken_, due - taken_}), taken_ > 0);
+    object_.append(stroke_.push(flg::samples::view_of({hand_.data() + taken_, due - taken_})), taken_ > 0);
     if (due > taken_) largest_upload_ = std::max(largest_upload_, object_.uploaded_bytes());
     taken_ = due;
 }

@@ -9,6 +9,7 @@
 
 #include "curve_object.h"
 #include "filigree/filigree.hpp"
+#include "support/live_sample.h"
 
 namespace viewer {
 
@@ -46,7 +47,7 @@ private:
     filigree::Context& context_;
     filigree::Style style_;
     filigree::Job warming_;
-    std::vector<FlgLiveSample> hand_;
+    std::vector<flg::samples::LiveSample> hand_;
     double begun_ = 0;
     size_t taken_ = 0;  // samples of the hand
     filigree::LiveStroke stroke_;

@@ -17,11 +17,11 @@ FlgCurveGeometry shape_of_brush(std::string_view brush) {
 }
 
 std::vector<FlgCurveGeometry> shapes_of_strokes(const CurveSource& source) {
-    const FlgStroke* strokes = nullptr;
-    uint32_t count = 0;
     std::vector<FlgCurveGeometry> shapes;
-    if (source.file() == nullptr || flgCurveFileGetStrokes(source.file(), &strokes, &count) != FLG_OK) return shapes;
-    for (uint32_t i = 0; i < count; ++i) shapes.push_back(shape_of_brush(strokes[i].brush));
+    FlgStroke stroke = flgStrokeDefaults();
+    for (uint32_t i = 0; source.file() && flgCurveFileGetStroke(source.file(), i, &stroke) == FLG_OK; ++i) {
+        shapes.push_back(shape_of_brush(stroke.brush));
+    }
     return shapes;
 }
 

@@ -25,6 +25,7 @@ FlgBrushMeshDesc default_desc() {
     auto desc = sized<FlgBrushMeshDesc>();
     desc.shape = FLG_BRUSH_SHAPE_TUBE;
     desc.sides = 8;
+    desc.curve_count = FLG_UNLIMITED;
     desc.default_radius = 0.005f;
     desc.radius_scale = 1;
     std::fill(desc.default_color, desc.default_color + 4, 1.0f);
@@ -83,7 +84,9 @@ public:
     }
 
     uint32_t begin() const { return desc_.first_curve; }
-    uint32_t end() const { return desc_.curve_count ? desc_.first_curve + desc_.curve_count : view_.curve_count; }
+    uint32_t end() const {
+        return desc_.curve_count == FLG_UNLIMITED ? view_.curve_count : desc_.first_curve + desc_.curve_count;
+    }
     const FlgCurveSetView& view() const { return view_; }
 
     // Its points from the range's first on; none may be left.
@@ -127,7 +130,10 @@ private:
                               view_.curve_flags[c]);
             }
         }
-        if (desc_.first_curve >= view_.curve_count || desc_.curve_count > view_.curve_count - desc_.first_curve) {
+        check_range(desc_.curve_count > 0, "desc.curve_count", 0, "at least 1");
+        const bool is_limited = desc_.curve_count != FLG_UNLIMITED;
+        if (desc_.first_curve >= view_.curve_count ||
+            (is_limited && desc_.curve_count > view_.curve_count - desc_.first_curve)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.first_curve is %u and desc.curve_count %u, but there are %u curves", desc_.first_curve,
                           desc_.curve_count, view_.curve_count);

@@ -20,6 +20,7 @@ constexpr uint32_t max_output_columns = 16;
 
 FlgBufferOutput default_output() {
     auto output = sized<FlgBufferOutput>();
+    output.row_count = output.triangle_count = FLG_UNLIMITED;
     output.index_format = output.region_format = FLG_NUMBER_FORMAT_UINT32;
     return output;
 }
@@ -141,12 +142,13 @@ public:
 private:
     // How many there are of the part that was asked for.
     static uint32_t part(uint32_t first, uint32_t count, uint32_t all, const char* what) {
+        if (first <= all && count == FLG_UNLIMITED) return all - first;
         if (first > all || count > all - first) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "output.first_%s is %u and output.%s_count %u, but there are %u %ss", what, first, what,
                           count, all, what);
         }
-        return count ? count : all - first;
+        return count;
     }
     ColumnCopy copy_of(const ResultArrays& arrays, uint32_t i, const char* argument) const {
         ColumnCopy copy{{}, columns_[i]};

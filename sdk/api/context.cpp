@@ -11,6 +11,7 @@
 
 #include "api/descriptors.h"
 #include "api/error.h"
+#include "api/inputs.h"
 #include "core/random.h"
 #include "surfaces/field.h"
 #include "surfaces/traced_curves.h"
@@ -279,14 +280,22 @@ FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport*
     });
 }
 
-FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint32_t struct_size) {
-    return init(memory, struct_size, sized<FlgContextMemory>(), "memory");
+FlgResult flgMemoryUseInit(FlgMemoryUse* use, uint32_t struct_size) {
+    return init(use, struct_size, sized<FlgMemoryUse>(), "use");
 }
 
-FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory) {
+FlgResult flgContextGetMemory(FlgContext context, FlgMemoryKind kind, FlgMemoryUse* out_use) {
     return guarded([&] {
-        write_struct(out_memory, sized<FlgContextMemory>(), "out_memory");
-        write_struct(out_memory, get_context(context).memory.use(), "out_memory");
+        write_struct(out_use, sized<FlgMemoryUse>(), "out_use");
+        check_enum(kind, FLG_MEMORY_KIND_TOTAL, FLG_MEMORY_KIND_RUNTIME, "kind", "FLG_MEMORY_KIND_");
+        write_struct(out_use, get_context(context).memory.use(kind), "out_use");
+    });
+}
+
+FlgResult flgContextSetMemoryLimit(FlgContext context, FlgMemoryKind kind, uint64_t bytes) {
+    return guarded([&] {
+        check_enum(kind, FLG_MEMORY_KIND_TOTAL, FLG_MEMORY_KIND_RUNTIME, "kind", "FLG_MEMORY_KIND_");
+        get_context(context).memory.set_limit(kind, bytes);
     });
 }
 

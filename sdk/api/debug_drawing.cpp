@@ -46,6 +46,7 @@ uint32_t ramp(double value) {
 
 FlgDebugDrawDesc default_draw_desc() {
     auto desc = sized<FlgDebugDrawDesc>();
+    desc.count = FLG_UNLIMITED;
     desc.every = 1;
     desc.size = 0.05f;
     desc.color = 0xffffffff;
@@ -85,7 +86,7 @@ public:
     void each(uint32_t part, uint32_t total, Draw draw) const {
         if ((desc_.parts & part) == 0) return;
         const uint32_t rest = total - std::min(desc_.first, total);
-        const uint32_t count = desc_.count == 0 ? rest : std::min(desc_.count, rest);
+        const uint32_t count = std::min(desc_.count, rest);
         for (uint32_t i = 0; i < count; ++i) draw(desc_.first + i);
     }
 

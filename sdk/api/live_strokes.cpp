@@ -6,6 +6,7 @@
 #include "api/context.h"
 #include "api/descriptors.h"
 #include "api/error.h"
+#include "api/host_buffers.h"
 #include "api/inputs.h"
 #include "core/number_text.h"
 #include "stylization/live_jobs.h"
@@ -60,6 +61,23 @@ void check(const FlgLiveStrokeDesc& desc) {
                       "take FLG_FRAME_METHOD_ROTATION_MINIMIZING or FLG_FRAME_METHOD_SUPPLIED");
     }
     check_basis(desc.basis);
+}
+
+// The columns; what is in them: LiveStroke::push().
+void check_samples(const FlgLiveSampleView& samples) {
+    if (samples.sample_count > 0) require(samples.positions, "samples.positions");
+    const bool fits = samples.stride >= 3 * sizeof(float) && samples.stride % alignof(float) == 0 &&
+                      (!samples.orientations || samples.stride >= 4 * sizeof(float)) &&
+                      (!samples.times || samples.stride % alignof(double) == 0);
+    check_range(samples.stride == 0 || fits, "samples.stride", samples.stride,
+                "0, or a multiple of 4 (with times of 8) of at least 12 (with orientations 16)");
+    const auto check = [](const void* column, uint32_t alignment, const char* name) {
+        if (column) check_aligned(column, alignment, name);
+    };
+    check(samples.positions, alignof(float), "samples.positions");
+    check(samples.orientations, alignof(float), "samples.orientations");
+    check(samples.pressures, alignof(float), "samples.pressures");
+    check(samples.times, alignof(double), "samples.times");
 }
 
 FlgCurveSetView empty_view() {
@@ -156,14 +174,19 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
     });
 }
 
-FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSample* samples, uint32_t count,
+FlgResult flgLiveSampleViewInit(FlgLiveSampleView* view, uint32_t struct_size) {
+    return init(view, struct_size, sized<FlgLiveSampleView>(), "view");
+}
+
+FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSampleView* samples,
                             FlgCurveSetView* out_new) {
     return guarded([&] {
         if (out_new) write_struct(out_new, empty_view(), "out_new");
         LiveStroke& self = *get_context(context).live_strokes.get(stroke.id, "stroke");
-        if (count > 0) require(samples, "samples");
+        const FlgLiveSampleView read = read_struct(samples, sized<FlgLiveSampleView>(), "samples");
+        check_samples(read);
         const uint32_t before = self.point_count();
-        self.push(samples, count);
+        self.push(read);
         if (out_new) write_struct(out_new, self.view_from(before), "out_new");
         return FLG_OK;
     });

@@ -117,12 +117,11 @@ void HeldModel::show_joint(const BoneJoint& joint) {
 }
 
 void HeldModel::show_part(uint32_t part) {
-    columns_.part_info.push_back({.event = static_cast<FlgPartEvent>(links[part].event),
-                                  .parent = links[part].parent,
-                                  .joint = part_joints[part],
-                                  .source = parts[part].source,
-                                  .twin = parts[part].twin,
-                                  .is_mirrored = parts[part].is_mirrored});
+    columns_.part_events.push_back(static_cast<FlgPartEvent>(links[part].event));
+    columns_.part_parents.push_back(links[part].parent);
+    columns_.part_sources.push_back(parts[part].source);
+    columns_.part_twins.push_back(parts[part].twin);
+    columns_.part_mirrored.push_back(parts[part].is_mirrored);
 }
 
 void HeldModel::show() noexcept {
@@ -133,9 +132,14 @@ void HeldModel::show() noexcept {
              .joint_parents = columns_.parents.data(),
              .joint_parts = columns_.parts.data(),
              .joint_names = columns_.name_pointers.data(),
-             .parts = columns_.part_info.data(),
              .part_count = static_cast<uint32_t>(parts.size()),
              .size = static_cast<float>(size),
+             .part_events = columns_.part_events.data(),
+             .part_parents = columns_.part_parents.data(),
+             .part_joints = part_joints.data(),
+             .part_sources = columns_.part_sources.data(),
+             .part_twins = columns_.part_twins.data(),
+             .part_mirrored = columns_.part_mirrored.data(),
              .origin = {}};
     write_origin(origin, view_.origin);
 }

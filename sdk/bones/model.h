@@ -62,13 +62,19 @@ private:
               names(memory),
               name_pointers(memory),
               joint_counts(memory),
-              part_info(memory) {}
+              part_events(memory),
+              part_parents(memory),
+              part_sources(memory),
+              part_twins(memory),
+              part_mirrored(memory) {}
         std::pmr::vector<float> positions, radii;
         std::pmr::vector<uint32_t> parents, parts;
         std::pmr::deque<std::pmr::string> names;  // which stay where they are
         std::pmr::vector<const char*> name_pointers;
         std::pmr::vector<uint32_t> joint_counts;  // by part
-        std::pmr::vector<FlgModelPartInfo> part_info;
+        std::pmr::vector<FlgPartEvent> part_events;
+        std::pmr::vector<uint32_t> part_parents, part_sources, part_twins;
+        std::pmr::vector<uint8_t> part_mirrored;
     };
 
     void show() noexcept override;

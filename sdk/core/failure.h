@@ -33,11 +33,11 @@ private:
 // An allocation that the host's limit refuses: as if the allocator had returned null.
 class MemoryLimitReached final : public std::bad_alloc {
 public:
-    MemoryLimitReached(uint64_t limit, uint64_t held, uint64_t asked) {
+    // `name`: of the limit.
+    MemoryLimitReached(const char* name, uint64_t limit, uint64_t held, uint64_t asked) {
         std::snprintf(message_, sizeof message_,
-                      "memory_limit is %" PRIu64 " bytes, which leaves no room for %" PRIu64 " beside the %" PRIu64
-                      " in use",
-                      limit, asked, held);
+                      "%s is %" PRIu64 " bytes, which leaves no room for %" PRIu64 " beside the %" PRIu64 " in use",
+                      name, limit, asked, held);
     }
     const char* what() const noexcept override { return message_; }
 

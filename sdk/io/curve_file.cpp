@@ -160,8 +160,12 @@ using flg::write_origin;
 
 extern "C" {
 
-FlgResult flgCurveFileRead(const char* path, const FlgFileHooks* hooks, FlgCurveFile* out_file) {
-    return read_into(out_file, "flgCurveFileRead", path, hooks, [](const Path& source) {
+FlgResult flgCurveFileReadDescInit(FlgCurveFileReadDesc* desc, uint32_t struct_size) {
+    return init("flgCurveFileReadDescInit", desc, struct_size, sized<FlgCurveFileReadDesc>());
+}
+
+FlgResult flgCurveFileRead(const char* path, const FlgCurveFileReadDesc* desc, FlgCurveFile* out_file) {
+    return read_into(out_file, "flgCurveFileRead", path, desc, [](const Path& source) {
         auto file = make_owned<FlgCurveFileT>();
         file->data = read_curves(source);
         CurveData& data = file->data;
@@ -205,14 +209,18 @@ FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info) {
         info.total_length = shown.measures.total_length;
         info.warning_count = static_cast<uint32_t>(shown.warnings.size());
         info.warnings = shown.warnings.data();
+        info.stroke_count = static_cast<uint32_t>(data.strokes.size());
         return info;
     });
 }
 
-FlgResult flgCurveFileGetStrokes(FlgCurveFile file, const FlgStroke** out_strokes, uint32_t* out_count) {
-    return show_list(
-        "flgCurveFileGetStrokes", file, [](const FlgCurveFileT& f) -> auto& { return f.data.strokes; }, out_strokes,
-        "out_strokes", out_count);
+FlgResult flgStrokeInit(FlgStroke* stroke, uint32_t struct_size) {
+    return init("flgStrokeInit", stroke, struct_size, sized<FlgStroke>(), "stroke");
+}
+
+FlgResult flgCurveFileGetStroke(FlgCurveFile file, uint32_t curve, FlgStroke* out_stroke) {
+    const auto strokes = [](const FlgCurveFileT& shown) -> auto& { return shown.data.strokes; };
+    return show_one("flgCurveFileGetStroke", file, strokes, curve, "curve", out_stroke, "out_stroke");
 }
 
 void flgCurveFileRelease(FlgCurveFile file) {
@@ -228,7 +236,7 @@ FlgResult flgCurveFileInfoInit(FlgCurveFileInfo* info, uint32_t struct_size) {
 }
 
 FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc) {
-    return write_to("flgCurveFileWrite", path, hooks_of(desc), [&](const Path& target) {
+    return write_to("flgCurveFileWrite", path, desc, [&](const Path& target) {
         const String extension = target.extension();
         const CheckedView curves(view);
         const FlgCurveFileWriteDesc checked = checked_desc(desc, curves);

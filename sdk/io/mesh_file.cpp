@@ -108,8 +108,12 @@ using flg::write_origin;
 
 extern "C" {
 
-FlgResult flgMeshFileRead(const char* path, const FlgFileHooks* hooks, FlgMeshFile* out_file) {
-    return read_into(out_file, "flgMeshFileRead", path, hooks, [](const Path& source) {
+FlgResult flgMeshFileReadDescInit(FlgMeshFileReadDesc* desc, uint32_t struct_size) {
+    return init("flgMeshFileReadDescInit", desc, struct_size, sized<FlgMeshFileReadDesc>());
+}
+
+FlgResult flgMeshFileRead(const char* path, const FlgMeshFileReadDesc* desc, FlgMeshFile* out_file) {
+    return read_into(out_file, "flgMeshFileRead", path, desc, [](const Path& source) {
         auto file = make_owned<FlgMeshFileT>();
         file->data = read_mesh(source);
         MeshData& data = file->data;
@@ -120,7 +124,9 @@ FlgResult flgMeshFileRead(const char* path, const FlgFileHooks* hooks, FlgMeshFi
             file->columns.push_back({column.attribute, column.components, column.values.data(), 0, 0});
         }
         for (const FaceColumn& column : data.face_columns) {
-            file->face_columns.push_back({column.name.c_str(), column.values.data()});
+            auto& shown = file->face_columns.emplace_back(sized<FlgMeshFaceColumn>());
+            shown.name = column.name.c_str();
+            shown.values = column.values.data();
         }
         for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
         for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
@@ -143,14 +149,22 @@ FlgResult flgMeshFileGetView(FlgMeshFile file, FlgMeshView* out_view) {
     });
 }
 
-FlgResult flgMeshFileGetFaceColumns(FlgMeshFile file, const FlgMeshFaceColumn** out_columns, uint32_t* out_count) {
-    return show_list("flgMeshFileGetFaceColumns", file, &FlgMeshFileT::face_columns, out_columns, "out_columns",
-                     out_count);
+FlgResult flgMeshFaceColumnInit(FlgMeshFaceColumn* column, uint32_t struct_size) {
+    return init("flgMeshFaceColumnInit", column, struct_size, sized<FlgMeshFaceColumn>(), "column");
 }
 
-FlgResult flgMeshFileGetMaterials(FlgMeshFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count) {
-    return show_list("flgMeshFileGetMaterials", file, &FlgMeshFileT::materials, out_materials, "out_materials",
-                     out_count);
+FlgResult flgMeshFileGetFaceColumn(FlgMeshFile file, uint32_t column, FlgMeshFaceColumn* out_column) {
+    return show_one("flgMeshFileGetFaceColumn", file, &FlgMeshFileT::face_columns, column, "column", out_column,
+                    "out_column");
+}
+
+FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint32_t struct_size) {
+    return init("flgMeshMaterialInit", material, struct_size, material_defaults(), "material");
+}
+
+FlgResult flgMeshFileGetMaterial(FlgMeshFile file, uint32_t material, FlgMeshMaterial* out_material) {
+    return show_one("flgMeshFileGetMaterial", file, &FlgMeshFileT::materials, material, "material", out_material,
+                    "out_material");
 }
 
 FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info) {
@@ -165,6 +179,8 @@ FlgResult flgMeshFileGetInfo(FlgMeshFile file, FlgMeshFileInfo* out_info) {
         shown.measures.box.show(info);
         info.warning_count = static_cast<uint32_t>(shown.warnings.size());
         info.warnings = shown.warnings.data();
+        info.material_count = static_cast<uint32_t>(shown.materials.size());
+        info.face_column_count = static_cast<uint32_t>(shown.face_columns.size());
         return info;
     });
 }
@@ -182,7 +198,7 @@ FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_s
 }
 
 FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc) {
-    return write_to("flgMeshFileWrite", path, hooks_of(desc), [&](const Path& target) {
+    return write_to("flgMeshFileWrite", path, desc, [&](const Path& target) {
         const CheckedMesh mesh(view, desc);
         write_file(target, write_mesh(target.extension(), mesh));
     });

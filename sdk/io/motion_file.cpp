@@ -15,7 +15,7 @@ FlgResult flgMotionFileWriteDescInit(FlgMotionFileWriteDesc* desc, uint32_t stru
 }
 
 FlgResult flgMotionFileWrite(const char* path, const FlgMotionFileWriteDesc* desc) {
-    return write_to("flgMotionFileWrite", path, hooks_of(desc), [&](const Path& target) {
+    return write_to("flgMotionFileWrite", path, desc, [&](const Path& target) {
         const CheckedMotion motion(desc);
         check_is_glb(target);
         write_file(target, write_glb_motion(motion));

@@ -17,6 +17,7 @@ struct FlgSkinFileT : flg::io::HostFile {
     uint32_t part_count = 1;
     flg::io::Vector<const char*> joint_names, warnings;
     flg::io::Vector<FlgMeshMaterial> materials;
+    flg::io::Vector<FlgSkinAnimation> animations;
 };
 
 namespace flg::io {
@@ -42,6 +43,7 @@ Owned<FlgSkinFileT> make_file(SkinData&& read) {
     for (const String& name : data.joint_names) file->joint_names.push_back(name.c_str());
     for (const String& warning : data.warnings) file->warnings.push_back(warning.c_str());
     for (const MaterialData& material : data.materials) file->materials.push_back(material_view(material));
+    for (const AnimationData& animation : data.animations) file->animations.push_back(view_of(animation));
     return file;
 }
 
@@ -54,8 +56,12 @@ using flg::sized;
 
 extern "C" {
 
-FlgResult flgSkinFileRead(const char* path, const FlgFileHooks* hooks, FlgSkinFile* out_file) {
-    return read_into(out_file, "flgSkinFileRead", path, hooks, [](const Path& source) {
+FlgResult flgSkinFileReadDescInit(FlgSkinFileReadDesc* desc, uint32_t struct_size) {
+    return init("flgSkinFileReadDescInit", desc, struct_size, sized<FlgSkinFileReadDesc>());
+}
+
+FlgResult flgSkinFileRead(const char* path, const FlgSkinFileReadDesc* desc, FlgSkinFile* out_file) {
+    return read_into(out_file, "flgSkinFileRead", path, desc, [](const Path& source) {
         const String extension = source.extension();
         if (extension != ".gltf" && extension != ".glb") {
             fail(FLG_ERROR_FORMAT, "", "holds no skin: %s is none of .gltf .glb", cited(extension).c_str());
@@ -86,18 +92,13 @@ FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view) {
 }
 
 FlgResult flgSkinFileGetAnimation(FlgSkinFile file, uint32_t animation, FlgSkinAnimation* out_animation) {
-    return show("flgSkinFileGetAnimation", file, out_animation, "out_animation", [&](const FlgSkinFileT& shown) {
-        const Vector<AnimationData>& animations = shown.data.animations;
-        if (animation >= animations.size()) {
-            fail(FLG_ERROR_INVALID_ARGUMENT, "animation", "is %u, but there are %zu", animation, animations.size());
-        }
-        return view_of(animations[animation]);
-    });
+    return show_one("flgSkinFileGetAnimation", file, &FlgSkinFileT::animations, animation, "animation", out_animation,
+                    "out_animation");
 }
 
-FlgResult flgSkinFileGetMaterials(FlgSkinFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count) {
-    return show_list("flgSkinFileGetMaterials", file, &FlgSkinFileT::materials, out_materials, "out_materials",
-                     out_count);
+FlgResult flgSkinFileGetMaterial(FlgSkinFile file, uint32_t material, FlgMeshMaterial* out_material) {
+    return show_one("flgSkinFileGetMaterial", file, &FlgSkinFileT::materials, material, "material", out_material,
+                    "out_material");
 }
 
 FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info) {
@@ -105,9 +106,10 @@ FlgResult flgSkinFileGetInfo(FlgSkinFile file, FlgSkinFileInfo* out_info) {
         auto info = sized<FlgSkinFileInfo>();
         info.part_count = shown.part_count;
         shown.box.show(info);
-        info.animation_count = static_cast<uint32_t>(shown.data.animations.size());
+        info.animation_count = static_cast<uint32_t>(shown.animations.size());
         info.warning_count = static_cast<uint32_t>(shown.warnings.size());
         info.warnings = shown.warnings.data();
+        info.material_count = static_cast<uint32_t>(shown.materials.size());
         return info;
     });
 }
@@ -125,7 +127,7 @@ FlgResult flgSkinFileWriteDescInit(FlgSkinFileWriteDesc* desc, uint32_t struct_s
 }
 
 FlgResult flgSkinFileWrite(const char* path, const FlgSkinFileWriteDesc* desc) {
-    return write_to("flgSkinFileWrite", path, hooks_of(desc), [&](const Path& target) {
+    return write_to("flgSkinFileWrite", path, desc, [&](const Path& target) {
         const CheckedSkin skin(desc);
         check_is_glb(target);
         write_file(target, write_glb_skin(skin));

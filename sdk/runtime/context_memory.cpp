@@ -6,7 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/failure.h"
 #include "core/sized_struct.h"
 
 namespace flg {
@@ -36,65 +35,78 @@ size_t tag_offset(size_t size) {
     return (size + alignof(Tag) - 1) / alignof(Tag) * alignof(Tag);
 }
 
+constexpr const char* total_limit = "memory_limit";
+// By kind.
+constexpr const char* limit_names[] = {"the limit of styles", "the limit of surfaces", "the limit of curves",
+                                       "the limit of models", "the limit of caches",   "the limit of scratch",
+                                       "the limit of the runtime"};
+
 // Of the job whose slice this thread runs.
 constinit thread_local JobAccount* running_account = nullptr;
 
 }  // namespace
 
+void ContextMemory::Counter::reserve(uint64_t size, const char* limit_name) {
+    uint64_t held = bytes.load(std::memory_order_relaxed);
+    do {
+        const uint64_t most = limit.load(std::memory_order_relaxed);
+        if (most != 0 && (held > most || size > most - held)) throw MemoryLimitReached(limit_name, most, held, size);
+    } while (!bytes.compare_exchange_weak(held, held + size, std::memory_order_relaxed));
+}
+
 ContextMemory::ContextMemory(const HostMemory& host, uint64_t limit, size_t own_size)
-    : host_(host), limit_(limit), kinds_{Kind(*this, MemoryKind::styles), Kind(*this, MemoryKind::surfaces),
-                                         Kind(*this, MemoryKind::curves), Kind(*this, MemoryKind::models),
-                                         Kind(*this, MemoryKind::caches), Kind(*this, MemoryKind::scratch),
-                                         Kind(*this, MemoryKind::runtime)} {
-    reserve(own_size);
+    : host_(host), kinds_{Kind(*this, MemoryKind::styles), Kind(*this, MemoryKind::surfaces),
+                          Kind(*this, MemoryKind::curves), Kind(*this, MemoryKind::models),
+                          Kind(*this, MemoryKind::caches), Kind(*this, MemoryKind::scratch),
+                          Kind(*this, MemoryKind::runtime)} {
+    total_.limit = limit;
+    total_.reserve(own_size, total_limit);
     total_.raise_peak(own_size);
     counter(MemoryKind::runtime).add(own_size);
 }
 
-FlgContextMemory ContextMemory::use() const {
-    auto out = sized<FlgContextMemory>();
-    FlgMemoryUse* const uses[kind_count] = {&out.styles, &out.surfaces, &out.curves, &out.models,
-                                            &out.caches, &out.scratch,  &out.runtime};
-    out.total = total_.use();
-    out.total.bytes = 0;
-    for (size_t k = 0; k < kind_count; ++k) {
-        *uses[k] = counters_[k].use();
-        out.total.bytes += uses[k]->bytes;
-    }
+FlgMemoryUse ContextMemory::use(FlgMemoryKind kind) const {
+    const bool is_total = kind == FLG_MEMORY_KIND_TOTAL;
+    const Counter& counter = is_total ? total_ : counters_[static_cast<size_t>(kind) - 1];
+    auto out = sized<FlgMemoryUse>();
+    out.peak_bytes = counter.peak.load(std::memory_order_relaxed);
+    out.limit = counter.limit.load(std::memory_order_relaxed);
+    if (!is_total) out.bytes = counter.bytes.load(std::memory_order_relaxed);
+    for (size_t k = 0; is_total && k < kind_count; ++k) out.bytes += counters_[k].bytes.load(std::memory_order_relaxed);
     return out;
 }
 
-// Room for so many bytes more, or an exception.
-void ContextMemory::reserve(size_t size) {
-    if (limit_ == 0) {
-        total_.bytes.fetch_add(size, std::memory_order_relaxed);
-        return;
-    }
-    uint64_t held = total_.bytes.load(std::memory_order_relaxed);
-    do {
-        if (size > limit_ - held) throw MemoryLimitReached(limit_, held, size);
-    } while (!total_.bytes.compare_exchange_weak(held, held + size, std::memory_order_relaxed));
+void ContextMemory::set_limit(FlgMemoryKind kind, uint64_t limit) noexcept {
+    Counter& counter = kind == FLG_MEMORY_KIND_TOTAL ? total_ : counters_[static_cast<size_t>(kind) - 1];
+    counter.limit.store(limit, std::memory_order_relaxed);
 }
 
 void* ContextMemory::take(MemoryKind kind, size_t size, size_t alignment) {
     const size_t tag_at = tag_offset(size);
     const size_t whole = tag_at + sizeof(Tag);
-    reserve(whole);
+    Counter& kind_counter = counter(kind);
+    kind_counter.reserve(whole, limit_names[static_cast<size_t>(kind)]);
     std::byte* block;
     try {
-        block = static_cast<std::byte*>(host_.allocate(whole, std::max(alignment, alignof(Tag))));
+        total_.reserve(whole, total_limit);
+        try {
+            block = static_cast<std::byte*>(host_.allocate(whole, std::max(alignment, alignof(Tag))));
+        } catch (...) {
+            total_.subtract(whole);
+            throw;
+        }
     } catch (...) {
-        total_.subtract(whole);
+        kind_counter.subtract(whole);
         throw;
     }
     total_.raise_peak(total_.bytes.load(std::memory_order_relaxed));
+    kind_counter.raise_peak(kind_counter.bytes.load(std::memory_order_relaxed));
     auto tag = static_cast<Tag>(kind);
+    // A job that has a slice has not settled: its account stands in the scratch.
     JobAccount* const account = kind == MemoryKind::scratch ? running_account : nullptr;
     if (account && &account->memory == this) {
         tag = reinterpret_cast<Tag>(account);
-        account->counter(account->state.fetch_add(whole, std::memory_order_relaxed)).add(whole);
-    } else {
-        counter(kind).add(whole);
+        account->state.fetch_add(whole, std::memory_order_relaxed);
     }
     std::memcpy(block + tag_at, &tag, sizeof tag);
     return block;
@@ -134,14 +146,23 @@ void JobMemory::set_result(MemoryKind kind) {
     if (account_) account_->result = kind;
 }
 
-void JobMemory::settle() noexcept {
+std::optional<MemoryLimitReached> JobMemory::settle() noexcept {
+    std::optional<MemoryLimitReached> reached;
     JobAccount* const account = std::exchange(account_, nullptr);
-    if (!account) return;
+    if (!account) return reached;
     ContextMemory& memory = account->memory;
     const uint64_t kept = account->state.fetch_or(JobAccount::settled, std::memory_order_acq_rel) - 1;
-    memory.counter(account->result).add(kept);
+    ContextMemory::Counter& result = memory.counter(account->result);
+    try {
+        result.reserve(kept, limit_names[static_cast<size_t>(account->result)]);
+    } catch (const MemoryLimitReached& caught) {
+        reached = caught;
+        result.bytes.fetch_add(kept, std::memory_order_relaxed);  // until the failed job's result is freed
+    }
+    result.raise_peak(result.bytes.load(std::memory_order_relaxed));
     memory.counter(MemoryKind::scratch).subtract(kept);
     if (account->state.fetch_sub(1, std::memory_order_acq_rel) == (JobAccount::settled | 1)) memory.close(*account);
+    return reached;
 }
 
 JobMemory::Slice::Slice(const JobMemory& job) noexcept : before_(std::exchange(running_account, job.account_)) {}

@@ -12,13 +12,15 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
+#include "core/failure.h"
 #include "core/host_memory.h"
 #include "runtime/host.h"
 
 namespace flg {
 
-// In the order of FlgContextMemory.
+// FlgMemoryKind without the total.
 enum class MemoryKind : uint8_t { styles, surfaces, curves, models, caches, scratch, runtime };
 
 struct JobAccount;
@@ -33,7 +35,9 @@ public:
     // [any thread] What things of this kind are made of.
     Memory* operator[](MemoryKind kind) { return &kinds_[static_cast<size_t>(kind)]; }
     // [any thread]
-    FlgContextMemory use() const;
+    FlgMemoryUse use(FlgMemoryKind kind) const;
+    // 0: none.
+    void set_limit(FlgMemoryKind kind, uint64_t limit) noexcept;
     const HostMemory& host() const { return host_; }
 
 private:
@@ -64,26 +68,23 @@ private:
             const uint64_t now = bytes.fetch_add(size, std::memory_order_relaxed) + size;
             raise_peak(now);
         }
+        // Within the limit, or an exception, and nothing is added. The peak stays.
+        void reserve(uint64_t size, const char* limit_name);
         void raise_peak(uint64_t now) noexcept {
             uint64_t before = peak.load(std::memory_order_relaxed);
             while (before < now && !peak.compare_exchange_weak(before, now, std::memory_order_relaxed)) {}
         }
         void subtract(uint64_t size) noexcept { bytes.fetch_sub(size, std::memory_order_relaxed); }
-        FlgMemoryUse use() const noexcept {
-            return {bytes.load(std::memory_order_relaxed), peak.load(std::memory_order_relaxed)};
-        }
 
-        std::atomic<uint64_t> bytes{0}, peak{0};
+        std::atomic<uint64_t> bytes{0}, peak{0}, limit{0};
     };
 
     void* take(MemoryKind kind, size_t size, size_t alignment);
     void give_back(void* block, size_t size, size_t alignment) noexcept;
-    void reserve(size_t size);
     Counter& counter(MemoryKind kind) { return counters_[static_cast<size_t>(kind)]; }
     void close(JobAccount& account) noexcept;
 
     HostMemory host_;
-    uint64_t limit_;
     std::array<Kind, kind_count> kinds_;
     std::array<Counter, kind_count> counters_;
     Counter total_;
@@ -101,8 +102,9 @@ public:
     void open(ContextMemory& memory);
     // What the job's result counts as. Likewise.
     void set_result(MemoryKind kind);
-    // The job has ended and freed what it held: what is left is its result.
-    void settle() noexcept;
+    // The job has ended and freed what it held: what is left is its result. Returns the limit of its kind, if the result
+    // passes that: the job has failed then.
+    std::optional<MemoryLimitReached> settle() noexcept;
 
     // While it lives, scratch that this thread takes stands in the job's account.
     class Slice {

@@ -42,7 +42,7 @@ bool Runtime::stop() {
 
 FlgFrameReport Runtime::tick(uint32_t budget_us) {
     const uint64_t start_ns = host_.now_ns();
-    const uint64_t deadline_ns = budget_us == 0 ? UINT64_MAX : start_ns + budget_us * uint64_t{1000};
+    const uint64_t deadline_ns = budget_us == FLG_UNLIMITED ? UINT64_MAX : start_ns + budget_us * uint64_t{1000};
     FlgFrameReport report{};
     report.struct_size = sizeof report;
     report.frame = ++frame_;

@@ -161,7 +161,10 @@ void Scheduler::end_slice(Strand& strand) {
         }
         job.end_stage(host_.now_ns(), strand.pace.slice_busy_ns());
         strand.root.reset();
-        job.memory.settle();
+        if (const auto reached = job.memory.settle(); reached && result == FLG_OK) {
+            result = FLG_ERROR_OUT_OF_MEMORY;
+            std::snprintf(error, sizeof error, "%s: the job's result", reached->what());
+        }
     }
 
     bool woke = false;

@@ -116,11 +116,11 @@ LiveSettings settings_of_curve(const Replay& replay, uint32_t curve) {
     return settings;
 }
 
-FlgLiveSample sample_at(const LiveSamples& samples, uint32_t i) {
-    FlgLiveSample sample{};
+LiveSample sample_at(const LiveSamples& samples, uint32_t i) {
+    LiveSample sample;
     std::copy_n(samples.positions + 3 * size_t{i}, 3, sample.position);
-    sample.pressure = samples.pressures ? samples.pressures[i] : 1.0f;
-    sample.time = samples.times ? samples.times[i] : 0.0;
+    if (samples.pressures) sample.pressure = samples.pressures[i];
+    if (samples.times) sample.time = samples.times[i];
     return sample;
 }
 
@@ -129,11 +129,11 @@ Task<void> measure_curve(Pace& pace, Replay& replay, uint32_t curve) {
     const LiveSamples samples = samples_of_curve(*replay.request.samples, curve);
     const uint32_t count = sample_count_of(*replay.request.samples, curve);
     for (uint32_t i = 0; i < count; ++i) {
-        const FlgLiveSample sample = sample_at(samples, i);
+        const LiveSample sample = sample_at(samples, i);
         try {
             check_sample(sample, i);
             if (i > 0) {
-                const FlgLiveSample before = sample_at(samples, i - 1);
+                const LiveSample before = sample_at(samples, i - 1);
                 check_next_sample(before.position, before.time, sample, replay.request.desc.max_jump, i);
             }
         } catch (const Failure& failure) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stylization/live_stroke.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "core/failure.h"
 #include "core/number_text.h"
@@ -14,40 +16,58 @@ constexpr float max_coordinate = 1e30f;  // as curve sets have it
 // A tip's: a unit makes a point at most, and the last final point is in front of them.
 constexpr uint32_t tip_rows = LiveStroke::tip_units + 1;
 
+// The numbers of a sample in a column, `size` bytes each where it is packed.
+template <class T>
+const T* row(const T* column, const FlgLiveSampleView& samples, uint32_t index, size_t size) {
+    const size_t stride = samples.stride > 0 ? samples.stride : size;
+    return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(column) + index * stride);
+}
+
+LiveSample sample_at(const FlgLiveSampleView& samples, uint32_t index) {
+    LiveSample sample;
+    std::copy_n(row(samples.positions, samples, index, sizeof sample.position), 3, sample.position);
+    if (samples.orientations) {
+        std::copy_n(row(samples.orientations, samples, index, sizeof sample.orientation), 4, sample.orientation);
+    }
+    if (samples.pressures) sample.pressure = *row(samples.pressures, samples, index, sizeof sample.pressure);
+    if (samples.times) sample.time = *row(samples.times, samples, index, sizeof sample.time);
+    return sample;
+}
+
 }  // namespace
 
-void check_sample(const FlgLiveSample& sample, uint32_t index) {
+void check_sample(const LiveSample& sample, uint32_t index) {
     for (float v : sample.position) {
         if (!(std::abs(v) <= max_coordinate)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].position holds %s, must be at most 1e30 in size",
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.positions[%u] holds %s, must be at most 1e30 in size",
                           index, NumberText(v).c_str());
         }
     }
     for (float v : sample.orientation) {
         if (!std::isfinite(v)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].orientation holds %s, must be finite", index,
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.orientations[%u] holds %s, must be finite", index,
                           NumberText(v).c_str());
         }
     }
     if (!(sample.pressure >= 0 && sample.pressure <= 1)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].pressure is %s, must be 0 to 1", index,
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.pressures[%u] is %s, must be 0 to 1", index,
                       NumberText(sample.pressure).c_str());
     }
     if (!std::isfinite(sample.time)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %s, must be finite", index,
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times[%u] is %s, must be finite", index,
                       NumberText(sample.time).c_str());
     }
 }
 
-void check_next_sample(const float* position_before, double time_before, const FlgLiveSample& sample, double max_jump,
+void check_next_sample(const float* position_before, double time_before, const LiveSample& sample, double max_jump,
                        uint32_t index) {
     if (sample.time < time_before) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples[%u].time is %s, before that of the sample before it, %s",
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times[%u] is %s, before that of the sample before it, %s",
                       index, NumberText(sample.time).c_str(), NumberText(time_before).c_str());
     }
     const double jump = (load_vec3(sample.position) - load_vec3(position_before)).norm();
     if (jump > max_jump) {
-        throw Failure(FLG_ERROR_LIMIT, "samples[%u] is %g m from the sample before it, max_jump is %s m", index, jump,
+        throw Failure(FLG_ERROR_LIMIT, "samples.positions[%u] is %g m from the sample before it, max_jump is %s m", index, jump,
                       NumberText(max_jump).c_str());
     }
 }
@@ -123,8 +143,9 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
     view_.origin = tip_view_.origin = origin;
 }
 
-void LiveStroke::check_all(const FlgLiveSample* samples, uint32_t count) const {
+void LiveStroke::check_all(const FlgLiveSampleView& samples) const {
     if (phase() != Phase::drawing) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "stroke has ended; resume it first");
+    const uint32_t count = samples.sample_count;
     if (count > max_samples_ - sample_count_) {
         throw Failure(FLG_ERROR_LIMIT, "stroke holds %u samples, %u more would pass max_samples, %u", sample_count_,
                       count, max_samples_);
@@ -132,17 +153,25 @@ void LiveStroke::check_all(const FlgLiveSample* samples, uint32_t count) const {
     if (count > 0 && kernel_.state().cut) {
         throw Failure(FLG_ERROR_LIMIT, "stroke has come to max_points, %u", settings_.max_points);
     }
-    const float* position = sample_count_ > 0 ? positions_.data() + 3 * size_t{sample_count_ - 1} : nullptr;
-    double time = sample_count_ > 0 ? host_times_[sample_count_ - 1] : 0.0;
+    if (count > 0 && settings_.smoothing > 0 && !samples.times) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times is null, but the stroke's smoothing needs times");
+    }
+    std::array<float, 3> position;
+    double time = 0;
+    if (sample_count_ > 0) {
+        std::copy_n(positions_.data() + 3 * size_t{sample_count_ - 1}, 3, position.data());
+        time = host_times_[sample_count_ - 1];
+    }
     for (uint32_t i = 0; i < count; ++i) {
-        check_sample(samples[i], i);
-        if (position) check_next_sample(position, time, samples[i], max_jump_, i);
-        position = samples[i].position;
-        time = samples[i].time;
+        const LiveSample sample = sample_at(samples, i);
+        check_sample(sample, i);
+        if (sample_count_ + i > 0) check_next_sample(position.data(), time, sample, max_jump_, i);
+        std::copy_n(sample.position, 3, position.data());
+        time = sample.time;
     }
 }
 
-void LiveStroke::store(const FlgLiveSample& sample) {
+void LiveStroke::store(const LiveSample& sample) {
     const size_t at = sample_count_;
     std::copy_n(sample.position, 3, &positions_[3 * at]);
     std::copy_n(sample.orientation, 4, &orientations_[4 * at]);
@@ -161,10 +190,10 @@ void LiveStroke::draw_to(uint32_t sample_count) {
     }
 }
 
-void LiveStroke::push(const FlgLiveSample* samples, uint32_t count) {
-    check_all(samples, count);
-    for (uint32_t i = 0; i < count; ++i) {
-        store(samples[i]);
+void LiveStroke::push(const FlgLiveSampleView& samples) {
+    check_all(samples);
+    for (uint32_t i = 0; i < samples.sample_count; ++i) {
+        store(sample_at(samples, i));
         draw_to(sample_count_ + 1);
     }
 }

@@ -35,10 +35,18 @@ struct LiveStrokeRequest {
 // Without style and trees.
 LiveSettings live_settings(const FlgLiveStrokeDesc& desc);
 
+// One sample of the controller; see FlgLiveSampleView.
+struct LiveSample {
+    float position[3] = {};
+    float orientation[4] = {};
+    float pressure = 1;
+    double time = 0;
+};
+
 // Throws what the host is told of values that can't be taken: numbers first, then the sample's place after the one
 // before it.
-void check_sample(const FlgLiveSample& sample, uint32_t index);
-void check_next_sample(const float* position_before, double time_before, const FlgLiveSample& sample, double max_jump,
+void check_sample(const LiveSample& sample, uint32_t index);
+void check_next_sample(const float* position_before, double time_before, const LiveSample& sample, double max_jump,
                        uint32_t index);
 
 // Rows of columns, as a set of at most one curve.
@@ -67,7 +75,7 @@ public:
     LiveStroke& operator=(const LiveStroke&) = delete;
 
     // All of them or, if it throws, none.
-    void push(const FlgLiveSample* samples, uint32_t count);
+    void push(const FlgLiveSampleView& samples);
     void undo(uint32_t count);
 
     // Points from `first` on; valid until the next call.
@@ -97,8 +105,8 @@ public:
     uint32_t readers = 0;  // jobs that copy from it, the one that ends it included
 
 private:
-    void check_all(const FlgLiveSample* samples, uint32_t count) const;
-    void store(const FlgLiveSample& sample);
+    void check_all(const FlgLiveSampleView& samples) const;
+    void store(const LiveSample& sample);
     void draw_to(uint32_t sample_count);
     // What the host sees: while a job ends the stroke, as before.
     const LiveState& seen() const { return phase() == Phase::ending ? before_end_ : kernel_.state(); }

@@ -99,6 +99,19 @@ class Grammar(unittest.TestCase):
             if gives:
                 self.assertEqual(function["parameters"][-1]["name"], "out_job", function["name"])
 
+    # Values whose layout never changes: what is new comes as an array beside them.
+    VALUES = {"FlgStageTime", "FlgColumn", "FlgStyleAttribute", "FlgPatchSize", "FlgVertexColumn", "FlgSurfacePoint",
+              "FlgAxisSample", "FlgBufferColumn", "FlgBorderStretch", "FlgObstacleSide", "FlgRay", "FlgHit",
+              "FlgDebugVertex"}
+
+    def test_all_structs_can_grow_but_plain_values(self):
+        unsized = {struct["name"] for struct in COMMITTED["structs"] if struct["fields"][0]["name"] != "struct_size"}
+        self.assertEqual(unsized, self.VALUES)
+        sized = {struct["name"] for struct in COMMITTED["structs"]} - unsized
+        for struct in COMMITTED["structs"]:
+            for field in struct["fields"]:
+                self.assertNotIn(field["type"], sized, f"{struct['name']}.{field['name']} can't grow where it is")
+
     def test_every_sized_struct_has_its_defaults(self):
         functions = {f["name"] for f in COMMITTED["functions"]}
         inlines = {f["returns"] for f in COMMITTED["inlines"]}

@@ -87,9 +87,11 @@ bool live_strokes_work(filigree::Context& context, const filigree::Style& style)
     const filigree::Job warming = style.warm();
     context.run();
     filigree::LiveStroke stroke = context.begin(live);
-    std::vector<filigree::LiveSample> samples;
-    for (int i = 0; i < 100; ++i)
-        samples.push_back({{0.01f * static_cast<float>(i), 0, 0}, {0, 0, 0, 1}, 0.5f, i / 90.0});
+    std::vector<float> places;
+    for (int i = 0; i < 100; ++i) places.insert(places.end(), {0.01f * static_cast<float>(i), 0, 0});
+    filigree::LiveSampleView samples;
+    samples.sample_count = 100;
+    samples.positions = places.data();
     if (stroke.push(samples).curve_count != 1 || stroke.undo(50) == 0) return false;
     const filigree::LiveStroke::EndResults ended = stroke.end();
     context.run();

@@ -35,6 +35,17 @@ bool lines_get_a_style(filigree::Context& context) {
            view.rows<4>(FLG_ATTRIBUTE_POSITION).empty() && view.rows<4>(FLG_ATTRIBUTE_COLOR).empty();
 }
 
+// Rows of a column that is a member of structs.
+bool rows_may_be_apart() {
+    const float numbers[] = {0, 1, 2, -1, 3, 4, 5, -1, 6, 7, 8, -1};
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, numbers, 4 * sizeof(float), 0};
+    float next = 0;
+    for (const auto& row : filigree::Rows<3>(&column, 3))
+        for (const float number : row)
+            if (number != next++) return failed(__LINE__);
+    return next == 9 && filigree::Rows<2>(&column, 3).empty() && filigree::Rows<3>(nullptr, 3).empty();
+}
+
 bool failures_are_values(filigree::Context& context) {
     filigree::Result<filigree::CurveSet> refused = context.curve_set_from_points({0, 0, 0}, 7);
     if (refused || !refused.failed() || refused.result() != FLG_ERROR_INVALID_ARGUMENT) return failed(__LINE__);
@@ -66,5 +77,5 @@ int main() {
     if (!context) return failed(__LINE__), 1;
     desc.version = 1;
     if (!filigree::Context::create(desc).failed()) return failed(__LINE__), 1;
-    return lines_get_a_style(*context) && failures_are_values(*context) && jobs_fail_as_values(*context) ? 0 : 1;
+    return lines_get_a_style(*context) && rows_may_be_apart() && failures_are_values(*context) && jobs_fail_as_values(*context) ? 0 : 1;
 }

@@ -165,11 +165,19 @@ TEST(Buffers, APartOfTheRows) {
     ASSERT_EQ(s.write(), FLG_OK) << flgErrorGetMessage();
     for (uint32_t r = 0; r < 4; ++r) ASSERT_EQ(s.read<float>(r, 4), s.positions[3 * (990 + r) + 1]);
     EXPECT_EQ(s.read<uint32_t>(4, 0), 0xcdcdcdcdu);
-    s.output.row_count = 0;
+    s.output.row_count = FLG_UNLIMITED;
     s.output.row_capacity = 10;
     ASSERT_EQ(s.write(), FLG_OK) << flgErrorGetMessage();
     EXPECT_EQ(s.read<float>(9, 0), s.positions[3 * 999]);
     EXPECT_EQ(s.read<uint32_t>(10, 0), 0xcdcdcdcdu);
+    // A count of 0 is 0.
+    s.output.row_count = 0;
+    s.output.first_row = 3;
+    s.output.row_capacity = 0;
+    const std::vector<unsigned char> before(s.buffer.begin(), s.buffer.end());
+    EXPECT_EQ(s.write(), FLG_OK) << flgErrorGetMessage();
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), s.buffer.begin()));
+    s.output.row_count = FLG_UNLIMITED;
     s.output.first_row = Source::rows;
     s.output.row_capacity = 0;
     EXPECT_EQ(s.write(), FLG_OK) << flgErrorGetMessage();

@@ -53,13 +53,13 @@ TEST(ContextApi, PatchVersionsFit) {
 }
 
 TEST(ContextApi, TickNeedsAContextAndASizedReport) {
-    expect_failure(flgContextTick({}, 0, nullptr), FLG_ERROR_INVALID_HANDLE, "context is null");
+    expect_failure(flgContextTick({}, FLG_UNLIMITED, nullptr), FLG_ERROR_INVALID_HANDLE, "context is null");
     Host host;
     FlgFrameReport report{};
-    expect_failure(flgContextTick(host.context, 0, &report), FLG_ERROR_INVALID_ARGUMENT, "report: struct_size is 0");
-    EXPECT_EQ(flgContextTick(host.context, 0, nullptr), FLG_OK);
+    expect_failure(flgContextTick(host.context, FLG_UNLIMITED, &report), FLG_ERROR_INVALID_ARGUMENT, "report: struct_size is 0");
+    EXPECT_EQ(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_OK);
     report.struct_size = sizeof report;
-    EXPECT_EQ(flgContextTick(host.context, 0, &report), FLG_OK);
+    EXPECT_EQ(flgContextTick(host.context, FLG_UNLIMITED, &report), FLG_OK);
     EXPECT_EQ(report.frame, 2u);
     EXPECT_STREQ(report.max_slice_stage, "");
 }
@@ -81,7 +81,7 @@ TEST(ContextApi, CallbacksMayStartJobsButNotTick) {
     options.on_finished = [](void* user, FlgJob, FlgResult result) {
         auto& s = *static_cast<State*>(user);
         EXPECT_EQ(result, FLG_OK);
-        s.tick = flgContextTick(s.context, 0, nullptr);
+        s.tick = flgContextTick(s.context, FLG_UNLIMITED, nullptr);
         s.wait = flgContextWait(s.context, 0);
         s.destroy = flgContextDestroy(s.context);
         FlgCurveSetResampleDesc again = flgCurveSetResampleDefaults();
@@ -181,7 +181,7 @@ TEST(ContextApi, AFailingTickWritesItsReport) {
     FlgFrameReport report;
     std::memset(static_cast<void*>(&report), 0xcd, sizeof report);
     report.struct_size = sizeof report;
-    expect_failure(flgContextTick({}, 0, &report), FLG_ERROR_INVALID_HANDLE, "context is null");
+    expect_failure(flgContextTick({}, FLG_UNLIMITED, &report), FLG_ERROR_INVALID_HANDLE, "context is null");
     EXPECT_EQ(report.frame, 0u);
     EXPECT_EQ(report.jobs_pending, 0u);
     EXPECT_STREQ(report.max_slice_stage, "");
@@ -197,8 +197,8 @@ TEST(ContextApi, ACallbackThatThrowsDoesNotLockTheContext) {
     options.on_finished = [](void*, FlgJob, FlgResult) { throw std::string("the host's own"); };
     FlgCurveSet out{};
     ASSERT_EQ(flgCurveSetResample(host.context, &desc, &out, nullptr), FLG_OK);
-    expect_failure(flgContextTick(host.context, 0, nullptr), FLG_ERROR_INTERNAL, "unknown exception");
-    EXPECT_EQ(flgContextTick(host.context, 0, nullptr), FLG_OK);
+    expect_failure(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_ERROR_INTERNAL, "unknown exception");
+    EXPECT_EQ(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_OK);
     EXPECT_EQ(host.view_of(out).curve_count, 1u);
 }
 
@@ -221,7 +221,7 @@ TEST(ContextApi, AContextThatIsBeingDestroyedTakesNoMoreWork) {
     ASSERT_EQ(tasks.size(), 1u);
     EXPECT_EQ(flgContextDestroy(context), FLG_NOT_READY);
     expect_failure(flgCurveSetResample(context, &resample, &out, nullptr), FLG_ERROR_INVALID_HANDLE, "being destroyed");
-    expect_failure(flgContextTick(context, 0, nullptr), FLG_ERROR_INVALID_HANDLE, "being destroyed");
+    expect_failure(flgContextTick(context, FLG_UNLIMITED, nullptr), FLG_ERROR_INVALID_HANDLE, "being destroyed");
     tasks[0].first(tasks[0].second);
     EXPECT_EQ(flgContextDestroy(context), FLG_OK);
 }

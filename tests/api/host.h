@@ -131,7 +131,7 @@ public:
         EXPECT_EQ(flgCurveSetCreate(context, &view, &set), FLG_OK) << flgErrorGetMessage();
         return set;
     }
-    void finish(uint32_t budget_us = 0) const {
+    void finish(uint32_t budget_us = FLG_UNLIMITED) const {
         FlgFrameReport report{};
         report.struct_size = sizeof report;
         do {

@@ -59,7 +59,7 @@ TEST(LiveStrokeFrames, SuppliedNormalsAreThoseOfFlgResample) {
     host.push(stroke, samples.data(), samples.size());
     const Heard live = heard_of(host.points(stroke));
     std::vector<float> positions, normals;
-    for (const FlgLiveSample& sample : samples) {
+    for (const LiveSample& sample : samples) {
         positions.insert(positions.end(), sample.position, sample.position + 3);
         const float s = sample.orientation[0], c = sample.orientation[3];  // a turn about x
         normals.insert(normals.end(), {0, c * c - s * s, 2 * c * s});
@@ -118,7 +118,7 @@ TEST(LiveStrokeFrames, WithoutADirectionTheFrameIsCarriedOn) {
         for (size_t k = 0; k < 3; ++k) ASSERT_NEAR(normal[k], last[k], 1e-5) << i;
     }
     // Never a direction: as the rotation-minimizing frame.
-    for (FlgLiveSample& sample : samples) std::fill_n(sample.orientation, 4, 0.0f);
+    for (LiveSample& sample : samples) std::fill_n(sample.orientation, 4, 0.0f);
     const Heard supplied = host.push_in_bursts(host.begin(), samples, {1});
     host.live.frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
     EXPECT_TRUE(host.push_in_bursts(host.begin(), samples, {1}) == supplied);

@@ -9,7 +9,30 @@
 
 namespace flg::test {
 
-using Samples = std::vector<FlgLiveSample>;
+struct LiveSample {
+    float position[3];
+    float orientation[4];
+    float pressure;
+    double time;
+};
+using Samples = std::vector<LiveSample>;
+
+inline FlgLiveSampleView view_of(const LiveSample* samples, size_t count) {
+    FlgLiveSampleView view = flgLiveSampleViewDefaults();
+    view.sample_count = static_cast<uint32_t>(count);
+    view.stride = sizeof(LiveSample);
+    view.positions = samples->position;
+    view.orientations = samples->orientation;
+    view.pressures = &samples->pressure;
+    view.times = &samples->time;
+    return view;
+}
+
+inline FlgResult push_samples(FlgContext context, FlgLiveStroke stroke, const LiveSample* samples, size_t count,
+                              FlgCurveSetView* out_new) {
+    const FlgLiveSampleView view = view_of(samples, count);
+    return flgLiveStrokePush(context, stroke, &view, out_new);
+}
 
 // Where a hand is after `s` metres of a stroke with curls; nearly even in arc length.
 inline void hand_position(double s, float* out) {
@@ -103,10 +126,9 @@ public:
         EXPECT_EQ(flgLiveStrokeBegin(context, &desc, &stroke), FLG_OK) << flgErrorGetMessage();
         return stroke;
     }
-    FlgCurveSetView push(FlgLiveStroke stroke, const FlgLiveSample* samples, size_t count) {
+    FlgCurveSetView push(FlgLiveStroke stroke, const LiveSample* samples, size_t count) {
         FlgCurveSetView view = flgCurveSetViewDefaults();
-        EXPECT_EQ(flgLiveStrokePush(context, stroke, samples, static_cast<uint32_t>(count), &view), FLG_OK)
-            << flgErrorGetMessage();
+        EXPECT_EQ(push_samples(context, stroke, samples, count, &view), FLG_OK) << flgErrorGetMessage();
         return view;
     }
     // In bursts of these sizes, again and again.

@@ -17,7 +17,7 @@ void expect_refused(LiveHost& host, const std::function<void(Samples&)>& spoil, 
     heard.add(host.push(stroke, good.data(), 20));
     FlgCurveSetView view = flgCurveSetViewDefaults();
     view.curve_count = 77;
-    expect_failure(flgLiveStrokePush(host.context, stroke, bad.data(), 20, &view), expected, words);
+    expect_failure(push_samples(host.context, stroke, bad.data(), 20, &view), expected, words);
     EXPECT_EQ(view.curve_count, 0u);
     EXPECT_EQ(host.info(stroke).sample_count, 20u);
     heard.add(host.push(stroke, good.data() + 20, 40));
@@ -27,27 +27,27 @@ void expect_refused(LiveHost& host, const std::function<void(Samples&)>& spoil, 
 TEST(LiveStrokeInput, BadSamplesAreRefusedAndTheStrokeGoesOn) {
     LiveHost host;
     expect_refused(
-        host, [](Samples& s) { s[5].position[1] = NAN; }, invalid, "samples[5].position holds nan");
+        host, [](Samples& s) { s[5].position[1] = NAN; }, invalid, "samples.positions[5] holds nan");
     expect_refused(
-        host, [](Samples& s) { s[0].position[2] = INFINITY; }, invalid, "samples[0].position holds inf");
+        host, [](Samples& s) { s[0].position[2] = INFINITY; }, invalid, "samples.positions[0] holds inf");
     expect_refused(
-        host, [](Samples& s) { s[19].position[0] = 2e30f; }, invalid, "samples[19].position holds 2e+30");
+        host, [](Samples& s) { s[19].position[0] = 2e30f; }, invalid, "samples.positions[19] holds 2e+30");
     expect_refused(
-        host, [](Samples& s) { s[3].orientation[3] = NAN; }, invalid, "samples[3].orientation holds nan");
+        host, [](Samples& s) { s[3].orientation[3] = NAN; }, invalid, "samples.orientations[3] holds nan");
     expect_refused(
-        host, [](Samples& s) { s[4].pressure = 1.5f; }, invalid, "samples[4].pressure is 1.5");
+        host, [](Samples& s) { s[4].pressure = 1.5f; }, invalid, "samples.pressures[4] is 1.5");
     expect_refused(
-        host, [](Samples& s) { s[4].pressure = 1.0000001f; }, invalid, "samples[4].pressure is 1.0000001, must");
+        host, [](Samples& s) { s[4].pressure = 1.0000001f; }, invalid, "samples.pressures[4] is 1.0000001, must");
     expect_refused(
-        host, [](Samples& s) { s[4].pressure = -0.5f; }, invalid, "samples[4].pressure is -0.5");
+        host, [](Samples& s) { s[4].pressure = -0.5f; }, invalid, "samples.pressures[4] is -0.5");
     expect_refused(
-        host, [](Samples& s) { s[4].pressure = NAN; }, invalid, "samples[4].pressure is nan");
+        host, [](Samples& s) { s[4].pressure = NAN; }, invalid, "samples.pressures[4] is nan");
     expect_refused(
-        host, [](Samples& s) { s[7].time = NAN; }, invalid, "samples[7].time is nan");
+        host, [](Samples& s) { s[7].time = NAN; }, invalid, "samples.times[7] is nan");
     expect_refused(
-        host, [](Samples& s) { std::swap(s[7].time, s[8].time); }, invalid, "samples[8].time is 1001.1");
+        host, [](Samples& s) { std::swap(s[7].time, s[8].time); }, invalid, "samples.times[8] is 1001.1");
     expect_refused(
-        host, [](Samples& s) { s[0].time -= 1; }, invalid, "samples[0].time is 999");
+        host, [](Samples& s) { s[0].time -= 1; }, invalid, "samples.times[0] is 999");
 }
 
 TEST(LiveStrokeInput, TeleportsAreRefused) {
@@ -57,7 +57,7 @@ TEST(LiveStrokeInput, TeleportsAreRefused) {
             host, [&](Samples& s) { s[6].position[0] += metres; }, FLG_ERROR_LIMIT, "max_jump is 1 m");
     }
     expect_refused(
-        host, [](Samples& s) { s[0].position[0] += 5000; }, FLG_ERROR_LIMIT, "samples[0] is 50");
+        host, [](Samples& s) { s[0].position[0] += 5000; }, FLG_ERROR_LIMIT, "samples.positions[0] is 50");
     expect_refused(
         host, [](Samples& s) { s[0].position[0] = 1e30f; }, FLG_ERROR_LIMIT, "max_jump is 1 m");
 }
@@ -71,7 +71,7 @@ TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
     Samples samples = drawn(40);
     for (size_t i = 20; i < 40; ++i) samples[i].position[0] += 100;
     uint32_t before = 0;
-    for (const FlgLiveSample& sample : samples) {
+    for (const LiveSample& sample : samples) {
         host.push(stroke, &sample, 1);
         const uint32_t points = host.info(stroke).point_count;
         EXPECT_LE(points - before, 64u);
@@ -102,7 +102,7 @@ TEST(LiveStrokeInput, WhatIsDueIsDeliveredInOrderAtAnyScale) {
     const Samples samples = drawn(120);
     const FlgLiveStroke stroke = host.begin();
     Heard heard;
-    for (const FlgLiveSample& sample : samples) {
+    for (const LiveSample& sample : samples) {
         const size_t before = heard.points();
         heard.add(host.push(stroke, &sample, 1));
         ASSERT_LE(heard.points() - before, 64u);
@@ -125,11 +125,11 @@ TEST(LiveStrokeInput, RepeatedSamplesMakeNoPoints) {
     LiveHost host;
     const Samples samples = drawn(60);
     Samples repeated;
-    for (const FlgLiveSample& sample : samples) repeated.insert(repeated.end(), 3, sample);
+    for (const LiveSample& sample : samples) repeated.insert(repeated.end(), 3, sample);
     EXPECT_TRUE(host.push_in_bursts(host.begin(), repeated, {1}) == host.push_in_bursts(host.begin(), samples, {1}));
     // Trembling within a thousandth of a step.
     const FlgLiveStroke still = host.begin();
-    FlgLiveSample sample = samples[0];
+    LiveSample sample = samples[0];
     for (int i = 0; i < 50; ++i) {
         sample.position[0] = samples[0].position[0] + 1e-6f * static_cast<float>(i % 3);
         EXPECT_EQ(host.push(still, &sample, 1).curve_count, 0u);
@@ -139,7 +139,7 @@ TEST(LiveStrokeInput, RepeatedSamplesMakeNoPoints) {
 TEST(LiveStrokeInput, AHandThatStaysIsOnePointNotDisplaced) {
     LiveHost host;
     const FlgLiveStroke stroke = host.begin();
-    const FlgLiveSample sample{{1, 2, 3}, {0, 0, 0, 0}, 0.5f, 0};
+    const LiveSample sample{{1, 2, 3}, {0, 0, 0, 0}, 0.5f, 0};
     host.push(stroke, &sample, 1);
     const LiveHost::Ended ended = host.end(stroke);
     host.finish();
@@ -216,14 +216,14 @@ TEST(LiveStrokeInput, AfterTheEndNothingIsTaken) {
     host.push(stroke, samples.data(), 20);
     host.end(stroke);
     for (int published = 0; published < 2; ++published) {
-        expect_failure(flgLiveStrokePush(host.context, stroke, samples.data() + 20, 10, nullptr), invalid, "has ended");
+        expect_failure(push_samples(host.context, stroke, samples.data() + 20, 10, nullptr), invalid, "has ended");
         expect_failure(flgLiveStrokeUndo(host.context, stroke, 1, nullptr), invalid, "has ended");
         expect_failure(flgLiveStrokeEnd(host.context, stroke, nullptr, nullptr, nullptr, nullptr), invalid,
                        "ended already");
         host.finish();
     }
     ASSERT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);
-    expect_failure(flgLiveStrokePush(host.context, stroke, samples.data(), 1, nullptr), FLG_ERROR_INVALID_HANDLE,
+    expect_failure(push_samples(host.context, stroke, samples.data(), 1, nullptr), FLG_ERROR_INVALID_HANDLE,
                    "is not a living live stroke");
 }
 
@@ -251,18 +251,18 @@ TEST(LiveStrokeInput, LimitsEndTheStroke) {
     const Samples samples = drawn(200);
     host.live.max_samples = 50;
     const FlgLiveStroke few_samples = host.begin();
-    expect_failure(flgLiveStrokePush(host.context, few_samples, samples.data(), 51, nullptr), FLG_ERROR_LIMIT,
+    expect_failure(push_samples(host.context, few_samples, samples.data(), 51, nullptr), FLG_ERROR_LIMIT,
                    "max_samples, 50");
     host.push(few_samples, samples.data(), 50);
-    expect_failure(flgLiveStrokePush(host.context, few_samples, samples.data() + 50, 1, nullptr), FLG_ERROR_LIMIT,
+    expect_failure(push_samples(host.context, few_samples, samples.data() + 50, 1, nullptr), FLG_ERROR_LIMIT,
                    "max_samples, 50");
     host.live.max_samples = 200;
     const Heard unlimited = host.push_in_bursts(host.begin(), samples, {1});
     host.live.max_points = 40;
     const FlgLiveStroke few_points = host.begin();
     uint32_t taken = 0;
-    while (flgLiveStrokePush(host.context, few_points, &samples[taken], 1, nullptr) == FLG_OK) ++taken;
-    expect_failure(flgLiveStrokePush(host.context, few_points, &samples[taken], 1, nullptr), FLG_ERROR_LIMIT,
+    while (push_samples(host.context, few_points, &samples[taken], 1, nullptr) == FLG_OK) ++taken;
+    expect_failure(push_samples(host.context, few_points, &samples[taken], 1, nullptr), FLG_ERROR_LIMIT,
                    "max_points, 40");
     ASSERT_EQ(host.info(few_points).point_count, 40u);
     EXPECT_EQ(host.info(few_points).cut, 1u);
@@ -287,7 +287,7 @@ TEST(LiveStrokeInput, AnEndThatIsCutSaysSo) {
         const FlgLiveStroke stroke = host.begin();
         host.push_in_bursts(stroke, Samples(samples.begin(), samples.end() - 1), {1});
         EXPECT_EQ(host.info(stroke).cut, 0u);
-        EXPECT_EQ(flgLiveStrokePush(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgErrorGetMessage();
+        EXPECT_EQ(push_samples(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgErrorGetMessage();
         const LiveHost::Ended ended = host.end(stroke);
         host.finish();
         EXPECT_EQ(host.result_of(ended.job), FLG_OK);
@@ -333,9 +333,72 @@ TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
     refused([](auto& d) { d.max_samples = (1u << 20) + 1; }, invalid, "desc.max_samples is 1048577, must");
     refused([](auto& d) { d.max_points = 0; }, invalid, "desc.max_points is 0");
     expect_failure(flgStyleWarm(host.context, host.style, NAN, nullptr, nullptr), invalid, "temperature is nan");
-    expect_failure(flgLiveStrokePush(host.context, host.begin(), nullptr, 1, nullptr), invalid, "samples is null");
+    expect_failure(flgLiveStrokePush(host.context, host.begin(), nullptr, nullptr), invalid, "samples is null");
     FlgCurveSetView view = flgCurveSetViewDefaults();
-    EXPECT_EQ(flgLiveStrokePush(host.context, host.begin(), nullptr, 0, &view), FLG_OK);
+    const FlgLiveSampleView none = flgLiveSampleViewDefaults();
+    EXPECT_EQ(flgLiveStrokePush(host.context, host.begin(), &none, &view), FLG_OK);
+    const Samples samples = drawn(3);
+    const auto refused_view = [&](auto change, const char* words) {
+        FlgLiveSampleView changed = view_of(samples.data(), 3);
+        change(changed);
+        expect_failure(flgLiveStrokePush(host.context, host.begin(), &changed, &view), invalid, words);
+    };
+    refused_view([](auto& v) { v.struct_size = 4; }, "samples: struct_size is 4");
+    refused_view([](auto& v) { v.reserved = 4; }, "samples.reserved is 4, must be 0");
+    refused_view([](auto& v) { v.positions = nullptr; }, "samples.positions is null");
+    refused_view([](auto& v) { v.stride = 8; }, "samples.stride is 8, must be 0, or a multiple of 4");
+    refused_view([](auto& v) { v.stride = 12; }, "samples.stride is 12");
+    refused_view([](auto& v) { v.stride = 20; }, "samples.stride is 20");
+    refused_view([](auto& v) { v.times = reinterpret_cast<const double*>(reinterpret_cast<const char*>(v.times) + 4); },
+                 "must be aligned to 8 bytes");
+    refused_view(
+        [](auto& v) { v.pressures = reinterpret_cast<const float*>(reinterpret_cast<const char*>(v.pressures) + 1); },
+        "must be aligned to 4 bytes");
+    FlgLiveStrokeDesc smooth = host.live;
+    smooth.smoothing = 0.01f;
+    FlgLiveSampleView timeless = view_of(samples.data(), 3);
+    timeless.times = nullptr;
+    expect_failure(flgLiveStrokePush(host.context, host.begin(smooth), &timeless, nullptr), invalid,
+                   "samples.times is null, but the stroke's smoothing needs times");
+}
+
+// Packed columns, members of a struct, and columns that are left out: the same samples are the same points.
+TEST(LiveStrokeInput, ColumnsMayBePackedOrMembers) {
+    LiveHost host;
+    Samples samples = drawn(60);
+    std::vector<float> positions, orientations, pressures;
+    std::vector<double> times;
+    for (const LiveSample& sample : samples) {
+        positions.insert(positions.end(), sample.position, sample.position + 3);
+        orientations.insert(orientations.end(), sample.orientation, sample.orientation + 4);
+        pressures.push_back(sample.pressure);
+        times.push_back(sample.time);
+    }
+    FlgLiveSampleView packed = flgLiveSampleViewDefaults();
+    packed.sample_count = 60;
+    packed.positions = positions.data();
+    packed.orientations = orientations.data();
+    packed.pressures = pressures.data();
+    packed.times = times.data();
+    const auto pushed = [&](const FlgLiveSampleView& view) {
+        const FlgLiveStroke stroke = host.begin();
+        EXPECT_EQ(flgLiveStrokePush(host.context, stroke, &view, nullptr), FLG_OK) << flgErrorGetMessage();
+        return heard_of(host.points(stroke));
+    };
+    const Heard members = pushed(view_of(samples.data(), 60));
+    EXPECT_GT(members.points(), 20u);
+    EXPECT_TRUE(members == pushed(packed));
+
+    packed.orientations = packed.pressures = nullptr;
+    packed.times = nullptr;
+    for (LiveSample& sample : samples) {
+        std::fill_n(sample.orientation, 4, 0.0f);
+        sample.pressure = 1;
+        sample.time = 0;
+    }
+    const Heard left_out = pushed(packed);
+    EXPECT_TRUE(left_out == pushed(view_of(samples.data(), 60)));
+    EXPECT_FALSE(left_out == members);
 }
 
 TEST(LiveStrokeInput, ReplayRefusesWhatALiveStrokeDoes) {
@@ -349,7 +412,7 @@ TEST(LiveStrokeInput, ReplayRefusesWhatALiveStrokeDoes) {
         EXPECT_NE(std::strstr(host.status_of(job).error, words), nullptr) << host.status_of(job).error;
     };
     FlgLiveStrokeDesc desc = host.live;
-    fails(arcs(2, 10), desc, FLG_ERROR_LIMIT, "curve 0: samples[1] is");
+    fails(arcs(2, 10), desc, FLG_ERROR_LIMIT, "curve 0: samples.positions[1] is");
     desc.max_jump = 10;
     desc.smoothing = 0.1f;
     fails(arcs(2, 10), desc, invalid, "no TIME column");
@@ -367,7 +430,7 @@ TEST(LiveStrokeInput, ReplaysManyCurves) {
     std::vector<Samples> hands;
     for (int c = 0; c < 5; ++c) {
         hands.push_back(drawn(40 + 20 * c));
-        for (FlgLiveSample& sample : hands.back()) {
+        for (LiveSample& sample : hands.back()) {
             sample.pressure = 1;
             std::fill_n(sample.orientation, 4, 0.0f);
             curves.add_point(sample.position[0], sample.position[1], sample.position[2]);

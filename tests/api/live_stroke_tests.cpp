@@ -27,7 +27,7 @@ TEST(LiveStroke, FinalPointsNeverMove) {
     LiveHost host;
     const FlgLiveStroke stroke = host.begin();
     Heard before;
-    for (const FlgLiveSample& sample : drawn(200)) {
+    for (const LiveSample& sample : drawn(200)) {
         before.add(host.push(stroke, &sample, 1));
         EXPECT_TRUE(heard_of(host.points(stroke)) == before);
     }
@@ -84,7 +84,7 @@ TEST(LiveStroke, ManyStrokesAtOnceAreIndependent) {
     std::vector<FlgLiveStroke> strokes;
     for (int k = 0; k < 20; ++k) {
         hands.push_back(samples);
-        for (FlgLiveSample& sample : hands.back())
+        for (LiveSample& sample : hands.back())
             sample.position[1] += 0.1f * static_cast<float>(k) * sample.position[0];
         alone.push_back(host.push_in_bursts(host.begin(), hands.back(), {1}));
         strokes.push_back(host.begin());
@@ -159,7 +159,7 @@ TEST(LiveStroke, UndoAndRedoGiveTheSameBits) {
     const Samples samples = drawn(200);
     const FlgLiveStroke stroke = host.begin();
     std::vector<uint32_t> points_at{0};
-    for (const FlgLiveSample& sample : samples) {
+    for (const LiveSample& sample : samples) {
         host.push(stroke, &sample, 1);
         points_at.push_back(host.info(stroke).point_count);
     }
@@ -253,7 +253,7 @@ TEST(LiveStroke, PushingAllocatesNothing) {
     const FlgLiveStroke stroke = host.begin();
     const Samples samples = drawn(4000, 6);
     const int64_t calls = host.allocator.calls;
-    for (const FlgLiveSample& sample : samples) host.push(stroke, &sample, 1);
+    for (const LiveSample& sample : samples) host.push(stroke, &sample, 1);
     ASSERT_EQ(flgLiveStrokeUndo(host.context, stroke, 1000, nullptr), FLG_OK);
     host.push(stroke, samples.data() + 3000, 1000);
     host.points(stroke);

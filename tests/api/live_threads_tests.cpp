@@ -108,7 +108,7 @@ TEST(LiveThreads, AnotherStrokesEndRunsMeanwhile) {
     gate.wait_until_someone_is_inside();
     // A pen that comes late hears so; it sees the stroke as it was, with its tip.
     FlgCurveSetView view = flgCurveSetViewDefaults();
-    expect_failure(flgLiveStrokePush(host.context, first, samples.data(), 1, &view), FLG_ERROR_INVALID_ARGUMENT,
+    expect_failure(push_samples(host.context, first, samples.data(), 1, &view), FLG_ERROR_INVALID_ARGUMENT,
                    "stroke has ended");
     EXPECT_GT(host.tip(first).curve_count, 0u);
     EXPECT_EQ(host.info(first).ended, 1u);

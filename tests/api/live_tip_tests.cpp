@@ -150,7 +150,7 @@ TEST(LiveTip, OfAStrokeWithoutLengthIsItsOnePoint) {
     LiveHost host;
     const FlgLiveStroke stroke = host.begin();
     EXPECT_EQ(host.tip(stroke).curve_count, 0u);
-    const FlgLiveSample sample{{1, 2, 3}, {0, 0, 0, 0}, 0.5f, 0};
+    const LiveSample sample{{1, 2, 3}, {0, 0, 0, 0}, 0.5f, 0};
     host.push(stroke, &sample, 1);
     const Heard tip = heard_of(host.tip(stroke));
     EXPECT_EQ(tip.of(FLG_ATTRIBUTE_POSITION), (std::vector<float>{1, 2, 3}));
@@ -166,7 +166,7 @@ TEST(LiveTip, LooksAheadSoFarAndNoFurther) {
     Samples samples = drawn(40);
     for (size_t i = 20; i < 40; ++i) samples[i].position[0] += 100;
     size_t longest = 0;
-    for (const FlgLiveSample& sample : samples) {
+    for (const LiveSample& sample : samples) {
         host.push(stroke, &sample, 1);
         const size_t final_points = host.info(stroke).point_count;
         const Heard seen = points_and_tip(host, stroke);
@@ -202,7 +202,7 @@ TEST(LiveTip, AllocatesNothing) {
     LiveHost host;
     const FlgLiveStroke stroke = host.begin();
     const int64_t calls = host.allocator.calls;
-    for (const FlgLiveSample& sample : drawn(1000, 4)) {
+    for (const LiveSample& sample : drawn(1000, 4)) {
         host.push(stroke, &sample, 1);
         host.tip(stroke);
     }

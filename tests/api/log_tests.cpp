@@ -192,7 +192,7 @@ TEST(Log, NamesStrokesThatWereCut) {
         host.live.max_points = max_points;
         const FlgLiveStroke stroke = host.begin();
         host.push_in_bursts(stroke, Samples(samples.begin(), samples.end() - 1), {1});
-        EXPECT_EQ(flgLiveStrokePush(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgErrorGetMessage();
+        EXPECT_EQ(push_samples(host.context, stroke, &samples.back(), 1, nullptr), FLG_OK) << flgErrorGetMessage();
         const LiveHost::Ended ended = host.end(stroke);
         host.finish();
         return std::pair(stroke, host.view_of(ended.stylized).curve_offsets[1]);

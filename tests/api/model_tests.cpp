@@ -69,19 +69,19 @@ TEST(Model, PartsBecomeOneTreeWithNames) {
     const ModelHost host;
     const FlgModelView view = host.model(animal(host), mirror_z);
     ASSERT_EQ(view.part_count, 4u);
-    EXPECT_EQ(view.parts[0].event, FLG_PART_EVENT_ROOT);
-    EXPECT_EQ(view.parts[0].parent, FLG_NO_INDEX);
+    EXPECT_EQ(view.part_events[0], FLG_PART_EVENT_ROOT);
+    EXPECT_EQ(view.part_parents[0], FLG_NO_INDEX);
     for (uint32_t p = 1; p < 4; ++p) {
-        EXPECT_NE(view.parts[p].event, FLG_PART_EVENT_ROOT) << p;
-        EXPECT_EQ(view.parts[p].parent, 0u) << p;
+        EXPECT_NE(view.part_events[p], FLG_PART_EVENT_ROOT) << p;
+        EXPECT_EQ(view.part_parents[p], 0u) << p;
     }
-    EXPECT_EQ(view.parts[2].twin, 3u);
-    EXPECT_EQ(view.parts[3].twin, 2u);
-    EXPECT_EQ(view.parts[3].source, 2u);
-    EXPECT_EQ(view.parts[3].is_mirrored, 1u);
+    EXPECT_EQ(view.part_twins[2], 3u);
+    EXPECT_EQ(view.part_twins[3], 2u);
+    EXPECT_EQ(view.part_sources[3], 2u);
+    EXPECT_EQ(view.part_mirrored[3], 1u);
     for (uint32_t p = 1; p < 4; ++p) {  // what swings a part is its own topmost joint
-        EXPECT_EQ(view.joint_parts[view.parts[p].joint], p);
-        EXPECT_NE(view.joint_parts[view.joint_parents[view.parts[p].joint]], p);
+        EXPECT_EQ(view.joint_parts[view.part_joints[p]], p);
+        EXPECT_NE(view.joint_parts[view.joint_parents[view.part_joints[p]]], p);
     }
     EXPECT_EQ(view.joint_parents[0], FLG_NO_INDEX);
     std::vector<std::string> names;
@@ -144,16 +144,16 @@ TEST(Model, MovingAPartMovesItsBonesAndWhereItHangs) {
     std::vector<FlgModelPart> parts = animal(host);
     parts[2].mirrored = 0;
     const FlgModelView before = host.model(parts);
-    EXPECT_EQ(before.parts[2].parent, 0u);
+    EXPECT_EQ(before.part_parents[2], 0u);
     parts[2].placement[3] = 5;
     const FlgModelView after = host.model(parts);
-    EXPECT_EQ(after.parts[2].parent, 0u);
+    EXPECT_EQ(after.part_parents[2], 0u);
     parts[2].placement[3] = 50;
     const FlgModelView away = host.model(parts);
-    EXPECT_EQ(away.parts[2].event, FLG_PART_EVENT_ROOT);
+    EXPECT_EQ(away.part_events[2], FLG_PART_EVENT_ROOT);
     EXPECT_EQ(std::count(away.joint_parents, away.joint_parents + away.joint_count, FLG_NO_INDEX), 2);
     // Views of models that were made before are as they were.
-    EXPECT_EQ(before.parts[2].parent, 0u);
+    EXPECT_EQ(before.part_parents[2], 0u);
 }
 
 TEST(Model, ANewContourShowsItsBonesInTheSameFrame) {
@@ -166,7 +166,7 @@ TEST(Model, ANewContourShowsItsBonesInTheSameFrame) {
     ASSERT_EQ(flgModelCreate(host.context, &desc, &model, nullptr), FLG_OK);
     FlgModelView view = flgModelViewDefaults();
     EXPECT_EQ(flgModelGetView(host.context, model, &view), FLG_NOT_READY);
-    ASSERT_EQ(flgContextTick(host.context, 0, nullptr), FLG_OK);
+    ASSERT_EQ(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_OK);
     EXPECT_EQ(flgModelGetView(host.context, model, &view), FLG_OK);
 }
 
@@ -230,7 +230,7 @@ TEST(Model, OfOneRoundPartHasAJoint) {
     const FlgModelView view = host.model({placed(host.part({0, 0, 4, 0, 0, 3}), nullptr)});
     ASSERT_GE(view.joint_count, 1u);
     EXPECT_EQ(std::string(view.joint_names[0]), "part0_0");
-    EXPECT_EQ(view.parts[0].joint, 0u);
+    EXPECT_EQ(view.part_joints[0], 0u);
 }
 
 TEST(Part, ShowsOutlineAxisAndSlices) {
@@ -424,7 +424,7 @@ TEST(Model, OutOfMemoryNothingIsLost) {
                 desc.parts = &one;
                 desc.part_count = 1;
                 failed = flgModelCreate(context, &desc, &model, nullptr) != FLG_OK;
-                EXPECT_EQ(flgContextTick(context, 0, nullptr), FLG_OK);
+                EXPECT_EQ(flgContextTick(context, FLG_UNLIMITED, nullptr), FLG_OK);
                 FlgModelView view = flgModelViewDefaults();
                 failed = failed || flgModelGetView(context, model, &view) != FLG_OK;
             }

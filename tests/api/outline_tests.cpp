@@ -82,7 +82,7 @@ struct OutlineHost : Host {
         const FlgResult made = flgOutlineCreate(context, &desc, &out, nullptr);
         if (made != FLG_OK) return made;
         EXPECT_EQ(flgOutlineGetView(context, out, &view), FLG_NOT_READY);
-        EXPECT_EQ(flgContextTick(context, 0, nullptr), FLG_OK);
+        EXPECT_EQ(flgContextTick(context, FLG_UNLIMITED, nullptr), FLG_OK);
         return flgOutlineGetView(context, out, &view);
     }
 };
@@ -164,7 +164,7 @@ TEST(Outline, BecomesAPartWithBonesInsideOfTheMesh) {
     model_desc.part_count = 1;
     FlgModel model{};
     ASSERT_EQ(flgModelCreate(host.context, &model_desc, &model, nullptr), FLG_OK) << flgErrorGetMessage();
-    ASSERT_EQ(flgContextTick(host.context, 0, nullptr), FLG_OK);
+    ASSERT_EQ(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_OK);
     FlgModelView view = flgModelViewDefaults();
     ASSERT_EQ(flgModelGetView(host.context, model, &view), FLG_OK) << flgErrorGetMessage();
     ASSERT_GT(view.joint_count, 5u);

@@ -25,7 +25,7 @@ struct Laid {
 };
 
 Laid lay(const SurfaceHost& host, FlgSurface surface, const std::vector<Line>& lines, bool closed,
-         uint32_t budget_us = 0) {
+         uint32_t budget_us = FLG_UNLIMITED) {
     FlgCurveSetProjectDesc desc = flgCurveSetProjectDefaults();
     desc.surface = surface;
     desc.curves = host.create(curves_of(lines, closed));
@@ -130,7 +130,7 @@ TEST(Projecting, CurvesThatComeToAPointAreLeftOut) {
 TEST(Projecting, SameBitsUnderAnyBudgetAndWorkers) {
     std::set<std::string> results;
     for (uint32_t workers : {0u, 3u}) {
-        for (uint32_t budget_us : {0u, 20u}) {
+        for (uint32_t budget_us : {FLG_UNLIMITED, 20u}) {
             const SurfaceHost host(workers);
             const FlgSurface surface = host.surface(cylinder(40, 20));
             Line line;

@@ -83,7 +83,7 @@ TEST(SurfaceFromTriangles, RefusesEachBadInputByName) {
     refused(positions, triangles, "positions holds inf at vertex 2");
     FlgFrameReport report{};
     report.struct_size = sizeof report;
-    ASSERT_EQ(flgContextTick(host.context, 0, &report), FLG_OK);
+    ASSERT_EQ(flgContextTick(host.context, FLG_UNLIMITED, &report), FLG_OK);
     EXPECT_EQ(report.jobs_pending, 0u);
 }
 

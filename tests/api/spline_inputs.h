@@ -102,7 +102,7 @@ struct MadeSpline {
     }
 };
 
-inline MadeSpline make_spline(const Host& host, const FlgSplineDesc& desc, uint32_t budget_us = 0) {
+inline MadeSpline make_spline(const Host& host, const FlgSplineDesc& desc, uint32_t budget_us = FLG_UNLIMITED) {
     MadeSpline made;
     EXPECT_EQ(flgSplineCreate(host.context, &desc, &made.spline, &made.job), FLG_OK) << flgErrorGetMessage();
     host.finish(budget_us);

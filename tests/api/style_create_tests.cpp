@@ -288,7 +288,7 @@ TEST(StyleCreate, SameBitsUnderAnyBudgetWithEverythingOn) {
     desc.patch_sizes = sizes;
     desc.patch_size_count = 2;
     std::string expected;
-    for (const uint32_t budget_us : {0u, 100u}) {
+    for (const uint32_t budget_us : {FLG_UNLIMITED, 100u}) {
         FlgStyle style{};
         ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, nullptr), FLG_OK);
         host.finish(budget_us);

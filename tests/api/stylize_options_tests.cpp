@@ -125,7 +125,7 @@ TEST(StylizeOptionsApi, SameBitsUnderAnyWorkersWithAllOptions) {
     for (uint32_t pin_ends : {0u, 1u}) {
         std::string expected;
         for (uint32_t workers : {0u, 1u, 2u, 4u}) {
-            for (uint32_t budget_us : {0u, 300u}) {
+            for (uint32_t budget_us : {FLG_UNLIMITED, 300u}) {
                 Host host(workers);
                 FlgCurveSetStylizeDesc desc = all_options();
                 desc.pin_ends = pin_ends;

@@ -35,7 +35,7 @@ TEST(StylizeApi, SameBitsUnderAnyWorkersAndBudgets) {
     FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
     desc.temperature = 0.7f;
     for (uint32_t workers : {0u, 1u, 2u, 4u}) {
-        for (uint32_t budget_us : {0u, 300u, 2000u}) {
+        for (uint32_t budget_us : {FLG_UNLIMITED, 300u, 2000u}) {
             Host host(workers);
             const Made made = start(host, coil(), arcs(40), desc);
             host.finish(budget_us);
@@ -382,7 +382,7 @@ TEST(StylizeApi, MemoryThatRunsOutAnywhereFailsCleanly) {
             if (result == FLG_OK) result = flgStyleCreate(context, &style, &stylize.style, nullptr);
             if (result == FLG_OK) result = flgCurveSetStylize(context, &stylize, &out, &job);
             if (result == FLG_OK) {
-                EXPECT_EQ(flgContextTick(context, 0, nullptr), FLG_OK);
+                EXPECT_EQ(flgContextTick(context, FLG_UNLIMITED, nullptr), FLG_OK);
                 FlgJobStatus status{};
                 status.struct_size = sizeof status;
                 EXPECT_EQ(flgJobGetStatus(context, job, &status), FLG_OK);

@@ -108,6 +108,7 @@ TEST(BrushRefusals, Descriptors) {
     expect_refused([](Call& c) { c.desc.reserved = 1; }, "desc.reserved is 1, must be 0");
     expect_refused([](Call& c) { c.desc.first_curve = 1; }, "desc.first_curve is 1");
     expect_refused([](Call& c) { c.desc.curve_count = 2; }, "desc.curve_count 2");
+    expect_refused([](Call& c) { c.desc.curve_count = 0; }, "desc.curve_count is 0, must be at least 1");
     expect_refused([](Call& c) { c.desc.base_vertex = UINT32_MAX; }, "desc.base_vertex", FLG_ERROR_LIMIT);
 }
 

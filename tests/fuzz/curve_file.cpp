@@ -63,10 +63,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     view.struct_size = sizeof view;
     FlgCurveFileInfo info = {};
     info.struct_size = sizeof info;
-    const FlgStroke* strokes = nullptr;
-    uint32_t stroke_count = 0;
     FLG_DEMAND(flgCurveFileGetView(file, &view) == FLG_OK && flgCurveFileGetInfo(file, &info) == FLG_OK);
-    FLG_DEMAND(flgCurveFileGetStrokes(file, &strokes, &stroke_count) == FLG_OK);
+    for (uint32_t i = 0; i < info.stroke_count; ++i) {
+        FlgStroke stroke = flgStrokeDefaults();
+        FLG_DEMAND(flgCurveFileGetStroke(file, i, &stroke) == FLG_OK);
+    }
     for (uint32_t i = 0; i < info.warning_count; ++i) FLG_DEMAND(std::strlen(info.warnings[i]) > 0);
     if (view.curve_count > 0) {
         demand_sound(view);

@@ -50,14 +50,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     view.struct_size = sizeof view;
     FlgMeshFileInfo info = {};
     info.struct_size = sizeof info;
-    const FlgMeshMaterial* materials = nullptr;
-    const FlgMeshFaceColumn* face_columns = nullptr;
-    uint32_t material_count = 0, face_column_count = 0;
     FLG_DEMAND(flgMeshFileGetView(file, &view) == FLG_OK && flgMeshFileGetInfo(file, &info) == FLG_OK);
-    FLG_DEMAND(flgMeshFileGetMaterials(file, &materials, &material_count) == FLG_OK);
-    FLG_DEMAND(flgMeshFileGetFaceColumns(file, &face_columns, &face_column_count) == FLG_OK);
     for (uint32_t i = 0; i < info.warning_count; ++i) FLG_DEMAND(std::strlen(info.warnings[i]) > 0);
-    for (uint32_t i = 0; i < material_count; ++i) FLG_DEMAND(materials[i].metallic >= 0 && materials[i].metallic <= 1);
+    for (uint32_t i = 0; i < info.material_count; ++i) {
+        FlgMeshMaterial material = flgMeshMaterialDefaults();
+        FLG_DEMAND(flgMeshFileGetMaterial(file, i, &material) == FLG_OK);
+        FLG_DEMAND(material.metallic >= 0 && material.metallic <= 1);
+    }
+    for (uint32_t i = 0; i < info.face_column_count; ++i) {
+        FlgMeshFaceColumn column = flgMeshFaceColumnDefaults();
+        FLG_DEMAND(flgMeshFileGetFaceColumn(file, i, &column) == FLG_OK && column.values);
+    }
     demand_sound(view);
     demand_same_when_written(view);
     flgMeshFileRelease(file);

@@ -30,7 +30,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     }
     desc.animations = animations.data();
     desc.animation_count = info.animation_count;
-    FLG_DEMAND(flgSkinFileGetMaterials(file, &desc.materials, &desc.material_count) == FLG_OK);
+    std::vector<FlgMeshMaterial> materials(info.material_count, flgMeshMaterialDefaults());
+    for (uint32_t i = 0; i < info.material_count; ++i) {
+        FLG_DEMAND(flgSkinFileGetMaterial(file, i, &materials[i]) == FLG_OK);
+    }
+    desc.materials = materials.data();
+    desc.material_count = info.material_count;
     desc.skin = &view;
     FLG_DEMAND(flgSkinFileWrite(copy.holding(nullptr, 0), &desc) == FLG_OK);
     flgSkinFileRelease(file);

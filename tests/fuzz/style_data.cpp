@@ -28,7 +28,7 @@ void apply(FlgContext context, FlgStyle style) {
     desc.max_points = point_limit;
     FLG_DEMAND(flgCurveSetCreate(context, &view, &desc.target) == FLG_OK);
     FLG_DEMAND(flgCurveSetStylize(context, &desc, &result, nullptr) == FLG_OK);
-    FLG_DEMAND(flgContextTick(context, 0, nullptr) == FLG_OK);
+    FLG_DEMAND(flgContextTick(context, FLG_UNLIMITED, nullptr) == FLG_OK);
     flgCurveSetGetView(context, result, &view);
 }
 

@@ -74,11 +74,11 @@ TEST(AllocatorSteadyState, TicksAndLiveStrokesTakeNone) {
             FlgFrameReport report{};
             report.struct_size = sizeof report;
             for (uint32_t at = 0; at + 3 <= samples.size(); at += 3) {
-                ASSERT_EQ(flgLiveStrokePush(host.context, stroke, samples.data() + at, 3, &view), FLG_OK);
+                ASSERT_EQ(push_samples(host.context, stroke, samples.data() + at, 3, &view), FLG_OK);
                 ASSERT_EQ(flgContextTick(host.context, 2000, &report), FLG_OK);
                 if (at % 30 == 27) {
                     ASSERT_EQ(flgLiveStrokeUndo(host.context, stroke, 2, nullptr), FLG_OK);
-                    ASSERT_EQ(flgLiveStrokePush(host.context, stroke, samples.data() + at + 1, 2, &view), FLG_OK);
+                    ASSERT_EQ(push_samples(host.context, stroke, samples.data() + at + 1, 2, &view), FLG_OK);
                 }
             }
         }

@@ -81,7 +81,7 @@ public:
     FlgContextDesc contexts = flgContextDefaults();  // for scenarios that make contexts of their own
     std::function<void()> before_tick;
     Meddler* meddler = nullptr;
-    uint32_t tick_budget_us = 0;
+    uint32_t tick_budget_us = FLG_UNLIMITED;
     uint32_t ticks = 0;
     bool ended = false;
     std::string bits;                       // of all results

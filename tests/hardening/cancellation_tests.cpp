@@ -53,7 +53,7 @@ Made run(const Scenario& scenario, uint32_t workers, uint32_t at, uint32_t choic
     Made made;
     {
         Calls calls(context);
-        calls.tick_budget_us = workers == 0 ? 1 : 0;
+        calls.tick_budget_us = workers == 0 ? 1 : FLG_UNLIMITED;
         if (at != 0) calls.allowed = {FLG_ERROR_CANCELLED};
         calls.before_tick = [&] {
             if (calls.ticks + 1 != at || calls.jobs().empty()) return;
@@ -65,7 +65,7 @@ Made run(const Scenario& scenario, uint32_t workers, uint32_t at, uint32_t choic
         FlgFrameReport report{};
         report.struct_size = sizeof report;
         do {
-            EXPECT_EQ(flgContextTick(context, 0, &report), FLG_OK) << flgErrorGetMessage();
+            EXPECT_EQ(flgContextTick(context, FLG_UNLIMITED, &report), FLG_OK) << flgErrorGetMessage();
             flgContextWait(context, 1000);
         } while (report.jobs_pending > 0);
         if (whole) expect_whole(calls, *whole);

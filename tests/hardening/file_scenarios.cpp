@@ -71,20 +71,18 @@ void keep_curve_files(Calls& calls) {
     EXPECT_EQ(FLG_INIT(calls, flgFileSystemInit).open, nullptr);
     FlgCurveFileWriteDesc desc = FLG_INIT(calls, flgCurveFileWriteDescInit);
     desc.hooks = &hooks;
+    FlgCurveFileReadDesc read_desc = FLG_INIT(calls, flgCurveFileReadDescInit);
+    read_desc.hooks = &hooks;
     FLG_CALL(calls, flgCurveFileWrite, path.c_str(), &given, &desc);
     Owned<FlgCurveFile> read(calls, flgCurveFileRelease, "flgCurveFileRelease");
-    FLG_CALL(calls, flgCurveFileRead, path.c_str(), &hooks, &read.file);
+    FLG_CALL(calls, flgCurveFileRead, path.c_str(), &read_desc, &read.file);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     FLG_CALL(calls, flgCurveFileGetView, read.file, &view);
     calls.bits += bits(view);
-    EXPECT_EQ(
-        info_of(calls, "flgCurveFileGetInfo", flgCurveFileGetInfo, read.file, FLG_INIT(calls, flgCurveFileInfoInit))
-            .curve_count,
-        2u);
-    const FlgStroke* strokes = nullptr;
-    uint32_t count = 1;
-    FLG_CALL(calls, flgCurveFileGetStrokes, read.file, &strokes, &count);
-    EXPECT_EQ(count, 0u);
+    const FlgCurveFileInfo info =
+        info_of(calls, "flgCurveFileGetInfo", flgCurveFileGetInfo, read.file, FLG_INIT(calls, flgCurveFileInfoInit));
+    EXPECT_EQ(info.curve_count, 2u);
+    EXPECT_EQ(info.stroke_count, 0u);
 }
 
 void keep_mesh_files(Calls& calls) {
@@ -92,8 +90,11 @@ void keep_mesh_files(Calls& calls) {
     MeshArrays mesh = cube(2);
     mesh.set_regions([](const Point& p) { return p[0] > 0.5 ? 1u : 0u; });
     const std::vector<uint32_t> numbers(mesh.triangle_count(), 3);
-    const FlgMeshFaceColumn column = {"kind", numbers.data()};
-    const FlgMeshMaterial materials[2] = {{"a", {1, 0, 0}, 0, 1, {0, 0, 0}, 1, 0}, {"b", {0, 1, 0}, 0, 1, {}, 0, 0}};
+    FlgMeshFaceColumn column = FLG_INIT(calls, flgMeshFaceColumnInit);
+    column.name = "kind";
+    column.values = numbers.data();
+    const FlgMeshMaterial materials[2] = {FLG_INIT(calls, flgMeshMaterialInit), flgMeshMaterialDefaults()};
+    const FlgMeshFileReadDesc read_desc = FLG_INIT(calls, flgMeshFileReadDescInit);
     for (const char* name : {"mesh.ply", "mesh.glb"}) {
         const std::string path = folder.at(name);
         const FlgMeshView given = mesh.view();
@@ -108,21 +109,24 @@ void keep_mesh_files(Calls& calls) {
         }
         FLG_CALL(calls, flgMeshFileWrite, path.c_str(), &given, &desc);
         Owned<FlgMeshFile> read(calls, flgMeshFileRelease, "flgMeshFileRelease");
-        FLG_CALL(calls, flgMeshFileRead, path.c_str(), nullptr, &read.file);
+        FLG_CALL(calls, flgMeshFileRead, path.c_str(), &read_desc, &read.file);
         FlgMeshView view = flgMeshViewDefaults();
         FLG_CALL(calls, flgMeshFileGetView, read.file, &view);
         calls.note(view.triangles, size_t{3} * view.triangle_count * sizeof(uint32_t));
-        EXPECT_EQ(
-            info_of(calls, "flgMeshFileGetInfo", flgMeshFileGetInfo, read.file, FLG_INIT(calls, flgMeshFileInfoInit))
-                .region_count,
-            2u);
-        const FlgMeshFaceColumn* columns = nullptr;
-        const FlgMeshMaterial* looks = nullptr;
-        uint32_t column_count = 0, look_count = 0;
-        FLG_CALL(calls, flgMeshFileGetFaceColumns, read.file, &columns, &column_count);
-        FLG_CALL(calls, flgMeshFileGetMaterials, read.file, &looks, &look_count);
-        EXPECT_EQ(column_count, path.ends_with(".ply") ? 1u : 0u);
-        EXPECT_EQ(look_count, path.ends_with(".glb") ? 2u : 0u);
+        const FlgMeshFileInfo info =
+            info_of(calls, "flgMeshFileGetInfo", flgMeshFileGetInfo, read.file, FLG_INIT(calls, flgMeshFileInfoInit));
+        EXPECT_EQ(info.region_count, 2u);
+        ASSERT_EQ(info.face_column_count, path.ends_with(".ply") ? 1u : 0u);
+        ASSERT_EQ(info.material_count, path.ends_with(".glb") ? 2u : 0u);
+        if (path.ends_with(".ply")) {
+            FlgMeshFaceColumn shown = flgMeshFaceColumnDefaults();
+            FLG_CALL(calls, flgMeshFileGetFaceColumn, read.file, 0u, &shown);
+            EXPECT_STREQ(shown.name, "kind");
+        } else {
+            FlgMeshMaterial shown = flgMeshMaterialDefaults();
+            FLG_CALL(calls, flgMeshFileGetMaterial, read.file, 1u, &shown);
+            EXPECT_EQ(shown.roughness, 0.6f);
+        }
     }
 }
 
@@ -142,18 +146,21 @@ void keep_skin_files(Calls& calls) {
     desc.animations = &animation;
     desc.animation_count = 1;
     const std::string path = folder.at("skin.glb"), motion_path = folder.at("motion.glb");
+    const FlgMeshMaterial look = flgMeshMaterialDefaults();
+    desc.materials = &look;
+    desc.material_count = 1;
+    const FlgSkinFileReadDesc read_desc = FLG_INIT(calls, flgSkinFileReadDescInit);
     FLG_CALL(calls, flgSkinFileWrite, path.c_str(), &desc);
     Owned<FlgSkinFile> read(calls, flgSkinFileRelease, "flgSkinFileRelease");
-    FLG_CALL(calls, flgSkinFileRead, path.c_str(), nullptr, &read.file);
+    FLG_CALL(calls, flgSkinFileRead, path.c_str(), &read_desc, &read.file);
     FlgSkinView view = flgSkinViewDefaults();
     FLG_CALL(calls, flgSkinFileGetView, read.file, &view);
     calls.note(view.positions, size_t{3} * view.vertex_count * sizeof(float));
     FlgSkinAnimation shown = FLG_INIT(calls, flgSkinAnimationInit);
     FLG_CALL(calls, flgSkinFileGetAnimation, read.file, 0u, &shown);
     EXPECT_STREQ(shown.name, "nod");
-    const FlgMeshMaterial* looks = nullptr;
-    uint32_t look_count = 0;
-    FLG_CALL(calls, flgSkinFileGetMaterials, read.file, &looks, &look_count);
+    FlgMeshMaterial shown_look = flgMeshMaterialDefaults();
+    FLG_CALL(calls, flgSkinFileGetMaterial, read.file, 0u, &shown_look);
     EXPECT_EQ(info_of(calls, "flgSkinFileGetInfo", flgSkinFileGetInfo, read.file, FLG_INIT(calls, flgSkinFileInfoInit))
                   .part_count,
               1u);

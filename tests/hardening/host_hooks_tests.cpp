@@ -93,7 +93,7 @@ std::string run(const Scenario& scenario, FlgContextDesc desc, Watch& watch) {
     EXPECT_EQ(flgContextCreate(&desc, &context), FLG_OK) << flgErrorGetMessage();
     Calls calls(context);
     calls.contexts.allocator = watch.ledger.hook();
-    calls.tick_budget_us = desc.worker_count == 0 && !desc.job_system ? 50 : 0;
+    calls.tick_budget_us = desc.worker_count == 0 && !desc.job_system ? 50 : FLG_UNLIMITED;
     scenario.run(calls);
     EXPECT_FALSE(calls.ended);
     while (flgContextDestroy(context) == FLG_NOT_READY) std::this_thread::yield();

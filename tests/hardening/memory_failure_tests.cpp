@@ -37,7 +37,7 @@ struct Bench {
         FlgFrameReport report{};
         report.struct_size = sizeof report;
         do {
-            ASSERT_EQ(flgContextTick(context, 0, &report), FLG_OK) << flgErrorGetMessage();
+            ASSERT_EQ(flgContextTick(context, FLG_UNLIMITED, &report), FLG_OK) << flgErrorGetMessage();
         } while (report.jobs_pending > 0);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every entry point counts what it takes to the byte, after each call; and with any limit, what needs more says so,
 // nothing else happens, nothing is lost, and no more than the limit was ever held.
+#include "api/memory_uses.h"
 #include "hardening/ledger.h"
 #include "hardening/scenarios.h"
 
@@ -14,22 +15,14 @@ public:
 
     void before(const char*, const std::type_info&, void*) override {}
     void after(const char* function, FlgResult) override {
-        const FlgContextMemory memory = use();
-        const uint64_t sum = memory.styles.bytes + memory.surfaces.bytes + memory.curves.bytes + memory.models.bytes +
-                             memory.caches.bytes + memory.scratch.bytes + memory.runtime.bytes;
+        const MemoryUses memory = memory_uses(context_);
         const auto live = static_cast<uint64_t>(ledger_.live_bytes.load());
-        if (sum != live || memory.total.bytes != live) {
-            ADD_FAILURE() << "after " << function << ": the kinds hold " << sum << ", the total is "
+        if (memory.sum() != live || memory.total.bytes != live) {
+            ADD_FAILURE() << "after " << function << ": the kinds hold " << memory.sum() << ", the total is "
                           << memory.total.bytes << ", the host gave " << live;
         }
         ++calls;
     }
-    FlgContextMemory use() const {
-        FlgContextMemory memory = flgContextMemoryDefaults();
-        EXPECT_EQ(flgContextGetMemory(context_, &memory), FLG_OK);
-        return memory;
-    }
-
     uint32_t calls = 0;
 
 private:
@@ -62,11 +55,11 @@ struct Bench {
         } catch (const Ended&) {}
         FlgFrameReport report = flgFrameReportDefaults();
         do {
-            EXPECT_EQ(flgContextTick(context, 0, &report), FLG_OK) << flgErrorGetMessage();
+            EXPECT_EQ(flgContextTick(context, FLG_UNLIMITED, &report), FLG_OK) << flgErrorGetMessage();
         } while (report.jobs_pending > 0);
         auditor.after("the last job", FLG_OK);
         EXPECT_GT(auditor.calls, 0u);
-        const FlgContextMemory memory = auditor.use();
+        const MemoryUses memory = memory_uses(context);
         EXPECT_EQ(memory.scratch.bytes, 0u);
         EXPECT_EQ(memory.total.peak_bytes, static_cast<uint64_t>(ledger.max_live_bytes.load()));
         return {calls.bits, !calls.ended};

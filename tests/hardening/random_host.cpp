@@ -136,7 +136,7 @@ void RandomHost::step() {
 void RandomHost::tick() {
     FlgFrameReport report{};
     report.struct_size = chance(40) ? draw(8) : static_cast<uint32_t>(sizeof report);
-    const uint32_t budgets[] = {1, 20, 100, 500, 0};
+    const uint32_t budgets[] = {0, 20, 100, 500, FLG_UNLIMITED};
     const FlgContext on = at();
     returned(flgContextTick(on, budgets[draw(5)], maybe(&report)));
     if (chance(3)) returned(flgContextWait(on, draw(200)));

@@ -92,14 +92,19 @@ void RandomHost::draw_live() {
     }
     const FlgLiveStroke stroke = any<FlgLiveStroke>(live_stroke);
     Samples samples = drawn(2 + draw(8));
-    FlgLiveSample& sample = samples[draw(static_cast<uint32_t>(samples.size()))];
+    LiveSample& sample = samples[draw(static_cast<uint32_t>(samples.size()))];
     if (chance(10)) sample.position[0] = number(-2, 2);
     if (chance(10)) sample.time = number<double>(0, 2000);
     if (chance(10)) sample.pressure = number(-1, 2);
     FlgCurveSetView view = flgCurveSetViewDefaults();
     odd(view);
-    returned(
-        flgLiveStrokePush(at(), stroke, maybe(samples.data()), static_cast<uint32_t>(samples.size()), maybe(&view)));
+    FlgLiveSampleView pushed = view_of(samples.data(), samples.size());
+    if (chance(10)) pushed.stride = draw(64);
+    if (chance(10)) pushed.times = nullptr;
+    odd(pushed);
+    // A stride of the host's own that leads out of its arrays is beyond what can be seen.
+    if (pushed.stride > sizeof(LiveSample)) pushed.stride = sizeof(LiveSample);
+    returned(flgLiveStrokePush(at(), stroke, maybe(&pushed), maybe(&view)));
     FlgLiveStrokeInfo info{};
     info.struct_size = sizeof info;
     returned(flgLiveStrokeGetInfo(at(), stroke, maybe(&info)));

@@ -114,9 +114,11 @@ void make_contexts(Calls& calls) {
     report.struct_size = sizeof report;
     FLG_CALL(calls, flgContextTick, context, 100u, &report);
     EXPECT_EQ(report.frame, 1u);
-    FlgContextMemory memory = FLG_INIT(calls, flgContextMemoryInit);
-    FLG_CALL(calls, flgContextGetMemory, context, &memory);
-    EXPECT_EQ(memory.total.bytes, memory.runtime.bytes);
+    FlgMemoryUse total = FLG_INIT(calls, flgMemoryUseInit), runtime = total;
+    FLG_CALL(calls, flgContextSetMemoryLimit, context, FLG_MEMORY_KIND_STYLES, uint64_t{1'000'000'000});
+    FLG_CALL(calls, flgContextGetMemory, context, FLG_MEMORY_KIND_TOTAL, &total);
+    FLG_CALL(calls, flgContextGetMemory, context, FLG_MEMORY_KIND_RUNTIME, &runtime);
+    EXPECT_EQ(total.bytes, runtime.bytes);
     FLG_CALL(calls, flgContextWait, context, 10u);
     FLG_CALL(calls, flgContextRun, context, nullptr, 0u, 1.0);
     FLG_CALL(calls, flgContextDestroy, context);
@@ -228,12 +230,15 @@ void draw_live_strokes(Calls& calls) {
     FLG_CALL(calls, flgLiveStrokeBegin, context, &desc, calls.out(stroke));
     const Samples samples = drawn(30);
     FlgCurveSetView view = FLG_INIT(calls, flgCurveSetViewInit);
+    FlgLiveSampleView pushed = FLG_INIT(calls, flgLiveSampleViewInit);
     for (uint32_t i = 0; i + 5 <= 30; i += 5) {
-        FLG_CALL(calls, flgLiveStrokePush, context, stroke, samples.data() + i, 5u, &view);
+        pushed = view_of(samples.data() + i, 5);
+        FLG_CALL(calls, flgLiveStrokePush, context, stroke, &pushed, &view);
     }
     uint32_t left = 0;
     FLG_CALL(calls, flgLiveStrokeUndo, context, stroke, 3u, &left);
-    FLG_CALL(calls, flgLiveStrokePush, context, stroke, samples.data() + 27, 3u, &view);
+    pushed = view_of(samples.data() + 27, 3);
+    FLG_CALL(calls, flgLiveStrokePush, context, stroke, &pushed, &view);
     FLG_CALL(calls, flgLiveStrokeGetPoints, context, stroke, &view);
     calls.bits += bits(view);
     FLG_CALL(calls, flgLiveStrokeGetTip, context, stroke, &view);

@@ -42,11 +42,11 @@ TEST(CurveFile, NullsAreRefusedAndOutputsCleared) {
     info.point_count = 3;
     EXPECT_EQ(flgCurveFileGetInfo(nullptr, &info), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(info.point_count, 0u);
-    const FlgStroke* strokes = reinterpret_cast<const FlgStroke*>(1);
-    uint32_t count = 1;
-    EXPECT_EQ(flgCurveFileGetStrokes(nullptr, &strokes, &count), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(strokes, nullptr);
-    EXPECT_EQ(count, 0u);
+    FlgStroke stroke = flgStrokeDefaults();
+    stroke.group = 3;
+    EXPECT_EQ(flgCurveFileGetStroke(nullptr, 0, &stroke), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(stroke.group, 0u);
+    EXPECT_EQ(flgCurveFileGetStroke(nullptr, 0, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(flgCurveFileWriteDescInit(nullptr, sizeof(FlgCurveFileWriteDesc)), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(flgCurveFileWrite("a.xyz", nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(last_error(), "a.xyz:view: is null");

@@ -94,10 +94,10 @@ inline Read read(const std::string& path) {
     read.format = info.format;
     read.units = info.units;
     for (uint32_t i = 0; i < info.warning_count; ++i) read.warnings += std::string(info.warnings[i]) + "\n";
-    const FlgStroke* strokes = nullptr;
-    uint32_t stroke_count = 0;
-    EXPECT_EQ(flgCurveFileGetStrokes(file, &strokes, &stroke_count), FLG_OK);
-    if (stroke_count != 0) read.strokes.assign(strokes, strokes + stroke_count);
+    read.strokes.resize(info.stroke_count, flgStrokeDefaults());
+    for (uint32_t i = 0; i < info.stroke_count; ++i) {
+        EXPECT_EQ(flgCurveFileGetStroke(file, i, &read.strokes[i]), FLG_OK);
+    }
     flgCurveFileRelease(file);
     return read;
 }

@@ -152,7 +152,7 @@ TEST(GltfMesh, RoundTripsEveryBit) {
 }
 
 FlgMeshMaterial gold() {
-    FlgMeshMaterial material = {};
+    FlgMeshMaterial material = flgMeshMaterialDefaults();
     material.name = "g\"\xc3\xb6\\ld";
     for (size_t k = 0; k < 3; ++k) material.color[k] = 0.1f + 0.3f * static_cast<float>(k);
     material.metallic = 1;
@@ -166,7 +166,7 @@ FlgMeshMaterial gold() {
 MeshInput painted() {
     MeshInput mesh;
     mesh.regions = {2, 0, 2, 3};
-    mesh.materials.resize(4, FlgMeshMaterial{});
+    mesh.materials.resize(4, flgMeshMaterialDefaults());
     mesh.materials[2] = gold();
     mesh.split_regions = true;
     return mesh;

@@ -66,36 +66,41 @@ struct MemoryFiles {
     int open = 0;
     std::function<uint64_t(uint64_t)> size_said = [](uint64_t size) { return size; };
     std::function<size_t(size_t)> bytes_read = [](size_t size) { return size; };
-    size_t max_written = SIZE_MAX;
-    bool can_close = true;
+    FlgResult size_result = FLG_OK, read_result = FLG_OK, write_result = FLG_OK, close_result = FLG_OK;
 
     const FlgFileSystem hook{
         sizeof(FlgFileSystem),
         0,
         this,
-        [](void* self, const char* path, FlgFileAccess access) {
-            return static_cast<void*>(static_cast<MemoryFiles*>(self)->opened(path, access));
+        [](void* self, const char* path, FlgFileAccess access, void** out_file) {
+            *out_file = static_cast<MemoryFiles*>(self)->opened(path, access);
+            return *out_file ? FLG_OK : FLG_ERROR_FILE;
         },
-        [](void* self, void* file) {
-            return static_cast<MemoryFiles*>(self)->size_said(static_cast<File*>(file)->content.size());
+        [](void* self, void* file, uint64_t* out_size) {
+            auto& host = *static_cast<MemoryFiles*>(self);
+            *out_size = host.size_said(static_cast<File*>(file)->content.size());
+            return host.size_result;
         },
-        [](void* self, void* file, void* out, size_t size) {
+        [](void* self, void* file, void* out, size_t size, size_t* out_count) {
             auto& from = *static_cast<File*>(file);
+            auto& host = *static_cast<MemoryFiles*>(self);
             // In pieces, as hosts may.
             const size_t count = std::min({size, from.content.size() - from.at, size_t{1000}});
             std::memcpy(out, from.content.data() + from.at, count);
             from.at += count;
-            return static_cast<MemoryFiles*>(self)->bytes_read(count);
+            *out_count = host.bytes_read(count);
+            return host.read_result;
         },
         [](void* self, void* file, const void* bytes, size_t size) {
-            const size_t count = std::min(size, static_cast<MemoryFiles*>(self)->max_written);
-            static_cast<File*>(file)->content.append(static_cast<const char*>(bytes), count);
-            return count;
+            static_cast<File*>(file)->content.append(static_cast<const char*>(bytes), size);
+            return static_cast<MemoryFiles*>(self)->write_result;
         },
         [](void* self, void* file, uint32_t complete) {
             return static_cast<MemoryFiles*>(self)->closed(static_cast<File*>(file), complete);
         },
-        [](void* self, const char* path) { static_cast<MemoryFiles*>(self)->files.erase(path); }};
+        [](void* self, const char* path) {
+            return static_cast<MemoryFiles*>(self)->files.erase(path) == 1 ? FLG_OK : FLG_ERROR_FILE;
+        }};
 
     File* opened(const char* path, FlgFileAccess access) {
         asked.insert(path);
@@ -104,11 +109,11 @@ struct MemoryFiles {
         ++open;
         return new File{path, access == FLG_FILE_ACCESS_READ ? found->second : "", 0, access == FLG_FILE_ACCESS_WRITE};
     }
-    uint32_t closed(File* file, uint32_t complete) {
+    FlgResult closed(File* file, uint32_t complete) {
         --open;
-        if (file->is_written && complete && can_close) files[file->path] = file->content;
+        if (file->is_written && complete && close_result == FLG_OK) files[file->path] = file->content;
         delete file;
-        return can_close;
+        return close_result;
     }
 };
 
@@ -124,7 +129,9 @@ std::string bytes_of(const FlgCurveSetView& view) {
 // What is read of a file, as bytes; the result.
 FlgResult read_curves(const char* path, const FlgFileHooks* hooks, std::string& bytes) {
     FlgCurveFile file = nullptr;
-    const FlgResult result = flgCurveFileRead(path, hooks, &file);
+    FlgCurveFileReadDesc desc = flgCurveFileReadDefaults();
+    desc.hooks = hooks;
+    const FlgResult result = flgCurveFileRead(path, &desc, &file);
     if (result != FLG_OK) return result;
     FlgCurveSetView view{};
     view.struct_size = sizeof view;
@@ -136,7 +143,9 @@ FlgResult read_curves(const char* path, const FlgFileHooks* hooks, std::string& 
 
 FlgResult read_mesh_file(const char* path, const FlgFileHooks* hooks, std::string& bytes) {
     FlgMeshFile file = nullptr;
-    const FlgResult result = flgMeshFileRead(path, hooks, &file);
+    FlgMeshFileReadDesc desc = flgMeshFileReadDefaults();
+    desc.hooks = hooks;
+    const FlgResult result = flgMeshFileRead(path, &desc, &file);
     if (result != FLG_OK) return result;
     FlgMeshView view{};
     view.struct_size = sizeof view;
@@ -149,7 +158,9 @@ FlgResult read_mesh_file(const char* path, const FlgFileHooks* hooks, std::strin
 
 FlgResult read_skin_file(const char* path, const FlgFileHooks* hooks, std::string& bytes) {
     FlgSkinFile file = nullptr;
-    const FlgResult result = flgSkinFileRead(path, hooks, &file);
+    FlgSkinFileReadDesc desc = flgSkinFileReadDefaults();
+    desc.hooks = hooks;
+    const FlgResult result = flgSkinFileRead(path, &desc, &file);
     if (result != FLG_OK) return result;
     FlgSkinView view{};
     view.struct_size = sizeof view;
@@ -164,7 +175,9 @@ FlgResult read_skin_file(const char* path, const FlgFileHooks* hooks, std::strin
 
 FlgResult read_tangle_file(const char* path, const FlgFileHooks* hooks, std::string& bytes) {
     FlgTangleFile file = nullptr;
-    const FlgResult result = flgTangleFileRead(path, hooks, &file);
+    FlgTangleFileReadDesc desc = flgTangleFileReadDefaults();
+    desc.hooks = hooks;
+    const FlgResult result = flgTangleFileRead(path, &desc, &file);
     if (result != FLG_OK) return result;
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
@@ -254,7 +267,9 @@ FlgResult write_tangles(const char* path, const FlgFileHooks* hooks) {
     history.step_count = history.made_count = 1;
     history.steps = steps;
     history.box_max[0] = 1;
-    return flgTangleFileWrite(path, &history, hooks);
+    FlgTangleFileWriteDesc desc = flgTangleFileWriteDefaults();
+    desc.hooks = hooks;
+    return flgTangleFileWrite(path, &history, &desc);
 }
 
 std::map<std::string, std::string> svg_files() {
@@ -407,6 +422,7 @@ TEST(FileHooks, AHostThatFailsOrLiesIsRefused) {
         EXPECT_NE(std::string(flgIoErrorGetMessage()).find(reason), std::string::npos) << flgIoErrorGetMessage();
         files.size_said = [](uint64_t size) { return size; };
         files.bytes_read = [](size_t size) { return size; };
+        files.size_result = files.read_result = FLG_OK;
     };
     files.size_said = [](uint64_t size) { return size + 1; };
     expect_read(FLG_ERROR_FILE, "bytes came");
@@ -417,19 +433,26 @@ TEST(FileHooks, AHostThatFailsOrLiesIsRefused) {
     files.bytes_read = [](size_t) { return size_t{0}; };
     expect_read(FLG_ERROR_FILE, "0 of ");
     files.bytes_read = [](size_t size) { return size + 5000; };
-    expect_read(FLG_ERROR_FILE, "the host's read returned");
+    expect_read(FLG_ERROR_FILE, "the host's read gave");
+    // What the host's functions return is the call's result: an error is not the end of the file.
+    files.size_result = FLG_ERROR_CANCELLED;
+    expect_read(FLG_ERROR_CANCELLED, "can't be read: the host's size returned -5");
+    files.read_result = FLG_ERROR_OUT_OF_MEMORY;
+    expect_read(FLG_ERROR_OUT_OF_MEMORY, "can't be read: the host's read returned");
+    files.read_result = FLG_NOT_READY;
+    expect_read(FLG_ERROR_FILE, "can't be read: the host's read returned 1");
     std::string bytes;
     EXPECT_EQ(read_curves("none.xyz", &host.hooks, bytes), FLG_ERROR_FILE);
-    EXPECT_STREQ(flgIoErrorGetMessage(), "none.xyz: can't be opened by the host's functions");
+    EXPECT_STREQ(flgIoErrorGetMessage(), "none.xyz: can't be opened: the host's open returned -7");
 
-    files.max_written = 3;
+    files.write_result = FLG_ERROR_FILE;
     EXPECT_EQ(write_curves("a.xyz", &host.hooks), FLG_ERROR_FILE);
-    EXPECT_STREQ(flgIoErrorGetMessage(), "a.xyz: can't be written: the host took only a part");
-    files.max_written = SIZE_MAX;
-    files.can_close = false;
+    EXPECT_STREQ(flgIoErrorGetMessage(), "a.xyz: can't be written: the host's write returned -7");
+    files.write_result = FLG_OK;
+    files.close_result = FLG_ERROR_FILE;
     EXPECT_EQ(write_curves("a.xyz", &host.hooks), FLG_ERROR_FILE);
-    EXPECT_STREQ(flgIoErrorGetMessage(), "a.xyz: can't be written: the host could not close it");
-    files.can_close = true;
+    EXPECT_STREQ(flgIoErrorGetMessage(), "a.xyz: can't be written: the host's close returned -7");
+    files.close_result = FLG_OK;
     EXPECT_TRUE(files.files["a.xyz"] == before);
 }
 
@@ -451,7 +474,9 @@ TEST(FileHooks, TheSideFileOfADocumentBeforeIsRemoved) {
     ASSERT_EQ(host.files.files.size(), 2u);
     FlgTangleHistory history{};
     history.struct_size = sizeof history;
-    ASSERT_EQ(flgTangleFileWrite("t/a.json", &history, &host.hooks), FLG_OK);
+    FlgTangleFileWriteDesc desc = flgTangleFileWriteDefaults();
+    desc.hooks = &host.hooks;
+    ASSERT_EQ(flgTangleFileWrite("t/a.json", &history, &desc), FLG_OK);
     EXPECT_EQ(host.files.files.size(), 1u);
 }
 
@@ -508,7 +533,9 @@ TEST(FileHooks, WrongHooksAreNamed) {
     {
         const FlgAllocator allocator = host.memory.hook;
         hooks = {sizeof hooks, 0, &allocator, &host.files.hook};
-        ASSERT_EQ(flgCurveFileRead("a.xyz", &hooks, &file), FLG_OK);
+        FlgCurveFileReadDesc desc = flgCurveFileReadDefaults();
+        desc.hooks = &hooks;
+        ASSERT_EQ(flgCurveFileRead("a.xyz", &desc, &file), FLG_OK);
     }
     hooks = {};
     EXPECT_GT(host.memory.live, 0);

@@ -58,18 +58,16 @@ TEST(MeshFile, ArgumentsAreChecked) {
     EXPECT_NE(std::string(flgIoErrorGetMessage()).find("out_info: struct_size is 0"), std::string::npos);
     EXPECT_EQ(flgMeshFileGetInfo(nullptr, nullptr), FLG_ERROR_INVALID_ARGUMENT);
 
-    const FlgMeshFaceColumn* columns = reinterpret_cast<const FlgMeshFaceColumn*>(1);
-    uint32_t count = 9;
-    EXPECT_EQ(flgMeshFileGetFaceColumns(nullptr, &columns, &count), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(columns, nullptr);
-    EXPECT_EQ(count, 0u);
-
-    const FlgMeshMaterial* materials = reinterpret_cast<const FlgMeshMaterial*>(1);
-    count = 9;
-    EXPECT_EQ(flgMeshFileGetMaterials(nullptr, &materials, &count), FLG_ERROR_INVALID_ARGUMENT);
-    EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileGetMaterials:file: is null");
-    EXPECT_EQ(materials, nullptr);
-    EXPECT_EQ(count, 0u);
+    FlgMeshFaceColumn column = flgMeshFaceColumnDefaults();
+    column.name = "a";
+    EXPECT_EQ(flgMeshFileGetFaceColumn(nullptr, 0, &column), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(column.name, nullptr);
+    FlgMeshMaterial material = flgMeshMaterialDefaults();
+    EXPECT_EQ(material.color[2], 1.0f);
+    EXPECT_EQ(material.roughness, 0.6f);
+    EXPECT_EQ(flgMeshFileGetMaterial(nullptr, 0, &material), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_STREQ(flgIoErrorGetMessage(), "flgMeshFileGetMaterial:file: is null");
+    EXPECT_EQ(material.color[2], 0.0f);
 
     FlgMeshFileWriteDesc desc = {};
     EXPECT_EQ(flgMeshFileWriteDescInit(nullptr, sizeof desc), FLG_ERROR_INVALID_ARGUMENT);
@@ -105,16 +103,20 @@ TEST(MeshFile, RefusesMeshesThatCannotBe) {
         labelled.face_columns = columns;
         expect_unwritable("a.ply", labelled, invalid, sentence);
     };
-    refuse_columns({{nullptr, values.data()}}, "desc.face_columns[0].name: is null");
-    refuse_columns({{"a", nullptr}}, "desc.face_columns[0].values: is null");
-    refuse_columns({{"", values.data()}}, "desc.face_columns[0].name: is '', which is no name");
-    refuse_columns({{"two words", values.data()}}, "desc.face_columns[0].name: is 'two words'");
-    refuse_columns({{"region", values.data()}}, "desc.face_columns[0].name: is 'region'");
-    refuse_columns({{"vertex_indices", values.data()}}, "desc.face_columns[0].name: is 'vertex_indices'");
-    refuse_columns({{std::string(64, 'a').c_str(), values.data()}}, "desc.face_columns[0].name: is 'aaa");
-    refuse_columns({{"a", values.data()}, {"b", values.data()}, {"a", values.data()}},
+    FlgMeshFaceColumn without_values = face_column("a", values), other_size = without_values;
+    without_values.values = nullptr;
+    other_size.struct_size += 8;
+    refuse_columns({face_column(nullptr, values)}, "desc.face_columns[0].name: is null");
+    refuse_columns({without_values}, "desc.face_columns[0].values: is null");
+    refuse_columns({face_column("b", values), other_size}, " desc.face_columns[1]: struct_size is");
+    refuse_columns({face_column("", values)}, "desc.face_columns[0].name: is '', which is no name");
+    refuse_columns({face_column("two words", values)}, "desc.face_columns[0].name: is 'two words'");
+    refuse_columns({face_column("region", values)}, "desc.face_columns[0].name: is 'region'");
+    refuse_columns({face_column("vertex_indices", values)}, "desc.face_columns[0].name: is 'vertex_indices'");
+    refuse_columns({face_column(std::string(64, 'a').c_str(), values)}, "desc.face_columns[0].name: is 'aaa");
+    refuse_columns({face_column("a", values), face_column("b", values), face_column("a", values)},
                    "desc.face_columns[2].name: is 'a', as that of column 0");
-    refuse_columns(std::vector<FlgMeshFaceColumn>(17, {"a", values.data()}), "desc.face_column_count: is 17");
+    refuse_columns(std::vector<FlgMeshFaceColumn>(17, face_column("a", values)), "desc.face_column_count: is 17");
 }
 
 TEST(MeshFile, RefusesNullsOnWriting) {

@@ -61,28 +61,30 @@ inline ReadMesh read_mesh(const std::string& path) {
     }
     read.triangles.assign(view.triangles, view.triangles + 3 * size_t{view.triangle_count});
     if (view.regions) read.regions.assign(view.regions, view.regions + view.triangle_count);
-    const FlgMeshFaceColumn* face_columns = nullptr;
-    uint32_t face_column_count = 0;
-    EXPECT_EQ(flgMeshFileGetFaceColumns(file, &face_columns, &face_column_count), FLG_OK);
-    for (uint32_t i = 0; i < face_column_count; ++i) {
-        read.face_columns[face_columns[i].name].assign(face_columns[i].values,
-                                                       face_columns[i].values + view.triangle_count);
-    }
-    const FlgMeshMaterial* materials = nullptr;
-    uint32_t material_count = 0;
-    EXPECT_EQ(flgMeshFileGetMaterials(file, &materials, &material_count), FLG_OK);
-    for (uint32_t i = 0; i < material_count; ++i) {
-        read.materials.push_back(materials[i]);
-        read.material_names.emplace_back(materials[i].name);
-    }
     read.info.struct_size = sizeof read.info;
     EXPECT_EQ(flgMeshFileGetInfo(file, &read.info), FLG_OK);
+    for (uint32_t i = 0; i < read.info.face_column_count; ++i) {
+        FlgMeshFaceColumn column = flgMeshFaceColumnDefaults();
+        EXPECT_EQ(flgMeshFileGetFaceColumn(file, i, &column), FLG_OK);
+        read.face_columns[column.name].assign(column.values, column.values + view.triangle_count);
+    }
+    for (uint32_t i = 0; i < read.info.material_count; ++i) {
+        EXPECT_EQ(flgMeshFileGetMaterial(file, i, &read.materials.emplace_back(flgMeshMaterialDefaults())), FLG_OK);
+        read.material_names.emplace_back(read.materials[i].name);
+    }
     EXPECT_EQ(read.info.vertex_count, view.vertex_count);
     EXPECT_EQ(read.info.triangle_count, view.triangle_count);
     read.format = read.info.format;
     for (uint32_t i = 0; i < read.info.warning_count; ++i) read.warnings += std::string(read.info.warnings[i]) + "\n";
     flgMeshFileRelease(file);
     return read;
+}
+
+inline FlgMeshFaceColumn face_column(const char* name, const Indices& values) {
+    FlgMeshFaceColumn column = flgMeshFaceColumnDefaults();
+    column.name = name;
+    column.values = values.data();
+    return column;
 }
 
 // A mesh to be written: the tetrahedron of the origin and the unit points, faces outwards.

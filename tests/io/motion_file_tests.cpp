@@ -88,7 +88,10 @@ TEST(MotionFile, MovesAMesh) {
     const Folder folder;
     Motion motion(40);
     const Triangle triangle;
-    const FlgMeshMaterial red = {"red \"paint\"", {1, 0, 0}, 0, 0.5f, {0, 0, 0}, 0, 0};
+    FlgMeshMaterial red = flgMeshMaterialDefaults();
+    red.name = "red \"paint\"";
+    red.color[1] = red.color[2] = 0;
+    red.roughness = 0.5f;
     FlgMeshFileWriteDesc mesh = {};
     ASSERT_EQ(flgMeshFileWriteDescInit(&mesh, sizeof mesh), FLG_OK);
     mesh.split_regions = mesh.material_count = 1;

@@ -38,7 +38,7 @@ TEST(Ply, RoundTripsEveryBit) {
     const Folder folder;
     MeshInput mesh = full_mesh();
     const Indices group = {1, 2, 3, 0x80000000}, tag_2 = {9, 8, 7, 6};
-    mesh.face_columns = {{"group", group.data()}, {"tag_2", tag_2.data()}};
+    mesh.face_columns = {face_column("group", group), face_column("tag_2", tag_2)};
     ASSERT_EQ(write_mesh(folder.at("a.ply"), mesh), FLG_OK) << flgIoErrorGetMessage();
     ReadMesh again = read_mesh(folder.at("a.ply"));
     ASSERT_EQ(again.result, FLG_OK) << again.error;
@@ -62,7 +62,8 @@ TEST(Ply, RoundTripsEveryBit) {
     // Writing what was read gives the same file.
     const std::string first = slurp(folder.at("a.ply"));
     MeshInput twice = full_mesh();
-    twice.face_columns = {{"group", again.face_columns["group"].data()}, {"tag_2", again.face_columns["tag_2"].data()}};
+    twice.face_columns = {face_column("group", again.face_columns["group"]),
+                          face_column("tag_2", again.face_columns["tag_2"])};
     ASSERT_EQ(write_mesh(folder.at("b.ply"), twice), FLG_OK);
     EXPECT_EQ(slurp(folder.at("b.ply")), first);
 }

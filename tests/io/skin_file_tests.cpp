@@ -233,8 +233,9 @@ TEST(SkinFile, HostsStructsAreChecked) {
     EXPECT_EQ(flgSkinFileGetInfo(file, &info), FLG_OK);
     EXPECT_EQ(flgSkinFileGetAnimation(file, info.animation_count, &animation), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(std::string(flgIoErrorGetMessage()).find("but there are"), std::string::npos) << flgIoErrorGetMessage();
-    uint32_t count = 7;
-    EXPECT_EQ(flgSkinFileGetMaterials(file, nullptr, &count), FLG_ERROR_INVALID_ARGUMENT);
+    FlgMeshMaterial material = flgMeshMaterialDefaults();
+    EXPECT_EQ(flgSkinFileGetMaterial(file, info.material_count, &material), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(flgSkinFileGetMaterial(file, 0, nullptr), FLG_ERROR_INVALID_ARGUMENT);
     flgSkinFileRelease(file);
 }
 

@@ -72,15 +72,10 @@ inline ReadSkin read_skin(const std::string& path) {
         to.rotations.assign(a.rotations, a.rotations + 4 * joints * a.key_count);
         if (a.translations) to.translations.assign(a.translations, a.translations + 3 * size_t{a.key_count});
     }
-    const FlgMeshMaterial* materials = nullptr;
-    uint32_t count = 0;
-    EXPECT_EQ(flgSkinFileGetMaterials(file, &materials, &count), FLG_OK);
-    for (uint32_t i = 0; i < count; ++i) {
-        read.materials.push_back(materials[i]);
+    for (uint32_t i = 0; i < read.info.material_count; ++i) {
+        EXPECT_EQ(flgSkinFileGetMaterial(file, i, &read.materials.emplace_back(flgMeshMaterialDefaults())), FLG_OK);
         read.materials.back().name = nullptr;
     }
-    read.info.struct_size = sizeof read.info;
-    EXPECT_EQ(flgSkinFileGetInfo(file, &read.info), FLG_OK);
     for (uint32_t i = 0; i < read.info.warning_count; ++i) read.warnings += std::string(read.info.warnings[i]) + "\n";
     flgSkinFileRelease(file);
     return read;
@@ -129,8 +124,9 @@ struct Glb {
 };
 
 inline std::vector<FlgMeshMaterial> four_materials() {
-    std::vector<FlgMeshMaterial> materials(4);
+    std::vector<FlgMeshMaterial> materials(4, flgMeshMaterialDefaults());
     for (size_t i = 0; i < 4; ++i) {
+        std::fill_n(materials[i].color, 3, 0.0f);
         materials[i].color[i % 3] = 0.75f;
         materials[i].roughness = 0.25f * static_cast<float>(i);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/host.h"
+#include "api/memory_uses.h"
 #include "core/failure.h"
 
 namespace flg::test {
@@ -16,8 +17,8 @@ struct Counted {
     ~Counted() { EXPECT_EQ(allocator.live_bytes, 0); }
     Memory* operator[](MemoryKind kind) { return memory[kind]; }
     // All that is counted is what the host gave.
-    FlgContextMemory use() const {
-        const FlgContextMemory use = memory.use();
+    MemoryUses use() const {
+        const MemoryUses use([&](FlgMemoryKind kind) { return memory.use(kind); });
         EXPECT_EQ(use.total.bytes, static_cast<uint64_t>(allocator.live_bytes.load()));
         return use;
     }
@@ -112,7 +113,7 @@ TEST(ContextMemory, CountsRightWhenBlocksAreFreedWhileTheJobEnds) {
         job.settle();
         freer.join();
     }
-    const FlgContextMemory use = counted.use();
+    const MemoryUses use = counted.use();
     EXPECT_EQ(use.scratch.bytes, 0u);
     EXPECT_EQ(use.curves.bytes, 0u);
     EXPECT_EQ(use.runtime.bytes, 0u);
@@ -122,7 +123,7 @@ TEST(ContextMemory, RefusesWhatPassesItsLimit) {
     Counted counted(10'000);
     Memory* const memory = counted[MemoryKind::caches];
     const Buffer<char> most(9000, memory);
-    const FlgContextMemory before = counted.use();
+    const MemoryUses before = counted.use();
     try {
         const Buffer<char> more(1000, memory);
         ADD_FAILURE() << "there was room";

@@ -32,6 +32,18 @@ TEST_F(WithoutWorkers, TickStopsAtItsBudgetAndGoesOnNextTime) {
     EXPECT_EQ(job->status.result, FLG_OK);
 }
 
+// What is left of a frame may be nothing.
+TEST_F(WithoutWorkers, ABudgetOfZeroAdvancesNothing) {
+    Runtime runtime(desc(clock), &memory);
+    uint64_t sum = 0;
+    const auto job = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(runtime.tick(0).jobs_pending, 1u);
+    EXPECT_EQ(sum, 0u);
+    runtime.tick(FLG_UNLIMITED);
+    EXPECT_EQ(sum, expected_hash_sum(10));
+    EXPECT_EQ(job->status.result, FLG_OK);
+}
+
 TEST_F(WithoutWorkers, ProgressRisesAndIsOneExactlyWhenDone) {
     clock.step_ns = 1000;
     Runtime runtime(desc(clock), &memory);
@@ -64,7 +76,7 @@ TEST_F(WithoutWorkers, ATickWithoutABudgetNeedsABoundedStack) {
     Runtime runtime(desc(clock), &memory);
     uint64_t sum = 0;
     submit(runtime, [&](Pace& pace) { return add_ones(pace, 1'000'000, sum); });
-    EXPECT_EQ(runtime.tick(0).jobs_pending, 0u);
+    EXPECT_EQ(runtime.tick(FLG_UNLIMITED).jobs_pending, 0u);
     EXPECT_EQ(sum, 1'000'000u);
 }
 
@@ -86,7 +98,7 @@ TEST_F(WithoutWorkers, HigherPriorityRunsFirstEqualsInOrder) {
     submit(
         runtime, [&](Pace& pace) { return note(pace, 3); }, FLG_PRIORITY_HIGH);
     submit(runtime, [&](Pace& pace) { return note(pace, 4); });
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(order, (std::vector<int>{3, 2, 4, 1}));
 }
 
@@ -105,7 +117,7 @@ TEST_F(WithoutWorkers, DependentsWaitAndFailWithTheirDependencies) {
         submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {failing});
     const auto last =
         submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {after});
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(failing->status.result, FLG_ERROR_LIMIT);
     EXPECT_STREQ(failing->status.error, "too many things");
     EXPECT_EQ(after->status.result, FLG_ERROR_DEPENDENCY);
@@ -114,7 +126,7 @@ TEST_F(WithoutWorkers, DependentsWaitAndFailWithTheirDependencies) {
     // One submitted after the failure fails as well.
     const auto late =
         submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &never); }, FLG_PRIORITY_HIGH, {failing});
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(late->status.result, FLG_ERROR_DEPENDENCY);
 }
 
@@ -132,7 +144,7 @@ TEST_F(WithoutWorkers, JobsThatWaitForOrderOnlyRunAfterAFailure) {
     runtime.scheduler().cancel(*failing);
     const auto late = submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); }, FLG_PRIORITY_HIGH,
                              {{failing, true}});
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(failing->status.result, FLG_ERROR_CANCELLED);
     EXPECT_EQ(ordered->status.result, FLG_OK);
     EXPECT_EQ(late->status.result, FLG_OK);
@@ -157,7 +169,7 @@ TEST_F(WithoutWorkers, ACommittedJobGoesOnAlthoughCancelledButNotBeyondTheContex
         runtime.tick(50);
         ASSERT_GT(whole, 0);
         runtime.scheduler().cancel(*job);
-        runtime.tick(0);
+        runtime.tick(FLG_UNLIMITED);
         EXPECT_EQ(job->status.result, FLG_OK);
         EXPECT_EQ(whole, 1000);
         submit(runtime, [&](Pace& pace) { return Body::run(pace, 1000, &cut_off); });
@@ -179,7 +191,7 @@ TEST_F(WithoutWorkers, LongChainsOfDependentsFailWithoutRecursion) {
                           {last});
         }
         runtime.scheduler().cancel(*first);
-        runtime.tick(0);
+        runtime.tick(FLG_UNLIMITED);
         EXPECT_EQ(last->status.result, FLG_ERROR_DEPENDENCY);
         EXPECT_EQ(never, 0u);
     }
@@ -193,7 +205,7 @@ TEST_F(WithoutWorkers, TheSameDependencyManyTimesIsOne) {
     const auto second =
         submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &after); }, FLG_PRIORITY_HIGH,
                {first, first, first, first, first, first, first, first, first, first});
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(second->status.result, FLG_OK);
     EXPECT_EQ(after, sum);
 }
@@ -216,7 +228,7 @@ TEST_F(WithoutWorkers, MemoryThatRunsOutInSubmitLeavesNoTrace) {
             }
             memory.fail_at = -1;
             job.reset();
-            runtime.tick(0);
+            runtime.tick(FLG_UNLIMITED);
             EXPECT_EQ(sum, expected_hash_sum(10));
             EXPECT_EQ(never, failed ? 0 : expected_hash_sum(10));
         }
@@ -268,7 +280,7 @@ TEST_F(WithoutWorkers, PublishedInOrderOfSubmissionAndOnlyInTicks) {
     while (runtime.scheduler().run_next(UINT64_MAX)) {}
     for (const auto& job : jobs) EXPECT_EQ(job->status.state, FLG_JOB_STATE_WAITING);
     EXPECT_TRUE(order.empty());
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(order, (std::vector<uint64_t>{0, 1, 2, 3}));
 }
 
@@ -285,7 +297,7 @@ TEST_F(WithoutWorkers, ABudgetOfCallbacksIsKept) {
     while (runtime.scheduler().run_next(UINT64_MAX)) {}
     EXPECT_EQ(runtime.tick(100).jobs_finished, 2u);
     EXPECT_EQ(runtime.tick(10).jobs_finished, 1u);
-    const FlgFrameReport rest = runtime.tick(0);
+    const FlgFrameReport rest = runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(rest.jobs_finished, 2u);
     EXPECT_NEAR(rest.callback_us, 120.0f, 1.0f);
 }
@@ -303,13 +315,13 @@ TEST_F(WithoutWorkers, TheLongestChunkIsNamed) {
         }
     };
     const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace, clock); });
-    const FlgFrameReport report = runtime.tick(0);
+    const FlgFrameReport report = runtime.tick(FLG_UNLIMITED);
     EXPECT_NEAR(report.max_slice_us, 70.0f, 0.1f);
     EXPECT_STREQ(report.max_slice_stage, "long");
     ASSERT_EQ(job->stage_count, 2u);
     EXPECT_EQ(job->stages[0].busy_end_ns - job->stages[0].busy_start_ns, 20'000u);
     EXPECT_EQ(job->stages[1].busy_end_ns - job->stages[1].busy_start_ns, 70'000u);
-    EXPECT_EQ(runtime.tick(0).max_slice_us, 0.0f);
+    EXPECT_EQ(runtime.tick(FLG_UNLIMITED).max_slice_us, 0.0f);
 }
 
 TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
@@ -323,7 +335,7 @@ TEST_F(WithoutWorkers, AChunkBeforeTheFirstStageIsNamedToo) {
         }
     };
     submit(runtime, [&](Pace& pace) { return Body::run(pace, clock); });
-    const FlgFrameReport report = runtime.tick(0);
+    const FlgFrameReport report = runtime.tick(FLG_UNLIMITED);
     EXPECT_NEAR(report.max_slice_us, 70.0f, 0.1f);
     EXPECT_STREQ(report.max_slice_stage, "start");
 }
@@ -370,11 +382,11 @@ TEST_F(WithoutWorkers, MemoryThatRunsOutFailsTheJobAndNothingElse) {
     };
     const auto job = submit(runtime, [&](Pace& pace) { return Body::run(pace); });
     memory.fail_at = memory.calls.load();
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(job->status.result, FLG_ERROR_OUT_OF_MEMORY);
     uint64_t sum = 0;
     submit(runtime, [&](Pace& pace) { return store_hash_sum(pace, 10, 1, &sum); });
-    runtime.tick(0);
+    runtime.tick(FLG_UNLIMITED);
     EXPECT_EQ(sum, expected_hash_sum(10));
 }
 

@@ -31,7 +31,7 @@ FlgStyle create_style(Stage& stage) {
     bool made = false;
     while (!stage.done(job, &made)) {
         flgContextWait(stage.context, 10000);
-        stage.must(flgContextTick(stage.context, 0, nullptr), "flgContextTick");
+        stage.must(flgContextTick(stage.context, FLG_UNLIMITED, nullptr), "flgContextTick");
     }
     release(stage, desc.style);
     return style;
@@ -44,12 +44,12 @@ public:
     void frame() override {
         if (!end_if_done()) return;
         if (stroke_.id == 0) begin();
-        FlgLiveSample sample{};
+        test::LiveSample sample{};
         test::hand_position(0.006 * samples_, sample.position);
         sample.pressure = 0.5f;
         sample.time = samples_ / 90.0;
         FlgCurveSetView view = flgCurveSetViewDefaults();
-        stage.must(flgLiveStrokePush(stage.context, stroke_, &sample, 1, &view), "flgLiveStrokePush");
+        stage.must(test::push_samples(stage.context, stroke_, &sample, 1, &view), "flgLiveStrokePush");
         if (++samples_ % 50 == 49) {
             stage.must(flgLiveStrokeUndo(stage.context, stroke_, 10, nullptr), "flgLiveStrokeUndo");
             samples_ -= 10;

@@ -87,7 +87,7 @@ TEST(TangleHistory, ANewStepForgetsThoseTakenBack) {
 
 TEST(TangleHistory, SameBitsWithAnyWorkersAndBudget) {
     std::string expected;
-    for (const auto& [workers, budget] : {std::pair{0u, 0u}, {0u, 100u}, {1u, 0u}, {4u, 50u}}) {
+    for (const auto& [workers, budget] : {std::pair{0u, FLG_UNLIMITED}, {0u, 100u}, {1u, FLG_UNLIMITED}, {4u, 50u}}) {
         const TangleHost host(workers, budget);
         const FlgSurface surface = host.surface(sphere(8));
         const FlgTangle tangle = host.tangle(surface);

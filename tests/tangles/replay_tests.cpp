@@ -111,7 +111,7 @@ TEST(TangleReplay, TheSameMeshGivesTheSameBitsWithAnyWorkersAndBudget) {
     const FlgTangleHistory history = history_of(host, tangle);
     EXPECT_EQ(history.step_count, info.undo_count + 2);
     EXPECT_EQ(history.made_count, info.undo_count);
-    for (const auto& [workers, budget] : {std::pair{0u, 0u}, {0u, 100u}, {1u, 0u}, {2u, 50u}}) {
+    for (const auto& [workers, budget] : {std::pair{0u, FLG_UNLIMITED}, {0u, 100u}, {1u, FLG_UNLIMITED}, {2u, 50u}}) {
         const TangleHost other(workers, budget);
         const FlgSurface again = other.surface(sphere(10));
         const FlgTangle made = other.tangle(again);

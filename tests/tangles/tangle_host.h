@@ -14,7 +14,7 @@ using Regions = std::vector<uint32_t>;
 
 class TangleHost : public SurfaceHost {
 public:
-    explicit TangleHost(uint32_t workers = 0, uint32_t tick_budget_us = 0)
+    explicit TangleHost(uint32_t workers = 0, uint32_t tick_budget_us = FLG_UNLIMITED)
         : SurfaceHost(workers), budget_us(tick_budget_us) {}
 
     const uint32_t budget_us;

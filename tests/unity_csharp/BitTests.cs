@@ -53,7 +53,7 @@ namespace Filigree.Tests
         static void Draw(FiligreeContext context, Style style, BinaryReader file)
         {
             byte[] bytes = Block(file);
-            FlgLiveSample[] samples = MemoryMarshal.Cast<byte, FlgLiveSample>(new ReadOnlySpan<byte>(bytes)).ToArray();
+            LiveSample[] samples = MemoryMarshal.Cast<byte, LiveSample>(new ReadOnlySpan<byte>(bytes)).ToArray();
             style.Warm(0.5f);
             Scenes.Finish(context);
             FlgLiveStrokeDesc desc = Native.flgLiveStrokeDefaults();
@@ -63,7 +63,7 @@ namespace Filigree.Tests
             for (int i = 0; i < samples.Length;)
             {
                 int count = Math.Min(1 + i % 3, samples.Length - i); // points don't depend on how samples come
-                CurveSetView made = stroke.Push(new ReadOnlySpan<FlgLiveSample>(samples, i, count));
+                CurveSetView made = stroke.Push(new ReadOnlySpan<LiveSample>(samples, i, count));
                 byte[] positions = MemoryMarshal.AsBytes(made.Floats(FlgAttribute.Position)).ToArray();
                 pushed.Write(positions, 0, positions.Length);
                 i += count;

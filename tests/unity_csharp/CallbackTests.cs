@@ -33,7 +33,7 @@ namespace Filigree.Tests
                 {
                     context.Wait(10000); // done, perhaps, but not published
                     Expect.True(!result.IsReady, "nothing changes outside of Tick");
-                    context.Tick(0);
+                    context.Tick(FiligreeContext.Unlimited);
                 }
                 Expect.True(result.IsReady, "called back when it is there");
                 Scenes.Finish(context);
@@ -59,10 +59,10 @@ namespace Filigree.Tests
                 FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
                 style.Stylize(target, desc, ended => { throw new Exception("the game's own"); });
                 style.Stylize(target, desc, ended => ++calls);
-                var thrown = Expect.Throws<InvalidOperationException>(() => context.Tick(0), "a callback that throws");
+                var thrown = Expect.Throws<InvalidOperationException>(() => context.Tick(FiligreeContext.Unlimited), "a callback that throws");
                 Expect.Equal("the game's own", thrown.InnerException.Message, "what it threw");
                 Expect.Equal(1, calls, "the other is called all the same");
-                context.Tick(0);
+                context.Tick(FiligreeContext.Unlimited);
             }
         }
 

@@ -21,12 +21,12 @@ namespace Filigree.Tests
         internal static readonly float[] Line = { 0, 0, 0, 5, 1, 0, 10, 0, 2 };
 
         /// <summary>Where the hand is in a frame at 90 Hz: on a slow circle, 5 cm a frame or less.</summary>
-        internal static FlgLiveSample Hand(int frame)
+        internal static LiveSample Hand(int frame)
         {
             double angle = 0.02 * frame;
             float x = (float)Math.Cos(angle), z = (float)Math.Sin(angle);
             float pressure = 0.5f + 0.5f * (float)Math.Sin(0.1 * frame);
-            return new FlgLiveSample(x, 0.001f * frame, z, pressure, frame / 90.0);
+            return new LiveSample(x, 0.001f * frame, z, pressure, frame / 90.0);
         }
 
         internal static Style Style(FiligreeContext context)
@@ -39,7 +39,7 @@ namespace Filigree.Tests
             do
             {
                 context.Wait(10000);
-                context.Tick(0);
+                context.Tick(FiligreeContext.Unlimited);
             } while (context.Report.jobs_pending > 0);
         }
     }

@@ -39,7 +39,7 @@ static void finish(FlgContext context) {
     FlgFrameReport report = {.struct_size = sizeof report};
     do {
         check(flgContextWait(context, 10000));
-        check(flgContextTick(context, 0, &report));
+        check(flgContextTick(context, FLG_UNLIMITED, &report));
     } while (report.jobs_pending > 0);
 }
 
@@ -63,10 +63,13 @@ static void write_set(FlgContext context, FILE* file, FlgCurveSet set) {
 }
 
 static void draw(FlgContext context, FILE* file, FlgStyle style) {
-    static FlgLiveSample samples[SAMPLES];
+    static struct Sample {
+        float position[3], orientation[4], pressure;
+        double time;
+    } samples[SAMPLES];
     for (int i = 0; i < SAMPLES; ++i) {
         const float turn = 0.05f * (float)i;
-        samples[i] = (FlgLiveSample){{cosf(turn), 0.01f * (float)i, sinf(turn)},
+        samples[i] = (struct Sample){{cosf(turn), 0.01f * (float)i, sinf(turn)},
                                      {0, sinf(turn), 0, cosf(turn)},
                                      0.5f + 0.4f * sinf(3 * turn),
                                      i / 90.0};
@@ -82,7 +85,14 @@ static void draw(FlgContext context, FILE* file, FlgStyle style) {
     desc.style = style;
     desc.temperature = 0.5f;
     if (check(flgLiveStrokeBegin(context, &desc, &stroke)) != FLG_OK) exit(1);
-    check(flgLiveStrokePush(context, stroke, samples, SAMPLES, NULL));
+    FlgLiveSampleView pushed = flgLiveSampleViewDefaults();
+    pushed.sample_count = SAMPLES;
+    pushed.stride = sizeof samples[0];
+    pushed.positions = samples[0].position;
+    pushed.orientations = samples[0].orientation;
+    pushed.pressures = &samples[0].pressure;
+    pushed.times = &samples[0].time;
+    check(flgLiveStrokePush(context, stroke, &pushed, NULL));
     check(flgLiveStrokeGetPoints(context, stroke, &view));
     write_columns(file, &view);
     check(flgLiveStrokeEnd(context, stroke, NULL, &ended, NULL, NULL));

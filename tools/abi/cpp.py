@@ -32,7 +32,7 @@ _DEFAULTS = {"flgContextRun.jobs": "{}", "flgContextRun.seconds": "1e9", "flgSty
              "flgCurveSetCreateFromPoints.flags": "0", "flgPickSceneSetSurface.changed": "{}",
              "flgManifoldProject.out_distances": "nullptr"}
 # Structs that calls fill, but hosts make too: a length of theirs is another struct's.
-_DESCRIPTORS = {"FlgSkinAnimation"}
+_DESCRIPTORS = {"FlgSkinAnimation", "FlgMeshFaceColumn", "FlgMeshMaterial"}
 # Structs that are changed, and may be null.
 _NULLABLE = {"flgBrushMeshWrite.state"}
 # Results without `out_` in their name.

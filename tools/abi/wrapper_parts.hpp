@@ -161,6 +161,60 @@ private:
     std::size_t size_ = 0;
 };
 
+/// The rows of a column, a few floats each, packed or not; another owns them. Empty without such a column, or where its
+/// rows have other numbers of floats.
+template <std::size_t components>
+class Rows {
+public:
+    /// A row.
+    using Row = const float[components];
+
+    /// Empty.
+    constexpr Rows() = default;
+    /// The first `size` of a column, which may be null.
+    Rows(const FlgColumn* column, std::size_t size) {
+        if (!column || column->components != components) return;
+        data_ = reinterpret_cast<const char*>(column->data);
+        stride_ = column->stride != 0 ? column->stride : sizeof(Row);
+        size_ = size;
+    }
+
+    /// How many rows there are.
+    constexpr std::size_t size() const noexcept { return size_; }
+    /// Whether there are none.
+    constexpr bool empty() const noexcept { return size_ == 0; }
+    /// A row below size(), unchecked.
+    Row& operator[](std::size_t index) const { return *reinterpret_cast<Row*>(data_ + index * stride_); }
+
+    /// Goes from row to row.
+    class Iterator {
+    public:
+        /// A row of a column.
+        Iterator(const Rows& rows, std::size_t index) : rows_(&rows), index_(index) {}
+        /// The row.
+        Row& operator*() const { return (*rows_)[index_]; }
+        /// To the next.
+        Iterator& operator++() {
+            ++index_;
+            return *this;
+        }
+        /// Whether it is at another row.
+        bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+    private:
+        const Rows* rows_;
+        std::size_t index_;
+    };
+    /// The first row, for loops.
+    Iterator begin() const { return {*this, 0}; }
+    /// Behind the last row, for loops.
+    Iterator end() const { return {*this, size_}; }
+
+private:
+    const char* data_ = nullptr;
+    std::size_t stride_ = 0, size_ = 0;
+};
+
 namespace detail {
 
 template <class Struct>
@@ -186,13 +240,6 @@ Result<bool> done(FlgResult result) {
 template <class T>
 Span<T> span(T* data, std::size_t size) {
     return {data, data ? size : 0};
-}
-
-template <std::size_t components>
-Span<const float[components]> rows(const FlgColumn* column, std::size_t size) {
-    const bool packed = column && (column->stride == 0 || column->stride == components * sizeof(float));
-    if (!packed || column->components != components) return {};
-    return {reinterpret_cast<const float(*)[components]>(column->data), size};
 }
 
 inline uint32_t count(std::size_t size) {
@@ -280,18 +327,18 @@ inline Result<bool> check(FlgResult result) { return detail::done(result); }
 
 //@ CurveSetView
     /// An attribute of all points, `components` floats each: `rows<3>(FLG_ATTRIBUTE_POSITION)`. Empty without such a
-    /// column, or if it is an input's that is not tightly packed.
+    /// column.
     template <std::size_t components>
-    Span<const float[components]> rows(FlgAttribute attribute) const {
-        return detail::rows<components>(column(attribute), curve_offsets.empty() ? 0 : curve_offsets[curve_count]);
+    Rows<components> rows(FlgAttribute attribute) const {
+        return Rows<components>(column(attribute), curve_offsets.empty() ? 0 : curve_offsets[curve_count]);
     }
 
 //@ MeshView
     /// An attribute of all vertices, `components` floats each: `rows<3>(FLG_ATTRIBUTE_POSITION)`. Empty without such a
-    /// column, or if it is an input's that is not tightly packed.
+    /// column.
     template <std::size_t components>
-    Span<const float[components]> rows(FlgAttribute attribute) const {
-        return detail::rows<components>(column(attribute), vertex_count);
+    Rows<components> rows(FlgAttribute attribute) const {
+        return Rows<components>(column(attribute), vertex_count);
     }
 
 //@ Job

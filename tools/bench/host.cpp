@@ -63,7 +63,7 @@ void Host::run() {
     FlgFrameReport report = {};
     report.struct_size = sizeof report;
     do {
-        check(flgContextTick(context_, 0, &report));
+        check(flgContextTick(context_, FLG_UNLIMITED, &report));
         if (report.jobs_pending > 0) flgContextWait(context_, kWaitUs);
     } while (report.jobs_pending > 0);
 }

@@ -13,6 +13,7 @@
 #include "bench/host.h"
 #include "bench/pool.h"
 #include "filigree/filigree_live.h"
+#include "support/live_sample.h"
 
 namespace flg::bench {
 namespace {
@@ -34,7 +35,7 @@ constexpr int kRounds = 7;
 constexpr uint32_t kMaxPoints = 1u << 18;
 constexpr uint32_t kTickBudgetUs = 2000;
 
-using Samples = std::vector<FlgLiveSample>;
+using Samples = std::vector<samples::LiveSample>;
 
 // Pool's blocks, counted.
 struct CountedPool {
@@ -66,7 +67,7 @@ Samples draw(const scenes::Curve& curve, const Hand& hand) {
         const double step = std::hypot(q.x - p.x, q.y - p.y, q.z - p.z);
         while (walked <= length + step && step > 0.0) {
             const double u = (walked - length) / step;
-            FlgLiveSample sample = {};
+            samples::LiveSample sample = {};
             const double tremor[] = {std::sin(61.0 * time), std::sin(53.0 * time), std::sin(71.0 * time)};
             const float from[] = {p.x, p.y, p.z}, to[] = {q.x, q.y, q.z};
             for (int k = 0; k < 3; ++k) {
@@ -106,10 +107,11 @@ Played play(Host& host, const CountedPool& pool, const FlgLiveStrokeDesc& desc, 
         FlgLiveStroke stroke = {};
         check(flgLiveStrokeBegin(host.context(), &desc, &stroke));
         const uint64_t allocations = pool.allocations;
-        for (const FlgLiveSample& sample : samples) {
+        for (const samples::LiveSample& sample : samples) {
             FlgCurveSetView added = flgCurveSetViewDefaults();
+            const FlgLiveSampleView pushed = samples::view_of(sample);
             const double before_ms = thread_ms();
-            check(flgLiveStrokePush(host.context(), stroke, &sample, 1, &added));
+            check(flgLiveStrokePush(host.context(), stroke, &pushed, &added));
             played.push_us.push_back(1e3 * (thread_ms() - before_ms));
             if (added.curve_count > 0) played.points += added.curve_offsets[1];
         }
@@ -174,10 +176,11 @@ Row beside_ticks() {
         check(flgLiveStrokeBegin(host.context(), &desc, &stroke));
         std::atomic<bool> done{false};
         std::thread pen([&] {
-            for (const FlgLiveSample& sample : samples) {
+            for (const samples::LiveSample& sample : samples) {
                 FlgCurveSetView added = flgCurveSetViewDefaults();
+                const FlgLiveSampleView pushed = samples::view_of(sample);
                 const auto start = std::chrono::steady_clock::now();
-                check(flgLiveStrokePush(host.context(), stroke, &sample, 1, &added));
+                check(flgLiveStrokePush(host.context(), stroke, &pushed, &added));
                 const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
                 push_us.push_back(taken.count());
             }

@@ -10,6 +10,7 @@
 #include "bench/groups.h"
 #include "bench/host.h"
 #include "filigree/filigree_live.h"
+#include "support/live_sample.h"
 
 namespace flg::bench {
 namespace {
@@ -22,8 +23,8 @@ constexpr int kLiveRuns = 15, kOtherRuns = 5;
 constexpr uint32_t kPatienceUs = 100'000;
 
 // Curls of 5 cm, once in 63 samples, on a bend.
-std::vector<FlgLiveSample> draw(uint32_t count) {
-    std::vector<FlgLiveSample> samples(count);
+std::vector<samples::LiveSample> draw(uint32_t count) {
+    std::vector<samples::LiveSample> samples(count);
     for (uint32_t i = 0; i < count; ++i) {
         const double u = static_cast<double>(i) / kSamples;
         samples[i].position[0] = static_cast<float>(2.5 * u);
@@ -41,8 +42,9 @@ FlgLiveStroke drawn_stroke(const Host& host, FlgStyle style, uint32_t sample_cou
     desc.style = style;
     FlgLiveStroke stroke = {};
     check(flgLiveStrokeBegin(host.context(), &desc, &stroke));
-    const std::vector<FlgLiveSample> samples = draw(sample_count);
-    check(flgLiveStrokePush(host.context(), stroke, samples.data(), sample_count, nullptr));
+    const std::vector<samples::LiveSample> samples = draw(sample_count);
+    const FlgLiveSampleView pushed = samples::view_of(samples);
+    check(flgLiveStrokePush(host.context(), stroke, &pushed, nullptr));
     return stroke;
 }
 

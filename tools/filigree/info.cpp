@@ -83,12 +83,12 @@ Measures measure(const FlgCurveSetView& view) {
 }
 
 void add_brushes(const CurveSource& source, Report& report) {
-    const FlgStroke* strokes = nullptr;
-    uint32_t count = 0;
-    if (source.file() == nullptr || flgCurveFileGetStrokes(source.file(), &strokes, &count) != FLG_OK || count == 0)
-        return;
     std::map<std::string, uint32_t> brushes;
-    for (uint32_t i = 0; i < count; ++i) ++brushes[strokes[i].brush];
+    FlgStroke stroke = flgStrokeDefaults();
+    for (uint32_t i = 0; source.file() && flgCurveFileGetStroke(source.file(), i, &stroke) == FLG_OK; ++i) {
+        ++brushes[stroke.brush];
+    }
+    if (brushes.empty()) return;
     std::cout << "brushes:";
     const char* separator = " ";
     for (const auto& [brush, uses] : brushes) {

@@ -27,6 +27,7 @@
 #include "stylize_output.h"
 #include "support/brush_shape.h"
 #include "support/curve_source.h"
+#include "support/live_sample.h"
 
 namespace flg::cli {
 namespace {
@@ -60,7 +61,7 @@ struct Options {
 
 // One of the recorded strokes, as a hand would draw it.
 struct Recording {
-    std::vector<FlgLiveSample> samples;
+    std::vector<samples::LiveSample> samples;
     float scale, min_radius, max_radius;
     std::optional<std::array<float, 4>> color;
 };
@@ -77,21 +78,21 @@ double processor_us() {
     return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-std::vector<FlgLiveSample> samples_of(const FlgCurveSetView& view, uint32_t curve, uint64_t& retimed) {
+std::vector<samples::LiveSample> samples_of(const FlgCurveSetView& view, uint32_t curve, uint64_t& retimed) {
     const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
     const FlgColumn* orientations = find_column(view, FLG_ATTRIBUTE_ORIENTATION);
     const FlgColumn* pressures = find_column(view, FLG_ATTRIBUTE_PRESSURE);
     const FlgColumn* times = find_column(view, FLG_ATTRIBUTE_TIME);
-    std::vector<FlgLiveSample> out;
+    std::vector<samples::LiveSample> out;
     for (uint32_t i = view.curve_offsets[curve]; i < view.curve_offsets[curve + 1]; ++i) {
-        FlgLiveSample sample = {};
+        samples::LiveSample sample = {};
         std::copy_n(value_at(positions, i), 3, sample.position);
         if (orientations != nullptr) std::copy_n(value_at(*orientations, i), 4, sample.orientation);
         sample.pressure = pressures == nullptr ? 1.0f : std::clamp(*value_at(*pressures, i), 0.0f, 1.0f);
         if (times != nullptr) sample.time = *value_at(*times, i);
         out.push_back(sample);
     }
-    const auto earlier = [](const FlgLiveSample& a, const FlgLiveSample& b) { return a.time < b.time; };
+    const auto earlier = [](const samples::LiveSample& a, const samples::LiveSample& b) { return a.time < b.time; };
     const bool backwards = !std::is_sorted(out.begin(), out.end(), earlier);
     retimed += backwards;
     if (times == nullptr || backwards) {
@@ -138,14 +139,14 @@ public:
         : context_(context), pool_(pool), desc_(desc), fast_(fast) {}
 
     void play(const Recording& recording) {
-        const std::vector<FlgLiveSample>& samples = recording.samples;
+        const std::vector<samples::LiveSample>& samples = recording.samples;
         const auto start = Clock::now();
         desc_.scale = recording.scale;
         desc_.min_radius = recording.min_radius;
         desc_.max_radius = recording.max_radius;
         begin();
         bool drawn = false;
-        for (const FlgLiveSample& sample : samples) {
+        for (const samples::LiveSample& sample : samples) {
             if (!fast_) {
                 std::this_thread::sleep_until(start +
                                               std::chrono::duration_cast<Clock::duration>(
@@ -190,12 +191,13 @@ private:
         return info.cut != 0 || info.sample_count == desc_.max_samples;
     }
 
-    FlgResult push(const FlgLiveSample& sample) {
+    FlgResult push(const samples::LiveSample& sample) {
         FlgCurveSetView added = flgCurveSetViewDefaults();
+        const FlgLiveSampleView pushed = samples::view_of(sample);
         const uint64_t allocations = pool_.allocations();
         const double processor_before = processor_us();
         const auto before = Clock::now();
-        const FlgResult result = flgLiveStrokePush(context_, stroke_, &sample, 1, &added);
+        const FlgResult result = flgLiveStrokePush(context_, stroke_, &pushed, &added);
         const std::chrono::duration<float, std::micro> wall = Clock::now() - before;
         latencies_.processor_us.push_back(static_cast<float>(processor_us() - processor_before));
         latencies_.wall_us.push_back(wall.count());
@@ -310,7 +312,7 @@ void run_replay(Options options, const CommonOptions& common) {
     FlgFrameReport frame = {};
     frame.struct_size = sizeof frame;
     do {
-        check(flgContextTick(context, common.budget_us, &frame), "tick");
+        check(flgContextTick(context, common.tick_budget_us(), &frame), "tick");
         if (frame.jobs_pending > 0) flgContextWait(context, kTickUs);
     } while (frame.jobs_pending > 0);
     if (player.results().empty()) throw InputError(options.strokes + ": no sample could be taken");

@@ -57,13 +57,12 @@ Json bones_json(const FlgModelView& view) {
                           {"radius", view.joint_radii[j]}});
     }
     for (size_t p = 0; p < view.part_count; ++p) {
-        const FlgModelPartInfo& part = view.parts[p];
-        parts.push_back({{"event", events[part.event]},
-                         {"parent", number(part.parent)},
-                         {"joint", part.joint},
-                         {"source", part.source},
-                         {"twin", number(part.twin)},
-                         {"mirrored", part.is_mirrored != 0}});
+        parts.push_back({{"event", events[view.part_events[p]]},
+                         {"parent", number(view.part_parents[p])},
+                         {"joint", view.part_joints[p]},
+                         {"source", view.part_sources[p]},
+                         {"twin", number(view.part_twins[p])},
+                         {"mirrored", view.part_mirrored[p] != 0}});
     }
     return {{"size", view.size}, {"joints", std::move(joints)}, {"parts", std::move(parts)}};
 }
@@ -85,7 +84,7 @@ void write_skin(const Options& options, Session& session, const ModelDrawing& dr
     const FlgSkinAnimation animation = motion.animation();
     std::vector<FlgMeshMaterial> materials;
     for (uint32_t p = 0; p < bones.part_count && drawing.has_colors; ++p) {
-        const DrawnPart& part = drawing.parts[bones.parts[p].source];
+        const DrawnPart& part = drawing.parts[bones.part_sources[p]];
         materials.push_back(part.material);
         materials.back().name = part.name.c_str();
     }

@@ -46,10 +46,9 @@ std::vector<FlgSkinAnimation> SkinFile::animations() const {
 }
 
 std::vector<FlgMeshMaterial> SkinFile::materials() const {
-    const FlgMeshMaterial* materials = nullptr;
-    uint32_t count = 0;
-    check_io(flgSkinFileGetMaterials(file_.get(), &materials, &count));
-    return {materials, materials + count};
+    std::vector<FlgMeshMaterial> materials(info_.material_count, flgMeshMaterialDefaults());
+    for (uint32_t i = 0; i < materials.size(); ++i) check_io(flgSkinFileGetMaterial(file_.get(), i, &materials[i]));
+    return materials;
 }
 
 SkinPose pose_skin(const SkinFile& skin, const PoseOptions& options) {

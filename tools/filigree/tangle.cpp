@@ -61,7 +61,9 @@ void write_result(const Options& options, FlgMeshView mesh, const TangleScript& 
 }
 
 void write_masks(const Options& options, const FlgMeshView& mesh, const Groups& groups) {
-    const FlgMeshFaceColumn column = {"group", groups.of_triangle.data()};
+    FlgMeshFaceColumn column = flgMeshFaceColumnDefaults();
+    column.name = "group";
+    column.values = groups.of_triangle.data();
     FlgMeshFileWriteDesc desc;
     flgMeshFileWriteDescInit(&desc, sizeof desc);
     desc.face_columns = &column;

@@ -182,8 +182,8 @@ void LiveModel::take_model() {
     rig_ = rig_of(view, sources);
     loose_.clear();
     for (uint32_t p = 1; p < view.part_count; ++p)
-        if (view.parts[p].parent == FLG_NO_INDEX && view.parts[p].source > 0)
-            loose_.push_back(sources[view.parts[p].source]);
+        if (view.part_parents[p] == FLG_NO_INDEX && view.part_sources[p] > 0)
+            loose_.push_back(sources[view.part_sources[p]]);
     ++rig_revision_;
 }
 
@@ -204,8 +204,8 @@ void LiveModel::start_skin(uint32_t vertices) {
     coming_skinned_.rig = rig_;
     const FlgModelView view = model();
     for (uint32_t p = 0; p < view.part_count; ++p) {
-        coming_skinned_.parts.push_back(recipe_.parts[view.parts[p].source].id);
-        coming_skinned_.is_image.push_back(view.parts[p].is_mirrored != 0);
+        coming_skinned_.parts.push_back(recipe_.parts[view.part_sources[p]].id);
+        coming_skinned_.is_image.push_back(view.part_mirrored[p] != 0);
     }
     cli::ModelDrawing placed;
     for (const ModelRecipe::Part& part : recipe_.parts) placed.parts.emplace_back().placement = part.placement;

@@ -40,7 +40,7 @@ Rig rig_of(const FlgModelView& model, std::span<const uint32_t> sources) {
         rig.rest.push_back(glm::make_vec3(model.joint_positions + 3 * size_t{j}));
         rig.radii.push_back(model.joint_radii[j]);
         rig.parents.push_back(model.joint_parents[j]);
-        rig.parts.push_back(sources[model.parts[model.joint_parts[j]].source]);
+        rig.parts.push_back(sources[model.part_sources[model.joint_parts[j]]]);
         rig.names.emplace_back(model.joint_names[j]);
         if (rig.parents[j] != FLG_NO_INDEX) ++rig.child_counts[rig.parents[j]];
     }

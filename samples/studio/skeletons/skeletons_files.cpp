@@ -119,7 +119,7 @@ void Skeletons::write(const Export& what, const std::string& path) {
         const DrawnPart* part = editor_.drawing().find(id);
         const DrawnPart shown = part ? *part : DrawnPart{};
         names.push_back(shown.name);
-        FlgMeshMaterial& material = materials.emplace_back(FlgMeshMaterial{});
+        FlgMeshMaterial& material = materials.emplace_back(flgMeshMaterialDefaults());
         for (int k = 0; k < 3; ++k) material.color[k] = std::clamp(shown.color[k], 0.0f, 1.0f);
         material.metallic = shown.metallic;
         material.roughness = shown.roughness;

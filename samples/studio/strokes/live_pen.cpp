@@ -37,10 +37,11 @@ void LivePen::add(const StrokeSample& sample) {
     if (!down_) return;
     stroke_.samples.push_back(sample);
     if (!live_) return;
-    const FlgLiveSample live = live_sample(sample);
+    const samples::LiveSample live = live_sample(sample);
+    const FlgLiveSampleView pushed = samples::view_of(live);
     FlgCurveSetView made = flgCurveSetViewDefaults();
     // A stroke that is full ends here on the screen; what is recorded goes on.
-    if (flgLiveStrokePush(app_.context.get(), live_.get(), &live, 1, &made) != FLG_OK) return;
+    if (flgLiveStrokePush(app_.context.get(), live_.get(), &pushed, &made) != FLG_OK) return;
     if (drawn_.value != 0) show(made);
 }
 

@@ -44,8 +44,8 @@ StrokeArrays::StrokeArrays(std::span<const Stroke> strokes) : view_(flgCurveSetV
     view_.column_count = static_cast<uint32_t>(columns_.size());
 }
 
-FlgLiveSample live_sample(const StrokeSample& sample) {
-    FlgLiveSample live{};
+samples::LiveSample live_sample(const StrokeSample& sample) {
+    samples::LiveSample live{};
     const glm::vec4 q = orientation_of(sample.normal);
     for (int i = 0; i < 3; ++i) live.position[i] = sample.position[i];
     for (int i = 0; i < 4; ++i) live.orientation[i] = q[i];

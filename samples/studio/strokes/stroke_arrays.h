@@ -7,6 +7,7 @@
 
 #include "filigree/filigree_live.h"
 #include "strokes/stroke_document.h"
+#include "support/live_sample.h"
 
 namespace flg::studio {
 
@@ -25,7 +26,7 @@ private:
 };
 
 // What a controller would say whose y axis is the sample's normal.
-FlgLiveSample live_sample(const StrokeSample& sample);
+samples::LiveSample live_sample(const StrokeSample& sample);
 
 constexpr float kHandSmoothing_s = 0.02f;  // of a mouse's steps
 

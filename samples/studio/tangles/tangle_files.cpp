@@ -174,13 +174,13 @@ void TanglesWorkspace::write(const Export& what, const std::string& path) {
     std::vector<FlgMeshMaterial> table;
     for (const TangleMaterial& m : palette_.materials) {
         const glm::vec3& line = m.border_px > 0.0f ? m.border_color : palette_.border_color;
-        table.push_back({.name = m.name.c_str(),
-                         .color = {m.color.x, m.color.y, m.color.z},
-                         .metallic = m.metallic,
-                         .roughness = m.roughness,
-                         .border_color = {line.x, line.y, line.z},
-                         .border_width_px = m.border_px > 0.0f ? m.border_px : palette_.border_px,
-                         .reserved = 0});
+        FlgMeshMaterial& material = table.emplace_back(flgMeshMaterialDefaults());
+        material.name = m.name.c_str();
+        std::copy_n(&m.color.x, 3, material.color);
+        material.metallic = m.metallic;
+        material.roughness = m.roughness;
+        std::copy_n(&line.x, 3, material.border_color);
+        material.border_width_px = m.border_px > 0.0f ? m.border_px : palette_.border_px;
     }
     FlgMeshFileWriteDesc desc{};
     if (flgMeshFileWriteDescInit(&desc, sizeof desc) != FLG_OK) throw StudioError(flgIoErrorGetMessage());

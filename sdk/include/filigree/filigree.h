@@ -9,7 +9,7 @@
  *              change what you need. Structs grow only at the end, so old hosts run with new libraries.
  * Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: using a released handle
  *              returns FLG_ERROR_INVALID_HANDLE and never crashes. A handle belongs to the context that made it.
- * Results      Every function returns an FlgResult. flgErrorGetMessage() gives the reason in one sentence that names
+ * Results      What can fail returns an FlgResult. flgErrorGetMessage() gives the reason in one sentence that names
  *              the argument and its value. No exception, abort or print crosses this interface. Output arguments are
  *              written on every path; on failure they hold null handles and zeros.
  * Threads      Calls on one context must not overlap, unless a function is marked [any thread]; functions marked [any
@@ -20,7 +20,7 @@
  *              FlgMeshView, ...; default 0; magnitude at most 1e30). Choose one near the object: results do not depend
  *              on it, to the bit. They have their input's origin, and their views name it. Where inputs of different
  *              origins meet, their difference is applied in doubles.
- * Waiting      No function waits for a job, except flgContextWait. Each states its cost.
+ * Waiting      No function waits for a job, except flgContextWait and flgContextRun. Each states its cost.
  * Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
  */
 #ifndef FILIGREE_FILIGREE_H
@@ -176,6 +176,11 @@ typedef struct FlgProfiler {
 
 FLG_API FlgResult flgProfilerInit(FlgProfiler* profiler, uint32_t struct_size);
 
+/* In place of an index: none. */
+#define FLG_NO_INDEX 0xffffffffu
+/* In place of a time or a count: as long as it takes, as many as there are. */
+#define FLG_UNLIMITED 0xffffffffu
+
 /* ---- Context ------------------------------------------------------------------------------------------------- */
 
 /* Settings for a new context. */
@@ -230,38 +235,48 @@ typedef struct FlgFrameReport {
 FLG_API FlgResult flgFrameReportInit(FlgFrameReport* report, uint32_t struct_size);
 
 /* Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks, and,
- * in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a context
- * without workers then runs all its jobs to the end. Ends at most one slice after its budget. `report` may be
- * null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was done, at
+ * in a context without workers, advances jobs until the budget is spent. With 0 it publishes one job at most and
+ * advances none; with FLG_UNLIMITED a context without workers runs all its jobs to the end. Ends at most one slice after
+ * its budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was done, at
  * the cost of their release. */
 FLG_API FlgResult flgContextTick(FlgContext context, uint32_t budget_us, FlgFrameReport* report);
 
-/* Bytes of the host's allocator. */
+/* What memory is for. */
+typedef enum FlgMemoryKind {
+    FLG_MEMORY_KIND_TOTAL = 0,    /* all kinds together; its peak is at most the sum of theirs */
+    FLG_MEMORY_KIND_STYLES = 1,   /* styles */
+    FLG_MEMORY_KIND_SURFACES = 2, /* surfaces, fields, surface curves, tangles, manifolds, obstacles */
+    FLG_MEMORY_KIND_CURVES = 3,   /* curve sets, live strokes, splines, motions */
+    FLG_MEMORY_KIND_MODELS = 4,   /* skeletons, outlines, parts, their bodies, models, skins */
+    FLG_MEMORY_KIND_CACHES = 5,   /* what is made again when it is needed: path trees of styles, solver data of
+                                     surfaces */
+    FLG_MEMORY_KIND_SCRATCH = 6,  /* what running jobs work with, and their results until they end */
+    FLG_MEMORY_KIND_RUNTIME = 7,  /* the context itself, handles, records of jobs */
+    FLG_MEMORY_KIND_FORCE_32BIT = 0x7fffffff
+} FlgMemoryKind;
+
+/* Bytes of the host's allocator that a context holds. */
 typedef struct FlgMemoryUse {
+    uint32_t struct_size;
+    uint32_t reserved;
     uint64_t bytes;      /* held now */
     uint64_t peak_bytes; /* the most that was held at a time */
+    uint64_t limit;      /* the most that may be held; 0: no limit */
 } FlgMemoryUse;
 
-/* What a context holds, by what it is for. A later version may add kinds at the end; `total` counts all of them. */
-typedef struct FlgContextMemory {
-    uint32_t struct_size;
-    FlgMemoryUse styles;   /* styles */
-    FlgMemoryUse surfaces; /* surfaces, fields, surface curves, tangles, manifolds, obstacles */
-    FlgMemoryUse curves;   /* curve sets, live strokes, splines, motions */
-    FlgMemoryUse models;   /* skeletons, outlines, parts, their bodies, models, skins */
-    FlgMemoryUse caches;   /* what is made again when it is needed: path trees of styles, solver data of surfaces */
-    FlgMemoryUse scratch;  /* what running jobs work with, and their results until they end */
-    FlgMemoryUse runtime;  /* the context itself, handles, records of jobs */
-    FlgMemoryUse total;    /* all kinds together; its peak is at most the sum of theirs */
-} FlgContextMemory;
+FLG_API FlgResult flgMemoryUseInit(FlgMemoryUse* use, uint32_t struct_size);
 
-FLG_API FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint32_t struct_size);
+/* [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed out and
+ * not got back, to the byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that
+ * moves from one kind to another may be seen in both. An object counts as its kind once its job has ended; the copies
+ * of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates nothing. */
+FLG_API FlgResult flgContextGetMemory(FlgContext context, FlgMemoryKind kind, FlgMemoryUse* out_use);
 
-/* [any thread] What the context holds. The kinds sum to what the allocator has handed out and not got back, to the
- * byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that moves from one kind to
- * another may be seen in both. An object counts as its kind once its job has ended; the copies of inputs that a job
- * waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates nothing. */
-FLG_API FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory);
+/* Limits what the context may hold of one kind, or of all, in bytes; 0: no limit. What would exceed it fails with
+ * FLG_ERROR_OUT_OF_MEMORY, as if the allocator had returned null: a call, or a job, whose result counts as its kind
+ * when it ends. Takes nothing away: with more in use than the limit nothing further is taken. FlgContextDesc's
+ * memory_limit is the limit of FLG_MEMORY_KIND_TOTAL from the start. Cost: nanoseconds. */
+FLG_API FlgResult flgContextSetMemoryLimit(FlgContext context, FlgMemoryKind kind, uint64_t bytes);
 
 /* For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the
  * timeout passes. Returns FLG_OK if there is something to publish or no job is left, FLG_NOT_READY otherwise.
@@ -734,10 +749,10 @@ static inline FlgContextDesc flgContextDefaults(void) {
     return desc;
 }
 
-static inline FlgContextMemory flgContextMemoryDefaults(void) {
-    FlgContextMemory memory;
-    flgContextMemoryInit(&memory, (uint32_t)sizeof memory);
-    return memory;
+static inline FlgMemoryUse flgMemoryUseDefaults(void) {
+    FlgMemoryUse use;
+    flgMemoryUseInit(&use, (uint32_t)sizeof use);
+    return use;
 }
 
 static inline FlgCurveSetView flgCurveSetViewDefaults(void) {

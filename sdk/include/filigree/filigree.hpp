@@ -160,6 +160,60 @@ private:
     std::size_t size_ = 0;
 };
 
+/// The rows of a column, a few floats each, packed or not; another owns them. Empty without such a column, or where its
+/// rows have other numbers of floats.
+template <std::size_t components>
+class Rows {
+public:
+    /// A row.
+    using Row = const float[components];
+
+    /// Empty.
+    constexpr Rows() = default;
+    /// The first `size` of a column, which may be null.
+    Rows(const FlgColumn* column, std::size_t size) {
+        if (!column || column->components != components) return;
+        data_ = reinterpret_cast<const char*>(column->data);
+        stride_ = column->stride != 0 ? column->stride : sizeof(Row);
+        size_ = size;
+    }
+
+    /// How many rows there are.
+    constexpr std::size_t size() const noexcept { return size_; }
+    /// Whether there are none.
+    constexpr bool empty() const noexcept { return size_ == 0; }
+    /// A row below size(), unchecked.
+    Row& operator[](std::size_t index) const { return *reinterpret_cast<Row*>(data_ + index * stride_); }
+
+    /// Goes from row to row.
+    class Iterator {
+    public:
+        /// A row of a column.
+        Iterator(const Rows& rows, std::size_t index) : rows_(&rows), index_(index) {}
+        /// The row.
+        Row& operator*() const { return (*rows_)[index_]; }
+        /// To the next.
+        Iterator& operator++() {
+            ++index_;
+            return *this;
+        }
+        /// Whether it is at another row.
+        bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+    private:
+        const Rows* rows_;
+        std::size_t index_;
+    };
+    /// The first row, for loops.
+    Iterator begin() const { return {*this, 0}; }
+    /// Behind the last row, for loops.
+    Iterator end() const { return {*this, size_}; }
+
+private:
+    const char* data_ = nullptr;
+    std::size_t stride_ = 0, size_ = 0;
+};
+
 namespace detail {
 
 template <class Struct>
@@ -185,13 +239,6 @@ Result<bool> done(FlgResult result) {
 template <class T>
 Span<T> span(T* data, std::size_t size) {
     return {data, data ? size : 0};
-}
-
-template <std::size_t components>
-Span<const float[components]> rows(const FlgColumn* column, std::size_t size) {
-    const bool packed = column && (column->stride == 0 || column->stride == components * sizeof(float));
-    if (!packed || column->components != components) return {};
-    return {reinterpret_cast<const float(*)[components]>(column->data), size};
 }
 
 inline uint32_t count(std::size_t size) {
@@ -283,6 +330,9 @@ using ResultCode = FlgResult;
 /// How much a message matters.
 using LogLevel = FlgLogLevel;
 
+/// What memory is for.
+using MemoryKind = FlgMemoryKind;
+
 /// Which ready job runs first.
 using Priority = FlgPriority;
 
@@ -371,11 +421,8 @@ using DebugPart = FlgDebugPart;
 /// What one flgContextTick did, and what the workers did since the previous one.
 using FrameReport = FlgFrameReport;
 
-/// Bytes of the host's allocator.
+/// Bytes of the host's allocator that a context holds.
 using MemoryUse = FlgMemoryUse;
-
-/// What a context holds, by what it is for. A later version may add kinds at the end; `total` counts all of them.
-using ContextMemory = FlgContextMemory;
 
 /// FlgJobStatus of the C ABI.
 using JobStatus = FlgJobStatus;
@@ -406,9 +453,6 @@ using SurfacePoint = FlgSurfacePoint;
 /// A point on a branch's axis, with the slice across it.
 using AxisSample = FlgAxisSample;
 
-/// Where a part is attached.
-using ModelPartInfo = FlgModelPartInfo;
-
 /// Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and SNORM16
 /// for NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the
 /// host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
@@ -427,16 +471,6 @@ using TangleRegion = FlgTangleRegion;
 
 /// Data of one stroke in a .tilt file, besides its points.
 using Stroke = FlgStroke;
-
-/// Integers per triangle, with a name.
-using MeshFaceColumn = FlgMeshFaceColumn;
-
-/// A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are linear
-/// RGB.
-using MeshMaterial = FlgMeshMaterial;
-
-/// One sample of the controller.
-using LiveSample = FlgLiveSample;
 
 /// Progress of a stroke.
 using LiveStrokeInfo = FlgLiveStrokeInfo;
@@ -497,10 +531,10 @@ struct CurveSetView {
     }
 
     /// An attribute of all points, `components` floats each: `rows<3>(FLG_ATTRIBUTE_POSITION)`. Empty without such a
-    /// column, or if it is an input's that is not tightly packed.
+    /// column.
     template <std::size_t components>
-    Span<const float[components]> rows(FlgAttribute attribute) const {
-        return detail::rows<components>(column(attribute), curve_offsets.empty() ? 0 : curve_offsets[curve_count]);
+    Rows<components> rows(FlgAttribute attribute) const {
+        return Rows<components>(column(attribute), curve_offsets.empty() ? 0 : curve_offsets[curve_count]);
     }
 
 private:
@@ -679,10 +713,10 @@ struct MeshView {
     }
 
     /// An attribute of all vertices, `components` floats each: `rows<3>(FLG_ATTRIBUTE_POSITION)`. Empty without such a
-    /// column, or if it is an input's that is not tightly packed.
+    /// column.
     template <std::size_t components>
-    Span<const float[components]> rows(FlgAttribute attribute) const {
-        return detail::rows<components>(column(attribute), vertex_count);
+    Rows<components> rows(FlgAttribute attribute) const {
+        return Rows<components>(column(attribute), vertex_count);
     }
 
 private:
@@ -978,7 +1012,8 @@ private:
     FlgPartMeshView c_;
 };
 
-/// Joints, parents first. The bone to a joint turns with its parent.
+/// Joints, parents first. The bone to a joint turns with its parent. Parts include mirror images, each after its
+/// original.
 struct ModelView {
     /// at least 1
     uint32_t joint_count{};
@@ -992,12 +1027,22 @@ struct ModelView {
     Span<const uint32_t> joint_parts;
     /// the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ...
     Span<const char* const> joint_names;
-    /// including mirror images, each after its original
-    Span<const FlgModelPartInfo> parts;
     /// FlgModelView::part_count.
     uint32_t part_count{};
     /// the size that thresholds are fractions of, metres
     float size{};
+    /// one per part: how it was connected, before refinement of bones
+    Span<const FlgPartEvent> part_events;
+    /// one per part: its parent part; FLG_NO_INDEX: none
+    Span<const uint32_t> part_parents;
+    /// one per part: its own joint nearest to the root, which swings it; if it has none left, the joint that moves it
+    Span<const uint32_t> part_joints;
+    /// one per part: index of the host's part
+    Span<const uint32_t> part_sources;
+    /// one per part: its mirror image; FLG_NO_INDEX: none
+    Span<const uint32_t> part_twins;
+    /// one per part: 1 for a mirror image, 0 for a drawn part
+    Span<const uint8_t> part_mirrored;
     /// metres: what positions are relative to
     double origin[3]{};
 
@@ -1014,7 +1059,12 @@ struct ModelView {
         joint_parents = detail::span(c.joint_parents, joint_count);
         joint_parts = detail::span(c.joint_parts, joint_count);
         joint_names = detail::span(c.joint_names, joint_count);
-        parts = detail::span(c.parts, part_count);
+        part_events = detail::span(c.part_events, part_count);
+        part_parents = detail::span(c.part_parents, part_count);
+        part_joints = detail::span(c.part_joints, part_count);
+        part_sources = detail::span(c.part_sources, part_count);
+        part_twins = detail::span(c.part_twins, part_count);
+        part_mirrored = detail::span(c.part_mirrored, part_count);
     }
     /// The C struct, for C functions.
     const FlgModelView& get() const noexcept { return c_; }
@@ -1165,6 +1215,8 @@ struct CurveFileInfo {
     float total_length{};
     /// FlgCurveFileInfo::warning_count.
     uint32_t warning_count{};
+    /// that of the curves for .tilt files, else 0
+    uint32_t stroke_count{};
     /// sentences; live until the file is released
     Span<const char* const> warnings;
 
@@ -1180,6 +1232,7 @@ struct CurveFileInfo {
         for (int i = 0; i < 3; ++i) box_max[i] = c.box_max[i];
         total_length = c.total_length;
         warning_count = c.warning_count;
+        stroke_count = c.stroke_count;
         warnings = detail::span(c.warnings, warning_count);
     }
     /// The C struct, for C functions.
@@ -1209,8 +1262,12 @@ struct MeshFileInfo {
     float box_max[3]{};
     /// FlgMeshFileInfo::warning_count.
     uint32_t warning_count{};
+    /// one per region of the view (one alone if that has no regions), if at least one has a colour; else 0
+    uint32_t material_count{};
     /// sentences; live until the file is released
     Span<const char* const> warnings;
+    /// at most 16; 0 for other formats than .ply
+    uint32_t face_column_count{};
 
     /// Empty.
     MeshFileInfo() { flgMeshFileInfoInit(&c_, detail::size_of<FlgMeshFileInfo>); }
@@ -1224,6 +1281,8 @@ struct MeshFileInfo {
         for (int i = 0; i < 3; ++i) box_min[i] = c.box_min[i];
         for (int i = 0; i < 3; ++i) box_max[i] = c.box_max[i];
         warning_count = c.warning_count;
+        material_count = c.material_count;
+        face_column_count = c.face_column_count;
         warnings = detail::span(c.warnings, warning_count);
     }
     /// The C struct, for C functions.
@@ -1249,6 +1308,8 @@ struct SkinFileInfo {
     uint32_t animation_count{};
     /// sentences; live until the file is released
     Span<const char* const> warnings;
+    /// one per part, or one for all, if at least one has a colour; else 0
+    uint32_t material_count{};
 
     /// Empty.
     SkinFileInfo() { flgSkinFileInfoInit(&c_, detail::size_of<FlgSkinFileInfo>); }
@@ -1259,6 +1320,7 @@ struct SkinFileInfo {
         for (int i = 0; i < 3; ++i) box_max[i] = c.box_max[i];
         warning_count = c.warning_count;
         animation_count = c.animation_count;
+        material_count = c.material_count;
         warnings = detail::span(c.warnings, warning_count);
     }
     /// The C struct, for C functions.
@@ -2134,6 +2196,7 @@ struct TangleStep : FlgTangleStep {
 /// Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on their
 /// threads. Paths are those the host passes, and names beside them that files or this library give, put together with
 /// `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a time in a call.
+/// Each function returns FLG_OK or an error, such as FLG_ERROR_FILE; the call that needs the file then fails with it.
 struct FileSystem : FlgFileSystem {
     /// The defaults.
     FileSystem() { flgFileSystemInit(this, detail::size_of<FlgFileSystem>); }
@@ -2149,12 +2212,45 @@ struct FileHooks : FlgFileHooks {
     FileHooks(const FlgFileHooks& c) : FlgFileHooks(c) {}
 };
 
+/// How a curve file is read.
+struct CurveFileReadDesc : FlgCurveFileReadDesc {
+    /// The defaults.
+    CurveFileReadDesc() { flgCurveFileReadDescInit(this, detail::size_of<FlgCurveFileReadDesc>); }
+    /// Of the C struct.
+    CurveFileReadDesc(const FlgCurveFileReadDesc& c) : FlgCurveFileReadDesc(c) {}
+};
+
 /// FlgCurveFileWriteDesc with its defaults.
 struct CurveFileWriteDesc : FlgCurveFileWriteDesc {
     /// The defaults.
     CurveFileWriteDesc() { flgCurveFileWriteDescInit(this, detail::size_of<FlgCurveFileWriteDesc>); }
     /// Of the C struct.
     CurveFileWriteDesc(const FlgCurveFileWriteDesc& c) : FlgCurveFileWriteDesc(c) {}
+};
+
+/// How a mesh file is read.
+struct MeshFileReadDesc : FlgMeshFileReadDesc {
+    /// The defaults.
+    MeshFileReadDesc() { flgMeshFileReadDescInit(this, detail::size_of<FlgMeshFileReadDesc>); }
+    /// Of the C struct.
+    MeshFileReadDesc(const FlgMeshFileReadDesc& c) : FlgMeshFileReadDesc(c) {}
+};
+
+/// Integers per triangle, with a name.
+struct MeshFaceColumn : FlgMeshFaceColumn {
+    /// The defaults.
+    MeshFaceColumn() { flgMeshFaceColumnInit(this, detail::size_of<FlgMeshFaceColumn>); }
+    /// Of the C struct.
+    MeshFaceColumn(const FlgMeshFaceColumn& c) : FlgMeshFaceColumn(c) {}
+};
+
+/// A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are linear
+/// RGB.
+struct MeshMaterial : FlgMeshMaterial {
+    /// The defaults.
+    MeshMaterial() { flgMeshMaterialInit(this, detail::size_of<FlgMeshMaterial>); }
+    /// Of the C struct.
+    MeshMaterial(const FlgMeshMaterial& c) : FlgMeshMaterial(c) {}
 };
 
 /// FlgMeshFileWriteDesc with its defaults.
@@ -2177,6 +2273,14 @@ struct MeshFileWriteDesc : FlgMeshFileWriteDesc {
     }
     /// A list would end before the descriptor is used.
     void set_materials(std::initializer_list<FlgMeshMaterial>) = delete;
+};
+
+/// How a skin file is read.
+struct SkinFileReadDesc : FlgSkinFileReadDesc {
+    /// The defaults.
+    SkinFileReadDesc() { flgSkinFileReadDescInit(this, detail::size_of<FlgSkinFileReadDesc>); }
+    /// Of the C struct.
+    SkinFileReadDesc(const FlgSkinFileReadDesc& c) : FlgSkinFileReadDesc(c) {}
 };
 
 /// FlgSkinFileWriteDesc with its defaults.
@@ -2216,6 +2320,22 @@ struct MotionFileWriteDesc : FlgMotionFileWriteDesc {
     void set_poses(std::initializer_list<double>) = delete;
 };
 
+/// FlgTangleFileWriteDesc with its defaults.
+struct TangleFileWriteDesc : FlgTangleFileWriteDesc {
+    /// The defaults.
+    TangleFileWriteDesc() { flgTangleFileWriteDescInit(this, detail::size_of<FlgTangleFileWriteDesc>); }
+    /// Of the C struct.
+    TangleFileWriteDesc(const FlgTangleFileWriteDesc& c) : FlgTangleFileWriteDesc(c) {}
+};
+
+/// How a tangle's file is read.
+struct TangleFileReadDesc : FlgTangleFileReadDesc {
+    /// The defaults.
+    TangleFileReadDesc() { flgTangleFileReadDescInit(this, detail::size_of<FlgTangleFileReadDesc>); }
+    /// Of the C struct.
+    TangleFileReadDesc(const FlgTangleFileReadDesc& c) : FlgTangleFileReadDesc(c) {}
+};
+
 /// FlgLiveStrokeDesc with its defaults.
 struct LiveStrokeDesc : FlgLiveStrokeDesc {
     /// The defaults.
@@ -2227,6 +2347,42 @@ struct LiveStrokeDesc : FlgLiveStrokeDesc {
         flgLiveStrokeDescInit(this, detail::size_of<FlgLiveStrokeDesc>);
         style = style_;
     }
+};
+
+/// Samples of the controller, as columns: arrays of the host, or members of an array of structs.
+struct LiveSampleView : FlgLiveSampleView {
+    /// The defaults.
+    LiveSampleView() { flgLiveSampleViewInit(this, detail::size_of<FlgLiveSampleView>); }
+    /// Of the C struct.
+    LiveSampleView(const FlgLiveSampleView& c) : FlgLiveSampleView(c) {}
+    /// Sets positions and sample_count. The array must live until the descriptor is used.
+    void set_positions(Span<const float> values) {
+        positions = values.data();
+        sample_count = detail::count(values.size() / 3);
+    }
+    /// A list would end before the descriptor is used.
+    void set_positions(std::initializer_list<float>) = delete;
+    /// Sets orientations and sample_count. The array must live until the descriptor is used.
+    void set_orientations(Span<const float> values) {
+        orientations = values.data();
+        sample_count = detail::count(values.size() / 4);
+    }
+    /// A list would end before the descriptor is used.
+    void set_orientations(std::initializer_list<float>) = delete;
+    /// Sets pressures and sample_count. The array must live until the descriptor is used.
+    void set_pressures(Span<const float> values) {
+        pressures = values.data();
+        sample_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_pressures(std::initializer_list<float>) = delete;
+    /// Sets times and sample_count. The array must live until the descriptor is used.
+    void set_times(Span<const double> values) {
+        times = values.data();
+        sample_count = detail::count(values.size());
+    }
+    /// A list would end before the descriptor is used.
+    void set_times(std::initializer_list<double>) = delete;
 };
 
 /// FlgManifoldShapeDesc with its defaults.
@@ -3167,11 +3323,10 @@ public:
     /// call for this stroke, its arrays until the stroke is released; curve_count is 0 if there is nothing new. After
     /// flgLiveStrokeEnd: FLG_ERROR_INVALID_ARGUMENT. Cost: about 0.2 us a sample and 0.1 us a point.
     /// Calls flgLiveStrokePush.
-    Result<CurveSetView> push(Span<const FlgLiveSample> samples) const {
+    Result<CurveSetView> push(const LiveSampleView& samples) const {
         FlgCurveSetView out_new;
         flgCurveSetViewInit(&out_new, detail::size_of<FlgCurveSetView>);
-        const FlgResult result = flgLiveStrokePush(context_, handle_, samples.data(), detail::count(samples.size()),
-            &out_new);
+        const FlgResult result = flgLiveStrokePush(context_, handle_, &samples, &out_new);
         return detail::made(result, CurveSetView(out_new));
     }
 
@@ -3375,13 +3530,13 @@ public:
     using Object::Object;
 
     /// Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere oddities
-    /// become warnings (flgCurveFileGetInfo). `hooks` may be null: all defaults. Limits: 2 GiB a file (unpacked too),
+    /// become warnings (flgCurveFileGetInfo). `desc` may be null: all defaults. Limits: 2 GiB a file (unpacked too),
     /// 2^31 points. Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT, FLG_ERROR_OUT_OF_MEMORY. Cost: 0.1 to
     /// 0.2 us a point.
     /// Calls flgCurveFileRead.
-    static Result<CurveFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
+    static Result<CurveFile> read(const char* path, const CurveFileReadDesc& desc = CurveFileReadDesc()) {
         FlgCurveFile out_file{};
-        const FlgResult result = flgCurveFileRead(path, hooks, &out_file);
+        const FlgResult result = flgCurveFileRead(path, &desc, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, CurveFile(out_file));
     }
 
@@ -3403,13 +3558,13 @@ public:
         return detail::made<flgIoErrorGetMessage>(result, CurveFileInfo(out_info));
     }
 
-    /// One per curve for .tilt files; null and 0 for other formats.
-    /// Calls flgCurveFileGetStrokes.
-    Result<Span<const FlgStroke>> strokes() const {
-        const FlgStroke* out_strokes = nullptr;
-        uint32_t count = 0;
-        const FlgResult result = flgCurveFileGetStrokes(handle_, &out_strokes, &count);
-        return detail::made<flgIoErrorGetMessage>(result, detail::span(out_strokes, count));
+    /// The stroke of a curve, 0 to the info's stroke_count - 1. Set struct_size.
+    /// Calls flgCurveFileGetStroke.
+    Result<Stroke> stroke(uint32_t curve) const {
+        FlgStroke out_stroke;
+        flgStrokeInit(&out_stroke, detail::size_of<FlgStroke>);
+        const FlgResult result = flgCurveFileGetStroke(handle_, curve, &out_stroke);
+        return detail::made<flgIoErrorGetMessage>(result, out_stroke);
     }
 
     /// Writes curves to .xyz, .obj or .glb, completely or not at all: a temporary file beside it is renamed when
@@ -3436,12 +3591,12 @@ public:
     /// first corner, others of at most 1024 corners by ear clipping. Like flgCurveFileRead, refuses errors (indices out
     /// of range, faces of fewer than three corners, values that are not finite, counts too large for the file, no faces
     /// at all) and warns of oddities. Cost: one core, some 400 MB/s of binary and 250 MB/s of text (2 M triangles: 0.1
-    /// s and 0.3 s). `hooks` may be null: all defaults. Limits: 2 GiB a file, and 2 GiB for the result. Errors:
+    /// s and 0.3 s). `desc` may be null: all defaults. Limits: 2 GiB a file, and 2 GiB for the result. Errors:
     /// FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT.
     /// Calls flgMeshFileRead.
-    static Result<MeshFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
+    static Result<MeshFile> read(const char* path, const MeshFileReadDesc& desc = MeshFileReadDesc()) {
         FlgMeshFile out_file{};
-        const FlgResult result = flgMeshFileRead(path, hooks, &out_file);
+        const FlgResult result = flgMeshFileRead(path, &desc, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, MeshFile(out_file));
     }
 
@@ -3454,26 +3609,26 @@ public:
         return detail::made<flgIoErrorGetMessage>(result, MeshView(out_view));
     }
 
-    /// The integer properties of a .ply file's faces besides `region`, at most the first 16. All triangles of a face
-    /// have its values; negative values are stored plus 2^32. Null and 0 for other formats. Lives until the file is
+    /// An integer property of a .ply file's faces besides `region`, 0 to the info's face_column_count - 1. All
+    /// triangles of a face have its values; negative values are stored plus 2^32. Its arrays live until the file is
     /// released.
-    /// Calls flgMeshFileGetFaceColumns.
-    Result<Span<const FlgMeshFaceColumn>> face_columns() const {
-        const FlgMeshFaceColumn* out_columns = nullptr;
-        uint32_t count = 0;
-        const FlgResult result = flgMeshFileGetFaceColumns(handle_, &out_columns, &count);
-        return detail::made<flgIoErrorGetMessage>(result, detail::span(out_columns, count));
+    /// Calls flgMeshFileGetFaceColumn.
+    Result<MeshFaceColumn> face_column(uint32_t column) const {
+        FlgMeshFaceColumn out_column;
+        flgMeshFaceColumnInit(&out_column, detail::size_of<FlgMeshFaceColumn>);
+        const FlgResult result = flgMeshFileGetFaceColumn(handle_, column, &out_column);
+        return detail::made<flgIoErrorGetMessage>(result, MeshFaceColumn(out_column));
     }
 
-    /// The materials of a .gltf or .glb file, one per region of the view (one alone if that has no regions), if at
-    /// least one has a colour; else null and 0. Missing factors get glTF's defaults: white, metallic 1, roughness 1.
-    /// Lines are read only from this library's files: glTF has none. Lives until the file is released.
-    /// Calls flgMeshFileGetMaterials.
-    Result<Span<const FlgMeshMaterial>> materials() const {
-        const FlgMeshMaterial* out_materials = nullptr;
-        uint32_t count = 0;
-        const FlgResult result = flgMeshFileGetMaterials(handle_, &out_materials, &count);
-        return detail::made<flgIoErrorGetMessage>(result, detail::span(out_materials, count));
+    /// The material of a region in a .gltf or .glb file, 0 to the info's material_count - 1. Missing factors get glTF's
+    /// defaults: white, metallic 1, roughness 1. Lines are read only from this library's files: glTF has none. Its name
+    /// lives until the file is released.
+    /// Calls flgMeshFileGetMaterial.
+    Result<MeshMaterial> material(uint32_t material) const {
+        FlgMeshMaterial out_material;
+        flgMeshMaterialInit(&out_material, detail::size_of<FlgMeshMaterial>);
+        const FlgResult result = flgMeshFileGetMaterial(handle_, material, &out_material);
+        return detail::made<flgIoErrorGetMessage>(result, MeshMaterial(out_material));
     }
 
     /// The file's contents and warnings. Set struct_size.
@@ -3511,12 +3666,12 @@ public:
     /// Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an animation moves away from
     /// their parents, roots that move differently, keys that are not LINEAR. Also refused: missing, out-of-range or
     /// non-finite joints or weights, cycles of nodes, inconsistent counts. If the scene has no skin the result is
-    /// FLG_OK and `out_file` null. `hooks` may be null: all defaults. Cost: one core, about 0.4 us a vertex. Errors:
+    /// FLG_OK and `out_file` null. `desc` may be null: all defaults. Cost: one core, about 0.4 us a vertex. Errors:
     /// FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535 joints).
     /// Calls flgSkinFileRead.
-    static Result<SkinFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
+    static Result<SkinFile> read(const char* path, const SkinFileReadDesc& desc = SkinFileReadDesc()) {
         FlgSkinFile out_file{};
-        const FlgResult result = flgSkinFileRead(path, hooks, &out_file);
+        const FlgResult result = flgSkinFileRead(path, &desc, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, SkinFile(out_file));
     }
 
@@ -3539,14 +3694,13 @@ public:
         return detail::made<flgIoErrorGetMessage>(result, SkinAnimation(out_animation));
     }
 
-    /// The materials, one per part, or one for all, if at least one has a colour; else null and 0. As
-    /// flgMeshFileGetMaterials.
-    /// Calls flgSkinFileGetMaterials.
-    Result<Span<const FlgMeshMaterial>> materials() const {
-        const FlgMeshMaterial* out_materials = nullptr;
-        uint32_t count = 0;
-        const FlgResult result = flgSkinFileGetMaterials(handle_, &out_materials, &count);
-        return detail::made<flgIoErrorGetMessage>(result, detail::span(out_materials, count));
+    /// The material of a part, 0 to the info's material_count - 1. As flgMeshFileGetMaterial.
+    /// Calls flgSkinFileGetMaterial.
+    Result<MeshMaterial> material(uint32_t material) const {
+        FlgMeshMaterial out_material;
+        flgMeshMaterialInit(&out_material, detail::size_of<FlgMeshMaterial>);
+        const FlgResult result = flgSkinFileGetMaterial(handle_, material, &out_material);
+        return detail::made<flgIoErrorGetMessage>(result, MeshMaterial(out_material));
     }
 
     /// The file's contents and warnings. Set struct_size.
@@ -3580,23 +3734,24 @@ public:
     /// Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in a
     /// side file beside it: `PATH.CHECKSUM.bin`. The JSON is put in place last; then the previous document's side file
     /// is removed: an interrupted save leaves the previous document intact. No side file is written if none is needed.
-    /// The same history gives the same bytes. `hooks` may be null: all defaults. An FlgFileSystem opens and closes one
+    /// The same history gives the same bytes. `desc` may be null: all defaults. An FlgFileSystem opens and closes one
     /// file after the other. Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that are not finite), FLG_ERROR_FILE,
     /// FLG_ERROR_LIMIT (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what the disk takes.
     /// Calls flgTangleFileWrite.
-    static Result<bool> write(const char* path, const FlgTangleHistory& history, const FlgFileHooks* hooks = nullptr) {
-        const FlgResult result = flgTangleFileWrite(path, &history, hooks);
+    static Result<bool> write(const char* path, const FlgTangleHistory& history, const TangleFileWriteDesc& desc =
+        TangleFileWriteDesc()) {
+        const FlgResult result = flgTangleFileWrite(path, &history, &desc);
         return detail::done<flgIoErrorGetMessage>(result);
     }
 
     /// Reads a document and checks what can be checked without its mesh: version, keys, types, sizes, the side file's
     /// size and checksum, finite numbers. flgTangleReplay checks the values' ranges. Nothing is read twice, so the
-    /// result is at most some multiple of the file's size. `hooks` may be null: all defaults. Errors: FLG_ERROR_FILE,
+    /// result is at most some multiple of the file's size. `desc` may be null: all defaults. Errors: FLG_ERROR_FILE,
     /// FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: some us a step and what the disk takes.
     /// Calls flgTangleFileRead.
-    static Result<TangleFile> read(const char* path, const FlgFileHooks* hooks = nullptr) {
+    static Result<TangleFile> read(const char* path, const TangleFileReadDesc& desc = TangleFileReadDesc()) {
         FlgTangleFile out_file{};
-        const FlgResult result = flgTangleFileRead(path, hooks, &out_file);
+        const FlgResult result = flgTangleFileRead(path, &desc, &out_file);
         return detail::made<flgIoErrorGetMessage>(result, TangleFile(out_file));
     }
 
@@ -3691,10 +3846,10 @@ public:
     }
 
     /// Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their callbacks,
-    /// and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means no limit: a
-    /// context without workers then runs all its jobs to the end. Ends at most one slice after its budget. `report` may
-    /// be null; set its struct_size. Allocates nothing in steady state. Frees results released before their job was
-    /// done, at the cost of their release.
+    /// and, in a context without workers, advances jobs until the budget is spent. With 0 it publishes one job at most
+    /// and advances none; with FLG_UNLIMITED a context without workers runs all its jobs to the end. Ends at most one
+    /// slice after its budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees
+    /// results released before their job was done, at the cost of their release.
     /// Calls flgContextTick.
     Result<FrameReport> tick(uint32_t budget_us) const {
         FlgFrameReport report;
@@ -3703,16 +3858,27 @@ public:
         return detail::made(result, report);
     }
 
-    /// [any thread] What the context holds. The kinds sum to what the allocator has handed out and not got back, to the
-    /// byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that moves from one
-    /// kind to another may be seen in both. An object counts as its kind once its job has ended; the copies of inputs
-    /// that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates nothing.
+    /// [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed out
+    /// and not got back, to the byte, with the 8 bytes or so that the library adds to each block. While jobs run, a
+    /// block that moves from one kind to another may be seen in both. An object counts as its kind once its job has
+    /// ended; the copies of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds.
+    /// Allocates nothing.
     /// Calls flgContextGetMemory.
-    Result<ContextMemory> memory() const {
-        FlgContextMemory out_memory;
-        flgContextMemoryInit(&out_memory, detail::size_of<FlgContextMemory>);
-        const FlgResult result = flgContextGetMemory(handle_, &out_memory);
-        return detail::made(result, out_memory);
+    Result<MemoryUse> memory(FlgMemoryKind kind) const {
+        FlgMemoryUse out_use;
+        flgMemoryUseInit(&out_use, detail::size_of<FlgMemoryUse>);
+        const FlgResult result = flgContextGetMemory(handle_, kind, &out_use);
+        return detail::made(result, out_use);
+    }
+
+    /// Limits what the context may hold of one kind, or of all, in bytes; 0: no limit. What would exceed it fails with
+    /// FLG_ERROR_OUT_OF_MEMORY, as if the allocator had returned null: a call, or a job, whose result counts as its
+    /// kind when it ends. Takes nothing away: with more in use than the limit nothing further is taken.
+    /// FlgContextDesc's memory_limit is the limit of FLG_MEMORY_KIND_TOTAL from the start. Cost: nanoseconds.
+    /// Calls flgContextSetMemoryLimit.
+    Result<bool> set_memory_limit(FlgMemoryKind kind, uint64_t bytes) const {
+        const FlgResult result = flgContextSetMemoryLimit(handle_, kind, bytes);
+        return detail::done(result);
     }
 
     /// For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the

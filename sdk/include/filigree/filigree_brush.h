@@ -77,10 +77,10 @@ typedef struct FlgBrushMeshDesc {
     /* The curves. Columns read: POSITION; RADIUS, a tube's, or half the width of a ribbon; COLOR; NORMAL by ribbons.
      * They must live for the call. */
     const FlgCurveSetView* curves;
-    /* The range to make, as if the view held nothing else: `curve_count` curves from `first_curve` on, 0 = all the
-     * rest; of each, the points from number `first_point` on. Default 0. */
-    uint32_t first_curve;
-    uint32_t curve_count;
+    /* The range to make, as if the view held nothing else: `curve_count` curves from `first_curve` on; of each, the
+     * points from number `first_point` on. */
+    uint32_t first_curve;      /* default 0 */
+    uint32_t curve_count;      /* at least 1. Default FLG_UNLIMITED: all the rest */
     uint32_t first_point;      /* of each curve of the range. Default 0 */
     uint32_t sides;            /* of a tube, 3 to 64; also sets how fine round caps and joins are. Default 8 */
     /* Metres, >= 0: a curve gets as few sides as keep its tube within it of a round one, 3 to `sides`: for levels of

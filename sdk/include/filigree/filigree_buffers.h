@@ -59,12 +59,11 @@ typedef struct FlgBufferOutput {
     uint32_t column_count;          /* 0 to 16 */
     const FlgBufferColumn* columns; /* those that are wanted */
     uint64_t row_capacity;          /* rows that every column has room for */
-    /* The points or vertices to write: `row_count` from `first_row` on, 0 = all the rest. Default 0. */
-    uint32_t first_row;
-    uint32_t row_count;
-    /* The triangles to write: `triangle_count` from `first_triangle` on, 0 = all the rest. Default 0. */
-    uint32_t first_triangle;
-    uint32_t triangle_count;
+    /* The points or vertices to write, and the triangles. */
+    uint32_t first_row;             /* default 0 */
+    uint32_t row_count;             /* default FLG_UNLIMITED: all the rest */
+    uint32_t first_triangle;        /* default 0 */
+    uint32_t triangle_count;        /* default FLG_UNLIMITED: all the rest */
     void* indices;                  /* three a triangle, for meshes alone; null: not wanted */
     uint64_t index_capacity;        /* indices that `indices` has room for */
     void* regions;                  /* a label a triangle, for surfaces alone; null: not wanted */

@@ -61,7 +61,7 @@ typedef struct FlgDebugDrawDesc {
     uint32_t struct_size;
     uint32_t parts; /* of FlgDebugPart; 0: those that the function draws by default. Default 0 */
     uint32_t first; /* first element of each part. Default 0 */
-    uint32_t count; /* elements of each part; 0: all the rest. Default 0 */
+    uint32_t count; /* elements of each part, as far as there are so many. Default FLG_UNLIMITED */
     uint32_t every; /* draws frames, displacements and slices at every n-th point only; at least 1. Default 1 */
     float size;     /* length of the axes of frames, metres, above 0 and at most 1e30. Default 0.05 */
     uint32_t color; /* of what has no colour of its own, as in FlgDebugVertex. Default 0xffffffff: white */

@@ -66,24 +66,26 @@ typedef enum FlgFileAccess {
 
 /* Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on their
  * threads. Paths are those the host passes, and names beside them that files or this library give, put together with
- * `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a time in a call. */
+ * `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a time in a call.
+ * Each function returns FLG_OK or an error, such as FLG_ERROR_FILE; the call that needs the file then fails with it. */
 typedef struct FlgFileSystem {
     uint32_t struct_size;
     uint32_t reserved;
     void* user_data; /* passed to all */
-    /* An open file; null if it cannot be opened. */
-    void* (*open)(void* user_data, const char* path, FlgFileAccess access);
-    /* Of a file that is read, bytes; above 2 GiB where it has none. */
-    uint64_t (*size)(void* user_data, void* file);
-    /* Reads the next bytes, at most `size`, and returns how many; 0 at the end, and when it fails. */
-    size_t (*read)(void* user_data, void* file, void* out_bytes, size_t size);
-    /* Appends bytes, and returns how many; fewer than `size` when it fails. Null: no file can be written. */
-    size_t (*write)(void* user_data, void* file, const void* bytes, size_t size);
+    /* Opens a file; `out_file` is what the other functions get. */
+    FlgResult (*open)(void* user_data, const char* path, FlgFileAccess access, void** out_file);
+    /* The size of a file that is read, bytes. */
+    FlgResult (*size)(void* user_data, void* file, uint64_t* out_size);
+    /* Reads the next bytes, at most `size`; `out_count` is how many. 0 only at the end. */
+    FlgResult (*read)(void* user_data, void* file, void* out_bytes, size_t size, size_t* out_count);
+    /* Appends bytes, all of them. Null: no file can be written. */
+    FlgResult (*write)(void* user_data, void* file, const void* bytes, size_t size);
     /* Called once for each open file. Of one that is written, `complete` tells whether to keep it: with 0 what was
-     * there before must stay. Returns 0 if it could not be kept. */
-    uint32_t (*close)(void* user_data, void* file, uint32_t complete);
-    /* Removes a side file that no document names any more. Null: it stays. */
-    void (*remove)(void* user_data, const char* path);
+     * there before must stay. */
+    FlgResult (*close)(void* user_data, void* file, uint32_t complete);
+    /* Removes a side file that no document names any more. Where it fails the file stays, and the call that asked for
+     * it succeeds nevertheless. Null: files stay. */
+    FlgResult (*remove)(void* user_data, const char* path);
 } FlgFileSystem;
 
 FLG_API FlgResult flgFileSystemInit(FlgFileSystem* files, uint32_t struct_size);
@@ -111,10 +113,19 @@ typedef struct FlgCurveFileT* FlgCurveFile;
  * whole file is meant, such as when it cannot be opened. */
 FLG_API const char* flgIoErrorGetMessage(void);
 
+/* How a curve file is read. */
+typedef struct FlgCurveFileReadDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
+} FlgCurveFileReadDesc;
+
+FLG_API FlgResult flgCurveFileReadDescInit(FlgCurveFileReadDesc* desc, uint32_t struct_size);
+
 /* Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere oddities become
- * warnings (flgCurveFileGetInfo). `hooks` may be null: all defaults. Limits: 2 GiB a file (unpacked too), 2^31 points.
+ * warnings (flgCurveFileGetInfo). `desc` may be null: all defaults. Limits: 2 GiB a file (unpacked too), 2^31 points.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT, FLG_ERROR_OUT_OF_MEMORY. Cost: 0.1 to 0.2 us a point. */
-FLG_API FlgResult flgCurveFileRead(const char* path, const FlgFileHooks* hooks, FlgCurveFile* out_file);
+FLG_API FlgResult flgCurveFileRead(const char* path, const FlgCurveFileReadDesc* desc, FlgCurveFile* out_file);
 
 /* The curves, ready for flgCurveSetCreate; lives until the file is released. */
 FLG_API FlgResult flgCurveFileGetView(FlgCurveFile file, FlgCurveSetView* out_view);
@@ -128,7 +139,7 @@ typedef struct FlgCurveFileInfo {
     float box_min[3], box_max[3]; /* of the positions, metres */
     float total_length;           /* of all curves as polylines, metres */
     uint32_t warning_count;
-    uint32_t reserved;
+    uint32_t stroke_count;        /* that of the curves for .tilt files, else 0 */
     const char* const* warnings;  /* sentences; live until the file is released */
 } FlgCurveFileInfo;
 
@@ -139,15 +150,18 @@ FLG_API FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_i
 
 /* Data of one stroke in a .tilt file, besides its points. */
 typedef struct FlgStroke {
-    char brush[40];      /* the brush's name if known, else its GUID */
-    float size;          /* width at full pressure, metres */
-    uint32_t group;      /* selection group, 0 = none */
-    uint32_t flags;      /* as stored: 2 = continues the undo group of the previous stroke */
-    uint64_t start_ms;   /* timestamp of its first point, milliseconds of sketching time */
+    uint32_t struct_size;
+    uint32_t group;    /* selection group, 0 = none */
+    char brush[40];    /* the brush's name if known, else its GUID */
+    float size;        /* width at full pressure, metres */
+    uint32_t flags;    /* as stored: 2 = continues the undo group of the previous stroke */
+    uint64_t start_ms; /* timestamp of its first point, milliseconds of sketching time */
 } FlgStroke;
 
-/* One per curve for .tilt files; null and 0 for other formats. */
-FLG_API FlgResult flgCurveFileGetStrokes(FlgCurveFile file, const FlgStroke** out_strokes, uint32_t* out_count);
+FLG_API FlgResult flgStrokeInit(FlgStroke* stroke, uint32_t struct_size);
+
+/* The stroke of a curve, 0 to the info's stroke_count - 1. Set struct_size. */
+FLG_API FlgResult flgCurveFileGetStroke(FlgCurveFile file, uint32_t curve, FlgStroke* out_stroke);
 
 /* Null is allowed. */
 FLG_API void flgCurveFileRelease(FlgCurveFile file);
@@ -193,45 +207,61 @@ FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* vie
 /* A mesh read from a file, with its memory. */
 typedef struct FlgMeshFileT* FlgMeshFile;
 
+/* How a mesh file is read. */
+typedef struct FlgMeshFileReadDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
+} FlgMeshFileReadDesc;
+
+FLG_API FlgResult flgMeshFileReadDescInit(FlgMeshFileReadDesc* desc, uint32_t struct_size);
+
 /* Reads the mesh of a file as stored: nothing is welded, reversed or dropped, except triangles of strips and fans that
  * use a vertex twice. Splits faces of more than three corners into triangles: convex ones as fans from their first
  * corner, others of at most 1024 corners by ear clipping. Like flgCurveFileRead, refuses errors (indices out of range,
  * faces of fewer than three corners, values that are not finite, counts too large for the file, no faces at all) and
  * warns of oddities. Cost: one core, some 400 MB/s of binary and 250 MB/s of text (2 M triangles: 0.1 s and 0.3 s).
- * `hooks` may be null: all defaults. Limits: 2 GiB a file, and 2 GiB for the result.
+ * `desc` may be null: all defaults. Limits: 2 GiB a file, and 2 GiB for the result.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. */
-FLG_API FlgResult flgMeshFileRead(const char* path, const FlgFileHooks* hooks, FlgMeshFile* out_file);
+FLG_API FlgResult flgMeshFileRead(const char* path, const FlgMeshFileReadDesc* desc, FlgMeshFile* out_file);
 
 /* The mesh; lives until the file is released. `regions` is null if the file has none. */
 FLG_API FlgResult flgMeshFileGetView(FlgMeshFile file, FlgMeshView* out_view);
 
 /* Integers per triangle, with a name. */
 typedef struct FlgMeshFaceColumn {
+    uint32_t struct_size;   /* the same of all columns of a mesh */
+    uint32_t reserved;
     const char* name;       /* letters, digits and _, at most 63; not `region` nor `vertex_indices` */
     const uint32_t* values; /* one per triangle */
 } FlgMeshFaceColumn;
 
-/* The integer properties of a .ply file's faces besides `region`, at most the first 16. All triangles of a face have
- * its values; negative values are stored plus 2^32. Null and 0 for other formats. Lives until the file is released. */
-FLG_API FlgResult flgMeshFileGetFaceColumns(FlgMeshFile file, const FlgMeshFaceColumn** out_columns,
-                                            uint32_t* out_count);
+FLG_API FlgResult flgMeshFaceColumnInit(FlgMeshFaceColumn* column, uint32_t struct_size);
+
+/* An integer property of a .ply file's faces besides `region`, 0 to the info's face_column_count - 1. All triangles of
+ * a face have its values; negative values are stored plus 2^32. Its arrays live until the file is released. */
+FLG_API FlgResult flgMeshFileGetFaceColumn(FlgMeshFile file, uint32_t column, FlgMeshFaceColumn* out_column);
 
 /* A region's material: glTF's metallic-roughness model, and a line where it meets another region. Colours are linear
  * RGB. */
 typedef struct FlgMeshMaterial {
-    const char* name;       /* UTF-8, at most 255 bytes; null: `region N` */
-    float color[3];         /* 0 to 1 each */
-    float metallic;         /* 0 = paint, clay, wood to 1 = bare metal */
-    float roughness;        /* 0 = polished to 1 = matte */
-    float border_color[3];  /* of the lines to regions earlier in the table, 0 to 1 each */
-    float border_width_px;  /* of these lines, 0 to 64 pixels; 0: none */
+    uint32_t struct_size;   /* the same of all materials of a mesh */
     uint32_t reserved;
+    const char* name;       /* UTF-8, at most 255 bytes. Default null: `region N` */
+    float color[3];         /* 0 to 1 each. Default 1 1 1 */
+    float metallic;         /* 0 = paint, clay, wood to 1 = bare metal. Default 0 */
+    float roughness;        /* 0 = polished to 1 = matte. Default 0.6 */
+    float border_color[3];  /* of the lines to regions earlier in the table, 0 to 1 each. Default 0 0 0 */
+    float border_width_px;  /* of these lines, 0 to 64 pixels. Default 0: none */
+    uint32_t reserved2;
 } FlgMeshMaterial;
 
-/* The materials of a .gltf or .glb file, one per region of the view (one alone if that has no regions), if at least one
- * has a colour; else null and 0. Missing factors get glTF's defaults: white, metallic 1, roughness 1. Lines are read
- * only from this library's files: glTF has none. Lives until the file is released. */
-FLG_API FlgResult flgMeshFileGetMaterials(FlgMeshFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count);
+FLG_API FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint32_t struct_size);
+
+/* The material of a region in a .gltf or .glb file, 0 to the info's material_count - 1. Missing factors get glTF's
+ * defaults: white, metallic 1, roughness 1. Lines are read only from this library's files: glTF has none. Its name
+ * lives until the file is released. */
+FLG_API FlgResult flgMeshFileGetMaterial(FlgMeshFile file, uint32_t material, FlgMeshMaterial* out_material);
 
 typedef struct FlgMeshFileInfo {
     uint32_t struct_size;
@@ -242,8 +272,11 @@ typedef struct FlgMeshFileInfo {
     const char* format;           /* "ply", "obj", "off", "gltf" */
     float box_min[3], box_max[3]; /* of the positions, metres; units are taken as given */
     uint32_t warning_count;
-    uint32_t reserved;
+    uint32_t material_count;      /* one per region of the view (one alone if that has no regions), if at least one has
+                                     a colour; else 0 */
     const char* const* warnings;  /* sentences; live until the file is released */
+    uint32_t face_column_count;   /* at most 16; 0 for other formats than .ply */
+    uint32_t reserved;
 } FlgMeshFileInfo;
 
 FLG_API FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint32_t struct_size);
@@ -279,6 +312,15 @@ FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, co
 /* A skin read from a .gltf or .glb file, with its animations and its memory. */
 typedef struct FlgSkinFileT* FlgSkinFile;
 
+/* How a skin file is read. */
+typedef struct FlgSkinFileReadDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
+} FlgSkinFileReadDesc;
+
+FLG_API FlgResult flgSkinFileReadDescInit(FlgSkinFileReadDesc* desc, uint32_t struct_size);
+
 /* Reads the skinned mesh in a file's scene: all nodes with a mesh and the first skin found; other meshes are skipped,
  * with a warning. The rest pose is that of the skin's inverseBindMatrices, whatever the nodes say. Joints rotated in
  * that pose are read without the rotation; animation rotations change so that each vertex moves as before. The keys of
@@ -288,10 +330,10 @@ typedef struct FlgSkinFileT* FlgSkinFile;
  * Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an animation moves away from their
  * parents, roots that move differently, keys that are not LINEAR. Also refused: missing, out-of-range or non-finite
  * joints or weights, cycles of nodes, inconsistent counts.
- * If the scene has no skin the result is FLG_OK and `out_file` null. `hooks` may be null: all defaults. Cost: one core,
+ * If the scene has no skin the result is FLG_OK and `out_file` null. `desc` may be null: all defaults. Cost: one core,
  * about 0.4 us a vertex.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT (2 GiB a file and for the result; 65535 joints). */
-FLG_API FlgResult flgSkinFileRead(const char* path, const FlgFileHooks* hooks, FlgSkinFile* out_file);
+FLG_API FlgResult flgSkinFileRead(const char* path, const FlgSkinFileReadDesc* desc, FlgSkinFile* out_file);
 
 /* The skin; lives until the file is released. */
 FLG_API FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
@@ -300,9 +342,8 @@ FLG_API FlgResult flgSkinFileGetView(FlgSkinFile file, FlgSkinView* out_view);
  * released. */
 FLG_API FlgResult flgSkinFileGetAnimation(FlgSkinFile file, uint32_t animation, FlgSkinAnimation* out_animation);
 
-/* The materials, one per part, or one for all, if at least one has a colour; else null and 0. As
- * flgMeshFileGetMaterials. */
-FLG_API FlgResult flgSkinFileGetMaterials(FlgSkinFile file, const FlgMeshMaterial** out_materials, uint32_t* out_count);
+/* The material of a part, 0 to the info's material_count - 1. As flgMeshFileGetMaterial. */
+FLG_API FlgResult flgSkinFileGetMaterial(FlgSkinFile file, uint32_t material, FlgMeshMaterial* out_material);
 
 typedef struct FlgSkinFileInfo {
     uint32_t struct_size;
@@ -311,6 +352,8 @@ typedef struct FlgSkinFileInfo {
     uint32_t warning_count;
     uint32_t animation_count;
     const char* const* warnings;  /* sentences; live until the file is released */
+    uint32_t material_count;      /* one per part, or one for all, if at least one has a colour; else 0 */
+    uint32_t reserved;
 } FlgSkinFileInfo;
 
 FLG_API FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint32_t struct_size);
@@ -389,21 +432,38 @@ FLG_API const char* flgTangleMacroGetName(uint32_t number);
 /* A history read from a file, with its memory. */
 typedef struct FlgTangleFileT* FlgTangleFile;
 
+typedef struct FlgTangleFileWriteDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
+} FlgTangleFileWriteDesc;
+
+FLG_API FlgResult flgTangleFileWriteDescInit(FlgTangleFileWriteDesc* desc, uint32_t struct_size);
+
 /* Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in a side
  * file beside it: `PATH.CHECKSUM.bin`. The JSON is put in place last; then the previous document's side file is
  * removed: an interrupted save leaves the previous document intact. No side file is written if none is needed. The same
- * history gives the same bytes. `hooks` may be null: all defaults. An FlgFileSystem opens and closes one file after the
+ * history gives the same bytes. `desc` may be null: all defaults. An FlgFileSystem opens and closes one file after the
  * other.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (null, values that are not finite), FLG_ERROR_FILE, FLG_ERROR_LIMIT (8 MiB of
  * JSON, 2 GiB of arrays). Cost: some us a step and what the disk takes. */
 FLG_API FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history,
-                                     const FlgFileHooks* hooks);
+                                     const FlgTangleFileWriteDesc* desc);
+
+/* How a tangle's file is read. */
+typedef struct FlgTangleFileReadDesc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const FlgFileHooks* hooks; /* null: all defaults. Default null */
+} FlgTangleFileReadDesc;
+
+FLG_API FlgResult flgTangleFileReadDescInit(FlgTangleFileReadDesc* desc, uint32_t struct_size);
 
 /* Reads a document and checks what can be checked without its mesh: version, keys, types, sizes, the side file's size
  * and checksum, finite numbers. flgTangleReplay checks the values' ranges. Nothing is read twice, so the result is at
- * most some multiple of the file's size. `hooks` may be null: all defaults.
+ * most some multiple of the file's size. `desc` may be null: all defaults.
  * Errors: FLG_ERROR_FILE, FLG_ERROR_FORMAT, FLG_ERROR_LIMIT. Cost: some us a step and what the disk takes. */
-FLG_API FlgResult flgTangleFileRead(const char* path, const FlgFileHooks* hooks, FlgTangleFile* out_file);
+FLG_API FlgResult flgTangleFileRead(const char* path, const FlgTangleFileReadDesc* desc, FlgTangleFile* out_file);
 
 /* The history, ready for flgTangleReplay; lives until the file is released. */
 FLG_API FlgResult flgTangleFileGetHistory(FlgTangleFile file, FlgTangleHistory* out_history);
@@ -423,6 +483,54 @@ static inline FlgFileHooks flgFileHooksDefaults(void) {
     FlgFileHooks hooks;
     flgFileHooksInit(&hooks, (uint32_t)sizeof hooks);
     return hooks;
+}
+
+static inline FlgCurveFileReadDesc flgCurveFileReadDefaults(void) {
+    FlgCurveFileReadDesc desc;
+    flgCurveFileReadDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgMeshFileReadDesc flgMeshFileReadDefaults(void) {
+    FlgMeshFileReadDesc desc;
+    flgMeshFileReadDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgSkinFileReadDesc flgSkinFileReadDefaults(void) {
+    FlgSkinFileReadDesc desc;
+    flgSkinFileReadDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgTangleFileReadDesc flgTangleFileReadDefaults(void) {
+    FlgTangleFileReadDesc desc;
+    flgTangleFileReadDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgTangleFileWriteDesc flgTangleFileWriteDefaults(void) {
+    FlgTangleFileWriteDesc desc;
+    flgTangleFileWriteDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgStroke flgStrokeDefaults(void) {
+    FlgStroke stroke;
+    flgStrokeInit(&stroke, (uint32_t)sizeof stroke);
+    return stroke;
+}
+
+static inline FlgMeshFaceColumn flgMeshFaceColumnDefaults(void) {
+    FlgMeshFaceColumn column;
+    flgMeshFaceColumnInit(&column, (uint32_t)sizeof column);
+    return column;
+}
+
+static inline FlgMeshMaterial flgMeshMaterialDefaults(void) {
+    FlgMeshMaterial material;
+    flgMeshMaterialInit(&material, (uint32_t)sizeof material);
+    return material;
 }
 
 static inline FlgCurveFileInfo flgCurveFileInfoDefaults(void) {

@@ -5,7 +5,7 @@
  *
  *     flgStyleWarm(context, style, 0, NULL, &job);            once for each style and temperature, ahead of time
  *     flgLiveStrokeBegin(context, &desc, &stroke);            trigger pressed
- *     flgLiveStrokePush(context, stroke, samples, n, &view);  each frame: `view` shows what is new, append it to a mesh
+ *     flgLiveStrokePush(context, stroke, &samples, &view);    each frame: `view` shows what is new, append it to a mesh
  *     flgLiveStrokeGetTip(context, stroke, &tip);             each frame: what to draw behind the points so far
  *     flgLiveStrokeEnd(context, stroke, NULL, &stylized, &samples, &job);  trigger released
  *
@@ -107,13 +107,22 @@ FLG_API FlgResult flgLiveStrokeDescInit(FlgLiveStrokeDesc* desc, uint32_t struct
  * of first touches.) */
 FLG_API FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
-/* One sample of the controller. */
-typedef struct FlgLiveSample {
-    float position[3];    /* metres, magnitude at most 1e30 */
-    float orientation[4]; /* quaternion x y z w of any length; all zero: none; see Frame */
-    float pressure;       /* 0 to 1 */
-    double time;          /* seconds on any clock; never decreasing */
-} FlgLiveSample;
+/* Samples of the controller, as columns: arrays of the host, or members of an array of structs. */
+typedef struct FlgLiveSampleView {
+    uint32_t struct_size;
+    uint32_t sample_count;
+    uint32_t stride;           /* bytes from a sample to the next in every column: the size of the host's struct. Default
+                                  0: every column is packed */
+    uint32_t reserved;
+    const float* positions;    /* 3 per sample, metres, magnitude at most 1e30 */
+    const float* orientations; /* 4 per sample: a quaternion x y z w of any length; all zero: none; see Frame. Default
+                                  null: none */
+    const float* pressures;    /* one per sample, 0 to 1. Default null: 1 */
+    const double* times;       /* one per sample, seconds on any clock; never decreasing. `smoothing` needs them.
+                                  Default null: 0 */
+} FlgLiveSampleView;
+
+FLG_API FlgResult flgLiveSampleViewInit(FlgLiveSampleView* view, uint32_t struct_size);
 
 /* [any thread, one per stroke] Adds samples; out_new (may be null) shows the points this call made. Checks all
  * samples first: if one is invalid, none is added, and the stroke stays unchanged and can continue:
@@ -125,8 +134,8 @@ typedef struct FlgLiveSample {
  * one, or, with smoothing, samples with the same time as the previous one. The view lives until the next call for this
  * stroke, its arrays until the stroke is released; curve_count is 0 if there is nothing new. After flgLiveStrokeEnd:
  * FLG_ERROR_INVALID_ARGUMENT. Cost: about 0.2 us a sample and 0.1 us a point. */
-FLG_API FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSample* samples,
-                                    uint32_t count, FlgCurveSetView* out_new);
+FLG_API FlgResult flgLiveStrokePush(FlgContext context, FlgLiveStroke stroke, const FlgLiveSampleView* samples,
+                                    FlgCurveSetView* out_new);
 
 /* [any thread, one per stroke] All points so far; lives as long as flgLiveStrokePush's view. Once the job of
  * flgLiveStrokeEnd is published: the whole stroke. Cost: tens of nanoseconds. */
@@ -201,6 +210,12 @@ FLG_API FlgResult flgLiveStrokeRelease(FlgContext context, FlgLiveStroke stroke)
  * point. */
 FLG_API FlgResult flgLiveStrokeReplay(FlgContext context, const FlgLiveStrokeDesc* desc, FlgCurveSet samples,
                                       const FlgJobOptions* job, FlgCurveSet* out_set, FlgJob* out_job);
+
+static inline FlgLiveSampleView flgLiveSampleViewDefaults(void) {
+    FlgLiveSampleView view;
+    flgLiveSampleViewInit(&view, (uint32_t)sizeof view);
+    return view;
+}
 
 static inline FlgLiveStrokeInfo flgLiveStrokeInfoDefaults(void) {
     FlgLiveStrokeInfo info;

@@ -228,18 +228,8 @@ typedef enum FlgPartEvent {
     FLG_PART_EVENT_FORCE_32BIT = 0x7fffffff
 } FlgPartEvent;
 
-/* Where a part is attached. */
-typedef struct FlgModelPartInfo {
-    FlgPartEvent event;    /* how it was connected, before refinement of bones */
-    uint32_t parent;       /* its parent part; FLG_NO_INDEX: none */
-    uint32_t joint;        /* its own joint nearest to the root, which swings it; if it has none left, the joint that
-                              moves it */
-    uint32_t source;       /* index of the host's part */
-    uint32_t twin;         /* its mirror image; FLG_NO_INDEX: none */
-    uint32_t is_mirrored;  /* 1: it is the mirror image, not the drawn part */
-} FlgModelPartInfo;
-
-/* Joints, parents first. The bone to a joint turns with its parent. */
+/* Joints, parents first. The bone to a joint turns with its parent. Parts include mirror images, each after its
+ * original. */
 typedef struct FlgModelView {
     uint32_t struct_size;
     uint32_t joint_count;           /* at least 1 */
@@ -248,9 +238,15 @@ typedef struct FlgModelView {
     const uint32_t* joint_parents;  /* FLG_NO_INDEX: a root */
     const uint32_t* joint_parts;    /* the part each joint lies in */
     const char* const* joint_names; /* the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ... */
-    const FlgModelPartInfo* parts;  /* including mirror images, each after its original */
     uint32_t part_count;
-    float size;                    /* the size that thresholds are fractions of, metres */
+    float size;                      /* the size that thresholds are fractions of, metres */
+    const FlgPartEvent* part_events; /* one per part: how it was connected, before refinement of bones */
+    const uint32_t* part_parents;    /* one per part: its parent part; FLG_NO_INDEX: none */
+    const uint32_t* part_joints;     /* one per part: its own joint nearest to the root, which swings it; if it has none
+                                        left, the joint that moves it */
+    const uint32_t* part_sources;    /* one per part: index of the host's part */
+    const uint32_t* part_twins;      /* one per part: its mirror image; FLG_NO_INDEX: none */
+    const uint8_t* part_mirrored;    /* one per part: 1 for a mirror image, 0 for a drawn part */
     double origin[3];              /* metres: what positions are relative to */
 } FlgModelView;
 

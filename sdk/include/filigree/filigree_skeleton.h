@@ -9,10 +9,6 @@
 
 #include "filigree.h"
 
-#ifndef FLG_NO_INDEX
-#define FLG_NO_INDEX 0xffffffffu /* instead of an index: there is none */
-#endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -29,8 +29,6 @@ FLG_HANDLE(FlgField);
 /* Curves on a surface, straight in each triangle. Never change once ready. */
 FLG_HANDLE(FlgSurfaceCurves);
 
-/* In place of an index: none. */
-#define FLG_NO_INDEX 0xffffffffu
 /* The largest triangle label. */
 #define FLG_REGION_MAX 0xffffffu
 

@@ -142,6 +142,16 @@ void CheckedView::check_curves() const {
     }
 }
 
+FlgMeshMaterial material_defaults() {
+    auto material = sized<FlgMeshMaterial>();
+    material.color[0] = material.color[1] = material.color[2] = 1;
+    material.roughness = 0.6f;
+    return material;
+}
+
+namespace {
+
+// Refuses what no material can be; `place` names it, and ends with a dot.
 void check_material(const FlgMeshMaterial& material, const String& place) {
     constexpr size_t max_name = 255;
     constexpr float widest_border_px = 64;
@@ -159,6 +169,19 @@ void check_material(const FlgMeshMaterial& material, const String& place) {
     check_in(material.border_width_px, widest_border_px, "border_width_px");
 }
 
+Vector<FlgMeshMaterial> read_materials(const FlgMeshMaterial* given, uint32_t count) {
+    Vector<FlgMeshMaterial> materials;
+    if (count != 0) check_argument(given, "desc.materials");
+    for (uint32_t i = 0; i < count; ++i) {
+        const String place = "desc.materials[" + to_text(i) + "]";
+        materials.push_back(read_element<Longer::cut>(given, i, material_defaults(), place.c_str()));
+        check_material(materials.back(), place + ".");
+    }
+    return materials;
+}
+
+}  // namespace
+
 CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* desc) {
     view_ = read_given(view, "view");
     if (desc) desc_ = read_given(desc, "desc");
@@ -173,12 +196,14 @@ CheckedMesh::CheckedMesh(const FlgMeshView* view, const FlgMeshFileWriteDesc* de
              max_face_columns);
     }
     if (desc_.face_column_count != 0) check_argument(desc_.face_columns, "desc.face_columns");
-    for (uint32_t i = 0; i < desc_.face_column_count; ++i) check_face_column(i);
-    if (desc_.material_count == 0) return;
-    check_argument(desc_.materials, "desc.materials");
-    for (uint32_t i = 0; i < desc_.material_count; ++i)
-        check_material(desc_.materials[i], "desc.materials[" + to_text(i) + "].");
-    if (split_regions()) check_labels();
+    for (uint32_t i = 0; i < desc_.face_column_count; ++i) {
+        const String place = "desc.face_columns[" + to_text(i) + "]";
+        face_columns_.push_back(
+            read_element<Longer::cut>(desc_.face_columns, i, sized<FlgMeshFaceColumn>(), place.c_str()));
+        check_face_column(i);
+    }
+    materials_ = read_materials(desc_.materials, desc_.material_count);
+    if (!materials_.empty() && split_regions()) check_labels();
 }
 
 void CheckedMesh::check_triangles() const {
@@ -201,7 +226,7 @@ void CheckedMesh::check_triangles() const {
 void CheckedMesh::check_face_column(uint32_t index) const {
     constexpr size_t max_name = 63;
     const String place = "desc.face_columns[" + to_text(index) + "]";
-    const FlgMeshFaceColumn& column = desc_.face_columns[index];
+    const FlgMeshFaceColumn& column = face_columns_[index];
     check_argument(column.name, (place + ".name").c_str());
     check_argument(column.values, (place + ".values").c_str());
     const std::string_view name(column.name, strnlen(column.name, max_name + 1));
@@ -213,7 +238,7 @@ void CheckedMesh::check_face_column(uint32_t index) const {
              cited(name).c_str());
     }
     for (uint32_t i = 0; i < index; ++i) {
-        if (name != desc_.face_columns[i].name) continue;
+        if (name != face_columns_[i].name) continue;
         fail(FLG_ERROR_INVALID_ARGUMENT, place + ".name", "is %s, as that of column %u", cited(name).c_str(), i);
     }
 }
@@ -366,11 +391,8 @@ void CheckedSkin::check_animation(const FlgSkinAnimation& animation, const Strin
         check_floats(animation.translations, 3 * size_t{animation.key_count}, place + ".translations");
 }
 
-void CheckedSkin::check_materials() const {
-    if (desc_.material_count == 0) return;
-    check_argument(desc_.materials, "desc.materials");
-    for (uint32_t i = 0; i < desc_.material_count; ++i)
-        check_material(desc_.materials[i], at("desc.materials", i) + ".");
+void CheckedSkin::check_materials() {
+    materials_ = read_materials(desc_.materials, desc_.material_count);
     for (size_t v = 0; desc_.material_count > 1 && v < vertex_count(); ++v) {
         if (part(v) < desc_.material_count) continue;
         fail(FLG_ERROR_INVALID_ARGUMENT, at("desc.skin.vertex_parts", v), "is %u, but there are %u materials", part(v),

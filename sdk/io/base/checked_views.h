@@ -68,8 +68,8 @@ private:
     FlgCurveSetView view_ = {};
 };
 
-// Refuses what no material can be; `place` names it, and ends with a dot.
-void check_material(const FlgMeshMaterial& material, const String& place);
+// White paint, without a name.
+FlgMeshMaterial material_defaults();
 
 class CheckedMesh {
 public:
@@ -82,11 +82,11 @@ public:
     const uint32_t* regions() const { return view_.regions; }
     uint32_t region(size_t triangle) const { return view_.regions ? view_.regions[triangle] : 0; }
     std::span<const FlgColumn> columns() const { return {view_.columns, view_.column_count}; }
-    std::span<const FlgMeshFaceColumn> face_columns() const { return {desc_.face_columns, desc_.face_column_count}; }
+    const Vector<FlgMeshFaceColumn>& face_columns() const { return face_columns_; }
     Origin origin() const { return {view_.origin[0], view_.origin[1], view_.origin[2]}; }
     bool split_regions() const { return desc_.split_regions != 0; }
     // By label; empty: none are given.
-    std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
+    const Vector<FlgMeshMaterial>& materials() const { return materials_; }
 
     Column position, color, normal;
 
@@ -97,6 +97,8 @@ private:
 
     FlgMeshView view_ = {};
     FlgMeshFileWriteDesc desc_ = {};
+    Vector<FlgMeshFaceColumn> face_columns_;
+    Vector<FlgMeshMaterial> materials_;
 };
 
 class CheckedSkin {
@@ -108,7 +110,7 @@ public:
     size_t vertex_count() const { return skin_.vertex_count; }
     size_t joint_count() const { return skin_.joint_count; }
     const Vector<FlgSkinAnimation>& animations() const { return animations_; }
-    std::span<const FlgMeshMaterial> materials() const { return {desc_.materials, desc_.material_count}; }
+    const Vector<FlgMeshMaterial>& materials() const { return materials_; }
     Origin origin() const { return {skin_.origin[0], skin_.origin[1], skin_.origin[2]}; }
     String name() const { return desc_.name ? desc_.name : "model"; }
     uint32_t part(size_t vertex) const { return skin_.vertex_parts ? skin_.vertex_parts[vertex] : 0; }
@@ -119,11 +121,12 @@ private:
     void check_triangles() const;
     void check_joints() const;
     void check_animation(const FlgSkinAnimation& animation, const String& place) const;
-    void check_materials() const;
+    void check_materials();
 
     FlgSkinFileWriteDesc desc_ = {};
     FlgSkinView skin_ = {};
     Vector<FlgSkinAnimation> animations_;
+    Vector<FlgMeshMaterial> materials_;
 };
 
 }  // namespace flg::io

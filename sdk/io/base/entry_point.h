@@ -43,40 +43,35 @@ struct CheckedHooks {
     bool has_files = false;
 };
 
-// Those that a descriptor names, if it is long enough to name any.
-template <class Desc>
-const FlgFileHooks* hooks_of(const Desc* desc) {
-    return desc && desc->struct_size >= offsetof(Desc, hooks) + sizeof(void*) ? desc->hooks : nullptr;
-}
-
-// Likewise an entry point's body that takes the path of a file.
-template <class Body>
-FlgResult guarded_path(const char* function, const char* path, const FlgFileHooks* hooks, bool writes,
-                       Body&& body) noexcept {
+// Likewise an entry point's body that takes the path of a file. The hooks are those of the descriptor, if it is there
+// and long enough to name any.
+template <class Desc, class Body>
+FlgResult guarded_path(const char* function, const char* path, const Desc* desc, bool writes, Body&& body) noexcept {
     // Outermost: the sentence of a failure is in the host's memory, too.
     FlgAllocator allocator = runtime_memory;
     const MemoryScope scope(allocator);
     return guarded(path ? path : function, [&] {
         check_argument(path, "path");
-        const CheckedHooks checked(hooks, writes);
+        const bool has_hooks = desc && desc->struct_size >= offsetof(Desc, hooks) + sizeof(void*);
+        const CheckedHooks checked(has_hooks ? desc->hooks : nullptr, writes);
         allocator = checked.allocator;
         body(Path(path, checked.has_files ? &checked.files : nullptr));
     });
 }
 
 // The whole of an entry point that writes a file.
-template <class Body>
-FlgResult write_to(const char* function, const char* path, const FlgFileHooks* hooks, Body&& body) noexcept {
-    return guarded_path(function, path, hooks, true, std::forward<Body>(body));
+template <class Desc, class Body>
+FlgResult write_to(const char* function, const char* path, const Desc* desc, Body&& body) noexcept {
+    return guarded_path(function, path, desc, true, std::forward<Body>(body));
 }
 
 // The whole of an entry point that reads a file: `read` takes its path and makes what the host gets, or null.
-template <class File, class Read>
-FlgResult read_into(File** out_file, const char* function, const char* path, const FlgFileHooks* hooks,
-                    Read read) noexcept {
+template <class File, class Desc, class Read>
+FlgResult read_into(File** out_file, const char* function, const char* path, const Desc* desc, Read read) noexcept {
     if (out_file) *out_file = nullptr;
-    return guarded_path(function, path, hooks, false, [&](const Path& source) {
+    return guarded_path(function, path, desc, false, [&](const Path& source) {
         check_argument(out_file, "out_file");
+        if (desc) read_given(desc, "desc");
         Owned<File> file = read(source);
         *out_file = file.release();
     });
@@ -99,22 +94,16 @@ FlgResult show(const char* function, File* file, Out* out, const char* name, Des
     });
 }
 
-// The whole of an entry point that shows a list that a file keeps, null if it is empty; `list` is a member of the
-// file, or takes the file.
-template <class File, class List, class Item>
-FlgResult show_list(const char* function, File* file, List list, const Item** out_items, const char* name,
-                    uint32_t* out_count) {
-    if (out_items) *out_items = nullptr;
-    if (out_count) *out_count = 0;
-    const MemoryScope scope(file ? file->allocator : runtime_memory);
-    return guarded(function, [&] {
-        check_argument(file, "file");
-        check_argument(out_items, name);
-        check_argument(out_count, "out_count");
-        const Vector<Item>& items = std::invoke(list, *file);
-        if (items.empty()) return;
-        *out_items = items.data();
-        *out_count = static_cast<uint32_t>(items.size());
+// Likewise one of several that a file keeps: `list` is a member of the file, or takes the file.
+template <class File, class List, class Out>
+FlgResult show_one(const char* function, File* file, List list, uint32_t index, const char* index_name, Out* out,
+                   const char* name) {
+    return show(function, file, out, name, [&](const File& shown) -> Out {
+        const auto& all = std::invoke(list, shown);
+        if (index >= all.size()) {
+            fail(FLG_ERROR_INVALID_ARGUMENT, index_name, "is %u, but there are %zu", index, all.size());
+        }
+        return all[index];
     });
 }
 

@@ -73,47 +73,66 @@ void check_size(uint64_t size, uint64_t limit, const String& place) {
          size_text(limit).c_str());
 }
 
-// A file that the host's functions opened; discarded, unless it is closed before.
+// Fails with what the host's function `name` returned, unless that is FLG_OK.
+void check_host(FlgResult result, const String& place, const char* can_not, const char* name) {
+    if (result == FLG_OK) return;
+    fail(result < 0 ? result : FLG_ERROR_FILE, place, "can't be %s: the host's %s returned %d", can_not, name,
+         static_cast<int>(result));
+}
+
+// A file that the host's functions open; discarded, unless it is closed before.
 class HostHandle {
 public:
-    HostHandle(const Path& path, FlgFileAccess access)
-        : files_(*path.host()), handle_(files_.open(files_.user_data, path.name().c_str(), access)) {}
+    explicit HostHandle(const Path& path) : files_(*path.host()), name_(path.name().c_str()) {}
     ~HostHandle() {
-        if (handle_) files_.close(files_.user_data, handle_, 0);
+        if (is_open_) files_.close(files_.user_data, handle_, 0);
     }
     HostHandle(const HostHandle&) = delete;
     HostHandle& operator=(const HostHandle&) = delete;
 
-    explicit operator bool() const { return handle_; }
-    uint64_t size() const { return files_.size(files_.user_data, handle_); }
+    FlgResult open(FlgFileAccess access) {
+        const FlgResult result = files_.open(files_.user_data, name_, access, &handle_);
+        is_open_ = result == FLG_OK;
+        return result;
+    }
+    uint64_t size(const String& place) const {
+        uint64_t size = 0;
+        check_host(files_.size(files_.user_data, handle_, &size), place, "read", "size");
+        return size;
+    }
     // As many as come before the end.
     size_t read(uint8_t* out, size_t size, const String& place) const {
         size_t come = 0;
         while (come < size) {
-            const size_t more = files_.read(files_.user_data, handle_, out + come, size - come);
+            size_t more = 0;
+            check_host(files_.read(files_.user_data, handle_, out + come, size - come, &more), place, "read", "read");
             if (more > size - come) {
-                fail(FLG_ERROR_FILE, place, "can't be read: the host's read returned %zu for %zu bytes", more,
-                     size - come);
+                fail(FLG_ERROR_FILE, place, "can't be read: the host's read gave %zu of %zu bytes", more, size - come);
             }
             if (more == 0) break;
             come += more;
         }
         return come;
     }
-    bool write(std::string_view content) const {
-        return files_.write(files_.user_data, handle_, content.data(), content.size()) == content.size();
+    void write(std::string_view content) const {
+        check_host(files_.write(files_.user_data, handle_, content.data(), content.size()), "", "written", "write");
     }
-    bool close() { return files_.close(files_.user_data, std::exchange(handle_, nullptr), 1) != 0; }
+    void close() {
+        is_open_ = false;
+        check_host(files_.close(files_.user_data, handle_, 1), "", "written", "close");
+    }
 
 private:
     const FlgFileSystem& files_;
-    void* handle_;
+    const char* name_;
+    void* handle_ = nullptr;
+    bool is_open_ = false;
 };
 
 ByteBlock read_from_host(const Path& path, const String& place, uint64_t limit) {
-    const HostHandle file(path, FLG_FILE_ACCESS_READ);
-    if (!file) fail(FLG_ERROR_FILE, place, "can't be opened by the host's functions");
-    const uint64_t size = file.size();
+    HostHandle file(path);
+    check_host(file.open(FLG_FILE_ACCESS_READ), place, "opened", "open");
+    const uint64_t size = file.size(place);
     check_size(size, limit, place);
     ByteBlock block(size);
     if (const size_t come = file.read(block.data(), size, place); come != size) {
@@ -168,10 +187,10 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 }
 
 void write_to_host(const Path& path, std::string_view content) {
-    HostHandle file(path, FLG_FILE_ACCESS_WRITE);
-    if (!file) fail(FLG_ERROR_FILE, "", "can't be opened by the host's functions");
-    if (!file.write(content)) fail(FLG_ERROR_FILE, "", "can't be written: the host took only a part");
-    if (!file.close()) fail(FLG_ERROR_FILE, "", "can't be written: the host could not close it");
+    HostHandle file(path);
+    check_host(file.open(FLG_FILE_ACCESS_WRITE), "", "opened", "open");
+    file.write(content);
+    file.close();
 }
 
 // Where a file of this name is: renaming over a symbolic link would replace the link.
@@ -220,7 +239,7 @@ void write_file(const Path& name, std::string_view content) {
 }
 
 bool file_exists(const Path& path) {
-    if (path.host()) return static_cast<bool>(HostHandle(path, FLG_FILE_ACCESS_READ));
+    if (path.host()) return HostHandle(path).open(FLG_FILE_ACCESS_READ) == FLG_OK;
     return std::filesystem::exists(os_path(path));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/sized_struct.h"
 #include "io/base/json_text.h"
 
 namespace flg::io {
@@ -60,7 +61,7 @@ GltfMaterial read_material(const GltfDocument& document, uint64_t index, const S
 }
 
 FlgMeshMaterial material_view(const MaterialData& data) {
-    FlgMeshMaterial material = {};
+    auto material = sized<FlgMeshMaterial>();
     material.name = data.name.c_str();
     std::copy_n(data.color, 3, material.color);
     material.metallic = data.metallic;

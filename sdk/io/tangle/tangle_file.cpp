@@ -75,6 +75,7 @@ ByteBlock read_arrays(const Path& path, const SideFile& side) {
 }  // namespace flg::io
 
 using namespace flg::io;
+using flg::sized;
 
 extern "C" {
 
@@ -86,8 +87,17 @@ const char* flgTangleMacroGetName(uint32_t number) {
     return number < std::size(macro_words) ? macro_words[number] : nullptr;
 }
 
-FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history, const FlgFileHooks* hooks) {
-    return write_to("flgTangleFileWrite", path, hooks, [&](const Path& target) {
+FlgResult flgTangleFileReadDescInit(FlgTangleFileReadDesc* desc, uint32_t struct_size) {
+    return init("flgTangleFileReadDescInit", desc, struct_size, sized<FlgTangleFileReadDesc>());
+}
+
+FlgResult flgTangleFileWriteDescInit(FlgTangleFileWriteDesc* desc, uint32_t struct_size) {
+    return init("flgTangleFileWriteDescInit", desc, struct_size, sized<FlgTangleFileWriteDesc>());
+}
+
+FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history, const FlgTangleFileWriteDesc* desc) {
+    return write_to("flgTangleFileWrite", path, desc, [&](const Path& target) {
+        if (desc) read_given(desc, "desc");
         const FlgTangleHistory given = read_given(history, "history");
         // The side file is beside the JSON, also where that is reached by a link.
         const Path place = resolved(target);
@@ -95,8 +105,8 @@ FlgResult flgTangleFileWrite(const char* path, const FlgTangleHistory* history, 
     });
 }
 
-FlgResult flgTangleFileRead(const char* path, const FlgFileHooks* hooks, FlgTangleFile* out_file) {
-    return read_into(out_file, "flgTangleFileRead", path, hooks, [](const Path& source) {
+FlgResult flgTangleFileRead(const char* path, const FlgTangleFileReadDesc* desc, FlgTangleFile* out_file) {
+    return read_into(out_file, "flgTangleFileRead", path, desc, [](const Path& source) {
         const Path place = resolved(source);
         const ByteBlock text = read_file(place, "", max_tangle_json);
         const JsonDocument json(text.bytes(), max_levels);

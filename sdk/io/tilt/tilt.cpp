@@ -13,6 +13,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/sized_struct.h"
 #include "io/base/byte_reader.h"
 #include "io/base/failure.h"
 #include "io/base/files.h"
@@ -429,7 +430,7 @@ Stroke read_stroke_header(ByteReader& reader, uint32_t index) {
 }
 
 FlgStroke describe(const Stroke& stroke, uint32_t index, const Vector<String>& brushes, Oddities& odd) {
-    FlgStroke result = {};
+    auto result = sized<FlgStroke>();
     std::string_view name = "unknown";
     if (stroke.brush < 0 || static_cast<size_t>(stroke.brush) >= brushes.size()) {
         odd.brush_range.add(index);

@@ -85,19 +85,24 @@ namespace Filigree
             }
         }
 
+        /// <summary>In place of a budget: as long as it takes.</summary>
+        public const int Unlimited = -1;
+
         /// <summary>What the last Tick did.</summary>
         public FlgFrameReport Report => report;
 
         /// <summary>
         /// One frame of the SDK: what finished becomes visible, callbacks of jobs run. Ends at most 100 us after the
-        /// budget; 0 is no limit. An exception of a callback comes out here, once all is done.
+        /// budget. An exception of a callback comes out here, once all is done.
         /// </summary>
+        /// <param name="budgetUs">Microseconds; Unlimited: without workers all jobs run to their end.</param>
         public void Tick(int budgetUs)
         {
             FlgContext context = Handle;
+            uint budget = budgetUs == Unlimited ? Native.FLG_UNLIMITED : checked((uint)budgetUs);
             fixed (FlgFrameReport* written = &report)
             {
-                FiligreeException.Check(Native.flgContextTick(context, checked((uint)budgetUs), written));
+                FiligreeException.Check(Native.flgContextTick(context, budget, written));
             }
             Callbacks.Rethrow();
         }

@@ -36,21 +36,28 @@ namespace Filigree
         /// <summary>
         /// Takes a sample, and shows the points it made: often none, as geometry is one sample behind.
         /// </summary>
-        public CurveSetView Push(FlgLiveSample sample)
+        public CurveSetView Push(LiveSample sample)
         {
             return Push(&sample, 1);
         }
 
         /// <summary>Takes samples: all, or, if it throws, none.</summary>
-        public CurveSetView Push(ReadOnlySpan<FlgLiveSample> samples)
+        public CurveSetView Push(ReadOnlySpan<LiveSample> samples)
         {
-            fixed (FlgLiveSample* data = &MemoryMarshal.GetReference(samples)) return Push(data, samples.Length);
+            fixed (LiveSample* data = &MemoryMarshal.GetReference(samples)) return Push(data, samples.Length);
         }
 
-        CurveSetView Push(FlgLiveSample* samples, int count)
+        CurveSetView Push(LiveSample* samples, int count)
         {
+            FlgLiveSampleView view = Native.flgLiveSampleViewDefaults();
+            view.sample_count = (uint)count;
+            view.stride = (uint)sizeof(LiveSample);
+            view.positions = samples->position;
+            view.orientations = samples->orientation;
+            view.pressures = &samples->pressure;
+            view.times = &samples->time;
             FlgCurveSetView made = Empty();
-            FiligreeException.Check(Native.flgLiveStrokePush(Context.Handle, Handle, samples, (uint)count, &made));
+            FiligreeException.Check(Native.flgLiveStrokePush(Context.Handle, Handle, &view, &made));
             return new CurveSetView(made);
         }
 

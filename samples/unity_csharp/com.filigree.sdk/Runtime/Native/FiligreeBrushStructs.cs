@@ -16,11 +16,9 @@ namespace Filigree
         /// ribbons. They must live for the call.
         /// </summary>
         public FlgCurveSetView* curves;
-        /// <summary>
-        /// The range to make, as if the view held nothing else: `curve_count` curves from `first_curve` on, 0 = all the
-        /// rest; of each, the points from number `first_point` on. Default 0.
-        /// </summary>
+        /// <summary>default 0</summary>
         public uint first_curve;
+        /// <summary>at least 1. Default FLG_UNLIMITED: all the rest</summary>
         public uint curve_count;
         /// <summary>of each curve of the range. Default 0</summary>
         public uint first_point;

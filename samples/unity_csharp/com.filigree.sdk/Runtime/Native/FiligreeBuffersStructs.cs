@@ -43,15 +43,13 @@ namespace Filigree
         public FlgBufferColumn* columns;
         /// <summary>rows that every column has room for</summary>
         public ulong row_capacity;
-        /// <summary>
-        /// The points or vertices to write: `row_count` from `first_row` on, 0 = all the rest. Default 0.
-        /// </summary>
+        /// <summary>default 0</summary>
         public uint first_row;
+        /// <summary>default FLG_UNLIMITED: all the rest</summary>
         public uint row_count;
-        /// <summary>
-        /// The triangles to write: `triangle_count` from `first_triangle` on, 0 = all the rest. Default 0.
-        /// </summary>
+        /// <summary>default 0</summary>
         public uint first_triangle;
+        /// <summary>default FLG_UNLIMITED: all the rest</summary>
         public uint triangle_count;
         /// <summary>three a triangle, for meshes alone; null: not wanted</summary>
         public void* indices;

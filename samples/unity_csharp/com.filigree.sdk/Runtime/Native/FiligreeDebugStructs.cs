@@ -22,7 +22,7 @@ namespace Filigree
         public uint parts;
         /// <summary>first element of each part. Default 0</summary>
         public uint first;
-        /// <summary>elements of each part; 0: all the rest. Default 0</summary>
+        /// <summary>elements of each part, as far as there are so many. Default FLG_UNLIMITED</summary>
         public uint count;
         /// <summary>draws frames, displacements and slices at every n-th point only; at least 1. Default 1</summary>
         public uint every;

@@ -9,7 +9,7 @@
 //              change what you need. Structs grow only at the end, so old hosts run with new libraries.
 // Handles      64-bit values in a struct of their own; zero is null. Each carries a generation: using a released handle
 //              returns FlgResult.ErrorInvalidHandle and never crashes. A handle belongs to the context that made it.
-// Results      Every function returns an FlgResult. flgErrorGetMessage() gives the reason in one sentence that names
+// Results      What can fail returns an FlgResult. flgErrorGetMessage() gives the reason in one sentence that names
 //              the argument and its value. No exception, abort or print crosses this interface. Output arguments are
 //              written on every path; on failure they hold null handles and zeros.
 // Threads      Calls on one context must not overlap, unless a function is marked [any thread]; functions marked [any
@@ -20,7 +20,7 @@
 //              FlgMeshView, ...; default 0; magnitude at most 1e30). Choose one near the object: results do not depend
 //              on it, to the bit. They have their input's origin, and their views name it. Where inputs of different
 //              origins meet, their difference is applied in doubles.
-// Waiting      No function waits for a job, except flgContextWait. Each states its cost.
+// Waiting      No function waits for a job, except flgContextWait and flgContextRun. Each states its cost.
 // Determinism  Same inputs, same seed, same binary: same bits, under any number of workers and any budget.
 
 using System;
@@ -89,26 +89,36 @@ namespace Filigree
 
         /// <summary>
         /// Runs one frame: publishes finished jobs until `budget_us` is spent (the rest next time), calls their
-        /// callbacks, and, in a context without workers, advances jobs until the budget is spent. budget_us = 0 means
-        /// no limit: a context without workers then runs all its jobs to the end. Ends at most one slice after its
-        /// budget. `report` may be null; set its struct_size. Allocates nothing in steady state. Frees results released
-        /// before their job was done, at the cost of their release.
+        /// callbacks, and, in a context without workers, advances jobs until the budget is spent. With 0 it publishes
+        /// one job at most and advances none; with FLG_UNLIMITED a context without workers runs all its jobs to the
+        /// end. Ends at most one slice after its budget. `report` may be null; set its struct_size. Allocates nothing
+        /// in steady state. Frees results released before their job was done, at the cost of their release.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgContextTick(FlgContext context, uint budget_us, FlgFrameReport* report);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgContextMemoryInit(FlgContextMemory* memory, uint struct_size);
+        public static extern FlgResult flgMemoryUseInit(FlgMemoryUse* use, uint struct_size);
 
         /// <summary>
-        /// [any thread] What the context holds. The kinds sum to what the allocator has handed out and not got back, to
-        /// the byte, with the 8 bytes or so that the library adds to each block. While jobs run, a block that moves
-        /// from one kind to another may be seen in both. An object counts as its kind once its job has ended; the
-        /// copies of inputs that a job waits with count as the kind of its result. Cost: tens of nanoseconds. Allocates
-        /// nothing.
+        /// [any thread] What the context holds of one kind, or of all. The kinds sum to what the allocator has handed
+        /// out and not got back, to the byte, with the 8 bytes or so that the library adds to each block. While jobs
+        /// run, a block that moves from one kind to another may be seen in both. An object counts as its kind once its
+        /// job has ended; the copies of inputs that a job waits with count as the kind of its result. Cost: tens of
+        /// nanoseconds. Allocates nothing.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgContextGetMemory(FlgContext context, FlgContextMemory* out_memory);
+        public static extern FlgResult flgContextGetMemory(
+            FlgContext context, FlgMemoryKind kind, FlgMemoryUse* out_use);
+
+        /// <summary>
+        /// Limits what the context may hold of one kind, or of all, in bytes; 0: no limit. What would exceed it fails
+        /// with FlgResult.ErrorOutOfMemory, as if the allocator had returned null: a call, or a job, whose result
+        /// counts as its kind when it ends. Takes nothing away: with more in use than the limit nothing further is
+        /// taken. FlgContextDesc's memory_limit is the limit of FlgMemoryKind.Total from the start. Cost: nanoseconds.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgContextSetMemoryLimit(FlgContext context, FlgMemoryKind kind, ulong bytes);
 
         /// <summary>
         /// For tools and loading screens: sleeps until flgContextTick has something to publish, no job is left, or the
@@ -364,10 +374,10 @@ namespace Filigree
             return made;
         }
 
-        public static FlgContextMemory flgContextMemoryDefaults()
+        public static FlgMemoryUse flgMemoryUseDefaults()
         {
-            FlgContextMemory made;
-            flgContextMemoryInit(&made, (uint)sizeof(FlgContextMemory));
+            FlgMemoryUse made;
+            flgMemoryUseInit(&made, (uint)sizeof(FlgMemoryUse));
             return made;
         }
 

@@ -65,14 +65,17 @@ namespace Filigree
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgIoErrorGetMessage();
 
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveFileReadDescInit(FlgCurveFileReadDesc* desc, uint struct_size);
+
         /// <summary>
         /// Reads all curves of a file. Reads the whole file, checks it, and refuses it at the first error; mere
-        /// oddities become warnings (flgCurveFileGetInfo). `hooks` may be null: all defaults. Limits: 2 GiB a file
+        /// oddities become warnings (flgCurveFileGetInfo). `desc` may be null: all defaults. Limits: 2 GiB a file
         /// (unpacked too), 2^31 points. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit,
         /// FlgResult.ErrorOutOfMemory. Cost: 0.1 to 0.2 us a point.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCurveFileRead(byte* path, FlgFileHooks* hooks, FlgCurveFile* out_file);
+        public static extern FlgResult flgCurveFileRead(byte* path, FlgCurveFileReadDesc* desc, FlgCurveFile* out_file);
 
         /// <summary>The curves, ready for flgCurveSetCreate; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
@@ -85,10 +88,12 @@ namespace Filigree
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileGetInfo(FlgCurveFile file, FlgCurveFileInfo* out_info);
 
-        /// <summary>One per curve for .tilt files; null and 0 for other formats.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgCurveFileGetStrokes(
-            FlgCurveFile file, FlgStroke** out_strokes, uint* out_count);
+        public static extern FlgResult flgStrokeInit(FlgStroke* stroke, uint struct_size);
+
+        /// <summary>The stroke of a curve, 0 to the info's stroke_count - 1. Set struct_size.</summary>
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveFileGetStroke(FlgCurveFile file, uint curve, FlgStroke* out_stroke);
 
         /// <summary>Null is allowed.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
@@ -110,39 +115,48 @@ namespace Filigree
         public static extern FlgResult flgCurveFileWrite(
             byte* path, FlgCurveSetView* view, FlgCurveFileWriteDesc* desc);
 
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMeshFileReadDescInit(FlgMeshFileReadDesc* desc, uint struct_size);
+
         /// <summary>
         /// Reads the mesh of a file as stored: nothing is welded, reversed or dropped, except triangles of strips and
         /// fans that use a vertex twice. Splits faces of more than three corners into triangles: convex ones as fans
         /// from their first corner, others of at most 1024 corners by ear clipping. Like flgCurveFileRead, refuses
         /// errors (indices out of range, faces of fewer than three corners, values that are not finite, counts too
         /// large for the file, no faces at all) and warns of oddities. Cost: one core, some 400 MB/s of binary and 250
-        /// MB/s of text (2 M triangles: 0.1 s and 0.3 s). `hooks` may be null: all defaults. Limits: 2 GiB a file, and
-        /// 2 GiB for the result. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
+        /// MB/s of text (2 M triangles: 0.1 s and 0.3 s). `desc` may be null: all defaults. Limits: 2 GiB a file, and 2
+        /// GiB for the result. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshFileRead(byte* path, FlgFileHooks* hooks, FlgMeshFile* out_file);
+        public static extern FlgResult flgMeshFileRead(byte* path, FlgMeshFileReadDesc* desc, FlgMeshFile* out_file);
 
         /// <summary>The mesh; lives until the file is released. `regions` is null if the file has none.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileGetView(FlgMeshFile file, FlgMeshView* out_view);
 
-        /// <summary>
-        /// The integer properties of a .ply file's faces besides `region`, at most the first 16. All triangles of a
-        /// face have its values; negative values are stored plus 2^32. Null and 0 for other formats. Lives until the
-        /// file is released.
-        /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshFileGetFaceColumns(
-            FlgMeshFile file, FlgMeshFaceColumn** out_columns, uint* out_count);
+        public static extern FlgResult flgMeshFaceColumnInit(FlgMeshFaceColumn* column, uint struct_size);
 
         /// <summary>
-        /// The materials of a .gltf or .glb file, one per region of the view (one alone if that has no regions), if at
-        /// least one has a colour; else null and 0. Missing factors get glTF's defaults: white, metallic 1, roughness
-        /// 1. Lines are read only from this library's files: glTF has none. Lives until the file is released.
+        /// An integer property of a .ply file's faces besides `region`, 0 to the info's face_column_count - 1. All
+        /// triangles of a face have its values; negative values are stored plus 2^32. Its arrays live until the file is
+        /// released.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgMeshFileGetMaterials(
-            FlgMeshFile file, FlgMeshMaterial** out_materials, uint* out_count);
+        public static extern FlgResult flgMeshFileGetFaceColumn(
+            FlgMeshFile file, uint column, FlgMeshFaceColumn* out_column);
+
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMeshMaterialInit(FlgMeshMaterial* material, uint struct_size);
+
+        /// <summary>
+        /// The material of a region in a .gltf or .glb file, 0 to the info's material_count - 1. Missing factors get
+        /// glTF's defaults: white, metallic 1, roughness 1. Lines are read only from this library's files: glTF has
+        /// none. Its name lives until the file is released.
+        /// </summary>
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgMeshFileGetMaterial(
+            FlgMeshFile file, uint material, FlgMeshMaterial* out_material);
 
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileInfoInit(FlgMeshFileInfo* info, uint struct_size);
@@ -168,6 +182,9 @@ namespace Filigree
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshFileWriteDesc* desc);
 
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgSkinFileReadDescInit(FlgSkinFileReadDesc* desc, uint struct_size);
+
         /// <summary>
         /// Reads the skinned mesh in a file's scene: all nodes with a mesh and the first skin found; other meshes are
         /// skipped, with a warning. The rest pose is that of the skin's inverseBindMatrices, whatever the nodes say.
@@ -178,12 +195,12 @@ namespace Filigree
         /// from the materials. Refused, as FlgSkinAnimation cannot represent them: scaled joints, joints that an
         /// animation moves away from their parents, roots that move differently, keys that are not LINEAR. Also
         /// refused: missing, out-of-range or non-finite joints or weights, cycles of nodes, inconsistent counts. If the
-        /// scene has no skin the result is FlgResult.Ok and `out_file` null. `hooks` may be null: all defaults. Cost:
+        /// scene has no skin the result is FlgResult.Ok and `out_file` null. `desc` may be null: all defaults. Cost:
         /// one core, about 0.4 us a vertex. Errors: FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit (2
         /// GiB a file and for the result; 65535 joints).
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSkinFileRead(byte* path, FlgFileHooks* hooks, FlgSkinFile* out_file);
+        public static extern FlgResult flgSkinFileRead(byte* path, FlgSkinFileReadDesc* desc, FlgSkinFile* out_file);
 
         /// <summary>The skin; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
@@ -197,13 +214,10 @@ namespace Filigree
         public static extern FlgResult flgSkinFileGetAnimation(
             FlgSkinFile file, uint animation, FlgSkinAnimation* out_animation);
 
-        /// <summary>
-        /// The materials, one per part, or one for all, if at least one has a colour; else null and 0. As
-        /// flgMeshFileGetMaterials.
-        /// </summary>
+        /// <summary>The material of a part, 0 to the info's material_count - 1. As flgMeshFileGetMaterial.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgSkinFileGetMaterials(
-            FlgSkinFile file, FlgMeshMaterial** out_materials, uint* out_count);
+        public static extern FlgResult flgSkinFileGetMaterial(
+            FlgSkinFile file, uint material, FlgMeshMaterial* out_material);
 
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgSkinFileInfoInit(FlgSkinFileInfo* info, uint struct_size);
@@ -260,27 +274,35 @@ namespace Filigree
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern byte* flgTangleMacroGetName(uint number);
 
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleFileWriteDescInit(FlgTangleFileWriteDesc* desc, uint struct_size);
+
         /// <summary>
         /// Writes a tangle's history (flgTangleGetHistory) as readable JSON, with arrays of more than twelve numbers in
         /// a side file beside it: `PATH.CHECKSUM.bin`. The JSON is put in place last; then the previous document's side
         /// file is removed: an interrupted save leaves the previous document intact. No side file is written if none is
-        /// needed. The same history gives the same bytes. `hooks` may be null: all defaults. An FlgFileSystem opens and
+        /// needed. The same history gives the same bytes. `desc` may be null: all defaults. An FlgFileSystem opens and
         /// closes one file after the other. Errors: FlgResult.ErrorInvalidArgument (null, values that are not finite),
         /// FlgResult.ErrorFile, FlgResult.ErrorLimit (8 MiB of JSON, 2 GiB of arrays). Cost: some us a step and what
         /// the disk takes.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleFileWrite(byte* path, FlgTangleHistory* history, FlgFileHooks* hooks);
+        public static extern FlgResult flgTangleFileWrite(
+            byte* path, FlgTangleHistory* history, FlgTangleFileWriteDesc* desc);
+
+        [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgTangleFileReadDescInit(FlgTangleFileReadDesc* desc, uint struct_size);
 
         /// <summary>
         /// Reads a document and checks what can be checked without its mesh: version, keys, types, sizes, the side
         /// file's size and checksum, finite numbers. flgTangleReplay checks the values' ranges. Nothing is read twice,
-        /// so the result is at most some multiple of the file's size. `hooks` may be null: all defaults. Errors:
+        /// so the result is at most some multiple of the file's size. `desc` may be null: all defaults. Errors:
         /// FlgResult.ErrorFile, FlgResult.ErrorFormat, FlgResult.ErrorLimit. Cost: some us a step and what the disk
         /// takes.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
-        public static extern FlgResult flgTangleFileRead(byte* path, FlgFileHooks* hooks, FlgTangleFile* out_file);
+        public static extern FlgResult flgTangleFileRead(
+            byte* path, FlgTangleFileReadDesc* desc, FlgTangleFile* out_file);
 
         /// <summary>The history, ready for flgTangleReplay; lives until the file is released.</summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
@@ -301,6 +323,62 @@ namespace Filigree
         {
             FlgFileHooks made;
             flgFileHooksInit(&made, (uint)sizeof(FlgFileHooks));
+            return made;
+        }
+
+        public static FlgCurveFileReadDesc flgCurveFileReadDefaults()
+        {
+            FlgCurveFileReadDesc made;
+            flgCurveFileReadDescInit(&made, (uint)sizeof(FlgCurveFileReadDesc));
+            return made;
+        }
+
+        public static FlgMeshFileReadDesc flgMeshFileReadDefaults()
+        {
+            FlgMeshFileReadDesc made;
+            flgMeshFileReadDescInit(&made, (uint)sizeof(FlgMeshFileReadDesc));
+            return made;
+        }
+
+        public static FlgSkinFileReadDesc flgSkinFileReadDefaults()
+        {
+            FlgSkinFileReadDesc made;
+            flgSkinFileReadDescInit(&made, (uint)sizeof(FlgSkinFileReadDesc));
+            return made;
+        }
+
+        public static FlgTangleFileReadDesc flgTangleFileReadDefaults()
+        {
+            FlgTangleFileReadDesc made;
+            flgTangleFileReadDescInit(&made, (uint)sizeof(FlgTangleFileReadDesc));
+            return made;
+        }
+
+        public static FlgTangleFileWriteDesc flgTangleFileWriteDefaults()
+        {
+            FlgTangleFileWriteDesc made;
+            flgTangleFileWriteDescInit(&made, (uint)sizeof(FlgTangleFileWriteDesc));
+            return made;
+        }
+
+        public static FlgStroke flgStrokeDefaults()
+        {
+            FlgStroke made;
+            flgStrokeInit(&made, (uint)sizeof(FlgStroke));
+            return made;
+        }
+
+        public static FlgMeshFaceColumn flgMeshFaceColumnDefaults()
+        {
+            FlgMeshFaceColumn made;
+            flgMeshFaceColumnInit(&made, (uint)sizeof(FlgMeshFaceColumn));
+            return made;
+        }
+
+        public static FlgMeshMaterial flgMeshMaterialDefaults()
+        {
+            FlgMeshMaterial made;
+            flgMeshMaterialInit(&made, (uint)sizeof(FlgMeshMaterial));
             return made;
         }
 

@@ -7,44 +7,46 @@ using static System.Runtime.InteropServices.CallingConvention;
 
 namespace Filigree
 {
-    /// <summary>Of FlgFileSystem.open. An open file; null if it cannot be opened.</summary>
+    /// <summary>Of FlgFileSystem.open. Opens a file; `out_file` is what the other functions get.</summary>
     [UnmanagedFunctionPointer(Cdecl)]
-    public unsafe delegate void* FlgFileSystemOpen(void* user_data, byte* path, FlgFileAccess access);
+    public unsafe delegate FlgResult FlgFileSystemOpen(
+        void* user_data, byte* path, FlgFileAccess access, void** out_file);
 
-    /// <summary>Of FlgFileSystem.size. Of a file that is read, bytes; above 2 GiB where it has none.</summary>
+    /// <summary>Of FlgFileSystem.size. The size of a file that is read, bytes.</summary>
     [UnmanagedFunctionPointer(Cdecl)]
-    public unsafe delegate ulong FlgFileSystemSize(void* user_data, void* file);
-
-    /// <summary>
-    /// Of FlgFileSystem.read. Reads the next bytes, at most `size`, and returns how many; 0 at the end, and when it
-    /// fails.
-    /// </summary>
-    [UnmanagedFunctionPointer(Cdecl)]
-    public unsafe delegate UIntPtr FlgFileSystemRead(void* user_data, void* file, void* out_bytes, UIntPtr size);
+    public unsafe delegate FlgResult FlgFileSystemSize(void* user_data, void* file, ulong* out_size);
 
     /// <summary>
-    /// Of FlgFileSystem.write. Appends bytes, and returns how many; fewer than `size` when it fails. Null: no file can
-    /// be written.
+    /// Of FlgFileSystem.read. Reads the next bytes, at most `size`; `out_count` is how many. 0 only at the end.
     /// </summary>
     [UnmanagedFunctionPointer(Cdecl)]
-    public unsafe delegate UIntPtr FlgFileSystemWrite(void* user_data, void* file, void* bytes, UIntPtr size);
+    public unsafe delegate FlgResult FlgFileSystemRead(
+        void* user_data, void* file, void* out_bytes, UIntPtr size, UIntPtr* out_count);
+
+    /// <summary>Of FlgFileSystem.write. Appends bytes, all of them. Null: no file can be written.</summary>
+    [UnmanagedFunctionPointer(Cdecl)]
+    public unsafe delegate FlgResult FlgFileSystemWrite(void* user_data, void* file, void* bytes, UIntPtr size);
 
     /// <summary>
     /// Of FlgFileSystem.close. Called once for each open file. Of one that is written, `complete` tells whether to keep
-    /// it: with 0 what was there before must stay. Returns 0 if it could not be kept.
+    /// it: with 0 what was there before must stay.
     /// </summary>
     [UnmanagedFunctionPointer(Cdecl)]
-    public unsafe delegate uint FlgFileSystemClose(void* user_data, void* file, uint complete);
+    public unsafe delegate FlgResult FlgFileSystemClose(void* user_data, void* file, uint complete);
 
-    /// <summary>Of FlgFileSystem.remove. Removes a side file that no document names any more. Null: it stays.</summary>
+    /// <summary>
+    /// Of FlgFileSystem.remove. Removes a side file that no document names any more. Where it fails the file stays, and
+    /// the call that asked for it succeeds nevertheless. Null: files stay.
+    /// </summary>
     [UnmanagedFunctionPointer(Cdecl)]
-    public unsafe delegate void FlgFileSystemRemove(void* user_data, byte* path);
+    public unsafe delegate FlgResult FlgFileSystemRemove(void* user_data, byte* path);
 
     /// <summary>
     /// Files of the host: archives, assets, consoles. Called only within calls of this library that were given it, on
     /// their threads. Paths are those the host passes, and names beside them that files or this library give, put
     /// together with `/`; UTF-8. This library opens no path with `..` that the host did not pass. One file is open at a
-    /// time in a call.
+    /// time in a call. Each function returns FlgResult.Ok or an error, such as FlgResult.ErrorFile; the call that needs
+    /// the file then fails with it.
     /// </summary>
     public unsafe partial struct FlgFileSystem
     {
@@ -53,33 +55,33 @@ namespace Filigree
         /// <summary>passed to all</summary>
         public void* user_data;
         /// <summary>
-        /// A FlgFileSystemOpen, by Marshal.GetFunctionPointerForDelegate. An open file; null if it cannot be opened.
+        /// A FlgFileSystemOpen, by Marshal.GetFunctionPointerForDelegate. Opens a file; `out_file` is what the other
+        /// functions get.
         /// </summary>
         public IntPtr open;
         /// <summary>
-        /// A FlgFileSystemSize, by Marshal.GetFunctionPointerForDelegate. Of a file that is read, bytes; above 2 GiB
-        /// where it has none.
+        /// A FlgFileSystemSize, by Marshal.GetFunctionPointerForDelegate. The size of a file that is read, bytes.
         /// </summary>
         public IntPtr size;
         /// <summary>
-        /// A FlgFileSystemRead, by Marshal.GetFunctionPointerForDelegate. Reads the next bytes, at most `size`, and
-        /// returns how many; 0 at the end, and when it fails.
+        /// A FlgFileSystemRead, by Marshal.GetFunctionPointerForDelegate. Reads the next bytes, at most `size`;
+        /// `out_count` is how many. 0 only at the end.
         /// </summary>
         public IntPtr read;
         /// <summary>
-        /// A FlgFileSystemWrite, by Marshal.GetFunctionPointerForDelegate. Appends bytes, and returns how many; fewer
-        /// than `size` when it fails. Null: no file can be written.
+        /// A FlgFileSystemWrite, by Marshal.GetFunctionPointerForDelegate. Appends bytes, all of them. Null: no file
+        /// can be written.
         /// </summary>
         public IntPtr write;
         /// <summary>
         /// A FlgFileSystemClose, by Marshal.GetFunctionPointerForDelegate. Called once for each open file. Of one that
-        /// is written, `complete` tells whether to keep it: with 0 what was there before must stay. Returns 0 if it
-        /// could not be kept.
+        /// is written, `complete` tells whether to keep it: with 0 what was there before must stay.
         /// </summary>
         public IntPtr close;
         /// <summary>
         /// A FlgFileSystemRemove, by Marshal.GetFunctionPointerForDelegate. Removes a side file that no document names
-        /// any more. Null: it stays.
+        /// any more. Where it fails the file stays, and the call that asked for it succeeds nevertheless. Null: files
+        /// stay.
         /// </summary>
         public IntPtr remove;
     }
@@ -103,6 +105,15 @@ namespace Filigree
         public FlgFileSystem* files;
     }
 
+    /// <summary>How a curve file is read.</summary>
+    public unsafe partial struct FlgCurveFileReadDesc
+    {
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
+    }
+
     public unsafe partial struct FlgCurveFileInfo
     {
         public uint struct_size;
@@ -119,7 +130,8 @@ namespace Filigree
         /// <summary>of all curves as polylines, metres</summary>
         public float total_length;
         public uint warning_count;
-        public uint reserved;
+        /// <summary>that of the curves for .tilt files, else 0</summary>
+        public uint stroke_count;
         /// <summary>sentences; live until the file is released</summary>
         public byte** warnings;
     }
@@ -127,12 +139,13 @@ namespace Filigree
     /// <summary>Data of one stroke in a .tilt file, besides its points.</summary>
     public unsafe partial struct FlgStroke
     {
+        public uint struct_size;
+        /// <summary>selection group, 0 = none</summary>
+        public uint group;
         /// <summary>the brush's name if known, else its GUID</summary>
         public fixed byte brush[40];
         /// <summary>width at full pressure, metres</summary>
         public float size;
-        /// <summary>selection group, 0 = none</summary>
-        public uint group;
         /// <summary>as stored: 2 = continues the undo group of the previous stroke</summary>
         public uint flags;
         /// <summary>timestamp of its first point, milliseconds of sketching time</summary>
@@ -174,9 +187,21 @@ namespace Filigree
         public FlgFileHooks* hooks;
     }
 
+    /// <summary>How a mesh file is read.</summary>
+    public unsafe partial struct FlgMeshFileReadDesc
+    {
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
+    }
+
     /// <summary>Integers per triangle, with a name.</summary>
     public unsafe partial struct FlgMeshFaceColumn
     {
+        /// <summary>the same of all columns of a mesh</summary>
+        public uint struct_size;
+        public uint reserved;
         /// <summary>letters, digits and _, at most 63; not `region` nor `vertex_indices`</summary>
         public byte* name;
         /// <summary>one per triangle</summary>
@@ -189,19 +214,22 @@ namespace Filigree
     /// </summary>
     public unsafe partial struct FlgMeshMaterial
     {
-        /// <summary>UTF-8, at most 255 bytes; null: `region N`</summary>
-        public byte* name;
-        /// <summary>0 to 1 each</summary>
-        public fixed float color[3];
-        /// <summary>0 = paint, clay, wood to 1 = bare metal</summary>
-        public float metallic;
-        /// <summary>0 = polished to 1 = matte</summary>
-        public float roughness;
-        /// <summary>of the lines to regions earlier in the table, 0 to 1 each</summary>
-        public fixed float border_color[3];
-        /// <summary>of these lines, 0 to 64 pixels; 0: none</summary>
-        public float border_width_px;
+        /// <summary>the same of all materials of a mesh</summary>
+        public uint struct_size;
         public uint reserved;
+        /// <summary>UTF-8, at most 255 bytes. Default null: `region N`</summary>
+        public byte* name;
+        /// <summary>0 to 1 each. Default 1 1 1</summary>
+        public fixed float color[3];
+        /// <summary>0 = paint, clay, wood to 1 = bare metal. Default 0</summary>
+        public float metallic;
+        /// <summary>0 = polished to 1 = matte. Default 0.6</summary>
+        public float roughness;
+        /// <summary>of the lines to regions earlier in the table, 0 to 1 each. Default 0 0 0</summary>
+        public fixed float border_color[3];
+        /// <summary>of these lines, 0 to 64 pixels. Default 0: none</summary>
+        public float border_width_px;
+        public uint reserved2;
     }
 
     public unsafe partial struct FlgMeshFileInfo
@@ -222,9 +250,15 @@ namespace Filigree
         /// <summary>of the positions, metres; units are taken as given</summary>
         public fixed float box_max[3];
         public uint warning_count;
-        public uint reserved;
+        /// <summary>
+        /// one per region of the view (one alone if that has no regions), if at least one has a colour; else 0
+        /// </summary>
+        public uint material_count;
         /// <summary>sentences; live until the file is released</summary>
         public byte** warnings;
+        /// <summary>at most 16; 0 for other formats than .ply</summary>
+        public uint face_column_count;
+        public uint reserved;
     }
 
     public unsafe partial struct FlgMeshFileWriteDesc
@@ -244,6 +278,15 @@ namespace Filigree
         public FlgFileHooks* hooks;
     }
 
+    /// <summary>How a skin file is read.</summary>
+    public unsafe partial struct FlgSkinFileReadDesc
+    {
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
+    }
+
     public unsafe partial struct FlgSkinFileInfo
     {
         public uint struct_size;
@@ -257,6 +300,9 @@ namespace Filigree
         public uint animation_count;
         /// <summary>sentences; live until the file is released</summary>
         public byte** warnings;
+        /// <summary>one per part, or one for all, if at least one has a colour; else 0</summary>
+        public uint material_count;
+        public uint reserved;
     }
 
     public unsafe partial struct FlgSkinFileWriteDesc
@@ -306,6 +352,23 @@ namespace Filigree
         public byte* name;
         /// <summary>metres: what the poses are relative to: a node above the body's is there. Default 0</summary>
         public fixed double origin[3];
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
+    }
+
+    public unsafe partial struct FlgTangleFileWriteDesc
+    {
+        public uint struct_size;
+        public uint reserved;
+        /// <summary>null: all defaults. Default null</summary>
+        public FlgFileHooks* hooks;
+    }
+
+    /// <summary>How a tangle's file is read.</summary>
+    public unsafe partial struct FlgTangleFileReadDesc
+    {
+        public uint struct_size;
+        public uint reserved;
         /// <summary>null: all defaults. Default null</summary>
         public FlgFileHooks* hooks;
     }

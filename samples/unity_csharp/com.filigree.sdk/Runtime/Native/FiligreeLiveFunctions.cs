@@ -5,7 +5,7 @@
 //
 //     flgStyleWarm(context, style, 0, NULL, &job);            once for each style and temperature, ahead of time
 //     flgLiveStrokeBegin(context, &desc, &stroke);            trigger pressed
-//     flgLiveStrokePush(context, stroke, samples, n, &view);  each frame: `view` shows what is new, append it to a mesh
+//     flgLiveStrokePush(context, stroke, &samples, &view);    each frame: `view` shows what is new, append it to a mesh
 //     flgLiveStrokeGetTip(context, stroke, &tip);             each frame: what to draw behind the points so far
 //     flgLiveStrokeEnd(context, stroke, NULL, &stylized, &samples, &job);  trigger released
 //
@@ -79,6 +79,9 @@ namespace Filigree
         public static extern FlgResult flgLiveStrokeBegin(
             FlgContext context, FlgLiveStrokeDesc* desc, FlgLiveStroke* out_stroke);
 
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgLiveSampleViewInit(FlgLiveSampleView* view, uint struct_size);
+
         /// <summary>
         /// [any thread, one per stroke] Adds samples; out_new (may be null) shows the points this call made. Checks all
         /// samples first: if one is invalid, none is added, and the stroke stays unchanged and can continue:
@@ -96,7 +99,7 @@ namespace Filigree
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgLiveStrokePush(
-            FlgContext context, FlgLiveStroke stroke, FlgLiveSample* samples, uint count, FlgCurveSetView* out_new);
+            FlgContext context, FlgLiveStroke stroke, FlgLiveSampleView* samples, FlgCurveSetView* out_new);
 
         /// <summary>
         /// [any thread, one per stroke] All points so far; lives as long as flgLiveStrokePush's view. Once the job of
@@ -192,6 +195,13 @@ namespace Filigree
         public static extern FlgResult flgLiveStrokeReplay(
             FlgContext context, FlgLiveStrokeDesc* desc, FlgCurveSet samples, FlgJobOptions* job, FlgCurveSet*
             out_set, FlgJob* out_job);
+
+        public static FlgLiveSampleView flgLiveSampleViewDefaults()
+        {
+            FlgLiveSampleView made;
+            flgLiveSampleViewInit(&made, (uint)sizeof(FlgLiveSampleView));
+            return made;
+        }
 
         public static FlgLiveStrokeInfo flgLiveStrokeInfoDefaults()
         {

@@ -54,17 +54,29 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    /// <summary>One sample of the controller.</summary>
-    public unsafe partial struct FlgLiveSample
+    /// <summary>Samples of the controller, as columns: arrays of the host, or members of an array of structs.</summary>
+    public unsafe partial struct FlgLiveSampleView
     {
-        /// <summary>metres, magnitude at most 1e30</summary>
-        public fixed float position[3];
-        /// <summary>quaternion x y z w of any length; all zero: none; see Frame</summary>
-        public fixed float orientation[4];
-        /// <summary>0 to 1</summary>
-        public float pressure;
-        /// <summary>seconds on any clock; never decreasing</summary>
-        public double time;
+        public uint struct_size;
+        public uint sample_count;
+        /// <summary>
+        /// bytes from a sample to the next in every column: the size of the host's struct. Default 0: every column is
+        /// packed
+        /// </summary>
+        public uint stride;
+        public uint reserved;
+        /// <summary>3 per sample, metres, magnitude at most 1e30</summary>
+        public float* positions;
+        /// <summary>
+        /// 4 per sample: a quaternion x y z w of any length; all zero: none; see Frame. Default null: none
+        /// </summary>
+        public float* orientations;
+        /// <summary>one per sample, 0 to 1. Default null: 1</summary>
+        public float* pressures;
+        /// <summary>
+        /// one per sample, seconds on any clock; never decreasing. `smoothing` needs them. Default null: 0
+        /// </summary>
+        public double* times;
     }
 
     /// <summary>Progress of a stroke.</summary>

@@ -200,26 +200,10 @@ namespace Filigree
         public fixed double origin[3];
     }
 
-    /// <summary>Where a part is attached.</summary>
-    public unsafe partial struct FlgModelPartInfo
-    {
-        /// <summary>how it was connected, before refinement of bones</summary>
-        public FlgPartEvent @event;
-        /// <summary>its parent part; FLG_NO_INDEX: none</summary>
-        public uint parent;
-        /// <summary>
-        /// its own joint nearest to the root, which swings it; if it has none left, the joint that moves it
-        /// </summary>
-        public uint joint;
-        /// <summary>index of the host's part</summary>
-        public uint source;
-        /// <summary>its mirror image; FLG_NO_INDEX: none</summary>
-        public uint twin;
-        /// <summary>1: it is the mirror image, not the drawn part</summary>
-        public uint is_mirrored;
-    }
-
-    /// <summary>Joints, parents first. The bone to a joint turns with its parent.</summary>
+    /// <summary>
+    /// Joints, parents first. The bone to a joint turns with its parent. Parts include mirror images, each after its
+    /// original.
+    /// </summary>
     public unsafe partial struct FlgModelView
     {
         public uint struct_size;
@@ -235,11 +219,24 @@ namespace Filigree
         public uint* joint_parts;
         /// <summary>the part's name, then a number: tail_0, tail_1, ..., arm_0.L, ...</summary>
         public byte** joint_names;
-        /// <summary>including mirror images, each after its original</summary>
-        public FlgModelPartInfo* parts;
         public uint part_count;
         /// <summary>the size that thresholds are fractions of, metres</summary>
         public float size;
+        /// <summary>one per part: how it was connected, before refinement of bones</summary>
+        public FlgPartEvent* part_events;
+        /// <summary>one per part: its parent part; FLG_NO_INDEX: none</summary>
+        public uint* part_parents;
+        /// <summary>
+        /// one per part: its own joint nearest to the root, which swings it; if it has none left, the joint that moves
+        /// it
+        /// </summary>
+        public uint* part_joints;
+        /// <summary>one per part: index of the host's part</summary>
+        public uint* part_sources;
+        /// <summary>one per part: its mirror image; FLG_NO_INDEX: none</summary>
+        public uint* part_twins;
+        /// <summary>one per part: 1 for a mirror image, 0 for a drawn part</summary>
+        public byte* part_mirrored;
         /// <summary>metres: what positions are relative to</summary>
         public fixed double origin[3];
     }

@@ -5,12 +5,6 @@ using System;
 
 namespace Filigree
 {
-    public static unsafe partial class Native
-    {
-        /// <summary>instead of an index: there is none</summary>
-        public const uint FLG_NO_INDEX = 4294967295;
-    }
-
     /// <summary>The straight skeleton of a contour. Never changes once ready.</summary>
     public partial struct FlgStraightSkeleton : IEquatable<FlgStraightSkeleton>
     {

@@ -188,37 +188,17 @@ namespace Filigree
         public FlgJob max_slice_job;
     }
 
-    /// <summary>Bytes of the host's allocator.</summary>
+    /// <summary>Bytes of the host's allocator that a context holds.</summary>
     public unsafe partial struct FlgMemoryUse
     {
+        public uint struct_size;
+        public uint reserved;
         /// <summary>held now</summary>
         public ulong bytes;
         /// <summary>the most that was held at a time</summary>
         public ulong peak_bytes;
-    }
-
-    /// <summary>
-    /// What a context holds, by what it is for. A later version may add kinds at the end; `total` counts all of them.
-    /// </summary>
-    public unsafe partial struct FlgContextMemory
-    {
-        public uint struct_size;
-        /// <summary>styles</summary>
-        public FlgMemoryUse styles;
-        /// <summary>surfaces, fields, surface curves, tangles, manifolds, obstacles</summary>
-        public FlgMemoryUse surfaces;
-        /// <summary>curve sets, live strokes, splines, motions</summary>
-        public FlgMemoryUse curves;
-        /// <summary>skeletons, outlines, parts, their bodies, models, skins</summary>
-        public FlgMemoryUse models;
-        /// <summary>what is made again when it is needed: path trees of styles, solver data of surfaces</summary>
-        public FlgMemoryUse caches;
-        /// <summary>what running jobs work with, and their results until they end</summary>
-        public FlgMemoryUse scratch;
-        /// <summary>the context itself, handles, records of jobs</summary>
-        public FlgMemoryUse runtime;
-        /// <summary>all kinds together; its peak is at most the sum of theirs</summary>
-        public FlgMemoryUse total;
+        /// <summary>the most that may be held; 0: no limit</summary>
+        public ulong limit;
     }
 
     /// <summary>

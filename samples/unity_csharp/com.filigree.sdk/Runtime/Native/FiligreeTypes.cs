@@ -15,6 +15,10 @@ namespace Filigree
         public const int FLG_VERSION_PATCH = 0;
         /// <summary>The version of this header, as one number.</summary>
         public const int FLG_VERSION = 4096;
+        /// <summary>In place of an index: none.</summary>
+        public const uint FLG_NO_INDEX = 4294967295;
+        /// <summary>In place of a time or a count: as long as it takes, as many as there are.</summary>
+        public const uint FLG_UNLIMITED = 4294967295;
         /// <summary>the last point joins the first, which is not repeated</summary>
         public const int FLG_CURVE_CLOSED = 1;
     }
@@ -57,6 +61,29 @@ namespace Filigree
         Warning = 1,
         /// <summary>FLG_LOG_LEVEL_ERROR: something failed</summary>
         Error = 2,
+    }
+
+    /// <summary>What memory is for.</summary>
+    public enum FlgMemoryKind
+    {
+        /// <summary>FLG_MEMORY_KIND_TOTAL: all kinds together; its peak is at most the sum of theirs</summary>
+        Total = 0,
+        /// <summary>FLG_MEMORY_KIND_STYLES: styles</summary>
+        Styles = 1,
+        /// <summary>FLG_MEMORY_KIND_SURFACES: surfaces, fields, surface curves, tangles, manifolds, obstacles</summary>
+        Surfaces = 2,
+        /// <summary>FLG_MEMORY_KIND_CURVES: curve sets, live strokes, splines, motions</summary>
+        Curves = 3,
+        /// <summary>FLG_MEMORY_KIND_MODELS: skeletons, outlines, parts, their bodies, models, skins</summary>
+        Models = 4,
+        /// <summary>
+        /// FLG_MEMORY_KIND_CACHES: what is made again when it is needed: path trees of styles, solver data of surfaces
+        /// </summary>
+        Caches = 5,
+        /// <summary>FLG_MEMORY_KIND_SCRATCH: what running jobs work with, and their results until they end</summary>
+        Scratch = 6,
+        /// <summary>FLG_MEMORY_KIND_RUNTIME: the context itself, handles, records of jobs</summary>
+        Runtime = 7,
     }
 
     /// <summary>Which ready job runs first.</summary>

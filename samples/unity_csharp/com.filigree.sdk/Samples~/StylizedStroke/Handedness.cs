@@ -17,11 +17,11 @@ namespace Filigree.Samples
             return new Quaternion(-rotation.x, -rotation.y, rotation.z, rotation.w);
         }
 
-        internal static FlgLiveSample Sample(Vector3 place, Quaternion rotation, float pressure, double time)
+        internal static LiveSample Sample(Vector3 place, Quaternion rotation, float pressure, double time)
         {
             Vector3 p = Turn(place);
             Quaternion q = Turn(rotation);
-            return new FlgLiveSample(p.x, p.y, p.z, pressure, time).Oriented(q.x, q.y, q.z, q.w);
+            return new LiveSample(p.x, p.y, p.z, pressure, time).Oriented(q.x, q.y, q.z, q.w);
         }
 
         /// <summary>Points as the SDK takes them.</summary>

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Samples by value: fixed buffers have no initializers.
+// What the hand did at one time. Samples are read in place.
 namespace Filigree
 {
-    public unsafe partial struct FlgLiveSample
+    public unsafe struct LiveSample
     {
+        public fixed float position[3];
+        public fixed float orientation[4];
+        public float pressure;
+        public double time;
+
         /// <summary>A sample of a device that knows no orientation, such as a mouse or a pen.</summary>
-        public FlgLiveSample(float x, float y, float z, float pressure, double time) : this()
+        public LiveSample(float x, float y, float z, float pressure, double time) : this()
         {
             fixed (float* to = position)
             {
@@ -18,9 +23,9 @@ namespace Filigree
         }
 
         /// <summary>The same sample with the controller's orientation: a quaternion of any length.</summary>
-        public FlgLiveSample Oriented(float x, float y, float z, float w)
+        public LiveSample Oriented(float x, float y, float z, float w)
         {
-            FlgLiveSample sample = this;
+            LiveSample sample = this;
             sample.orientation[0] = x;
             sample.orientation[1] = y;
             sample.orientation[2] = z;
