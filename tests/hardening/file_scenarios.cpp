@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Files of every kind, written and read again.
 #ifdef FLG_WITH_IO
+#include <filesystem>
+#include <fstream>
+
 #include "filigree/filigree_io.h"
 #include "hardening/folder.h"
 #include "hardening/scenarios.h"
+#include "io/tilt_files.h"
 
 namespace flg::test {
 
@@ -83,6 +87,18 @@ void keep_curve_files(Calls& calls) {
         info_of(calls, "flgCurveFileGetInfo", flgCurveFileGetInfo, read.file, FLG_INIT(calls, flgCurveFileInfoInit));
     EXPECT_EQ(info.curve_count, 2u);
     EXPECT_EQ(info.stroke_count, 0u);
+
+    TiltStroke drawn;
+    drawn.points.resize(3);
+    drawn.points[1].position[0] = drawn.points[2].position[1] = 1;
+    std::filesystem::create_directory(folder.at("a.tilt"));
+    std::ofstream(folder.at("a.tilt/metadata.json")) << tilt_metadata;
+    std::ofstream(folder.at("a.tilt/data.sketch"), std::ios::binary) << tilt_sketch({drawn});
+    Owned<FlgCurveFile> sketch(calls, flgCurveFileRelease, "flgCurveFileRelease");
+    FLG_CALL(calls, flgCurveFileRead, folder.at("a.tilt").c_str(), &read_desc, &sketch.file);
+    FlgStroke stroke = FLG_INIT(calls, flgStrokeInit);
+    FLG_CALL(calls, flgCurveFileGetStroke, sketch.file, 0u, &stroke);
+    EXPECT_NE(stroke.brush[0], '\0');
 }
 
 void keep_mesh_files(Calls& calls) {
@@ -192,9 +208,11 @@ void keep_tangle_files(Calls& calls) {
     history.steps = steps;
     history.box_max[0] = 1;
     const std::string path = folder.at("tangle.json");
-    FLG_CALL(calls, flgTangleFileWrite, path.c_str(), &history, nullptr);
+    const FlgTangleFileWriteDesc write_desc = FLG_INIT(calls, flgTangleFileWriteDescInit);
+    const FlgTangleFileReadDesc read_desc = FLG_INIT(calls, flgTangleFileReadDescInit);
+    FLG_CALL(calls, flgTangleFileWrite, path.c_str(), &history, &write_desc);
     Owned<FlgTangleFile> read(calls, flgTangleFileRelease, "flgTangleFileRelease");
-    FLG_CALL(calls, flgTangleFileRead, path.c_str(), nullptr, &read.file);
+    FLG_CALL(calls, flgTangleFileRead, path.c_str(), &read_desc, &read.file);
     FlgTangleHistory shown{};
     shown.struct_size = sizeof shown;
     FLG_CALL(calls, flgTangleFileGetHistory, read.file, &shown);
