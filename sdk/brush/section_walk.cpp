@@ -23,16 +23,17 @@ Corners::Corners(const Style& style) : join_(style.join), sides_(style.sides) {
 }
 
 uint32_t Corners::find(const Bends& bends, int64_t (&is_corner)[Bends::most]) const {
+    std::fill_n(is_corner, bends.count, int64_t{0});
+    if (join_ == FLG_BRUSH_JOIN_NARROW) return 0;
     const auto& c = bends.chord;
+    double size_sq[Bends::most + 1];
+    for (uint32_t k = 0; k <= bends.count; ++k) size_sq[k] = c[0][k] * c[0][k] + c[1][k] * c[1][k] + c[2][k] * c[2][k];
     int64_t found = 0;
     for (uint32_t k = 0; k < bends.count; ++k) {
         const double turn = c[0][k] * c[0][k + 1] + c[1][k] * c[1][k + 1] + c[2][k] * c[2][k + 1];
-        const double in_sq = c[0][k] * c[0][k] + c[1][k] * c[1][k] + c[2][k] * c[2][k];
-        const double out_sq = c[0][k + 1] * c[0][k + 1] + c[1][k + 1] * c[1][k + 1] + c[2][k + 1] * c[2][k + 1];
-        is_corner[k] = turn < cosine_ * std::sqrt(in_sq * out_sq) ? 1 : 0;
+        is_corner[k] = turn < cosine_ * std::sqrt(size_sq[k] * size_sq[k + 1]) ? 1 : 0;
+        found += is_corner[k];
     }
-    const int64_t counts = join_ == FLG_BRUSH_JOIN_NARROW ? 0 : 1;
-    for (uint32_t k = 0; k < bends.count; ++k) found += is_corner[k] &= counts;
     return static_cast<uint32_t>(found);
 }
 
