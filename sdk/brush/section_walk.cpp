@@ -15,6 +15,11 @@ constexpr double min_said = 0.1;
 // Size of the sum of two unit tangents, and of their cross product, below which a curve turns back on itself.
 constexpr double turned_back = 1e-6;
 
+template <size_t count>
+Vec3 vector(const double (&components)[3][count], uint32_t k) {
+    return Vec3(components[0][k], components[1][k], components[2][k]);
+}
+
 }  // namespace
 
 Corners::Corners(const Style& style) : join_(style.join), sides_(style.sides) {
@@ -138,15 +143,6 @@ void Framer::measure(const Bends& bends, Turns& turns) const {
         turns.both[k] = u * x + v * y + w * z;
     }
 }
-
-namespace {
-
-template <size_t count>
-Vec3 vector(const double (&components)[3][count], uint32_t k) {
-    return Vec3(components[0][k], components[1][k], components[2][k]);
-}
-
-}  // namespace
 
 void Framer::fill(const Bends& bends, const Turns& turns, Progress& at, Sections& sections) {
     RotationMinimizingFrame frame = frame_;

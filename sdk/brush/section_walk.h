@@ -209,6 +209,7 @@ private:
         double tangent[3][Bends::most];                                 // halfway between the two
         double widening_size[Bends::most], slope[Bends::most];
         double left_by[3][Bends::most + 1];  // the tangent with which the point before is left
+        // The steps, as Reflections, of which the chords are the first vectors; and the second one's squared norm.
         double second[3][Bends::most], first_factor[Bends::most], second_factor[Bends::most], both[Bends::most];
         double second_sq[Bends::most];
         int64_t is_corner[Bends::most];
