@@ -511,8 +511,8 @@ struct Lattice {
         cell = extent / cells_along;
     }
     Vec3 middle(uint32_t i) const {
-        const Vec3 number(i % cells_along, i / cells_along % cells_along, i / (cells_along * cells_along));
-        return low + cell.cwiseProduct(number + Vec3::Constant(0.5));
+        const uint32_t x = i % cells_along, y = i / cells_along % cells_along, z = i / (cells_along * cells_along);
+        return low + cell.cwiseProduct(Vec3(x + 0.5, y + 0.5, z + 0.5));
     }
     // The point next to a cell's middle, if it lies in the cell: in no other one then.
     bool find(const Hypersurface& surface, uint32_t i, Vec3& at, Vec3& normal) const {
