@@ -9,6 +9,7 @@
 #include <OgreSubMesh.h>
 
 #include <array>
+#include <cstddef>
 
 namespace viewer {
 namespace {
@@ -30,15 +31,18 @@ struct Vertex {
     Ogre::Vector3f position, normal;
 };
 
-// Means of the triangles' normals by area.
-void add_normals(std::vector<Vertex>& vertices, const FlgMeshView& mesh) {
+// Means of the triangles' normals by area, for each vertex.
+std::vector<Ogre::Vector3f> normals_of(const FlgMeshView& mesh) {
+    const auto position = [&](uint32_t v) { return Ogre::Vector3f(mesh.columns[0].data + size_t{3} * v); };
+    std::vector<Ogre::Vector3f> normals(mesh.vertex_count, Ogre::Vector3f(0.0f));
     for (size_t t = 0; t < size_t{3} * mesh.triangle_count; t += 3) {
-        Vertex &a = vertices[mesh.triangles[t]], &b = vertices[mesh.triangles[t + 1]],
-               &c = vertices[mesh.triangles[t + 2]];
-        const Ogre::Vector3f twice_area = (b.position - a.position).crossProduct(c.position - a.position);
-        for (Vertex* const corner : {&a, &b, &c}) corner->normal += twice_area;
+        const uint32_t* const corners = mesh.triangles + t;
+        const Ogre::Vector3f a = position(corners[0]), ab = position(corners[1]) - a, ac = position(corners[2]) - a;
+        const Ogre::Vector3f twice_area = ab.crossProduct(ac);
+        for (size_t k = 0; k < 3; ++k) normals[corners[k]] += twice_area;
     }
-    for (Vertex& v : vertices) v.normal.normalise();
+    for (Ogre::Vector3f& normal : normals) normal.normalise();
+    return normals;
 }
 
 }  // namespace
@@ -87,19 +91,34 @@ void DecoratedMesh::refresh(const FlgSurfaceView& view) {
     }
 }
 
+// The SDK interleaves both columns in the buffer itself.
 void DecoratedMesh::refresh_vertices(const FlgMeshView& mesh) {
-    std::vector<Vertex> vertices(mesh.vertex_count);
-    Ogre::AxisAlignedBox box;
-    for (size_t v = 0; v < vertices.size(); ++v) {
-        vertices[v] = {Ogre::Vector3f(mesh.columns[0].data + 3 * v), Ogre::Vector3f(0.0f)};
-        box.merge(vertices[v].position);
-    }
-    add_normals(vertices, mesh);
-    Ogre::VertexData& data = *mesh_->sharedVertexData;
-    data.vertexCount = vertices.size();
+    const std::vector<Ogre::Vector3f> normals = normals_of(mesh);
     const Ogre::HardwareVertexBufferSharedPtr buffer = Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
-        sizeof(Vertex), vertices.size(), Ogre::HBU_GPU_ONLY);
-    buffer->writeData(0, sizeof(Vertex) * vertices.size(), vertices.data(), true);
+        sizeof(Vertex), mesh.vertex_count, Ogre::HBU_GPU_ONLY);
+    {
+        const Ogre::HardwareBufferLockGuard lock(buffer, Ogre::HardwareBuffer::HBL_DISCARD);
+        auto* const to = static_cast<unsigned char*>(lock.pData);
+        const FlgColumn columns[] = {mesh.columns[0], {FLG_ATTRIBUTE_NORMAL, 3, normals[0].ptr(), 0, 0}};
+        FlgBufferColumn targets[2] = {};
+        targets[0].attribute = FLG_ATTRIBUTE_POSITION;
+        targets[0].data = to + offsetof(Vertex, position);
+        targets[1].attribute = FLG_ATTRIBUTE_NORMAL;
+        targets[1].data = to + offsetof(Vertex, normal);
+        for (FlgBufferColumn& target : targets) target.stride = sizeof(Vertex);
+        filigree::BufferOutput output;
+        output.set_columns(targets);
+        output.row_capacity = mesh.vertex_count;
+        filigree::ColumnsWriteDesc desc;
+        desc.set_columns(columns);
+        desc.row_count = mesh.vertex_count;
+        desc.output = &output;
+        filigree::columns_write(desc);
+    }
+    Ogre::AxisAlignedBox box;
+    for (size_t v = 0; v < mesh.vertex_count; ++v) box.merge(Ogre::Vector3(mesh.columns[0].data + 3 * v));
+    Ogre::VertexData& data = *mesh_->sharedVertexData;
+    data.vertexCount = mesh.vertex_count;
     data.vertexBufferBinding->setBinding(0, buffer);
     mesh_->_setBounds(box);
 }

@@ -16,9 +16,13 @@
 #include "bones/skin.h"
 #include "filigree/filigree_debug.h"
 #include "skeletons/skeleton_jobs.h"
+#include "splines/manifolds/manifold_product.h"
+#include "splines/manifolds/oriented_samples.h"
 #include "splines/motion/motion.h"
+#include "splines/obstacles/distance_grid.h"
 #include "splines/obstacles/obstacles.h"
 #include "splines/spline.h"
+#include "stylization/live_stroke.h"
 #include "surfaces/field.h"
 
 namespace flg {
@@ -101,10 +105,12 @@ public:
         }
         ++line_count_;
     }
+    // As long as the axes of frames.
+    void axis(const Vec3& at, const Vec3& direction, uint32_t color) { line(at, at + desc_.size * direction, color); }
     void frame(const Vec3& at, const Vec3& x, const Vec3& y, const Vec3& z) {
-        line(at, at + desc_.size * x, red);
-        line(at, at + desc_.size * y, green);
-        line(at, at + desc_.size * z, blue);
+        axis(at, x, red);
+        axis(at, y, green);
+        axis(at, z, blue);
     }
 
 private:
@@ -125,6 +131,15 @@ void check_room(const void* array, uint64_t count, uint32_t capacity, const char
                   capacity, static_cast<unsigned long long>(count));
 }
 
+template <class Object>
+FlgResult visible_result_of(const Object& object) {
+    return visible_result_now(object);
+}
+// What it has so far is always there.
+FlgResult visible_result_of(const LiveStroke&) {
+    return FLG_OK;
+}
+
 // The whole of an entry point: `find` gives the object, or throws; `paint` draws it.
 template <class Find, class Paint>
 FlgResult draw(const FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing, uint32_t usual, Find find, Paint paint) {
@@ -134,7 +149,7 @@ FlgResult draw(const FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing, uint32_t 
         write_struct(drawing, out, "drawing");
         const FlgDebugDrawDesc read = read_draw_desc(desc, usual);
         const auto product = find();
-        const FlgResult result = visible_result_now(*product);
+        const FlgResult result = visible_result_of(*product);
         if (result != FLG_OK) return result;
         DrawList counted(read, nullptr, nullptr);
         paint(*product, counted);
@@ -189,8 +204,7 @@ auto places_in(const float* positions) {
     return [positions](uint32_t i) { return load_vec3(positions + size_t{3} * i); };
 }
 
-void paint_curve_set(const CurveSet& set, DrawList& list) {
-    const FlgCurveSetView& view = set.view();
+void paint_curves(const FlgCurveSetView& view, const Origin& origin, DrawList& list) {
     const auto column = [&](FlgAttribute attribute) -> const float* {
         const FlgColumn* found = flgCurveSetViewGetColumn(&view, attribute);
         return found ? found->data : nullptr;
@@ -202,7 +216,7 @@ void paint_curve_set(const CurveSet& set, DrawList& list) {
         const bool closed = (view.curve_flags[c] & FLG_CURVE_CLOSED) != 0;
         return Chain{place, view.curve_offsets[c], view.curve_offsets[c + 1], closed};
     };
-    list.place(set.origin);
+    list.place(origin);
     list.each(FLG_DEBUG_PART_LINES, view.curve_count, [&](uint32_t c) { chain(c).draw(list, list.color()); });
     list.each(FLG_DEBUG_PART_POINTS, view.curve_count, [&](uint32_t c) { chain(c).draw_points(list, list.color()); });
     list.each(FLG_DEBUG_PART_FRAMES, normals ? view.curve_count : 0, [&](uint32_t c) {
@@ -218,6 +232,14 @@ void paint_curve_set(const CurveSet& set, DrawList& list) {
             if (indices[i] != indices[i - 1] + 1) list.point(place(i), magenta);
         }
     });
+}
+
+void paint_curve_set(const CurveSet& set, DrawList& list) {
+    paint_curves(set.view(), set.origin, list);
+}
+
+void paint_live_stroke(LiveStroke& stroke, DrawList& list) {
+    paint_curves(stroke.view_from(0), stroke.origin, list);
 }
 
 void paint_style(const Style& style, DrawList& list) {
@@ -458,7 +480,71 @@ void paint_skin(const HeldSkin& held, DrawList& list) {
     });
 }
 
-// ---- Splines, motions and obstacles ----
+// ---- Manifolds, splines, motions and obstacles ----
+
+// Points of a surface in space with their outward normals; find(i, at, normal): those of element i, if it has any.
+template <class Find>
+void draw_places(uint32_t count, DrawList& list, Find find) {
+    Vec3 at, normal;
+    list.each(FLG_DEBUG_PART_POINTS, count, [&](uint32_t i) {
+        if (find(i, at, normal)) list.point(at, list.color());
+    });
+    list.each(FLG_DEBUG_PART_LINES, count, [&](uint32_t i) {
+        if (list.wants(i) && find(i, at, normal)) list.axis(at, normal, green);
+    });
+}
+
+// A box in cells, for surfaces that no samples tell of.
+struct Lattice {
+    static constexpr uint32_t cells_along = 16, cells = cells_along * cells_along * cells_along;
+
+    Vec3 low, cell;
+
+    explicit Lattice(const Hypersurface& surface) {
+        low = Vec3::Constant(-0.5 * surface.size());
+        Vec3 extent = Vec3::Constant(surface.size());
+        if (const auto* const grid = dynamic_cast<const DistanceGrid*>(&surface)) {
+            for (uint32_t axis = 0; axis < 3; ++axis) {
+                low[axis] = grid->low(axis);
+                extent[axis] = grid->extent(axis);
+            }
+        }
+        cell = extent / cells_along;
+    }
+    Vec3 middle(uint32_t i) const {
+        const uint32_t x = i % cells_along, y = i / cells_along % cells_along, z = i / (cells_along * cells_along);
+        return low + cell.cwiseProduct(Vec3(x + 0.5, y + 0.5, z + 0.5));
+    }
+    // The point next to a cell's middle, if it lies in the cell: in no other one then.
+    bool find(const Hypersurface& surface, uint32_t i, Vec3& at, Vec3& normal) const {
+        double hint[Manifold::max_hint], value = 0;
+        std::fill_n(hint, surface.hint_size(), 0.0);
+        at = middle(i);
+        if (!surface.project(at.data(), hint)) return false;
+        const Vec3 off = (at - middle(i)).cwiseQuotient(cell);
+        if (!(off.minCoeff() >= -0.5 && off.maxCoeff() < 0.5)) return false;
+        if (!surface.evaluate(at.data(), hint, &value, normal.data(), nullptr)) return false;
+        normal.normalize();
+        return true;
+    }
+};
+
+void paint_manifold(const ManifoldProduct& held, DrawList& list) {
+    if (held.base) return paint_manifold(*held.base, list);
+    if (held.kind != ManifoldKind::hypersurface) return;
+    const auto& surface = static_cast<const Hypersurface&>(*held.manifold);
+    list.place(held.origin);
+    if (const auto* const samples = dynamic_cast<const OrientedSamples*>(&surface)) {
+        return draw_places(samples->sample_count(), list, [&](uint32_t i, Vec3& at, Vec3& normal) {
+            at = Vec3(samples->sample(i).position.data());
+            normal = Vec3(samples->sample(i).normal.data());
+            return true;
+        });
+    }
+    const Lattice lattice(surface);
+    draw_places(Lattice::cells, list,
+                [&](uint32_t i, Vec3& at, Vec3& normal) { return lattice.find(surface, i, at, normal); });
+}
 
 struct ObstacleWires final : Obstacle::Wires {
     ObstacleWires(DrawList& to, uint32_t of_color) : list(to), color(of_color) {}
@@ -563,6 +649,13 @@ FlgResult flgDebugDrawCurveSet(FlgContext context, FlgCurveSet set, const FlgDeb
                 paint_curve_set);
 }
 
+FlgResult flgDebugDrawLiveStroke(FlgContext context, FlgLiveStroke stroke, const FlgDebugDrawDesc* desc,
+                                 FlgDebugDrawing* drawing) {
+    const auto find = [&] { return get_context(context).live_strokes.get(stroke.id, "stroke"); };
+    return draw(desc, drawing, FLG_DEBUG_PART_LINES | FLG_DEBUG_PART_FRAMES | FLG_DEBUG_PART_SEAMS, find,
+                paint_live_stroke);
+}
+
 FlgResult flgDebugDrawStyle(FlgContext context, FlgStyle style, const FlgDebugDrawDesc* desc,
                             FlgDebugDrawing* drawing) {
     const auto find = [&] { return get_context(context).styles.get(style.id, "style"); };
@@ -641,6 +734,12 @@ FlgResult flgDebugDrawObstacles(FlgContext context, FlgObstacles obstacles, cons
                                 FlgDebugDrawing* drawing) {
     const auto find = [&] { return get_context(context).obstacles.get(obstacles.id, "obstacles"); };
     return draw(desc, drawing, FLG_DEBUG_PART_LINES | FLG_DEBUG_PART_CLEARANCE, find, paint_obstacles);
+}
+
+FlgResult flgDebugDrawManifold(FlgContext context, FlgManifold manifold, const FlgDebugDrawDesc* desc,
+                               FlgDebugDrawing* drawing) {
+    const auto find = [&] { return get_context(context).manifolds.get(manifold.id, "manifold"); };
+    return draw(desc, drawing, FLG_DEBUG_PART_LINES | FLG_DEBUG_PART_POINTS, find, paint_manifold);
 }
 
 FlgResult flgDebugDrawSpline(FlgContext context, FlgSpline spline, const FlgDebugDrawDesc* desc,

@@ -8,6 +8,24 @@
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
 
+namespace {
+
+Lanes lanes(const Vec3& v) {
+    return Lanes{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0};
+}
+
+Lanes cross(const Lanes& a, const Lanes& b) {
+    const auto turned = [](const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };
+    return turned(a * turned(b) - turned(a) * b);
+}
+
+float dot(const Lanes& a, const Lanes& b) {
+    const Lanes product = a * b;
+    return product[0] + product[1] + product[2];
+}
+
+}  // namespace
+
 Sweep::Sweep(const Style& style, const CrossSection& section, const Output& output)
     : style_(style), section_(section), writer_(style, section, output) {}
 
@@ -22,73 +40,84 @@ double Sweep::coordinate(double along) const {
     return style_.uv_along_unit ? std::clamp(along / length_, 0.0, 1.0) : along;
 }
 
-Row Sweep::row_at(const Section& section, double along) const {
-    Row row;
-    const double radius = section.point->radius;
-    row.center = section.position;
-    row.tangent = section.tangent;
-    row.normal = section.normal;
-    row.binormal = section.tangent.cross(section.normal);
-    row.arm[0] = radius * row.normal;
-    row.arm[1] = radius * row.binormal;
+Row Sweep::row_of(const Section& section) const {
+    const Lanes tangent = lanes(section.tangent), normal = lanes(section.normal), binormal = cross(tangent, normal);
+    const auto radius = static_cast<float>(section.radius);
+    const Lanes sides = {1, 1, style_.left_handed ? -1.0f : 1.0f, 0};
+    Lanes arms[] = {radius * normal, radius * binormal};
     if (section.widening_size != 0) {
-        for (Vec3& arm : row.arm) arm += section.widening_size * arm.dot(section.widening) * section.widening;
+        const auto size = static_cast<float>(section.widening_size);
+        const Lanes widening = lanes(section.widening);
+        for (Lanes& arm : arms) arm += size * dot(arm, widening) * widening;
     }
-    if (style_.tube()) {
-        row.normal_out = 1 / std::sqrt(1 + section.slope * section.slope);
-        row.normal_along = -section.slope * row.normal_out;
+    Row row;
+    row.center = sides * lanes(section.position);
+    row.arm[0] = sides * arms[0];
+    row.arm[1] = sides * arms[1];
+    row.tangent = sides * tangent;
+    row.normal = sides * normal;
+    row.binormal = sides * binormal;
+    row.normal_out = 1;
+    row.normal_along = 0;
+    if (style_.tube() && section.slope != 0) {
+        const double out = 1 / std::sqrt(1 + section.slope * section.slope);
+        row.normal_out = static_cast<float>(out);
+        row.normal_along = static_cast<float>(-section.slope * out);
     }
-    row.along = coordinate(along);
-    if (!style_.uv_around_unit) row.width = (style_.tube() ? 2 * std::numbers::pi : 2) * radius;
-    row.color = section.point->color;
+    row.along = static_cast<float>(coordinate(section.along));
+    const double around = style_.tube() ? 2 * std::numbers::pi : 2;
+    row.width = style_.uv_around_unit ? 1 : static_cast<float>(around * section.radius);
+    std::copy(section.color, section.color + 4, row.color);
     return row;
 }
 
-void Sweep::add(const Section& section) {
-    const Row row = row_at(section, section.along);
-    if (!begun_ && !closed_) add_cap(section, CapProfile(style_, style_.start_cap), true);
-    const int64_t number = writer_.write(row);
-    if (begun_) {
-        writer_.strip(previous_, number, false);
-    } else if (closed_) {
-        first_ = number;
-        first_row_ = row;
-        first_point_ = *section.point;
+void Sweep::add(const Section* sections, uint32_t count) {
+    if (!begun_ && !closed_) add_cap(sections[0], CapProfile(style_, style_.start_cap), true);
+    int64_t number = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        number = writer_.write(row_of(sections[i]));
+        if (begun_) {
+            writer_.strip_ahead(previous_);
+        } else {
+            begun_ = true;
+            first_ = number;
+            first_section_ = sections[0];
+        }
+        previous_ = number;
     }
-    begun_ = true;
-    previous_ = number;
-    last_ = section;
-    last_point_ = *section.point;
+    last_section_ = sections[count - 1];
 }
 
 void Sweep::end() {
-    last_.point = &last_point_;
-    if (!closed_) return add_cap(last_, CapProfile(style_, style_.end_cap), false);
+    if (!closed_) return add_cap(last_section_, CapProfile(style_, style_.end_cap), false);
     int64_t seam = first_;
     if (style_.uv) {
-        first_row_.along = coordinate(length_);
-        first_row_.color = first_point_.color;
-        seam = writer_.write(first_row_);
+        first_section_.along = length_;
+        seam = writer_.write(row_of(first_section_));
     }
     writer_.strip(previous_, seam, false);
 }
 
 void Sweep::add_cap(const Section& section, const CapProfile& profile, bool back) {
-    const double radius = section.point->radius;
-    if (profile.row_count == 0 || radius == 0) return;
+    if (profile.row_count == 0 || section.radius == 0) return;
     const double side = back ? -1 : 1;
+    const auto row_ahead = [&](float ahead, float size) {
+        const double distance = side * section.radius * double{ahead};
+        Section moved = section;
+        moved.position += distance * section.tangent;
+        moved.along += distance;
+        moved.radius *= double{size};
+        Row row = row_of(moved);
+        if (style_.uv_around_unit) row.width *= size;
+        return row;
+    };
     int64_t before = 0;
-    Row row;
     for (uint32_t i = 0; i < profile.row_count; ++i) {
         const CapRow& cap = profile.rows[i];
-        const double ahead = side * radius * double{cap.ahead};
-        row = row_at(section, section.along + ahead);
-        row.center += ahead * section.tangent;
-        for (Vec3& arm : row.arm) arm *= double{cap.size};
-        row.width *= double{cap.size};
+        Row row = row_ahead(cap.ahead, cap.size);
         if (style_.tube()) {
-            row.normal_out = double{cap.normal_out};
-            row.normal_along = side * double{cap.normal_ahead};
+            row.normal_out = cap.normal_out;
+            row.normal_along = static_cast<float>(side) * cap.normal_ahead;
         }
         const int64_t number = writer_.write(row);
         const bool is_tip = !profile.apex && i + 1 == profile.row_count;
@@ -99,11 +128,9 @@ void Sweep::add_cap(const Section& section, const CapProfile& profile, bool back
         before = number;
     }
     if (!profile.apex) return;
-    const double ahead = side * radius * double{profile.apex_ahead};
-    row.center = section.position + ahead * section.tangent;
-    row.along = coordinate(section.along + ahead);
-    const int64_t apex = writer_.write_apex(row, style_.tube() ? Vec3(side * section.tangent) : section.normal);
-    writer_.fan(before, apex, back);
+    const Row apex = row_ahead(profile.apex_ahead, profile.rows[profile.row_count - 1].size);
+    const Lanes facing = style_.tube() ? static_cast<float>(side) * apex.tangent : apex.normal;
+    writer_.fan(before, writer_.write_apex(apex, facing), back);
 }
 
 uint32_t sides_within(double radius, double tolerance, uint32_t most) {
@@ -154,10 +181,16 @@ Counts count(const Curve& curve, const Style& style, const Growth* growth) {
     WalkPlace place = growth ? growth->walk : WalkPlace{};
     const bool continues = growth && growth->frame.sections > 0;
     uint64_t rows = 0;
-    float start_radius = 0;
-    walk(curve, place, [&](const Bend& bend) {
-        if (rows == 0) start_radius = bend.point.radius;
-        rows += bend.in.isZero(0) ? 1 : corners.rows(bend.in, bend.out);
+    const float start_radius = place.begun ? place.last.radius : curve.count > 0 ? curve.radius_at(0) : 0;
+    walk(curve, place, [&](const Bends& bends) {
+        int64_t is_corner[Bends::most];
+        uint32_t left = corners.find(bends, is_corner);
+        rows += bends.count;
+        for (uint32_t k = 0; left > 0; ++k) {
+            if (is_corner[k] == 0) continue;
+            rows += corners.rows(bends, k) - 1;
+            --left;
+        }
         return true;
     });
     if (rows == 0 && !continues) return {};
@@ -178,8 +211,8 @@ Counts write(const Curve& curve, const Style& style, const Output& output, Growt
     Sweep sweep(style, section, output);
     sweep.begin(curve.closed, style.uv_along_unit || (curve.closed && style.uv) ? length_of(curve) : 1,
                 now.frame.sections > 0);
-    const auto add = [&](const Bend& bend) {
-        framer.visit(bend, [&](const Section& s) { sweep.add(s); });
+    const auto add = [&](const Bends& bends) {
+        framer.visit(bends, [&](const Sections& sections) { sweep.add(sections.list, sections.count); });
         return true;
     };
     walk(curve, now.walk, add);
@@ -193,7 +226,11 @@ Counts write(const Curve& curve, const Style& style, const Output& output, Growt
         now.before.indices += sweep.written().indices;
         *growth = now;
     }
-    if (!curve.closed) add(last_bend(now.walk));
+    if (!curve.closed) {
+        Bends bends;
+        last_bend(now.walk, curve, bends);
+        add(bends);
+    }
     sweep.end();
     return sweep.written();
 }

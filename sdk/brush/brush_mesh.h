@@ -33,14 +33,14 @@ public:
     // Before the first section. `length`: what texture coordinates from 0 to 1 are measured by. With `continues`, a row
     // was written right before.
     void begin(bool closed, double length, bool continues);
-    void add(const Section& section);
+    void add(const Section* sections, uint32_t count);
     // After the last one.
     void end();
     // Written since the sweep was made.
     Counts written() const { return {writer_.vertex_count(), writer_.index_count()}; }
 
 private:
-    Row row_at(const Section& section, double along) const;
+    Row row_of(const Section& section) const;
     void add_cap(const Section& section, const CapProfile& profile, bool back);
     double coordinate(double along) const;
 
@@ -50,9 +50,7 @@ private:
     bool closed_ = false, begun_ = false;
     double length_ = 1;
     int64_t previous_ = 0, first_ = 0;
-    Row first_row_;
-    Point first_point_ = {}, last_point_ = {};
-    Section last_;
+    Section first_section_, last_section_;
 };
 
 // As few sides as keep a round tube within `tolerance` metres, up to style.sides.

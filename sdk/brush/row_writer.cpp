@@ -1,119 +1,134 @@
 // SPDX-License-Identifier: MIT
 #include "brush/row_writer.h"
 
+#include <cstring>
+
 #include "core/number_formats.h"
 
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
 namespace {
 
-// Vectors as the inner loops take them.
-struct Floats {
-    float x, y, z;
-};
+using Pair = double __attribute__((vector_size(16)));
 
-Floats floats(const Vec3& v, bool left_handed) {
-    const auto z = static_cast<float>(v.z());
-    return {static_cast<float>(v.x()), static_cast<float>(v.y()), left_handed ? -z : z};
-}
-
-template <uint32_t components>
-void store_components(const FlgVertexColumn& column, int64_t first, const float* const* values, uint32_t count) {
-    with_conversion(column.format, [&](auto convert) {
-        using Number = decltype(convert(0.0f));
-        char* at = static_cast<char*>(column.data) + static_cast<size_t>(first) * column.stride;
-        for (uint32_t v = 0; v < count; ++v, at += column.stride) {
-            auto* const numbers = reinterpret_cast<Number*>(at);
-            for (uint32_t k = 0; k < components; ++k) numbers[k] = convert(values[k][v]);
-        }
-    });
+void put_three(char* to, const Lanes& value) {
+    const double first_two = reinterpret_cast<Pair>(value)[0];
+    const float third = value[2];
+    std::memcpy(to, &first_two, sizeof first_two);
+    std::memcpy(to + sizeof first_two, &third, sizeof third);
 }
 
 }  // namespace
 
 RowWriter::RowWriter(const Style& style, const CrossSection& section, const Output& output)
-    : style_(style), section_(section), output_(output) {}
+    : style_(style), section_(section), output_(output) {
+    const auto is_plain = [&](FlgVertexAttribute attribute) {
+        return output.columns[attribute].data && output.columns[attribute].format == FLG_NUMBER_FORMAT_FLOAT32;
+    };
+    plain_ = is_plain(FLG_VERTEX_ATTRIBUTE_POSITION) && is_plain(FLG_VERTEX_ATTRIBUTE_NORMAL);
+    // Turned around, two corners of each triangle change places.
+    const uint32_t second = style.left_handed ? 2 : 1, third = 3 - second;
+    for (uint32_t q = 0; q < section.quads; ++q) {
+        uint32_t* const corners = ahead_ + size_t{6} * q;
+        corners[0] = corners[3] = section.left[q];
+        corners[second] = section.right[q];
+        corners[third] = corners[3 + second] = section.vertices + section.right[q];
+        corners[3 + third] = section.vertices + section.left[q];
+    }
+}
 
-void RowWriter::store(FlgVertexAttribute attribute, const float* const* values, uint32_t count) {
+template <uint32_t components, class Value>
+void RowWriter::store(FlgVertexAttribute attribute, uint32_t count, Value value) {
     const FlgVertexColumn& column = output_.columns[attribute];
-    switch (attribute) {
-        case FLG_VERTEX_ATTRIBUTE_POSITION:
-        case FLG_VERTEX_ATTRIBUTE_NORMAL: return store_components<3>(column, vertices_, values, count);
-        case FLG_VERTEX_ATTRIBUTE_UV: return store_components<2>(column, vertices_, values, count);
-        default: return store_components<4>(column, vertices_, values, count);
+    with_conversion(column.format, [&](auto convert) {
+        using Number = decltype(convert(0.0f));
+        char* at = static_cast<char*>(column.data) + static_cast<size_t>(vertices_) * column.stride;
+        for (uint32_t v = 0; v < count; ++v, at += column.stride) {
+            const Lanes lanes = value(v);
+            auto* const numbers = reinterpret_cast<Number*>(at);
+            for (uint32_t k = 0; k < components; ++k) numbers[k] = convert(lanes[k]);
+        }
+    });
+}
+
+// Both at once: buffers that interleave them are written from front to back. The loop keeps to locals, since what it
+// writes may be anything.
+void RowWriter::write_places_and_normals(const Row& row) {
+    const Lanes center = row.center, arm = row.arm[0], other_arm = row.arm[1];
+    const Lanes out = row.normal_out * row.normal, side = row.normal_out * row.binormal,
+                lean = row.normal_along * row.tangent;
+    const CrossSection& section = section_;
+    const uint32_t count = section.vertices;
+    const FlgVertexColumn& places = output_.columns[FLG_VERTEX_ATTRIBUTE_POSITION];
+    const FlgVertexColumn& normals = output_.columns[FLG_VERTEX_ATTRIBUTE_NORMAL];
+    const size_t place_stride = places.stride, normal_stride = normals.stride;
+    char* place = static_cast<char*>(places.data) + static_cast<size_t>(vertices_) * place_stride;
+    char* normal = static_cast<char*>(normals.data) + static_cast<size_t>(vertices_) * normal_stride;
+    for (uint32_t v = 0; v < count; ++v, place += place_stride, normal += normal_stride) {
+        put_three(place, center + (section.place[0][v] * arm + section.place[1][v] * other_arm));
+        put_three(normal, lean + (section.normal[0][v] * out + section.normal[1][v] * side));
     }
 }
 
 int64_t RowWriter::write(const Row& row) {
-    constexpr uint32_t most = CrossSection::most;
-    const bool mirror = style_.left_handed;
     const uint32_t count = section_.vertices;
-    float x[most], y[most], z[most], w[most];
-    const float* const values[] = {x, y, z, w};
-    if (output_.columns[FLG_VERTEX_ATTRIBUTE_POSITION].data) {
-        const Floats c = floats(row.center, mirror), a = floats(row.arm[0], mirror), b = floats(row.arm[1], mirror);
-        for (uint32_t v = 0; v < count; ++v) {
-            const float p = section_.place[0][v], q = section_.place[1][v];
-            x[v] = c.x + (p * a.x + q * b.x);
-            y[v] = c.y + (p * a.y + q * b.y);
-            z[v] = c.z + (p * a.z + q * b.z);
-        }
-        store(FLG_VERTEX_ATTRIBUTE_POSITION, values, count);
-    }
+    const auto wanted = [&](FlgVertexAttribute attribute) { return output_.columns[attribute].data != nullptr; };
     // Normals and tangents: outwards and along the curve, turned against each other as the surface leans.
-    const auto store_direction = [&](FlgVertexAttribute attribute, double out, double along) {
-        const Floats a = floats(out * row.normal, mirror), b = floats(out * row.binormal, mirror),
-                     t = floats(along * row.tangent, mirror);
-        for (uint32_t v = 0; v < count; ++v) {
-            const float p = section_.normal[0][v], q = section_.normal[1][v];
-            x[v] = t.x + (p * a.x + q * b.x);
-            y[v] = t.y + (p * a.y + q * b.y);
-            z[v] = t.z + (p * a.z + q * b.z);
-        }
-        store(attribute, values, count);
+    const auto direction = [&](float out, float along) {
+        const Lanes a = out * row.normal, b = out * row.binormal, t = along * row.tangent;
+        return [this, a, b, t](uint32_t v) { return t + (section_.normal[0][v] * a + section_.normal[1][v] * b); };
     };
-    if (output_.columns[FLG_VERTEX_ATTRIBUTE_NORMAL].data)
-        store_direction(FLG_VERTEX_ATTRIBUTE_NORMAL, row.normal_out, row.normal_along);
-    if (output_.columns[FLG_VERTEX_ATTRIBUTE_TANGENT].data) {
-        for (uint32_t v = 0; v < count; ++v) w[v] = mirror ? 1.0f : -1.0f;
-        store_direction(FLG_VERTEX_ATTRIBUTE_TANGENT, -row.normal_along, row.normal_out);
-    }
-    if (output_.columns[FLG_VERTEX_ATTRIBUTE_COLOR].data) {
-        for (uint32_t v = 0; v < count; ++v) {
-            x[v] = row.color[0];
-            y[v] = row.color[1];
-            z[v] = row.color[2];
-            w[v] = row.color[3];
+    if (plain_) {
+        write_places_and_normals(row);
+    } else {
+        if (wanted(FLG_VERTEX_ATTRIBUTE_POSITION)) {
+            store<3>(FLG_VERTEX_ATTRIBUTE_POSITION, count, [&](uint32_t v) {
+                return row.center + (section_.place[0][v] * row.arm[0] + section_.place[1][v] * row.arm[1]);
+            });
         }
-        store(FLG_VERTEX_ATTRIBUTE_COLOR, values, count);
+        if (wanted(FLG_VERTEX_ATTRIBUTE_NORMAL))
+            store<3>(FLG_VERTEX_ATTRIBUTE_NORMAL, count, direction(row.normal_out, row.normal_along));
     }
-    if (output_.columns[FLG_VERTEX_ATTRIBUTE_UV].data) {
-        const auto along = static_cast<float>(row.along), width = static_cast<float>(row.width);
-        for (uint32_t v = 0; v < count; ++v) {
-            x[v] = along;
-            y[v] = width * section_.around[v];
-        }
-        store(FLG_VERTEX_ATTRIBUTE_UV, values, count);
+    if (wanted(FLG_VERTEX_ATTRIBUTE_TANGENT)) {
+        const auto tangent = direction(-row.normal_along, row.normal_out);
+        const float hand = style_.left_handed ? 1.0f : -1.0f;
+        store<4>(FLG_VERTEX_ATTRIBUTE_TANGENT, count, [&](uint32_t v) {
+            Lanes lanes = tangent(v);
+            lanes[3] = hand;
+            return lanes;
+        });
+    }
+    if (wanted(FLG_VERTEX_ATTRIBUTE_COLOR)) {
+        const Lanes color = {row.color[0], row.color[1], row.color[2], row.color[3]};
+        store<4>(FLG_VERTEX_ATTRIBUTE_COLOR, count, [&](uint32_t) { return color; });
+    }
+    if (wanted(FLG_VERTEX_ATTRIBUTE_UV)) {
+        store<2>(FLG_VERTEX_ATTRIBUTE_UV, count, [&](uint32_t v) {
+            return Lanes{row.along, row.width * section_.around[v], 0, 0};
+        });
     }
     const int64_t number = vertices_;
     vertices_ += count;
     return number;
 }
 
-int64_t RowWriter::write_apex(const Row& row, const Vec3& facing) {
-    const bool mirror = style_.left_handed;
-    const auto one = [&](FlgVertexAttribute attribute, const Floats& value, float last) {
-        if (!output_.columns[attribute].data) return;
-        const float* const values[] = {&value.x, &value.y, &value.z, &last};
-        store(attribute, values, 1);
-    };
-    one(FLG_VERTEX_ATTRIBUTE_POSITION, floats(row.center, mirror), 0);
-    one(FLG_VERTEX_ATTRIBUTE_NORMAL, floats(facing, mirror), 0);
-    // Across what it faces: along the curve where it can be.
-    const Vec3& along = style_.tube() ? row.normal : row.tangent;
-    one(FLG_VERTEX_ATTRIBUTE_TANGENT, floats(along, mirror), mirror ? 1.0f : -1.0f);
-    one(FLG_VERTEX_ATTRIBUTE_COLOR, {row.color[0], row.color[1], row.color[2]}, row.color[3]);
-    one(FLG_VERTEX_ATTRIBUTE_UV, {static_cast<float>(row.along), static_cast<float>(0.5 * row.width), 0}, 0);
+int64_t RowWriter::write_apex(const Row& row, const Lanes& facing) {
+    const auto wanted = [&](FlgVertexAttribute attribute) { return output_.columns[attribute].data != nullptr; };
+    if (wanted(FLG_VERTEX_ATTRIBUTE_POSITION))
+        store<3>(FLG_VERTEX_ATTRIBUTE_POSITION, 1, [&](uint32_t) { return row.center; });
+    if (wanted(FLG_VERTEX_ATTRIBUTE_NORMAL)) store<3>(FLG_VERTEX_ATTRIBUTE_NORMAL, 1, [&](uint32_t) { return facing; });
+    if (wanted(FLG_VERTEX_ATTRIBUTE_TANGENT)) {
+        // Across what it faces: along the curve where it can be.
+        Lanes along = style_.tube() ? row.normal : row.tangent;
+        along[3] = style_.left_handed ? 1.0f : -1.0f;
+        store<4>(FLG_VERTEX_ATTRIBUTE_TANGENT, 1, [&](uint32_t) { return along; });
+    }
+    if (wanted(FLG_VERTEX_ATTRIBUTE_COLOR)) {
+        const Lanes color = {row.color[0], row.color[1], row.color[2], row.color[3]};
+        store<4>(FLG_VERTEX_ATTRIBUTE_COLOR, 1, [&](uint32_t) { return color; });
+    }
+    if (wanted(FLG_VERTEX_ATTRIBUTE_UV))
+        store<2>(FLG_VERTEX_ATTRIBUTE_UV, 1, [&](uint32_t) { return Lanes{row.along, 0.5f * row.width, 0, 0}; });
     return vertices_++;
 }
 
@@ -137,6 +152,20 @@ void RowWriter::strip(int64_t from, int64_t to, bool back) {
     if (!output_.indices) return;
     back = back != style_.left_handed;
     return output_.narrow_indices ? strip_as<uint16_t>(from, to, back) : strip_as<uint32_t>(from, to, back);
+}
+
+template <class Index>
+void RowWriter::strip_ahead_as(int64_t from) {
+    auto* const at = static_cast<Index*>(output_.indices) + indices_;
+    const auto a = static_cast<uint32_t>(output_.first_index_value + from);
+    const uint32_t count = 6 * section_.quads;
+    for (uint32_t i = 0; i < count; ++i) at[i] = static_cast<Index>(a + ahead_[i]);
+    indices_ += count;
+}
+
+void RowWriter::strip_ahead(int64_t from) {
+    if (!output_.indices) return;
+    return output_.narrow_indices ? strip_ahead_as<uint16_t>(from) : strip_ahead_as<uint32_t>(from);
 }
 
 void RowWriter::triangle(int64_t a, int64_t b, int64_t c, bool back) {

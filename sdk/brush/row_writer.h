@@ -6,7 +6,6 @@
 
 #include "brush/cross_section.h"
 #include "brush/library.h"
-#include "core/vec.h"
 
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
@@ -19,15 +18,18 @@ struct Output {
     uint32_t first_index_value = 0;  // the index of the first vertex written
 };
 
-// One row: where it stands, and how its cross-section lies.
+// x, y, z, and one more.
+using Lanes = float __attribute__((vector_size(16)));
+
+// One row: where it stands, and how its cross-section lies. Of a left-handed mesh z is turned already.
 struct Row {
-    Vec3 center;
-    Vec3 tangent, normal, binormal;           // unit
-    Vec3 arm[2];                              // what the section's place is multiplied by, metres
-    double normal_out = 1, normal_along = 0;  // of a tube: the parts of its normals across and along the tangent
-    double along = 0;                         // first texture coordinate
-    double width = 1;                         // second one where `around` is 1
-    const float* color = nullptr;
+    Lanes center;
+    Lanes tangent, normal, binormal;  // unit
+    Lanes arm[2];                     // what the section's place is multiplied by, metres
+    float normal_out, normal_along;   // of a tube: the parts of its normals across and along the tangent
+    float along;                      // first texture coordinate
+    float width;                      // second one where `around` is 1
+    float color[4];
 };
 
 class RowWriter {
@@ -37,10 +39,12 @@ public:
     // Returns the row's number: that of its first vertex, counted from the first written.
     int64_t write(const Row& row);
     // One vertex at row.center.
-    int64_t write_apex(const Row& row, const Vec3& facing);
+    int64_t write_apex(const Row& row, const Lanes& facing);
     // Between two rows, the second ahead of the first along the tangent, or with `back` behind it. Rows written by
     // calls before have negative numbers.
     void strip(int64_t from, int64_t to, bool back);
+    // From a row to the one written right after it.
+    void strip_ahead(int64_t from);
     // To a row that is a tip, and to an apex.
     void tip(int64_t from, int64_t to, bool back);
     void fan(int64_t from, int64_t apex, bool back);
@@ -51,12 +55,19 @@ public:
 private:
     template <class Index>
     void strip_as(int64_t from, int64_t to, bool back);
+    template <class Index>
+    void strip_ahead_as(int64_t from);
     void triangle(int64_t a, int64_t b, int64_t c, bool back);
-    void store(FlgVertexAttribute attribute, const float* const* values, uint32_t count);
+    // value(v): of the row's vertex v.
+    template <uint32_t components, class Value>
+    void store(FlgVertexAttribute attribute, uint32_t count, Value value);
+    void write_places_and_normals(const Row& row);
 
     const Style& style_;
     const CrossSection& section_;
     Output output_;
+    bool plain_;                     // positions and normals are wanted, as floats
+    uint32_t ahead_[6 * max_sides];  // the corners from a row to the next, counted from the row's first vertex
     int64_t vertices_ = 0;
     uint64_t indices_ = 0;
 };

@@ -5,6 +5,9 @@
 // Tangents halve the turn between the segments that meet: a TANGENT column may be that of another curve (stylized
 // curves carry their target's frame), and a cross-section placed by it would be squashed. Given normals are made
 // perpendicular, on the side that keeps the surface from crossing over itself.
+//
+// Points come in blocks, as arrays, so that roots and quotients are taken of several at once; only the frames go from
+// point to point. Nothing depends on where a block begins.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +20,6 @@
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
 
-// How many rows a point needs where the curve turns from one chord to the next: 1, or 2 and more at corners.
-class Corners {
-public:
-    explicit Corners(const Style& style);
-    uint32_t rows(const Vec3& in, const Vec3& out) const;
-
-private:
-    FlgBrushJoin join_;
-    uint32_t sides_;
-    double cosine_;  // of the turn from which a point is a corner
-};
-
-// A point and the segments that meet in it. Chords are zero at the ends of open curves.
-struct Bend {
-    Point point;
-    Vec3 in = Vec3::Zero(), out = Vec3::Zero();
-    float radius_before = 0, radius_after = 0;
-};
-
 // Where a walk along a curve is; what is kept between the calls of a growing stroke.
 struct WalkPlace {
     uint32_t begun = 0;
@@ -44,24 +28,68 @@ struct WalkPlace {
     double in[3] = {};  // the chord that leads to it
 };
 
-// Hands the bends of a curve to sink(bend), as long as that returns true: all of a closed curve's; of an open one's not
-// the last, which last_bend(place) tells. Goes on from `place`.
+// Points in a row with the segments that meet in them: point k lies between the chords k and k + 1, which are zero at
+// the ends of open curves.
+struct Bends {
+    static constexpr uint32_t most = 32;
+
+    uint32_t count = 0;
+    double position[3][most + 1];
+    double chord[3][most + 1];
+    double radius[most + 2];  // of point k at k + 1, between its neighbours'
+    const float* color[most + 1];
+    const float* normal[most + 1];  // null: none is given
+
+    Bends() {}  // NOLINT(modernize-use-equals-default): arrays stay as they are
+    // Begins with the point that a walk has come to; that and the curve live as long.
+    void start(const WalkPlace& place, const Curve& curve) {
+        count = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            position[k][0] = double{place.last.position[k]};
+            chord[k][0] = place.in[k];
+        }
+        radius[0] = double{place.radius_before};
+        radius[1] = double{place.last.radius};
+        color[0] = place.last.color;
+        normal[0] = curve.normal ? place.last.normal : nullptr;
+    }
+    // The last point's next one is the curve's point i. Room for it is there.
+    void add(const Curve& curve, size_t i) {
+        const uint32_t to = ++count;
+        const float* const place = curve.position.at(i);
+        for (size_t k = 0; k < 3; ++k) {
+            position[k][to] = double{place[k]};
+            chord[k][to] = position[k][to] - position[k][to - 1];
+        }
+        radius[to + 1] = double{curve.radius_at(i)};
+        color[to] = curve.color ? curve.color.at(i) : curve.default_color;
+        normal[to] = curve.normal ? curve.normal.at(i) : nullptr;
+    }
+    // Point `count` is the curve's end.
+    void end() {
+        const uint32_t to = ++count;
+        for (auto& component : chord) component[to] = 0;
+        radius[to + 1] = radius[to];
+    }
+    // Goes on with the point whose next is not known.
+    void carry() {
+        for (size_t k = 0; k < 3; ++k) {
+            position[k][0] = position[k][count];
+            chord[k][0] = chord[k][count];
+        }
+        radius[0] = radius[count];
+        radius[1] = radius[count + 1];
+        color[0] = color[count];
+        normal[0] = normal[count];
+        count = 0;
+    }
+};
+
+// Hands the bends of a curve to sink(bends), as long as that returns true: all of a closed curve's; of an open one's
+// not the last, which last_bend(place) tells. Goes on from `place`.
 template <class Sink>
 void walk(const Curve& curve, WalkPlace& place, Sink&& sink) {
     const uint32_t count = curve.distinct_count();
-    const auto leave = [&](const Point& next, const Vec3& out) {
-        Bend bend;
-        bend.point = place.last;
-        bend.in = Vec3::Map(place.in);
-        bend.out = out;
-        bend.radius_before = place.radius_before;
-        bend.radius_after = next.radius;
-        const bool more = sink(static_cast<const Bend&>(bend));
-        place.radius_before = place.last.radius;
-        Vec3::Map(place.in) = out;
-        place.last = next;
-        return more;
-    };
     uint32_t i = 0;
     if (!place.begun) {
         if (count == 0) return;
@@ -73,31 +101,74 @@ void walk(const Curve& curve, WalkPlace& place, Sink&& sink) {
             Vec3::Map(place.in) = chord(curve.position.at(count - 1), curve.position.at(0));
         }
     }
+    const WalkPlace from = place;
+    Bends bends;
+    bends.start(from, curve);
+    const float* last = from.last.position;
+    uint32_t last_point = count;  // none
+    const auto add = [&](uint32_t point) {
+        bends.add(curve, point);
+        last = curve.position.at(point);
+        last_point = point;
+        if (bends.count < Bends::most) return true;
+        const bool more = sink(static_cast<const Bends&>(bends));
+        bends.carry();
+        return more;
+    };
     for (; i < count; ++i) {
-        const float* const position = curve.position.at(i);
-        if (same_place(position, place.last.position)) continue;
-        if (!leave(curve.point(i), chord(place.last.position, position))) return;
+        if (same_place(curve.position.at(i), last)) continue;
+        if (!add(i)) return;
     }
-    if (curve.closed && count > 1) leave(curve.point(0), chord(place.last.position, curve.position.at(0)));
+    if (curve.closed && count > 1 && !add(0)) return;
+    if (bends.count > 0) {
+        sink(static_cast<const Bends&>(bends));
+        bends.carry();
+    }
+    if (last_point == count) return;
+    place.last = curve.point(last_point);
+    place.radius_before = static_cast<float>(bends.radius[0]);
+    for (size_t k = 0; k < 3; ++k) place.in[k] = bends.chord[k][0];
 }
 
-inline Bend last_bend(const WalkPlace& place) {
-    Bend bend;
-    bend.point = place.last;
-    bend.in = Vec3::Map(place.in);
-    bend.radius_before = place.radius_before;
-    bend.radius_after = place.last.radius;
-    return bend;
+// The end of an open curve, at which a walk has come.
+inline void last_bend(const WalkPlace& place, const Curve& curve, Bends& bends) {
+    bends.start(place, curve);
+    bends.end();
 }
+
+// Where a curve turns so sharply from one chord to the next that its section needs two rows, or more.
+class Corners {
+public:
+    explicit Corners(const Style& style);
+    // Writes 1 for each corner, else 0; returns how many there are.
+    uint32_t find(const Bends& bends, int64_t (&is_corner)[Bends::most]) const;
+    // Of a corner.
+    uint32_t rows(const Bends& bends, uint32_t k) const;
+
+private:
+    FlgBrushJoin join_;
+    uint32_t sides_;
+    double cosine_;  // of the turn from which a point is a corner
+};
 
 // A place for a cross-section: each bend has one or, at corners, several.
 struct Section {
     Vec3 position, tangent, normal;
-    double along = 0;              // metres from the first point
-    double slope = 0;              // the radius's change along the curve
-    Vec3 widening = Vec3::Zero();  // direction times what it takes to keep the radius in a turn; of mitered sections
-    double widening_size = 0;
-    const Point* point = nullptr;  // lives as long as its bend
+    Vec3 widening;         // direction times what it takes to keep the radius in a turn; of mitered sections
+    double widening_size;  // 0: none
+    double radius;
+    double along;  // metres from the first point
+    double slope;  // the radius's change along the curve
+    float color[4];
+};
+
+// Sections in a row.
+struct Sections {
+    static constexpr uint32_t most = Bends::most;
+
+    uint32_t count = 0;
+    Section list[most];
+    const float* given[most];  // the normal given for a point, at its first section; else null
 };
 
 struct FramePlace {
@@ -118,36 +189,48 @@ public:
     void begin_with(const Vec3& normal) { first_normal_ = normal; }
     // A closed curve's: radians a metre by which frames are turned, to meet at the seam.
     void twist_by(double radians_per_metre) { twist_ = radians_per_metre; }
-    double along() const { return along_; }
 
-    // Calls visit_section(section) for each section of a bend.
-    template <class Visit>
-    void visit(const Bend& bend, Visit&& visit_section) {
-        arrive(bend);
-        const uint32_t rows = in_length_ > 0 && out_length_ > 0 ? corners_.rows(bend.in, bend.out) : 1;
-        for (uint32_t row = 0; row < rows; ++row) {
-            turn(bend, row, rows);
-            visit_section(static_cast<const Section&>(section_));
+    // Hands all sections of the bends to sink(sections).
+    template <class Sink>
+    void visit(const Bends& bends, Sink&& sink) {
+        Turns turns;
+        measure(bends, turns);
+        Sections sections;
+        for (Progress at; at.bend < bends.count;) {
+            fill(bends, turns, at, sections);
+            sink(static_cast<const Sections&>(sections));
         }
-        ++sections_;
     }
 
 private:
-    void arrive(const Bend& bend);
-    void turn(const Bend& bend, uint32_t row, uint32_t rows);
-    Vec3 bisector();
-    Vec3 corner_tangent(uint32_t row, uint32_t rows) const;
-    void follow(const Bend& bend);
+    // What is known of bends by themselves, and the steps between those that are no corners.
+    struct Turns {
+        double length[Bends::most + 1], direction[3][Bends::most + 1];  // of chords; 0 where there is none
+        double tangent[3][Bends::most];                                 // halfway between the two
+        double widening_size[Bends::most], slope[Bends::most];
+        double left_by[3][Bends::most + 1];  // the tangent with which the point before is left
+        // The steps, as Reflections, of which the chords are the first vectors; and the second one's squared norm.
+        double second[3][Bends::most], first_factor[Bends::most], second_factor[Bends::most], both[Bends::most];
+        double second_sq[Bends::most];
+        int64_t is_corner[Bends::most];
+
+        Turns() {}  // NOLINT(modernize-use-equals-default): arrays stay as they are
+    };
+    // The next section's bend, and which of its rows it is.
+    struct Progress {
+        uint32_t bend = 0, row = 0, rows = 0;
+    };
+    void measure(const Bends& bends, Turns& turns) const;
+    void fill(const Bends& bends, const Turns& turns, Progress& at, Sections& sections);
+    static Vec3 corner_tangent(const Vec3& in, const Vec3& out, const Vec3& normal, const Progress& at);
+    void follow(const float* given, RotationMinimizingFrame& frame) const;
 
     Corners corners_;
     bool narrow_, follow_;
     RotationMinimizingFrame frame_;
     Vec3 first_normal_ = Vec3::Zero();
-    Vec3 in_ = Vec3::Zero(), out_ = Vec3::Zero();  // unit
-    double in_length_ = 0, out_length_ = 0;
     double along_, twist_ = 0;
     uint32_t sections_;
-    Section section_;
 };
 
 // The axis that is least along the unit tangent, made perpendicular to it.
@@ -161,7 +244,7 @@ struct FrameStart {
     double twist = 0;            // radians a metre, of closed curves that no normal is given for
 };
 // `place`: of the walk, whose frames have not begun.
-FrameStart frame_start(const Curve& curve, const Style& style, WalkPlace place);
+FrameStart frame_start(const Curve& curve, const Style& style, const WalkPlace& place);
 
 }  // namespace FLG_BRUSH_LIBRARY
 }  // namespace flg::brush

@@ -14,6 +14,13 @@
 
 namespace flg {
 
+// The two reflections of a step, r' = r - a first - b second, without what the frame's normal has to do with it.
+struct Reflections {
+    Vec3 first, second;
+    double first_factor = 0, second_factor = 0;  // 2 over their squared norms
+    double both = 0;                             // second dot first
+};
+
 class RotationMinimizingFrame {
 public:
     RotationMinimizingFrame() = default;
@@ -45,17 +52,22 @@ public:
             v2 = 2.0 * tangent;
             v2_sq = 4.0;
         }
-        const double a = (2.0 / v1_sq) * v1.dot(normal_);
-        const double b = (2.0 / v2_sq) * (v2.dot(normal_) - a * v2.dot(v1));
-        normal_ -= a * v1 + b * v2;
+        step(position, tangent, {v1, v2, 2.0 / v1_sq, 2.0 / v2_sq, v2.dot(v1)});
+    }
+    // By reflections that were worked out before. The second one's vector must be no shorter than `across_sq` says.
+    void step(const Vec3& position, const Vec3& tangent, const Reflections& by) {
+        const double a = by.first_factor * by.first.dot(normal_);
+        const double b = by.second_factor * (by.second.dot(normal_) - a * by.both);
+        normal_ -= a * by.first + b * by.second;
         position_ = position;
         tangent_ = tangent;
         if (++steps_ % steps_between_repairs == 0) repair();
     }
 
+    static constexpr double across_sq = 1e-4;  // of the second reflection's vector, which is 2 long on smooth curves
+
 private:
-    static constexpr double across_sq = 1e-4;     // of the second reflection's vector, which is 2 long on smooth curves
-    static constexpr double reversal_sq = 1e-16;  // of the sum of the tangents
+    static constexpr double reversal_sq = 1e-16;           // of the sum of the tangents
     static constexpr uint32_t steps_between_repairs = 64;  // rounding errors grow with the steps, by 1e-16 each
 
     void turn_back(const Vec3& position, const Vec3& tangent) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "api/live_inputs.h"
 #include "api/part_inputs.h"
 #include "api/spline_inputs.h"
 #include "api/style_inputs.h"
@@ -475,6 +476,122 @@ TEST(DebugDrawingApi, SplinesAndMotions) {
     for (uint32_t line = 0; line < 32; ++line) length += moved.length(line);
     EXPECT_NEAR(length, 3, 1e-5);
     EXPECT_EQ(moved.point_count(), 2u);
+}
+
+// Of a unit sphere around `middle`: points on it, each with its normal.
+void expect_sphere(const Drawn& drawn, const Point& middle, uint32_t least, double tolerance) {
+    EXPECT_GE(drawn.point_count(), least);
+    ASSERT_EQ(drawn.line_count(green), drawn.point_count());
+    ASSERT_EQ(drawn.line_count(), drawn.point_count());
+    std::set<Point> different;
+    for (uint32_t i = 0; i < drawn.point_count(); ++i) {
+        const float* p = drawn.points[i].position;
+        EXPECT_EQ(drawn.points[i].color, white);
+        EXPECT_EQ(distance(drawn.end(2 * i), {p[0], p[1], p[2]}), 0);
+        EXPECT_NEAR(distance(drawn.end(2 * i), middle), 1, tolerance);
+        EXPECT_NEAR(drawn.length(i), 0.05, 1e-5);
+        EXPECT_NEAR(distance(drawn.end(2 * i + 1), middle), 1.05, tolerance);
+        different.insert(drawn.end(2 * i));
+    }
+    EXPECT_EQ(different.size(), drawn.point_count());
+}
+
+TEST(DebugDrawingApi, ManifoldsShowPointsWithTheirNormals) {
+    const Host host;
+    const FlgManifold ball = shape_manifold(host, FLG_MANIFOLD_SHAPE_SPHERE);
+    expect_sphere(draw(host, flgDebugDrawManifold, ball), {}, 300, 1e-6);
+    expect_ranges_add_up(host, flgDebugDrawManifold, ball, of_parts(FLG_DEBUG_PART_POINTS));
+
+    FlgManifold image{};
+    ASSERT_EQ(flgManifoldCreateImage(host.context, ball, 0.5, &image), FLG_OK) << flgErrorGetMessage();
+    EXPECT_EQ(draw(host, flgDebugDrawManifold, image).bits(), draw(host, flgDebugDrawManifold, ball).bits());
+
+    const Drawn plane = draw(host, flgDebugDrawManifold, shape_manifold(host, FLG_MANIFOLD_SHAPE_PLANE));
+    EXPECT_EQ(plane.point_count(), 256u);
+    for (const FlgDebugVertex& v : plane.points) EXPECT_EQ(v.position[2], 0);
+
+    std::vector<float> values;
+    FlgManifoldFromGridDesc grid = flgManifoldFromGridDefaults();
+    std::fill_n(grid.counts, 3, 25u);
+    std::fill_n(grid.corner, 3, 3.5);
+    grid.spacing = 0.125;
+    for (int i = 0; i < 25 * 25 * 25; ++i) {
+        const Point at{i % 25 - 12.0, i / 25 % 25 - 12.0, i / 625 - 12.0};
+        values.push_back(static_cast<float>(0.125 * distance(at, {}) - 1));
+    }
+    grid.values = values.data();
+    FlgManifold level{}, scan{};
+    ASSERT_EQ(flgManifoldCreateFromGrid(host.context, &grid, &level, nullptr), FLG_OK) << flgErrorGetMessage();
+
+    FlgManifoldFromPointsDesc cloud = flgManifoldFromPointsDefaults();
+    std::vector<float> places;
+    for (int i = 0; i < 2000; ++i) {
+        const double z = (i + 0.5) / 1000 - 1, turn = 2.4 * i, across = std::sqrt(1 - z * z);
+        for (const double p : {across * std::cos(turn), across * std::sin(turn), z})
+            places.push_back(static_cast<float>(p));
+    }
+    cloud.points = places.data();
+    cloud.point_count = 2000;
+    ASSERT_EQ(flgManifoldCreateFromPoints(host.context, &cloud, &scan, nullptr), FLG_OK) << flgErrorGetMessage();
+    const FlgDebugDrawDesc desc = flgDebugDrawDefaults();
+    FlgDebugDrawing drawing = flgDebugDrawingDefaults();
+    EXPECT_EQ(flgDebugDrawManifold(host.context, scan, &desc, &drawing), FLG_NOT_READY);
+    host.finish();
+    expect_sphere(draw(host, flgDebugDrawManifold, level), {5, 5, 5}, 100, 2e-3);
+    expect_sphere(draw(host, flgDebugDrawManifold, scan), {}, 1800, 2e-3);
+
+    FlgDebugDrawDesc some = of_parts(FLG_DEBUG_PART_LINES);
+    some.every = 10;
+    EXPECT_NEAR(draw(host, flgDebugDrawManifold, scan, some).line_count(), 200, 20);
+    const int64_t calls = host.allocator.calls;
+    draw(host, flgDebugDrawManifold, ball);
+    draw(host, flgDebugDrawManifold, scan);
+    EXPECT_EQ(host.allocator.calls, calls);
+}
+
+TEST(DebugDrawingApi, OfSpaceAndTheHostsFunctionsThereIsNothingToDraw) {
+    const Host host;
+    EXPECT_EQ(draw(host, flgDebugDrawManifold, shape_manifold(host, FLG_MANIFOLD_SHAPE_SPACE)).bits(), "");
+    FlgManifoldFunctions functions = flgManifoldFunctionsDefaults();
+    functions.project = [](void*, double* point, double*) {
+        point[2] = 0;
+        return int32_t{1};
+    };
+    functions.tangent_basis = [](void*, const double*, double*, double* basis) {
+        std::fill_n(basis, 6, 0.0);
+        basis[0] = basis[4] = 1;
+    };
+    const double near[] = {0, 0, 0};
+    FlgManifold flat{};
+    ASSERT_EQ(flgManifoldCreateHost(host.context, &functions, near, &flat), FLG_OK) << flgErrorGetMessage();
+    EXPECT_EQ(draw(host, flgDebugDrawManifold, flat).bits(), "");
+}
+
+TEST(DebugDrawingApi, ALiveStrokeIsDrawnAsItsPoints) {
+    LiveHost host;
+    const FlgLiveStroke stroke = host.begin();
+    EXPECT_EQ(draw(host, flgDebugDrawLiveStroke, stroke).bits(), "");
+    const Samples samples = drawn(200);
+    host.push(stroke, samples.data(), samples.size());
+    const uint32_t all = FLG_DEBUG_PART_LINES | FLG_DEBUG_PART_POINTS | FLG_DEBUG_PART_FRAMES | FLG_DEBUG_PART_SEAMS;
+    for (const uint32_t parts : {0u, all}) {
+        const FlgCurveSetView view = host.points(stroke);
+        FlgCurveSet same{};
+        ASSERT_EQ(flgCurveSetCreate(host.context, &view, &same), FLG_OK) << flgErrorGetMessage();
+        const int64_t calls = host.allocator.calls;
+        const Drawn live = draw(host, flgDebugDrawLiveStroke, stroke, of_parts(parts));
+        EXPECT_EQ(host.allocator.calls, calls);
+        EXPECT_EQ(live.line_count(white), host.info(stroke).point_count - 1);
+        EXPECT_EQ(live.bits(), draw(host, flgDebugDrawCurveSet, same, of_parts(parts)).bits());
+    }
+    host.end(stroke);
+    EXPECT_EQ(draw(host, flgDebugDrawLiveStroke, stroke).line_count(white), host.info(stroke).point_count - 1);
+    host.finish();
+    EXPECT_EQ(draw(host, flgDebugDrawLiveStroke, stroke).line_count(white), host.info(stroke).point_count - 1);
+    ASSERT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);
+    const FlgDebugDrawDesc desc = flgDebugDrawDefaults();
+    FlgDebugDrawing drawing = flgDebugDrawingDefaults();
+    expect_failure(flgDebugDrawLiveStroke(host.context, stroke, &desc, &drawing), FLG_ERROR_INVALID_HANDLE, "stroke");
 }
 
 TEST(DebugDrawingApi, AnOriginShiftsNoBit) {

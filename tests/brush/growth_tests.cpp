@@ -99,6 +99,28 @@ TEST(BrushGrowth, PiecesHaveTheBitsOfTheWhole) {
     }
 }
 
+// Each point has more rows than a block of points has room for.
+TEST(BrushGrowth, CornersOfManyRowsHaveTheBitsOfTheWhole) {
+    Stroke zigzag;
+    for (uint32_t i = 0; i < 80; ++i) zigzag.add(Vec3(0.01 * i, i % 2, 0.1 * std::sin(i)), 0.02);
+    zigzag.end();
+    for (const FlgBrushShape shape : {FLG_BRUSH_SHAPE_TUBE, FLG_BRUSH_SHAPE_RIBBON}) {
+        FlgBrushMeshDesc desc = desc_of(zigzag, shape);
+        desc.join = FLG_BRUSH_JOIN_ROUND;
+        desc.sides = 64;
+        const BrushMesh whole = mesh_of(desc);
+        EXPECT_GT(whole.vertices.size(), 78u * 30u * (shape == FLG_BRUSH_SHAPE_TUBE ? 64u : 2u));
+        Growing growing;
+        for (uint32_t i = 0; i < zigzag.size(); ++i) {
+            const Piece piece(zigzag, i, i + 1);
+            FlgBrushMeshDesc part = desc;
+            part.curves = &piece.stroke.view;
+            growing.add(part);
+        }
+        expect_same(growing.mesh, whole, false);
+    }
+}
+
 TEST(BrushGrowth, WholeViewsGrowByTheirFirstPoint) {
     const Stroke stroke = bent_stroke(50);
     FlgBrushMeshDesc desc = desc_of(stroke);

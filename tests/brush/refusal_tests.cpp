@@ -263,6 +263,25 @@ TEST(BrushFormats, ColumnsInSmallFormatsAreTheFloatsRounded) {
     }
 }
 
+TEST(BrushFormats, ColumnsAloneHaveTheBitsOfAll) {
+    const Stroke stroke = bent_stroke();
+    for (const FlgBrushShape shape : {FLG_BRUSH_SHAPE_TUBE, FLG_BRUSH_SHAPE_RIBBON}) {
+        FlgBrushMeshDesc desc = desc_of(stroke, shape);
+        desc.uv = 1;
+        const BrushMesh mesh = mesh_of(desc);
+        std::vector<Vertex> alone(mesh.vertices.size());
+        std::memset(static_cast<void*>(alone.data()), 0x5a, alone.size() * sizeof(Vertex));
+        for (const FlgVertexColumn& column : columns_of(alone, true)) {
+            FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
+            output.columns = &column;
+            output.column_count = 1;
+            output.vertex_capacity = alone.size();
+            ASSERT_EQ(flgBrushMeshWrite(&desc, nullptr, &output, nullptr), FLG_OK) << flgErrorGetMessage();
+        }
+        ASSERT_EQ(std::memcmp(alone.data(), mesh.vertices.data(), alone.size() * sizeof(Vertex)), 0);
+    }
+}
+
 TEST(BrushFormats, IndicesCountFromTheBase) {
     Call call;
     call.desc.base_vertex = 1000;

@@ -15,6 +15,7 @@ void look_at(Calls& calls, FlgManifold manifold) {
     double point[3] = {0.7, 0.6, 0.5}, distance = 0;
     FLG_CALL(calls, flgManifoldProject, calls.context, manifold, point, 1u, &distance);
     calls.note(point, sizeof point);
+    FLG_DRAW(calls, flgDebugDrawManifold, manifold);
 }
 
 FlgSpline fit(Calls& calls, FlgManifold manifold, FlgSpline warm_start = {}) {

@@ -241,6 +241,7 @@ void draw_live_strokes(Calls& calls) {
     FLG_CALL(calls, flgLiveStrokePush, context, stroke, &pushed, &view);
     FLG_CALL(calls, flgLiveStrokeGetPoints, context, stroke, &view);
     calls.bits += bits(view);
+    FLG_DRAW(calls, flgDebugDrawLiveStroke, stroke);
     FLG_CALL(calls, flgLiveStrokeGetTip, context, stroke, &view);
     calls.bits += bits(view);
     FlgLiveStrokeInfo info{};

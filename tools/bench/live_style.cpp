@@ -97,7 +97,7 @@ double ms_until_ready(const Host& host, FlgLiveStroke stroke) {
 }  // namespace
 
 std::vector<Row> run_live_style() {
-    Host host({}, {}, 1);
+    Host host(flgAllocatorDefaults(), flgClockDefaults(), 1);
     const FlgStyle pen = host.prepare(host.add(scenes::make_style("loops")), 0);
     check(flgStyleWarm(host.context(), pen, 0, nullptr, nullptr));
     host.run();

@@ -4341,6 +4341,16 @@ public:
         return detail::done(result);
     }
 
+    /// [any thread, one per stroke] A live stroke's points so far, as of a curve set; its tip is not drawn. Default
+    /// LINES, FRAMES and SEAMS. Elements: curves, of which there is one. As a call of flgLiveStrokeGetPoints, it ends
+    /// the life of the view before. Cost: a pass over the points.
+    /// Calls flgDebugDrawLiveStroke.
+    Result<bool> debug_draw_live_stroke(FlgLiveStroke stroke, const DebugDrawDesc& desc,
+        FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawLiveStroke(handle_, stroke, &desc, &drawing);
+        return detail::done(result);
+    }
+
     /// A style: LINES, the example as matched to the guide; GUIDE, green; DISPLACEMENT, grey, from guide to example;
     /// FRAMES of the guide. Default LINES, GUIDE and DISPLACEMENT. Elements: curves. Cost: a pass over the points.
     /// Calls flgDebugDrawStyle.
@@ -4445,6 +4455,17 @@ public:
     Result<bool> debug_draw_obstacles(FlgObstacles obstacles, const DebugDrawDesc& desc,
         FlgDebugDrawing& drawing) const {
         const FlgResult result = flgDebugDrawObstacles(handle_, obstacles, &desc, &drawing);
+        return detail::done(result);
+    }
+
+    /// A manifold: POINTS on it, and LINES, their outward normals, green. Default both. Meshes and clouds are drawn at
+    /// their samples; shapes, formulas and grids next to the middles of 16 x 16 x 16 cells, of the grid's box or of a
+    /// cube of the shape's size around its origin; images of surfaces as those. There is nothing to draw of space
+    /// itself and of the host's own functions. Elements: samples or cells. Cost: a pass over the samples; 1 to 3 us a
+    /// cell.
+    /// Calls flgDebugDrawManifold.
+    Result<bool> debug_draw_manifold(FlgManifold manifold, const DebugDrawDesc& desc, FlgDebugDrawing& drawing) const {
+        const FlgResult result = flgDebugDrawManifold(handle_, manifold, &desc, &drawing);
         return detail::done(result);
     }
 

@@ -27,6 +27,7 @@
 #ifndef FILIGREE_FILIGREE_DEBUG_H
 #define FILIGREE_FILIGREE_DEBUG_H
 
+#include "filigree_live.h"
 #include "filigree_model.h"
 #include "filigree_motion.h"
 #include "filigree_tangle.h"
@@ -62,8 +63,9 @@ typedef struct FlgDebugDrawDesc {
     uint32_t parts; /* of FlgDebugPart; 0: those that the function draws by default. Default 0 */
     uint32_t first; /* first element of each part. Default 0 */
     uint32_t count; /* elements of each part, as far as there are so many. Default FLG_UNLIMITED */
-    uint32_t every; /* draws frames, displacements and slices at every n-th point only; at least 1. Default 1 */
-    float size;     /* length of the axes of frames, metres, above 0 and at most 1e30. Default 0.05 */
+    uint32_t every; /* draws frames, displacements, slices and normals of manifolds at every n-th point only; at least
+                       1. Default 1 */
+    float size;     /* length of the axes of frames and of normals, metres, above 0 and at most 1e30. Default 0.05 */
     uint32_t color; /* of what has no colour of its own, as in FlgDebugVertex. Default 0xffffffff: white */
     uint32_t reserved;
     double origin[3]; /* metres: what the drawing is relative to. Default 0 */
@@ -90,6 +92,12 @@ FLG_API FlgResult flgDebugDrawingInit(FlgDebugDrawing* drawing, uint32_t struct_
  * partial_results the leading curves are drawn. Cost: a pass over the points. */
 FLG_API FlgResult flgDebugDrawCurveSet(FlgContext context, FlgCurveSet set, const FlgDebugDrawDesc* desc,
                                        FlgDebugDrawing* drawing);
+
+/* [any thread, one per stroke] A live stroke's points so far, as of a curve set; its tip is not drawn. Default LINES,
+ * FRAMES and SEAMS. Elements: curves, of which there is one. As a call of flgLiveStrokeGetPoints, it ends the life of
+ * the view before. Cost: a pass over the points. */
+FLG_API FlgResult flgDebugDrawLiveStroke(FlgContext context, FlgLiveStroke stroke, const FlgDebugDrawDesc* desc,
+                                         FlgDebugDrawing* drawing);
 
 /* A style: LINES, the example as matched to the guide; GUIDE, green; DISPLACEMENT, grey, from guide to example;
  * FRAMES of the guide. Default LINES, GUIDE and DISPLACEMENT. Elements: curves. Cost: a pass over the points. */
@@ -158,6 +166,13 @@ FLG_API FlgResult flgDebugDrawSkin(FlgContext context, FlgSkin skin, const FlgDe
  * both. Elements: obstacles. Cost: a pass over the obstacles, and over the triangles of meshes. */
 FLG_API FlgResult flgDebugDrawObstacles(FlgContext context, FlgObstacles obstacles, const FlgDebugDrawDesc* desc,
                                         FlgDebugDrawing* drawing);
+
+/* A manifold: POINTS on it, and LINES, their outward normals, green. Default both. Meshes and clouds are drawn at their
+ * samples; shapes, formulas and grids next to the middles of 16 x 16 x 16 cells, of the grid's box or of a cube of the
+ * shape's size around its origin; images of surfaces as those. There is nothing to draw of space itself and of the
+ * host's own functions. Elements: samples or cells. Cost: a pass over the samples; 1 to 3 us a cell. */
+FLG_API FlgResult flgDebugDrawManifold(FlgContext context, FlgManifold manifold, const FlgDebugDrawDesc* desc,
+                                       FlgDebugDrawing* drawing);
 
 /* A spline: LINES, orange if rounds ran out or it stalled (FlgSplineEnding); POINTS, the nodes of the given points,
  * yellow; FRAMES, where the spline has normals. Default LINES and POINTS. Elements: nodes, of POINTS given points. Of

@@ -38,31 +38,27 @@ brush::Curve curve_of(const CheckedView& view, uint32_t c, float default_radius)
     return curve;
 }
 
-// All sections of a curve, with the points that they stand at.
-struct Sections {
+Vector<brush::Section> sections_of(const brush::Curve& curve, const brush::Style& style) {
     Vector<brush::Section> list;
-    Vector<brush::Point> points;
-
-    Sections(const brush::Curve& curve, const brush::Style& style) {
-        points.reserve(size_t{curve.count} + 1);  // sections point to them
-        const bool follow = !style.tube() && curve.normal;
-        const brush::FrameStart start = brush::frame_start(curve, style, {});
-        brush::Framer framer(style, follow, {});
-        framer.begin_with(start.normal);
-        framer.twist_by(start.twist);
-        const auto add = [&](const brush::Bend& bend) {
-            framer.visit(bend, [&](const brush::Section& section) {
-                points.push_back(*section.point);
-                list.push_back(section);
-                list.back().point = &points.back();
-            });
-            return true;
-        };
-        brush::WalkPlace place;
-        brush::walk(curve, place, add);
-        if (!curve.closed && !list.empty()) add(brush::last_bend(place));
-    }
-};
+    list.reserve(size_t{curve.count} + 1);
+    const brush::FrameStart start = brush::frame_start(curve, style, {});
+    brush::Framer framer(style, !style.tube() && curve.normal, {});
+    framer.begin_with(start.normal);
+    framer.twist_by(start.twist);
+    const auto add = [&](const brush::Bends& bends) {
+        framer.visit(bends, [&](const brush::Sections& sections) {
+            list.insert(list.end(), sections.list, sections.list + sections.count);
+        });
+        return true;
+    };
+    brush::WalkPlace place;
+    brush::walk(curve, place, add);
+    if (curve.closed || list.empty()) return list;
+    brush::Bends end;
+    brush::last_bend(place, curve, end);
+    add(end);
+    return list;
+}
 
 // ---- Which cross sections a surface along a curve needs
 //
@@ -109,9 +105,10 @@ public:
     }
 
 private:
-    double radius(size_t i) const { return double{sections_[i].point->radius}; }
-    flg::Vec3 arm(size_t i) const { return radius(i) * sections_[i].normal; }
-    flg::Vec3 other_arm(size_t i) const { return radius(i) * sections_[i].tangent.cross(sections_[i].normal); }
+    flg::Vec3 arm(size_t i) const { return sections_[i].radius * sections_[i].normal; }
+    flg::Vec3 other_arm(size_t i) const {
+        return sections_[i].radius * sections_[i].tangent.cross(sections_[i].normal);
+    }
 
     // In units of what is allowed.
     double error_at(size_t i, size_t begin, size_t end) const {
@@ -126,8 +123,8 @@ private:
              std::max(off(arm(begin), arm(end), arm(i)), off(other_arm(begin), other_arm(end), other_arm(i)))) /
             tolerance_;
         for (size_t k = 0; k < 4; ++k) {
-            const double from = a.point->color[k], to = b.point->color[k];
-            const double color = sections_[i].point->color[k];
+            const double from = a.color[k], to = b.color[k];
+            const double color = sections_[i].color[k];
             error = std::max(error, std::abs(from + t * (to - from) - color) / color_tolerance);
         }
         return error;
@@ -188,16 +185,17 @@ private:
             const double widest = double{brush::widest_radius(curve)};
             style.sides = brush::sides_within(widest, tolerance, desc_.tube_sides);
         }
-        const Sections sections(curve, style);
-        if (sections.list.empty()) return;
-        const Vector<size_t> kept = needed_samples(sections.list, curve.closed, tolerance);
+        Vector<brush::Section> sections = sections_of(curve, style);
+        if (sections.empty()) return;
+        const Vector<size_t> kept = needed_samples(sections, curve.closed, tolerance);
+        for (size_t i = 0; i < kept.size(); ++i) sections[i] = sections[kept[i]];
         const brush::Counts counts =
-            brush::counts_of(style, kept.size(), curve.closed, false, sections.list.front().point->radius,
-                             sections.list.back().point->radius);
+            brush::counts_of(style, kept.size(), curve.closed, false, static_cast<float>(sections.front().radius),
+                             static_cast<float>(sections[kept.size() - 1].radius));
         const brush::CrossSection section(style);
         brush::Sweep sweep(style, section, room(geometry, counts));
         sweep.begin(curve.closed, 1, false);
-        for (const size_t i : kept) sweep.add(sections.list[i]);
+        sweep.add(sections.data(), static_cast<uint32_t>(kept.size()));
         sweep.end();
     }
 

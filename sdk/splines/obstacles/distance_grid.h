@@ -30,6 +30,10 @@ public:
     // As Hypersurface, but places outside of the box are first moved to its nearest point, and steps end at its sides.
     bool project(double* x, double* hint) const override;
 
+    // The box of the samples, metres.
+    double low(uint32_t axis) const { return origin_[axis]; }
+    double extent(uint32_t axis) const { return spacing_ * (counts_[axis] - 1.0); }
+
 private:
     struct Axis;
     bool locate(double at, uint32_t axis, Axis& result) const;

@@ -49,6 +49,15 @@ namespace Filigree
             FlgContext context, FlgCurveSet set, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
         /// <summary>
+        /// [any thread, one per stroke] A live stroke's points so far, as of a curve set; its tip is not drawn. Default
+        /// LINES, FRAMES and SEAMS. Elements: curves, of which there is one. As a call of flgLiveStrokeGetPoints, it
+        /// ends the life of the view before. Cost: a pass over the points.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgDebugDrawLiveStroke(
+            FlgContext context, FlgLiveStroke stroke, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
+
+        /// <summary>
         /// A style: LINES, the example as matched to the guide; GUIDE, green; DISPLACEMENT, grey, from guide to
         /// example; FRAMES of the guide. Default LINES, GUIDE and DISPLACEMENT. Elements: curves. Cost: a pass over the
         /// points.
@@ -154,6 +163,17 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgDebugDrawObstacles(
             FlgContext context, FlgObstacles obstacles, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
+
+        /// <summary>
+        /// A manifold: POINTS on it, and LINES, their outward normals, green. Default both. Meshes and clouds are drawn
+        /// at their samples; shapes, formulas and grids next to the middles of 16 x 16 x 16 cells, of the grid's box or
+        /// of a cube of the shape's size around its origin; images of surfaces as those. There is nothing to draw of
+        /// space itself and of the host's own functions. Elements: samples or cells. Cost: a pass over the samples; 1
+        /// to 3 us a cell.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgDebugDrawManifold(
+            FlgContext context, FlgManifold manifold, FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing);
 
         /// <summary>
         /// A spline: LINES, orange if rounds ran out or it stalled (FlgSplineEnding); POINTS, the nodes of the given

@@ -24,9 +24,13 @@ namespace Filigree
         public uint first;
         /// <summary>elements of each part, as far as there are so many. Default FLG_UNLIMITED</summary>
         public uint count;
-        /// <summary>draws frames, displacements and slices at every n-th point only; at least 1. Default 1</summary>
+        /// <summary>
+        /// draws frames, displacements, slices and normals of manifolds at every n-th point only; at least 1. Default 1
+        /// </summary>
         public uint every;
-        /// <summary>length of the axes of frames, metres, above 0 and at most 1e30. Default 0.05</summary>
+        /// <summary>
+        /// length of the axes of frames and of normals, metres, above 0 and at most 1e30. Default 0.05
+        /// </summary>
         public float size;
         /// <summary>of what has no colour of its own, as in FlgDebugVertex. Default 0xffffffff: white</summary>
         public uint color;
