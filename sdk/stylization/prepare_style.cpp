@@ -12,8 +12,8 @@ namespace flg {
 
 namespace {
 
-// The longest step of the matching from one point of the guide to the next, in mean ones: what it passes by faster is cut
-// off. Nearer to 1, displacements along the guide grow.
+// The longest step of the matching from one point of the guide to the next, in mean ones: what it passes by faster is
+// cut off. Nearer to 1, displacements along the guide grow.
 constexpr double matching_step_max = 1.4;
 
 // What matching gives: where on its style curve each node lies.

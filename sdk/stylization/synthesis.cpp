@@ -17,7 +17,8 @@ namespace {
 constexpr uint32_t last_path_max = 256;
 // Closed curves begin with so many points of the style before them, or half of a short style curve's.
 constexpr uint32_t last_path_wanted = 64;
-// The last jump has to be taken, however wide its gap is: so it is blended over so many patches, but once around at most.
+// The last jump has to be taken, however wide its gap is: so it is blended over so many patches, but once around at
+// most.
 constexpr uint32_t last_blend_patches = 6;
 
 }  // namespace

@@ -238,8 +238,8 @@ TEST(GuideMatching, NoStepIsLongerThanTheBound) {
     }
 }
 
-// A straight style and a guide that jumps half way: places go up to the jump as they would alone, over it by the longest
-// steps, and the places of these are off their own minima by as much ahead as behind.
+// A straight style and a guide that jumps half way: places go up to the jump as they would alone, over it by the
+// longest steps, and the places of these are off their own minima by as much ahead as behind.
 TEST(GuideMatching, BoundedStepsHaveAClosedForm) {
     const int count = 101;
     Curve points, guide;

@@ -482,9 +482,9 @@ typedef struct FlgStyleDesc {
     float alpha;
     /* How far the flow smooths, as a multiple of the amount chosen from the style; > 0. Default 1. */
     float smoothing;
-    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut off at
-     * any weight: from one point of the guide to the next the matching goes on along the style by at most 1.4 times the
-     * mean. Towards 0 every piece of the guide gets an equal share of the style. Default 0.2. */
+    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut off
+     * at any weight: from one point of the guide to the next the matching goes on along the style by at most 1.4 times
+     * the mean. Towards 0 every piece of the guide gets an equal share of the style. Default 0.2. */
     float beta;
     /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, with 2p + 1 < points. Larger patches copy longer runs. Default
      * 10. */
