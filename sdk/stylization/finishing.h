@@ -6,8 +6,9 @@
 // target and taken off the displacement, so that it grows with the magnitude: a result is pinned at every magnitude. With
 // u from 0 to 1 along the target and D the displacement:
 //   D(u) - (1 - u) D(0) - u D(1)
-// A closed curve has come back to the style's point that it began with. What is left of the blend of its last seam goes
-// on over its first samples, in displacement and attributes, so that ribbons and sizes go on there as they do elsewhere.
+// A closed curve has come back to the style's point that it began with. What is left of the blend of its last seam
+// goes on over its first samples, in displacement and attributes, so that ribbons and sizes go on there as they do
+// elsewhere.
 // Times: the distance of two points takes as long as the mean of their speeds says.
 #pragma once
 

@@ -226,10 +226,11 @@ Task<void> narrow(Pace& pace, const Energy& energy, const Table& table, Band& ba
     });
 }
 
-// The points' models minimized in order, with no step longer than `farthest_step`, exactly: dynamic programming from the
-// first point to the last over the derivative of the least energy so far, by the last point's place. That is piecewise
-// linear and rises; where it is zero, the points so far are best on their own. A step on to the next point leaves what
-// is left of the zero, moves what is right of it by farthest_step, and is flat in between; the next model adds a line.
+// The points' models minimized in order, with no step longer than `farthest_step`, exactly: dynamic programming from
+// the first point to the last over the derivative of the least energy so far, by the last point's place. That is
+// piecewise linear and rises; where it is zero, the points so far are best on their own. A step on to the next point
+// leaves what is left of the zero, moves what is right of it by farthest_step, and is flat in between; the next model
+// adds a line.
 class Chain {
 public:
     Chain(uint32_t count, Memory* memory)
