@@ -3,8 +3,8 @@
 // 4.5.1 and 4.5.2), and the times of a motion along it.
 //
 // The paper's correction of a result that is pinned is linear in arc length. Here it is linear in the arc length of the
-// target and taken off the displacement, so that it grows with the magnitude: a result is pinned at every magnitude. With
-// u from 0 to 1 along the target and D the displacement:
+// target and taken off the displacement, so that it grows with the magnitude: a result is pinned at every magnitude.
+// With u from 0 to 1 along the target and D the displacement:
 //   D(u) - (1 - u) D(0) - u D(1)
 // A closed curve has come back to the style's point that it began with. What is left of the blend of its last seam
 // goes on over its first samples, in displacement and attributes, so that ribbons and sizes go on there as they do
