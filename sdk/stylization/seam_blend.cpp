@@ -17,8 +17,8 @@ void SeamBlend::find_attribute_gaps(uint32_t from, uint32_t to, const Shares& sh
                 wound_rad_[a] = period * std::round(gap / period);
                 gap -= wound_rad_[a];
             }
-            gaps_[a][k] = static_cast<float>(gap);
-            step_gaps_[a][k] = static_cast<float>(step - (double{copied[attribute.components]} - copied[0]));
+            const double step_gap = step - (double{copied[attribute.components]} - copied[0]);
+            gaps_[a][k] = {static_cast<float>(gap), static_cast<float>(step_gap)};
         }
     }
 }

@@ -54,6 +54,7 @@ public:
         gap_ = followed - copied;
         step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
         left_ = span_ = points_;
+        per_span_ = 1.0 / span_;
         shares_ = {1, 0};
     }
     // From the next seam on over so many points.
@@ -62,14 +63,17 @@ public:
     void go_on() {
         if (left_ == 0) return;
         --left_;
-        const double r = static_cast<double>(left_) / span_;
+        const double r = left_ * per_span_;
         shares_ = {r * r * (3 - 2 * r), r * r * (span_ - left_)};
     }
 
     // Points with an offset, this one included.
     uint32_t points_left() const { return left_; }
     // What is added to the copied displacement.
-    Vec3 offset() const { return shares_.of_gap * gap_ + shares_.of_step_gap * step_gap_; }
+    Vec3 offset() const {
+        if (left_ == 0) return Vec3::Zero();
+        return shares_.of_gap * gap_ + shares_.of_step_gap * step_gap_;
+    }
     // What is added to a component of attribute `index`, but for whole turns and before it is kept within its range.
     double offset(size_t index, uint32_t component) const { return offset(index, component, shares_); }
 
@@ -92,26 +96,32 @@ private:
     };
 
     double offset(size_t index, uint32_t component, const Shares& shares) const {
-        return shares.of_gap * gaps_[index][component] + shares.of_step_gap * step_gaps_[index][component];
+        const Gap& gap = gaps_[index][component];
+        return shares.of_gap * gap.value + shares.of_step_gap * gap.step;
     }
     double value(size_t index, uint32_t component, uint32_t node, const Shares& shares) const {
         const StyleAttribute& attribute = attributes_[index];
         const double copied = attribute.values[size_t{node} * attribute.components + component];
-        const double blended = copied + offset(index, component, shares);
-        if (component >= attribute.first_angle()) return blended + wound_rad_[index];
+        if (component >= attribute.first_angle()) {
+            return copied + wound_rad_[index] + offset(index, component, shares);
+        }
+        if (shares.of_gap == 0) return copied;
         const ValueRange range = attribute.ranges[component];
-        return std::clamp<double>(blended, range.low, range.high);
+        return std::clamp<double>(copied + offset(index, component, shares), range.low, range.high);
     }
     void find_attribute_gaps(uint32_t from, uint32_t to, const Shares& shares_at_from);
 
-    using Gaps = std::array<std::array<float, attribute_components_max>, style_attributes_max>;
+    struct Gap {
+        float value = 0, step = 0;
+    };
 
     std::span<const StyleAttribute> attributes_;
     Vec3 gap_ = Vec3::Zero(), step_gap_ = Vec3::Zero();
-    Gaps gaps_{}, step_gaps_{};
+    std::array<std::array<Gap, attribute_components_max>, style_attributes_max> gaps_{};
     std::array<double, style_attributes_max> wound_rad_{};  // whole turns since the curve's start; an attribute has one
                                                             // angle at most
     Shares shares_;
+    double per_span_ = 1;
     uint32_t left_ = 0;
     uint32_t span_ = 1;    // of the blend that there is
     uint32_t points_ = 1;  // of those to come

@@ -74,7 +74,7 @@ void StyleWalk::draw_destination() {
 }
 
 bool StyleWalk::advance() {
-    if (going_home_) {
+    if (going_home_) [[unlikely]] {
         node_ = copies_ == 0 ? landing(0) : node_ + 1;
         --copies_;  // having jumped, below 0: more than there are samples
         --samples_left_;
@@ -135,7 +135,7 @@ bool SynthesisKernel::run(uint32_t n) {
 // To the next node, unless its path tree is missing.
 bool SynthesisKernel::advance() {
     const uint32_t from = walk_.node();
-    if (walk_.turns_home()) {
+    if (walk_.turns_home()) [[unlikely]] {
         const uint32_t points = std::min(last_blend_patches * input_.trees->graph().patch, stroke_.plan.steps);
         walk_.go_home(copies_before_last_jump(points));
         blend_.spread(points);
