@@ -15,28 +15,51 @@ using test::TestStyle;
 
 constexpr uint32_t patch = 10;
 
-TEST(SeamBlend, AGapFadesLinearlyOverAPatch) {
-    SeamBlend blend(4);
-    const auto displacement = [](uint32_t node) { return Vec3(node >= 50 ? -5.0 : 0.0, 1, 0); };
-    blend.step(7, 8, displacement);
-    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));
-    blend.step(8, 60, displacement);  // a gap of 5
-    for (uint32_t k = 0; k < 4; ++k) {
-        EXPECT_LT((blend.offset() - Vec3(4.0 - k, 0, 0)).norm(), 1e-14) << k;
-        blend.step(60 + k, 61 + k, displacement);
-    }
-    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));  // to the bit
+// A style of two straight lines: x = 0 up to node 50, then x = -5 + 0.5 (node - 60).
+Vec3 two_lines(uint32_t node) {
+    return Vec3(node >= 50 ? -5.0 + 0.5 * (static_cast<double>(node) - 60) : 0.0, 1, 0);
 }
 
-TEST(SeamBlend, ASeamWithinABlendGoesOnFromWhereThatIs) {
+// Hermite's cubic through 5 with the slope -0.5, and through 0 with the slope 0, over 4 points.
+double cubic(double k) {
+    const double t = k / 4;
+    return 5 * (1 + 2 * t) * (1 - t) * (1 - t) - 0.5 * 4 * t * (1 - t) * (1 - t);
+}
+
+TEST(SeamBlend, GapsInValueAndStepFadeByACubicOverAPatch) {
     SeamBlend blend(4);
-    const auto displacement = [](uint32_t node) { return Vec3(node >= 50 ? -5.0 : 0.0, 0, 0); };
-    blend.step(8, 60, displacement);
-    blend.step(60, 61, displacement);  // 3 is left
-    blend.step(61, 20, displacement);  // 2 would be left, at -5: a gap of -3 to 0
-    EXPECT_LT((blend.offset() - Vec3(-2.4, 0, 0)).norm(), 1e-14);
-    blend.step(20, 21, displacement);
-    EXPECT_LT((blend.offset() - Vec3(-1.8, 0, 0)).norm(), 1e-14);
+    blend.step(7, 8, two_lines);
+    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));
+    blend.step(8, 60, two_lines);
+    for (uint32_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(blend.points_left(), 4 - k);
+        EXPECT_LT((blend.offset() - Vec3(cubic(k), 0, 0)).norm(), 1e-14) << k;
+        blend.step(60 + k, 61 + k, two_lines);
+    }
+    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));  // to the bit
+    EXPECT_EQ(blend.points_left(), 0u);
+}
+
+TEST(SeamBlend, ASeamWithinABlendGoesOnFromWhereThatIsAndAsItWent) {
+    SeamBlend blend(4);
+    blend.step(8, 60, two_lines);
+    blend.step(60, 61, two_lines);
+    const double shown = two_lines(61).x() + cubic(1), followed = two_lines(62).x() + cubic(2);
+    blend.step(61, 20, two_lines);  // to x = 0 that stays
+    EXPECT_NEAR(blend.offset().x(), followed, 1e-14);
+    blend.step(20, 21, two_lines);
+    const double t = 0.25;
+    const double expected = followed * (1 + 2 * t) * (1 - t) * (1 - t) + (followed - shown) * 4 * t * (1 - t) * (1 - t);
+    EXPECT_NEAR(blend.offset().x(), expected, 1e-14);
+}
+
+TEST(SeamBlend, TheNextBlendCanBeWider) {
+    SeamBlend blend(4);
+    blend.step(8, 60, two_lines);
+    blend.spread(20);
+    EXPECT_EQ(blend.points_left(), 4u);  // the one that there is stays
+    blend.step(60, 20, two_lines);
+    EXPECT_EQ(blend.points_left(), 20u);
 }
 
 // Samples since the last seam: 0 at one.
