@@ -138,7 +138,7 @@ TEST(PickMemory, EmbreesMayBeRefused) {
 }
 
 TEST(PickMemory, ASceneThatWasRefusedGoesOn) {
-    // Large enough that Embree's threads share the work; it tells of an unknown error then.
+    // Large enough that Embree's threads share the work.
     const Shown shown(torus(300, 200));
     Host host;
     FlgPickSceneDesc desc = host.desc();
