@@ -323,7 +323,7 @@ FlgResult start_writing(FlgContext context, HandleTable<Result> Context::*table,
         Submission submission(self, job);
         read(submission, result, argument);
         submission.job().strand.start(write_result<Result>(submission.pace(), result, request, argument));
-        submission.commit(nullptr, out_job);
+        submission.commit(nullptr, MemoryKind::scratch, out_job);
     });
 }
 

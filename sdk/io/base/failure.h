@@ -40,7 +40,9 @@ inline String line_place(uint64_t line) {
 }
 
 inline String byte_place(std::string_view part, uint64_t offset) {
-    return String(part) + "@" + to_text(offset);
+    String place(part);
+    place += '@';
+    return place += to_text(offset);
 }
 
 // A piece of a file fit for a sentence: in quotes, cut short, with nothing unprintable in it.
