@@ -13,6 +13,9 @@
 // only: live strokes blend alike. Where runs are shorter than p, at high temperatures, blends run into each other and
 // shrink the displacement.
 //
+// The last seam of a closed curve is where the style has to be met again, at whatever phase of its waves. It is
+// cross-faded: the displacements of both runs, the one that is left going on, by weights 3 r^2 - 2 r^3 and the rest.
+//
 // Attributes (sec. 5) are blended alike, each component by its own metric:
 // - on a line (R+ and R): the gap is a difference; what comes out is kept within what the style has, so that sizes stay
 //   sizes and speeds above 0;
@@ -21,6 +24,7 @@
 //   in.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -52,19 +56,34 @@ public:
         find_attribute_gaps(from, to, shares_at_from);
         const Vec3 copied = displacement(to);
         gap_ = followed - copied;
-        step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
+        fades_ = !faded_.empty();
+        if (fades_) {
+            carried_ = offset();
+            step_gap_.setZero();
+            left_run_ = {from + 1, curve_end_[from] - 1};
+            taken_run_ = {to, curve_end_[to] - 1};
+        } else {
+            step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
+        }
         left_ = span_ = points_;
         per_span_ = 1.0 / span_;
         shares_ = {1, 0};
     }
-    // From the next seam on over so many points.
-    void spread(uint32_t points) { points_ = points; }
+    // The next seam, and all behind it, are cross-faded over so many points: the run that is left goes on beside the one
+    // that is taken, as far as its curve leads, and loses weight. `displacement` and `curve_end` are the style's, by
+    // node. For seams that must be taken however wide the gap: nothing between two copies goes further than they do.
+    void cross_fade(uint32_t points, std::span<const Vec3> displacement, std::span<const uint32_t> curve_end) {
+        points_ = points;
+        faded_ = displacement;
+        curve_end_ = curve_end;
+    }
     // To the next sample of the same run.
     void go_on() {
         if (left_ == 0) return;
         --left_;
         const double r = left_ * per_span_;
         shares_ = {r * r * (3 - 2 * r), r * r * (span_ - left_)};
+        if (fades_) gap_ = carried_ + faded_[left_run_.next()] - faded_[taken_run_.next()];
     }
 
     // Points with an offset, this one included.
@@ -90,6 +109,11 @@ public:
     }
 
 private:
+    // A run that goes on until its curve ends.
+    struct Run {
+        uint32_t node = 0, last = 0;
+        uint32_t next() { return node = std::min(node + 1, last); }
+    };
     // What is left of the gaps.
     struct Shares {
         double of_gap = 0, of_step_gap = 0;
@@ -120,6 +144,11 @@ private:
     std::array<std::array<Gap, attribute_components_max>, style_attributes_max> gaps_{};
     std::array<double, style_attributes_max> wound_rad_{};  // whole turns since the curve's start; an attribute has one
                                                             // angle at most
+    std::span<const Vec3> faded_;          // the style's displacements, if the next seam is cross-faded
+    std::span<const uint32_t> curve_end_;  // likewise
+    Run left_run_, taken_run_;             // of the cross-fade that there is
+    Vec3 carried_ = Vec3::Zero();          // what was left of the blend before it
+    bool fades_ = false;                   // the seam's blend is a cross-fade
     Shares shares_;
     double per_span_ = 1;
     uint32_t left_ = 0;

@@ -13,11 +13,11 @@ namespace flg {
 
 namespace {
 
-// Samples of a closed curve's last path, at most: the choice is among so many jumps, about 5 ns each.
+// Samples of a closed curve's last path, at most: the choice is among so many jumps, about 40 ns each.
 constexpr uint32_t last_path_max = 256;
 // Closed curves begin with so many points of the style before them, or half of a short style curve's.
 constexpr uint32_t last_path_wanted = 64;
-// The last jump has to be taken, however wide its gap is: so it is blended over so many patches, but once around at
+// The last jump has to be taken, however wide its gap is: so it is cross-faded over so many patches, but once around at
 // most.
 constexpr uint32_t last_blend_patches = 6;
 
@@ -138,27 +138,33 @@ bool SynthesisKernel::advance() {
     if (walk_.turns_home()) [[unlikely]] {
         const uint32_t points = std::min(last_blend_patches * input_.trees->graph().patch, stroke_.plan.steps);
         walk_.go_home(copies_before_last_jump(points));
-        blend_.spread(points);
+        blend_.cross_fade(points, {input_.style->displacement.data(), input_.style->displacement.size()},
+                          {input_.trees->graph().curve_end.data(), input_.trees->graph().curve_end.size()});
     }
     if (!walk_.advance()) return false;
     blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
     return true;
 }
 
-// Where along the last path of a closed curve the blend over the jump would bend it least: by 6 / n^2 of the gap in
-// value and 4 / n of that in step, over n points.
+// Where along the last path of a closed curve the runs before and behind the jump differ least, over as many points as
+// they are cross-faded. Runs that go on so far come before others.
 uint32_t SynthesisKernel::copies_before_last_jump(uint32_t points) const {
     const Buffer<Vec3>& displacement = input_.style->displacement;
     const uint32_t end = input_.trees->graph().curve_end[walk_.node()];
+    const uint32_t home_end = input_.trees->graph().curve_end[walk_.landing(0)];
     uint32_t best = 0;
     double least = HUGE_VAL;
     for (uint32_t copies = 0; copies < walk_.samples_left() && walk_.node() + copies + 1 < end; ++copies) {
-        const uint32_t from = walk_.node() + copies, to = walk_.landing(copies);
-        const Vec3 gap = displacement[from + 1] - displacement[to];
-        const Vec3 step_gap = (displacement[from + 1] - displacement[from]) - (displacement[to + 1] - displacement[to]);
-        const double bend = 6.0 / points * gap.norm() + 4.0 * step_gap.norm();
-        if (bend >= least) continue;
-        least = bend;
+        const uint32_t from = walk_.node() + copies + 1, to = walk_.landing(copies);
+        if (copies > 0 && (from + points >= end || to + points >= home_end)) break;
+        double difference = 0;
+        for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
+            const uint32_t on = probe * points / last_blend_patches;
+            difference +=
+                (displacement[std::min(from + on, end - 1)] - displacement[std::min(to + on, home_end - 1)]).norm();
+        }
+        if (difference >= least) continue;
+        least = difference;
         best = copies;
     }
     return best;

@@ -53,13 +53,27 @@ TEST(SeamBlend, ASeamWithinABlendGoesOnFromWhereThatIsAndAsItWent) {
     EXPECT_NEAR(blend.offset().x(), expected, 1e-14);
 }
 
-TEST(SeamBlend, TheNextBlendCanBeWider) {
+// Two runs of a wave, out of phase: between them, from one to the other, as each goes, and the second one again in the
+// end. The run that is left ends at node 49 and stays there.
+TEST(SeamBlend, ACrossFadeGoesFromOneRunToTheOther) {
+    std::vector<Vec3> wave;
+    for (int i = 0; i < 100; ++i) wave.emplace_back(std::sin(0.3 * i), std::cos(0.3 * i), 0.01 * i);
+    std::vector<uint32_t> curve_end(50, 50);
+    curve_end.resize(100, 100);
+    const auto displacement = [&](uint32_t node) -> const Vec3& { return wave[node]; };
+    constexpr uint32_t points = 20, from = 35, to = 70;
     SeamBlend blend(4);
-    blend.step(8, 60, two_lines);
-    blend.spread(20);
-    EXPECT_EQ(blend.points_left(), 4u);  // the one that there is stays
-    blend.step(60, 20, two_lines);
-    EXPECT_EQ(blend.points_left(), 20u);
+    blend.cross_fade(points, wave, curve_end);
+    blend.step(from, to, displacement);
+    for (uint32_t k = 0; k <= points; ++k) {
+        EXPECT_EQ(blend.points_left(), points - k);
+        const Vec3 left = wave[std::min(from + 1 + k, 49u)], taken = wave[to + k];
+        const double r = static_cast<double>(points - k) / points, weight = r * r * (3 - 2 * r);
+        const Vec3 shown = taken + blend.offset();
+        EXPECT_LT((shown - (weight * left + (1 - weight) * taken)).norm(), 1e-14) << k;
+        blend.step(to + k, to + k + 1, displacement);
+    }
+    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));  // to the bit
 }
 
 // Samples since the last seam: 0 at one.
