@@ -419,9 +419,9 @@ namespace Filigree
         /// </summary>
         public float smoothing;
         /// <summary>
-        /// Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Where the
-        /// style is further from its guide than 1 / beta times its own radius of curvature (the far side of a loop),
-        /// closeness wins: that stretch is skipped and gets cut off. Default 0.2: loops stay round.
+        /// Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut
+        /// off at any weight: from one point of the guide to the next the matching goes on along the style by at most
+        /// 1.4 times the mean. Towards 0 every piece of the guide gets an equal share of the style. Default 0.2.
         /// </summary>
         public float beta;
         /// <summary>

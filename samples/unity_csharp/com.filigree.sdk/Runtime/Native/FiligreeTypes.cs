@@ -215,8 +215,8 @@ namespace Filigree
         /// </summary>
         Auto = 0,
         /// <summary>
-        /// FLG_STYLE_START_STYLE: at the style's own start; the first run goes to its end: a target as long as the
-        /// guide gets the whole style once
+        /// FLG_STYLE_START_STYLE: at the style's own start, closed targets a little further; the first run goes to its
+        /// end: an open target as long as the guide gets the whole style once
         /// </summary>
         Style = 1,
         /// <summary>FLG_STYLE_START_RANDOM: at a random point, chosen by seed and curve index</summary>
