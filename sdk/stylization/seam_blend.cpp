@@ -6,6 +6,7 @@
 namespace flg {
 
 void SeamBlend::find_attribute_gaps(uint32_t from, uint32_t to, const Shares& shares_at_from) {
+    const bool fades = !faded_.empty();
     for (size_t a = 0; a < attributes_.size(); ++a) {
         const StyleAttribute& attribute = attributes_[a];
         for (uint32_t k = 0; k < attribute.components; ++k) {
@@ -18,6 +19,7 @@ void SeamBlend::find_attribute_gaps(uint32_t from, uint32_t to, const Shares& sh
                 gap -= wound_rad_[a];
             }
             const double step_gap = step - (double{copied[attribute.components]} - copied[0]);
+            if (fades) gap -= of_style(a, k, from + 1) - copied[0];
             gaps_[a][k] = {static_cast<float>(gap), static_cast<float>(step_gap)};
         }
     }

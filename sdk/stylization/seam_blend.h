@@ -13,8 +13,9 @@
 // only: live strokes blend alike. Where runs are shorter than p, at high temperatures, blends run into each other and
 // shrink the displacement.
 //
-// The last seam of a closed curve is where the style has to be met again, at whatever phase of its waves. It is
-// cross-faded: the displacements of both runs, the one that is left going on, by weights 3 r^2 - 2 r^3 and the rest.
+// The last seam of a closed curve has to meet the style again at whatever phase of its waves. It is cross-faded: the run
+// that is left goes on beside the one that is taken, with weights 3 r^2 - 2 r^3 and the rest, so that nothing between
+// two copies goes further than they do.
 //
 // Attributes (sec. 5) are blended alike, each component by its own metric:
 // - on a line (R+ and R): the gap is a difference; what comes out is kept within what the style has, so that sizes stay
@@ -53,25 +54,23 @@ public:
         const Shares shares_at_from = shares_;
         go_on();
         const Vec3 followed = displacement(from + 1) + offset();
-        find_attribute_gaps(from, to, shares_at_from);
+        const Vec3 carried = offset();
         const Vec3 copied = displacement(to);
+        find_attribute_gaps(from, to, shares_at_from);
         gap_ = followed - copied;
+        step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
         fades_ = !faded_.empty();
         if (fades_) {
-            carried_ = offset();
-            step_gap_.setZero();
+            carried_ = carried;
             left_run_ = {from + 1, curve_end_[from] - 1};
             taken_run_ = {to, curve_end_[to] - 1};
-        } else {
-            step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
         }
         left_ = span_ = points_;
         per_span_ = 1.0 / span_;
         shares_ = {1, 0};
     }
-    // The next seam, and all behind it, are cross-faded over so many points: the run that is left goes on beside the one
-    // that is taken, as far as its curve leads, and loses weight. `displacement` and `curve_end` are the style's, by
-    // node. For seams that must be taken however wide the gap: nothing between two copies goes further than they do.
+    // The next seam, and all behind it, are cross-faded over so many points. A run whose style curve ends stays at its
+    // last point. `displacement` and `curve_end` are the style's, by node, and outlive the blend.
     void cross_fade(uint32_t points, std::span<const Vec3> displacement, std::span<const uint32_t> curve_end) {
         points_ = points;
         faded_ = displacement;
@@ -82,7 +81,7 @@ public:
         if (left_ == 0) return;
         --left_;
         const double r = left_ * per_span_;
-        shares_ = {r * r * (3 - 2 * r), r * r * (span_ - left_)};
+        shares_ = {r * r * (3 - 2 * r), fades_ ? 0 : r * r * (span_ - left_)};
         if (fades_) gap_ = carried_ + faded_[left_run_.next()] - faded_[taken_run_.next()];
     }
 
@@ -121,11 +120,17 @@ private:
 
     double offset(size_t index, uint32_t component, const Shares& shares) const {
         const Gap& gap = gaps_[index][component];
-        return shares.of_gap * gap.value + shares.of_step_gap * gap.step;
+        double value = gap.value;
+        if (fades_) value += of_style(index, component, left_run_.node) - of_style(index, component, taken_run_.node);
+        return shares.of_gap * value + shares.of_step_gap * gap.step;
+    }
+    double of_style(size_t index, uint32_t component, uint32_t node) const {
+        const StyleAttribute& attribute = attributes_[index];
+        return attribute.values[size_t{node} * attribute.components + component];
     }
     double value(size_t index, uint32_t component, uint32_t node, const Shares& shares) const {
         const StyleAttribute& attribute = attributes_[index];
-        const double copied = attribute.values[size_t{node} * attribute.components + component];
+        const double copied = of_style(index, component, node);
         if (component >= attribute.first_angle()) {
             return copied + wound_rad_[index] + offset(index, component, shares);
         }
@@ -136,7 +141,7 @@ private:
     void find_attribute_gaps(uint32_t from, uint32_t to, const Shares& shares_at_from);
 
     struct Gap {
-        float value = 0, step = 0;
+        float value = 0, step = 0;  // of a cross-fade: the value without both runs' own
     };
 
     std::span<const StyleAttribute> attributes_;

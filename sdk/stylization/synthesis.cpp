@@ -147,25 +147,29 @@ bool SynthesisKernel::advance() {
 }
 
 // Where along the last path of a closed curve the runs before and behind the jump differ least, over as many points as
-// they are cross-faded. Runs that go on so far come before others.
+// they are cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path.
 uint32_t SynthesisKernel::copies_before_last_jump(uint32_t points) const {
     const Buffer<Vec3>& displacement = input_.style->displacement;
     const uint32_t end = input_.trees->graph().curve_end[walk_.node()];
     const uint32_t home_end = input_.trees->graph().curve_end[walk_.landing(0)];
     uint32_t best = 0;
+    bool best_has_room = false;
     double least = HUGE_VAL;
     for (uint32_t copies = 0; copies < walk_.samples_left() && walk_.node() + copies + 1 < end; ++copies) {
         const uint32_t from = walk_.node() + copies + 1, to = walk_.landing(copies);
-        if (copies > 0 && (from + points >= end || to + points >= home_end)) break;
+        const bool has_room = copies >= blend_.points_left() && from + points < end && to + points < home_end &&
+                              copies + points < walk_.samples_left();
+        if (best_has_room && !has_room) continue;
         double difference = 0;
         for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
             const uint32_t on = probe * points / last_blend_patches;
             difference +=
                 (displacement[std::min(from + on, end - 1)] - displacement[std::min(to + on, home_end - 1)]).norm();
         }
-        if (difference >= least) continue;
+        if (difference >= least && has_room == best_has_room) continue;
         least = difference;
         best = copies;
+        best_has_room = has_room;
     }
     return best;
 }

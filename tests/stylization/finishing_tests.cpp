@@ -68,50 +68,71 @@ TEST(Finishing, PinnedResultsBeginAndEndWhereTheirTargetsDo) {
     }
 }
 
-// The samples of a closed curve from its last seam on, and what is blended there: six patches, over its first samples.
+// The last seam of a closed curve, cross-faded over six patches and, where these are more samples than are left, over the
+// curve's first ones.
 struct LastSeam {
-    size_t at = 0;
     static constexpr size_t points = 60;
+    size_t at = 0;    // the sample that the last run begins with
+    size_t faded = 0; // samples
 
-    explicit LastSeam(const std::vector<float>& indices) {
+    explicit LastSeam(const std::vector<float>& indices) : faded(std::min(points, indices.size())) {
         for (size_t i = 1; i < indices.size(); ++i) {
             if (indices[i] != indices[i - 1] + 1) at = i;
         }
     }
+    double weight(size_t k) const {
+        const double r = 1 - std::min(1.0, static_cast<double>(k) / static_cast<double>(faded));
+        return r * r * (3 - 2 * r);
+    }
 };
+
+// In its targets' frames.
+std::vector<Vec3> closed_displacement(const TestStyle& style, const std::vector<float>& indices) {
+    const LastSeam seam(indices);
+    std::vector<float> up_to_seam(indices.begin(), indices.begin() + static_cast<ptrdiff_t>(seam.at));
+    const auto left = static_cast<size_t>(up_to_seam.back()) + 1, taken = static_cast<size_t>(indices[seam.at]);
+    up_to_seam.push_back(static_cast<float>(left));
+    std::vector<Vec3> result = copied_by(style, up_to_seam);
+    const Vec3 carried = result.back() - style.vectors[left];
+    result.pop_back();
+    for (size_t i = seam.at; i < indices.size(); ++i) result.push_back(style.vectors[static_cast<size_t>(indices[i])]);
+    const size_t last = style.vectors.size() - 1;
+    for (size_t k = 0; k < seam.faded; ++k) {
+        const Vec3 gap = style.vectors[std::min(left + k, last)] - style.vectors[std::min(taken + k, last)];
+        result[(seam.at + k) % indices.size()] += seam.weight(k) * (carried + gap);
+    }
+    return result;
+}
 
 TEST(Finishing, ClosedResultsComeBackToWhereTheyBegan) {
     const TestStyle style(test::wiggles(300));
     const Points target = ring();
-    const SamplingPlan plan = test::plan_of(target, steps);
-    const test::Resampled plain = test::resample(plan);
     size_t over_the_start = 0;
-    for (uint64_t seed = 1; seed <= 20; ++seed) {
-        const StylizeOptions options{.magnitude = 0.7, .from_start = seed == 1, .seed = seed};
-        const StylizedCurve r = stylize(style, 0, plan, options);
-        ASSERT_EQ(r.size(), steps);
-        EXPECT_EQ(r.indices[steps - 1] + 1, r.indices[0]) << seed;
-        if (seed == 1) {
-            EXPECT_EQ(r.indices[0], 64);
-        }
-        // The last blend by itself, on and on around the curve.
-        const LastSeam seam(r.indices);
-        const auto d = [&](size_t i) { return style.vectors[static_cast<size_t>(r.indices[i % steps])]; };
-        const Vec3 copied = d(seam.at);
-        const Vec3 followed = style.vectors[static_cast<size_t>(r.indices[seam.at - 1]) + 1];
-        const Vec3 gap = followed - copied, step_gap = followed - d(seam.at - 1) - (d(seam.at + 1) - copied);
-        for (size_t k = 0; k < LastSeam::points + 5; ++k) {
-            const double t = std::min(1.0, static_cast<double>(k) / LastSeam::points);
-            const double fade = (1 - t) * (1 - t);
-            const size_t i = (seam.at + k) % steps;
-            const Vec3 local = d(i) + (1 + 2 * t) * fade * gap + LastSeam::points * t * fade * step_gap;
-            const Vec3 expected = in_frame(local, plain, i);
-            ASSERT_LT((r.displacement(i) - expected).norm(), 1e-5) << "seed " << seed << " sample " << i;
-            ASSERT_LT((r.curve.position(i) - plain.position(i) - 0.7 * expected).norm(), 1e-5) << i;
-            over_the_start += seam.at + k >= steps && t < 1;
+    for (const uint32_t samples : {50u, 90u, 290u, steps}) {
+        const SamplingPlan plan = test::plan_of(target, samples);
+        const test::Resampled plain = test::resample(plan);
+        for (uint64_t seed = 1; seed <= 20; ++seed) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(samples) + " samples");
+            const StylizeOptions options{.magnitude = 0.7, .from_start = seed == 1, .seed = seed};
+            const StylizedCurve r = stylize(style, 0, plan, options);
+            ASSERT_EQ(r.size(), samples);
+            EXPECT_EQ(r.indices[samples - 1] + 1, r.indices[0]);
+            if (seed == 1) {
+                EXPECT_EQ(r.indices[0], 64);
+            }
+            const std::vector<Vec3> expected = closed_displacement(style, r.indices);
+            for (size_t i = 0; i < samples; ++i) {
+                const Vec3 d = in_frame(expected[i], plain, i);
+                ASSERT_LT((r.displacement(i) - d).norm(), 1e-5) << i;
+                ASSERT_LT((r.curve.position(i) - plain.position(i) - 0.7 * d).norm(), 1e-5) << i;
+            }
+            const LastSeam seam(r.indices);
+            over_the_start += seam.at + seam.faded > samples;
         }
     }
     EXPECT_GT(over_the_start, 20u);
+    const SamplingPlan plan = test::plan_of(target, steps);
+    const test::Resampled plain = test::resample(plan);
     // Magnitude 0 is the resampled target.
     EXPECT_EQ(stylize(style, 0.3, plan, {.magnitude = 0}).curve.positions, plain.positions);
     // Pinned, it passes through its target's first point, and all of it is moved alike.
