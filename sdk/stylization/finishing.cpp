@@ -88,7 +88,7 @@ void Finishing::blend_over_start(uint32_t sample) {
     Vec3 normal = load_vec3(out.frames.normals + at);
     if (has_angle) normal = turned_about(tangent, normal, -double{out.attributes[angle_][sample]});
     const Vec3 d = input_.around.offset();
-    const Vec3 offset = d.x() * tangent + d.y() * normal + d.z() * tangent.cross(normal);
+    const Vec3 offset = in_frame(d, tangent, normal);
     const Vec3 position = load_vec3(out.frames.positions + at) + input_.magnitude * offset;
     check_position(position, input_.magnitude);
     store_vec3(position, out.frames.positions + at);

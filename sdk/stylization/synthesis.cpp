@@ -104,7 +104,9 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     node_known_ = true;
     finishing_.reset();
     // On closed curves one more than samples: where the style is when the curve has come around.
-    walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key, stroke.plan.steps + 1);
+    const bool has_end = stroke.plan.exact_step == 0;
+    walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
+                      has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
     if (stroke.plan.curve.closed && stroke.plan.steps > 0) walk_.close();
     blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
@@ -214,14 +216,14 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
 }
 
 // A target without length has no frame to be displaced in.
-Vec3 SynthesisKernel::in_frame(const Vec3& d, const FramedSample& sample) const {
+Vec3 SynthesisKernel::displaced_in(const FramedSample& sample, const Vec3& d) const {
     if (stroke_.plan.steps == 0) return Vec3::Zero();
-    return d.x() * sample.tangent + d.y() * sample.normal + d.z() * sample.tangent.cross(sample.normal);
+    return in_frame(d, sample.tangent, sample.normal);
 }
 
 void SynthesisKernel::write(const FramedSample& sample) {
     const StylizedColumns& out = stroke_.out;
-    const Vec3 displacement = in_frame(input_.style->displacement[walk_.node()] + blend_.offset(), sample);
+    const Vec3 displacement = displaced_in(sample, input_.style->displacement[walk_.node()] + blend_.offset());
     const size_t at = 3 * static_cast<size_t>(written_);
     const Vec3 position = sample.position + input_.magnitude * displacement;
     check_position(position, input_.magnitude);
@@ -261,7 +263,7 @@ bool SynthesisKernel::finish(uint32_t& units) {
         if (closed) {
             // The curve's first sample, and what of the last seam is not over there.
             if (!find_node(units)) return false;
-            first_displacement_ += in_frame(blend_.offset(), first_);
+            first_displacement_ += displaced_in(first_, blend_.offset());
             last_displacement_ = first_displacement_;
         }
         const FinishingInput finishing{.out = stroke_.out,

@@ -27,6 +27,9 @@ namespace flg {
 // Which points of the style a target curve copies, one after the other.
 class StyleWalk {
 public:
+    // More points than a curve can have: the walk has no end to aim at.
+    static constexpr uint32_t endless = UINT32_MAX;
+
     StyleWalk() = default;
     // `from_start`: begins at the style's first point, and goes to the end of its first curve first (the first curve
     // with patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
@@ -116,7 +119,7 @@ private:
     void write(const FramedSample& sample);
     void write_attributes(const FramedSample& sample);
     void write_carried(uint32_t first);
-    Vec3 in_frame(const Vec3& displacement, const FramedSample& sample) const;
+    Vec3 displaced_in(const FramedSample& sample, const Vec3& displacement) const;
     bool finish(uint32_t& units);
 
     SynthesisInput input_;

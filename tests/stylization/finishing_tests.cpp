@@ -72,8 +72,8 @@ TEST(Finishing, PinnedResultsBeginAndEndWhereTheirTargetsDo) {
 // curve's first ones.
 struct LastSeam {
     static constexpr size_t points = 60;
-    size_t at = 0;    // the sample that the last run begins with
-    size_t faded = 0; // samples
+    size_t at = 0;     // the sample that the last run begins with
+    size_t faded = 0;  // samples
 
     explicit LastSeam(const std::vector<float>& indices) : faded(std::min(points, indices.size())) {
         for (size_t i = 1; i < indices.size(); ++i) {

@@ -363,7 +363,7 @@ typedef enum FlgAttribute {
                                         ribbon's width lies along the second, tangent x normal */
     FLG_ATTRIBUTE_TIME = 5,          /* 1, seconds since the first point of the curve; may run backwards in real data */
     FLG_ATTRIBUTE_PRESSURE = 6,      /* 1, 0 to 1 */
-    FLG_ATTRIBUTE_ORIENTATION = 7,   /* 4, unit quaternion x y z w of the controller that drew it */
+    FLG_ATTRIBUTE_ORIENTATION = 7,   /* 4, unit quaternion x y z w of the controller; its y axis begins frames */
     FLG_ATTRIBUTE_STYLE_INDEX = 8,   /* 1, index of the style point that a stylized point copies; whole numbers */
     FLG_ATTRIBUTE_RADII = 9,         /* 3: half axes along the first and second normal, metres, >= 0, and the angle
                                         that turns them about the tangent, radians: an elliptic cross-section */
@@ -646,6 +646,12 @@ typedef struct FlgCurveSetStylizeDesc {
     /* Maximum points in the result, at most 2^31: guards against a scale far too small for the target. A larger result
      * fails with FLG_ERROR_LIMIT before memory is taken for it. 0: 2^31. Default 0. */
     uint32_t max_points;
+    /* Nonzero: points of open curves are exactly FlgStyleInfo::spacing * scale apart, as those of live strokes: the
+     * last lies up to one step before the target's end, and no run goes on to the style's end for it. So a live
+     * stroke's samples give the same bits (filigree_live.h). Curves shorter than one step keep their two points. Not
+     * with pin_ends. 0: the whole number of equal steps that comes nearest. Default 0. */
+    uint32_t exact_spacing;
+    uint32_t reserved;
 } FlgCurveSetStylizeDesc;
 
 FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint32_t struct_size);
@@ -656,9 +662,9 @@ FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint3
  * shorter than one step gets two points; a zero-length curve gets one, not displaced. Targets shorter than the style
  * get part of it.
  * Closed targets give closed results: their last path, of up to 256 points, leads back to the style point that the
- * curve began with, by one jump that is blended over 6 p points, if need be on over the curve's first ones. For that
- * they begin 64 points into the style at least, or in the middle of a shorter one. So sizes, frames and ribbons cross
- * the curve's start as evenly as elsewhere.
+ * curve began with, by one jump. The runs before and behind it are cross-faded over 6 p points, if need be on over the
+ * curve's first ones. For that curves begin 64 points into the style at least, or in the middle of a shorter one. So
+ * sizes, frames and ribbons cross the curve's start as evenly as elsewhere.
  * Displacements are those of the style at STYLE_INDEX. After a jump from style point i to point j, the gap d[i + 1]
  * - d[j] and that of the steps there are added and fade to zero by a cubic over p points: results go on where they
  * were and as they went, with no steps and turns that the style lacks.

@@ -529,5 +529,13 @@ namespace Filigree
         /// result fails with FlgResult.ErrorLimit before memory is taken for it. 0: 2^31. Default 0.
         /// </summary>
         public uint max_points;
+        /// <summary>
+        /// Nonzero: points of open curves are exactly FlgStyleInfo::spacing * scale apart, as those of live strokes:
+        /// the last lies up to one step before the target's end, and no run goes on to the style's end for it. So a
+        /// live stroke's samples give the same bits (filigree_live.h). Curves shorter than one step keep their two
+        /// points. Not with pin_ends. 0: the whole number of equal steps that comes nearest. Default 0.
+        /// </summary>
+        public uint exact_spacing;
+        public uint reserved;
     }
 }

@@ -104,7 +104,9 @@ namespace Filigree
         Time = 5,
         /// <summary>FLG_ATTRIBUTE_PRESSURE: 1, 0 to 1</summary>
         Pressure = 6,
-        /// <summary>FLG_ATTRIBUTE_ORIENTATION: 4, unit quaternion x y z w of the controller that drew it</summary>
+        /// <summary>
+        /// FLG_ATTRIBUTE_ORIENTATION: 4, unit quaternion x y z w of the controller; its y axis begins frames
+        /// </summary>
         Orientation = 7,
         /// <summary>
         /// FLG_ATTRIBUTE_STYLE_INDEX: 1, index of the style point that a stylized point copies; whole numbers
