@@ -3,6 +3,7 @@
 
 #include "api/descriptors.h"
 #include "api/inputs.h"
+#include "core/failure.h"
 #include "curves/sampling_job.h"
 #include "stylization/apply_style.h"
 
@@ -30,6 +31,10 @@ void check(const FlgCurveSetStylizeDesc& desc) {
     check_basis(desc.basis);
     check_range(desc.max_points <= sampled_points_max, "desc.max_points", desc.max_points, "at most 2^31");
     check_range(desc.strokes >= 1 && desc.strokes <= strokes_max, "desc.strokes", desc.strokes, "1 to 1024");
+    if (desc.exact_spacing != 0 && desc.pin_ends != 0) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.exact_spacing is set, and so is desc.pin_ends: exact steps do not come to a curve's end");
+    }
     check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_START_");
 }
 

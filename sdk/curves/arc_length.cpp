@@ -79,6 +79,12 @@ double even_step_count(double length, double spacing, bool closed) {
     return std::clamp(std::floor(length / spacing + 0.5), closed ? 3.0 : 1.0, most);
 }
 
+double exact_step_count(double length, double step) {
+    const double steps = std::min(std::floor(length / step), 0x1.0p53);
+    if (steps * step > length) return steps - 1;
+    return (steps + 1) * step <= length ? steps + 1 : steps;
+}
+
 Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve) {
     CurveMeasuring measuring(curve);
     while (!measuring.run(points_at_once)) co_await pace;

@@ -26,6 +26,8 @@ struct CurveMeasure {
 // The number of equal steps nearest to `spacing` that `length` is divided into: at least 1, closed 3. 0 without length.
 // As a double, since it may be beyond any integer; at most 2^53.
 double even_step_count(double length, double spacing, bool closed);
+// The number of steps of exactly `step` that there is room for; 0 if there is for none.
+double exact_step_count(double length, double step);
 
 // About 25 ns a point. The curve outlives the task.
 Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve);

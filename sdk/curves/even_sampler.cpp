@@ -6,6 +6,9 @@ namespace flg {
 EvenSampler::EvenSampler(const CurveView& curve, double length, uint32_t steps)
     : stream_(curve), curve_(curve), steps_(steps), step_(steps > 0 ? length / steps : 0) {}
 
+EvenSampler::EvenSampler(const CurveView& curve, double step)
+    : stream_(curve), curve_(curve), steps_(UINT32_MAX), step_(step) {}
+
 void EvenSampler::make_last(CurveSample& out) const {
     out.position = curve_.point(curve_.closed ? 0 : curve_.count - 1);
     if (steps_ == 0) {

@@ -18,6 +18,8 @@ class EvenSampler {
 public:
     // `length` as measure_curve() finds it; `steps` >= 1, or 0 for a curve without length.
     EvenSampler(const CurveView& curve, double length, uint32_t steps);
+    // Samples of which none is the curve's end: `step` metres apart, as many as there is room for.
+    EvenSampler(const CurveView& curve, double step);
 
     // The next of steps + 1 samples; the first and the last are the curve's ends exactly. Takes one of `units` for it
     // and for each point of the polyline read on the way; false, to be called again, if they ran out.

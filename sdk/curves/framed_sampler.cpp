@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "curves/drawn_normal.h"
+
 namespace flg {
 
 FramedSampler::FramedSampler(const SamplingPlan& plan)
     : plan_(plan),
-      sampler_(plan.curve, plan.measure.length, plan.steps),
+      sampler_(begin()),
       left_(plan.sample_count()),
       special_(plan.steps > 0 && (plan.frame != FLG_FRAME_METHOD_ROTATION_MINIMIZING || plan.curve.closed)) {
     constexpr double min_turn_rad = 1e-6;
@@ -15,8 +17,15 @@ FramedSampler::FramedSampler(const SamplingPlan& plan)
     straight_ = std::max(min_turn_rad, plan.measure.resolution() / step);
 }
 
+EvenSampler FramedSampler::begin() const {
+    if (plan_.exact_step > 0) return {plan_.curve, plan_.exact_step};
+    return {plan_.curve, plan_.measure.length, plan_.steps};
+}
+
 void FramedSampler::begin_frame(const CurveSample& first) {
-    frame_ = RotationMinimizingFrame(first.position, first.tangent, plan_.measure.initial_normal());
+    const Vec3 normal =
+        plan_.orientation ? drawn_normal(plan_.orientation, first.tangent) : plan_.measure.initial_normal();
+    frame_ = RotationMinimizingFrame(first.position, first.tangent, normal);
 }
 
 // All places first, then all frames: so the long latencies of different samples overlap.
@@ -69,7 +78,7 @@ bool FramedSampler::go_around(uint32_t& units) {
         plan_.frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
         twist_per_step_ = angle_about(first_.tangent, frame_.normal(), first_.normal) / plan_.steps;
     }
-    sampler_ = EvenSampler(plan_.curve, plan_.measure.length, plan_.steps);
+    sampler_ = begin();
     next_ = 0;
     has_ahead_ = false;
     been_around_ = true;

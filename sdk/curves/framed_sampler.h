@@ -30,7 +30,9 @@ struct SamplingPlan {
     CurveMeasure measure;
     uint32_t steps = 0;  // 0 exactly if the curve has no length
     FlgFrameMethod frame = FLG_FRAME_METHOD_ROTATION_MINIMIZING;
-    const float* normals = nullptr;  // FLG_FRAME_METHOD_SUPPLIED: three floats a point of the curve, of any length
+    const float* normals = nullptr;      // FLG_FRAME_METHOD_SUPPLIED: three floats a point of the curve, of any length
+    const float* orientation = nullptr;  // the controller's at the first point, if it was drawn: quaternion x y z w
+    double exact_step = 0;               // metres; 0: the curve's length in equal steps
 
     uint32_t sample_count() const { return steps == 0 ? 1 : (curve.closed ? steps : steps + 1); }
 };
@@ -44,6 +46,7 @@ public:
     uint32_t next(FramedSample* out, uint32_t capacity, uint32_t& units);
 
 private:
+    EvenSampler begin() const;
     bool next_special(FramedSample& out, uint32_t& units);
     bool next_by_method(FramedSample& out, uint32_t& units);
     bool go_around(uint32_t& units);

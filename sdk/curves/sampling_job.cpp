@@ -33,12 +33,19 @@ const float* supplied_normals(const Sampling& sampling, uint32_t curve) {
     return sampling.in.find(FLG_ATTRIBUTE_NORMAL)->values.data() + size_t{3} * sampling.in.offsets()[curve];
 }
 
+// Null if the set has none.
+const float* first_orientation(const CurveSet& set, uint32_t curve) {
+    const Column* orientations = set.find(FLG_ATTRIBUTE_ORIENTATION);
+    return orientations ? orientations->values.data() + size_t{4} * set.offsets()[curve] : nullptr;
+}
+
 Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     const CurveRange range = curves_of_batch(sampling.in, batch);
     for (uint32_t c = range.first; c < range.last; ++c) {
         const CurveView curve = curve_view(sampling.in, c);
         const CurveMeasure measure = co_await measure_curve(pace, curve);
-        const double steps = even_step_count(measure.length, sampling.spacing, curve.closed);
+        const double exact = sampling.exact && !curve.closed ? exact_step_count(measure.length, sampling.spacing) : 0;
+        const double steps = exact > 0 ? exact : even_step_count(measure.length, sampling.spacing, curve.closed);
         if (const PointLimit limit(sampling); steps >= limit.points) {
             throw Failure(FLG_ERROR_LIMIT, "curve %u is %g m long and would get %.0f points %g m apart; %s", c,
                           measure.length, steps, sampling.spacing, limit.text);
@@ -47,7 +54,9 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
                                                            .measure = measure,
                                                            .steps = static_cast<uint32_t>(steps),
                                                            .frame = sampling.frame,
-                                                           .normals = supplied_normals(sampling, c)});
+                                                           .normals = supplied_normals(sampling, c),
+                                                           .orientation = first_orientation(sampling.in, c),
+                                                           .exact_step = exact > 0 ? sampling.spacing : 0});
         pace.advance(curve.count);
         co_await pace;
     }
@@ -162,6 +171,7 @@ Task<void> resample_curves(Pace& pace, std::shared_ptr<const CurveSet> in, doubl
                       .frame = frame,
                       .copies = 1,
                       .max_points = 0,
+                      .exact = false,
                       .plans = {},
                       .carried = std::pmr::vector<Sampling::Carried>(pace.memory())};
     co_await plan_sampling(pace, sampling, std::pmr::vector<CurveSet::ColumnLayout>(pace.memory()));

@@ -35,6 +35,7 @@ struct Sampling {
     FlgFrameMethod frame;
     uint32_t copies;             // how often each curve is in `out`: the copies of curve c begin at c * copies
     uint32_t max_points;         // of `out`; 0: sampled_points_max
+    bool exact;                  // steps on open curves, as live strokes have them
     Buffer<SamplingPlan> plans;  // one a curve of `in`
     // Columns that are carried over, of `in` and, at the same place, of `out`.
     struct Carried {

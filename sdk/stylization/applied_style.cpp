@@ -20,6 +20,10 @@ size_t AppliedStyle::find(FlgAttribute attribute) const {
     return static_cast<size_t>(place - attributes.begin());
 }
 
+Eigen::Matrix3d scaled_basis(double scale, const std::array<double, 9>& basis) {
+    return scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
+}
+
 Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis) {
     for (const StyleAttribute& attribute : style.attributes) {
         for (uint32_t k = 0; k < attribute.length_count(); ++k) {
@@ -29,15 +33,13 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
                           static_cast<int>(attribute.attribute), scale * attribute.ranges[k].high);
         }
     }
-    const Eigen::Matrix3d scaled_basis =
-        scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
+    const Eigen::Matrix3d matrix = scaled_basis(scale, basis);
     AppliedStyle applied;
     applied.displacement = Buffer<Vec3>(style.point_count(), pace.memory());
     applied.attributes = style.attributes;
     applied.scale = scale;
-    const Displacement& d = style.displacement;
     co_await each(pace, style.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
-        const Vec3 scaled = scaled_basis * Vec3(d.along_tangent[i], d.along_normal[i], d.along_binormal[i]);
+        const Vec3 scaled = fitted(matrix, style.displacement, i);
         if (!(scaled.cwiseAbs().maxCoeff() <= coordinate_max)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.scale is %g: with desc.basis the style's displacement would be %g m, above 1e30", scale,

@@ -20,6 +20,19 @@ struct AppliedStyle {
     size_t find(FlgAttribute attribute) const;
 };
 
+// `basis` is row-major.
+Eigen::Matrix3d scaled_basis(double scale, const std::array<double, 9>& basis);
+
+// A point of the style as it is applied.
+inline Vec3 fitted(const Eigen::Matrix3d& scaled_basis, const Displacement& d, uint32_t node) {
+    return scaled_basis * Vec3(d.along_tangent[node], d.along_normal[node], d.along_binormal[node]);
+}
+
+// Along a target's tangent, first and second normal.
+inline Vec3 in_frame(const Vec3& d, const Vec3& tangent, const Vec3& normal) {
+    return d.x() * tangent + d.y() * normal + d.z() * tangent.cross(normal);
+}
+
 // Row-major: basis times (along tangent, first normal, second normal). The style outlives the result. About 10 ns a
 // point. Throws what the host is told if the style would get larger than coordinates may be.
 Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis);

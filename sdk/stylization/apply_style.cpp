@@ -22,6 +22,7 @@ struct Application {
                    .frame = request.desc.frame,
                    .copies = request.desc.strokes,
                    .max_points = request.desc.max_points,
+                   .exact = request.desc.exact_spacing != 0,
                    .plans = {},
                    .carried = std::pmr::vector<Sampling::Carried>(memory)},
           attributes(memory) {}

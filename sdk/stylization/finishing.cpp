@@ -30,7 +30,10 @@ void check_position(const Vec3& position, double magnitude) {
 }
 
 Finishing::Finishing(const FinishingInput& input)
-    : input_(input), units_per_block_(units_to_move), time_(input.start_time) {
+    : input_(input),
+      angle_(input.style->find(FLG_ATTRIBUTE_ANGLE)),
+      units_per_block_(units_to_move),
+      time_(input.start_time) {
     if (!input.closed) return;
     for (const StyleAttribute& attribute : input.style->attributes) {
         units_per_block_ += units_per_component * attribute.components;
@@ -43,8 +46,11 @@ bool Finishing::run(uint32_t& units) {
         if (units == 0) return false;
         units -= std::min(units, units_per_block_);
         const uint32_t last = std::min(input_.count, done_ + block);
-        if (input_.pinned || input_.closed) move_ends(done_, last);
-        if (input_.closed) close_attributes(done_, last);
+        for (uint32_t i = done_; i < last && input_.closed && input_.around.points_left() > 0; ++i) {
+            blend_over_start(i);
+            input_.around.go_on();
+        }
+        if (input_.pinned) move_ends(done_, last);
         if (input_.out.time) add_times(done_, last);
         done_ = last;
     }
@@ -62,7 +68,6 @@ void Finishing::move_ends(uint32_t first, uint32_t last) {
         store_vec3(position, out.frames.positions + at);
         if (out.displacement) store_vec3(load_vec3(out.displacement + at) - excess, out.displacement + at);
     }
-    if (!input_.pinned) return;
     if (first == 0) pin(0, 0);
     if (last == input_.count && !input_.closed) pin(input_.count - 1, input_.target.count - 1);
 }
@@ -74,33 +79,33 @@ void Finishing::pin(uint32_t sample, uint32_t target_point) {
     if (input_.out.displacement) std::fill_n(input_.out.displacement + at, 3, 0.0f);
 }
 
-// The curve's first values stay as they are: its last are what changes most.
-void Finishing::close_attributes(uint32_t first, uint32_t last) {
-    for (size_t a = 0; a < input_.style->attributes.size(); ++a) {
-        const StyleAttribute& attribute = input_.style->attributes[a];
-        const size_t width = attribute.components;
-        float* values = input_.out.attributes[a];
-        for (uint32_t k = 0; k < width; ++k) {
-            const double period = attribute.period(k);
-            double gap = static_cast<double>(values[k]) - input_.around[a][k];
-            if (period > 0) gap = std::remainder(gap, period);
-            const double scale = k < attribute.length_count() ? input_.style->scale : 1.0;
-            const double low = scale * attribute.ranges[k].low, high = scale * attribute.ranges[k].high;
-            for (uint32_t i = first; i < last; ++i) {
-                const double value = values[i * width + k] + gap * i / input_.steps;
-                values[i * width + k] = static_cast<float>(period > 0 ? value : std::clamp(value, low, high));
-            }
-            if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) turn_normals(first, last, gap);
+void Finishing::blend_over_start(uint32_t sample) {
+    const StylizedColumns& out = input_.out;
+    const AppliedStyle& style = *input_.style;
+    const bool has_angle = angle_ < style.attributes.size();
+    const size_t at = 3 * static_cast<size_t>(sample);
+    const Vec3 tangent = load_vec3(out.frames.tangents + at);
+    Vec3 normal = load_vec3(out.frames.normals + at);
+    if (has_angle) normal = turned_about(tangent, normal, -double{out.attributes[angle_][sample]});
+    const Vec3 d = input_.around.offset();
+    const Vec3 offset = in_frame(d, tangent, normal);
+    const Vec3 position = load_vec3(out.frames.positions + at) + input_.magnitude * offset;
+    check_position(position, input_.magnitude);
+    store_vec3(position, out.frames.positions + at);
+    if (out.displacement) store_vec3(load_vec3(out.displacement + at) + offset, out.displacement + at);
+    for (size_t a = 0; a < style.attributes.size(); ++a) {
+        const StyleAttribute& attribute = style.attributes[a];
+        float* values = out.attributes[a] + size_t{sample} * attribute.components;
+        for (uint32_t k = 0; k < attribute.components; ++k) {
+            const double scale = k < attribute.length_count() ? style.scale : 1.0;
+            const double value = values[k] + scale * input_.around.offset(a, k);
+            const ValueRange range = attribute.ranges[k];
+            const bool angle = attribute.period(k) > 0;
+            values[k] = static_cast<float>(angle ? value : std::clamp(value, scale * range.low, scale * range.high));
         }
     }
-}
-
-void Finishing::turn_normals(uint32_t first, uint32_t last, double gap_rad) {
-    for (uint32_t i = first; i < last; ++i) {
-        const size_t at = 3 * static_cast<size_t>(i);
-        float* normal = input_.out.frames.normals + at;
-        const Vec3 tangent = load_vec3(input_.out.frames.tangents + at);
-        store_vec3(turned_about(tangent, load_vec3(normal), gap_rad * i / input_.steps), normal);
+    if (has_angle) {
+        store_vec3(turned_about(tangent, normal, out.attributes[angle_][sample]), out.frames.normals + at);
     }
 }
 

@@ -2,21 +2,21 @@
 // What a stylized curve needs once its last point is known: its ends where they belong (Minarcik, Fiser, Sykora, sec.
 // 4.5.1 and 4.5.2), and the times of a motion along it.
 //
-// The paper's corrections of the result are linear in arc length. Here they are linear in the arc length of the target
-// and taken off the displacement, so that they grow with the magnitude: a result is closed or pinned at every
-// magnitude. With u from 0 to 1 along the target, D the displacement and "around" where a closed curve comes back to
-// its first point:
-//   pinned   D(u) - (1 - u) D(0) - u D(1)
-//   closed   D(u) - u (D(around) - D(0))
-// On closed curves attributes are closed likewise, angles the shorter way, and others kept within what the style has;
-// so ribbons and sizes go on over the seam as they do elsewhere. Times: the distance of two points takes as long as the
-// mean of their speeds says.
+// The paper's correction of a result that is pinned is linear in arc length. Here it is linear in the arc length of the
+// target and taken off the displacement, so that it grows with the magnitude: a result is pinned at every magnitude.
+// With u from 0 to 1 along the target and D the displacement:
+//   D(u) - (1 - u) D(0) - u D(1)
+// A closed curve has come back to the style's point that it began with. What is left of the blend of its last seam
+// goes on over its first samples, in displacement and attributes, so that ribbons and sizes go on there as they do
+// elsewhere.
+// Times: the distance of two points takes as long as the mean of their speeds says.
 #pragma once
 
 #include <span>
 
 #include "curves/resample.h"
 #include "stylization/applied_style.h"
+#include "stylization/seam_blend.h"
 
 namespace flg {
 
@@ -38,10 +38,10 @@ struct FinishingInput {
     double magnitude = 1;
     bool pinned = false;
     bool closed = false;
-    Vec3 start_excess = Vec3::Zero();  // what is taken off the displacement at u = 0
-    Vec3 end_excess = Vec3::Zero();    // and at u = 1
-    // Of closed curves: the attributes where the curve has come around.
-    std::array<std::array<float, attribute_components_max>, style_attributes_max> around{};
+    // Of pinned curves: what is taken off the displacement at u = 0, and at u = 1.
+    Vec3 start_excess = Vec3::Zero();
+    Vec3 end_excess = Vec3::Zero();
+    SeamBlend around;       // of closed curves: at the first sample, where the curve has come around
     double start_time = 0;  // seconds
 };
 
@@ -57,12 +57,12 @@ public:
 
 private:
     void move_ends(uint32_t first, uint32_t last);
-    void close_attributes(uint32_t first, uint32_t last);
-    void turn_normals(uint32_t first, uint32_t last, double gap_rad);
+    void blend_over_start(uint32_t sample);
     void add_times(uint32_t first, uint32_t last);
     void pin(uint32_t sample, uint32_t target_point);
 
     FinishingInput input_;
+    size_t angle_;  // where among the attributes ANGLE is
     uint32_t units_per_block_;
     uint32_t done_ = 0;
     double time_;

@@ -51,7 +51,9 @@ struct Energy {
         result.curvature = second > min_curvature ? second : plain_curvature;
         const double max_move = style.spacing();
         const double move = std::clamp(-result.slope / result.curvature, -max_move, max_move);
-        result.minimum = std::clamp(place + move, 0.0, style.length());
+        // Within reach of both ends.
+        const double from_end = style.length() - farthest_step * (count() - 1 - i);
+        result.minimum = std::clamp(place + move, std::max(0.0, from_end), std::min(style.length(), farthest_step * i));
         return result;
     }
 
@@ -74,6 +76,7 @@ struct Energy {
     SmoothStyleCurve style;
     std::span<const Vec3> guide;
     double beta;
+    double farthest_step;
 };
 
 // By guide point: which points of the style are looked at.
@@ -223,50 +226,82 @@ Task<void> narrow(Pace& pace, const Energy& energy, const Table& table, Band& ba
     });
 }
 
-// Pooling adjacent violators: points in order, those that share one place in a block.
-class Pools {
+// The points' models minimized in order, with no step longer than `farthest_step`, exactly: dynamic programming from
+// the first point to the last over the derivative of the least energy so far, by the last point's place. That is
+// piecewise linear and rises; where it is zero, the points so far are best on their own. A step on to the next point
+// leaves what is left of the zero, moves what is right of it by farthest_step, and is flat in between; the next model
+// adds a line.
+class Chain {
 public:
-    struct Block {
-        double weight;
-        double place;  // the minimum of the sum of its points' models
-        uint32_t end;
-    };
+    Chain(uint32_t count, Memory* memory)
+        : left_(2 * size_t{count}, memory), right_(2 * size_t{count}, memory), zeros_(count, memory) {}
 
-    Pools(uint32_t count, Memory* memory) : blocks_(count, memory) {}
-
-    void clear() { count_ = 0; }
-    void add(const Model& model, uint32_t point) { blocks_[count_++] = {model.curvature, model.minimum, point + 1}; }
-    // Pools the last two blocks; false if they are in order.
-    bool merge_last() {
-        if (count_ < 2) return false;
-        Block& into = blocks_[count_ - 2];
-        const Block& from = blocks_[count_ - 1];
-        if (into.place <= from.place) return false;
-        const double weight = into.weight + from.weight;
-        into.place += from.weight / weight * (from.place - into.place);
-        into.weight = weight;
-        into.end = from.end;
-        --count_;
+    void begin(double farthest_step) {
+        farthest_step_ = farthest_step;
+        shift_ = slope_ = 0;
+        left_count_ = right_count_ = 0;
+    }
+    // The step from the point before, and the model. find_zero() follows.
+    void add(const Model& model) {
+        if (slope_ > 0) {
+            left_[left_count_++] = {zero_, slope_};
+            right_[right_count_++] = {zero_ - shift_, slope_};
+            shift_ += farthest_step_;
+        }
+        slope_ = model.curvature;
+        zero_ = model.minimum;
+    }
+    // Over one knot towards the zero; true when it is found, of point `point`.
+    bool find_zero(uint32_t point) {
+        if (left_count_ > 0 && zero_ < left_[left_count_ - 1].place) {
+            const Knot knot = left_[--left_count_];
+            right_[right_count_++] = {knot.place - shift_, -knot.bend};
+            cross(knot.place, knot.bend);
+            return false;
+        }
+        if (right_count_ > 0 && zero_ > right_[right_count_ - 1].place + shift_) {
+            const Knot knot = right_[--right_count_];
+            left_[left_count_++] = {knot.place + shift_, -knot.bend};
+            cross(knot.place + shift_, knot.bend);
+            return false;
+        }
+        zeros_[point] = zero_;
         return true;
     }
-    const Block& operator[](uint32_t block) const { return blocks_[block]; }
+    // Of a point, where the one behind it is known.
+    double place(uint32_t point, double next) const { return std::clamp(zeros_[point], next - farthest_step_, next); }
 
 private:
-    Buffer<Block> blocks_;
-    uint32_t count_ = 0;
+    // Where the derivative bends: how much steeper it is beyond, seen from the zero.
+    struct Knot {
+        double place, bend;
+    };
+
+    void cross(double place, double bend) {
+        const double value = slope_ * (place - zero_);
+        slope_ += bend;
+        zero_ = place - value / slope_;
+    }
+
+    Buffer<Knot> left_, right_;  // of the zero, the nearest at the end; those on the right shift_ further right
+    Buffer<double> zeros_;       // by point
+    double farthest_step_ = 0, shift_ = 0;
+    double slope_ = 0, zero_ = 0;  // of the piece that has the zero
+    uint32_t left_count_ = 0, right_count_ = 0;
 };
 
-// Places the points of the blocks. Those that share a block get a new model there; returns how far they moved at most.
-Task<double> settle(Pace& pace, const Energy& energy, const Pools& pools, Buffer<Model>& models, GuideMatch& match) {
+// Places the points. Those that are not where they would be alone get a new model there; returns how far they moved at
+// most.
+Task<double> settle(Pace& pace, const Energy& energy, const Chain& chain, Buffer<Model>& models, GuideMatch& match) {
     double largest_move = 0.0;
-    uint32_t block = 0;
+    const uint32_t last = energy.count() - 1;
+    double place = energy.style.length();
     match.energy = 0.0;
-    co_await each(pace, 1, energy.count() - 1, Cost::tens_of_ns, [&](uint32_t i) {
-        if (i == pools[block].end) ++block;
-        const double place = pools[block].place;
-        const uint32_t first = block > 0 ? pools[block - 1].end : 1;
+    co_await each(pace, 1, last, Cost::tens_of_ns, [&](uint32_t k) {
+        const uint32_t i = last - k;
+        place = chain.place(i, place);
         Model& own = models[i];
-        if (pools[block].end - first > 1) {
+        if (place != own.minimum) {
             largest_move = std::max(largest_move, std::abs(place - match.places[i]));
             own = energy.model(i, place, energy.style.evaluate(place));
         }
@@ -282,34 +317,31 @@ Task<void> descend(Pace& pace, const Energy& energy, const Buffer<uint32_t>& pat
     const uint32_t count = energy.count();
     const double rest = small_move * energy.style.spacing();
     Buffer<Model> models(count, pace.memory());
-    Pools pools(count, pace.memory());
+    Chain chain(count, pace.memory());
     Slice slice(Cost::tens_of_ns);
     for (uint32_t i = 1; i + 1 < count; ++i) {
         uint32_t evaluations = 0;
         models[i] = energy.minimum_near(i, path[i], evaluations);
-        pools.add(models[i], i);
-        do {
-            if (slice.is_over(evaluations)) co_await pace;
-            evaluations = 1;
-        } while (pools.merge_last());
+        if (slice.is_over(evaluations)) co_await pace;
     }
     for (;;) {
-        const double moved = co_await settle(pace, energy, pools, models, match);
-        if (moved <= rest || ++match.sweeps == max_sweeps) co_return;
-        pools.clear();
+        chain.begin(energy.farthest_step);
         for (uint32_t i = 1; i + 1 < count; ++i) {
-            pools.add(models[i], i);
+            chain.add(models[i]);
             do {
                 if (slice.is_over()) co_await pace;
-            } while (pools.merge_last());
+            } while (!chain.find_zero(i));
         }
+        const double moved = co_await settle(pace, energy, chain, models, match);
+        if (moved <= rest || ++match.sweeps == max_sweeps) co_return;
     }
 }
 
 }  // namespace
 
-Task<GuideMatch> match_guide(Pace& pace, SmoothStyleCurve style, std::span<const Vec3> guide, double beta) {
-    const Energy energy{style, guide, beta};
+Task<GuideMatch> match_guide(Pace& pace, SmoothStyleCurve style, std::span<const Vec3> guide, double beta,
+                             double farthest_step) {
+    const Energy energy{style, guide, beta, farthest_step};
     const uint32_t count = energy.count();
     GuideMatch match{Buffer<double>(count, pace.memory())};
     // Points that share a place from the first on have moved.

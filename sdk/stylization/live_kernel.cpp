@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/failure.h"
+#include "curves/drawn_normal.h"
 #include "curves/segment_stream.h"
 
 namespace flg {
@@ -25,14 +26,6 @@ void LiveSegment::load(SegmentBlock& block) const {
     block.tangents_start.set(0, tangent_start);
     block.tangents_end.set(0, tangent_end);
     block.measure(1);
-}
-
-Vec3 turned_by(const float* quaternion, const Vec3& v) {
-    const Vec3 axis(quaternion[0], quaternion[1], quaternion[2]);
-    const double w = quaternion[3];
-    const double size_sq = axis.squaredNorm() + w * w;
-    if (!(size_sq > 0)) return Vec3::Zero();
-    return v + (2.0 / size_sq) * axis.cross(axis.cross(v) + w * v);
 }
 
 LiveCurve::Reading LiveCurve::reading_of(const LiveSamples& samples, uint32_t sample) {
@@ -87,19 +80,22 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
         places_ = 1;
         return false;
     }
+    // As SegmentStream has it, to the bit.
     const Vec3 way = place - end_;
-    const double chord = way.norm();
+    const double chord = std::sqrt(way.x() * way.x() + way.y() * way.y() + way.z() * way.z());
     if (!(chord > resolution_)) {
         hand_end_ = hand;
         return false;
     }
-    const Vec3 direction = way / chord;
+    const Vec3 direction = (1.0 / chord) * way;
     const bool has_segment = places_ == 2;
     bool smooth = false;
     Vec3 tangent = direction;
     if (has_segment) {
-        smooth = direction_.dot(direction) >= corner_cosine;
-        tangent = (chord * direction_ + chord_ * direction).normalized();
+        const Vec3 &u = direction_, &v = direction;
+        smooth = u.x() * v.x() + u.y() * v.y() + u.z() * v.z() >= corner_cosine;
+        const Vec3 sum = chord * u + chord_ * v;
+        tangent = (1.0 / std::sqrt(sum.x() * sum.x() + sum.y() * sum.y() + sum.z() * sum.z())) * sum;
         segment = segment_to(smooth, tangent);
     }
     start_ = end_;
@@ -124,22 +120,14 @@ bool LiveCurve::finish(LiveSegment& segment) {
 namespace {
 
 constexpr double place_share = 1e-3;    // of a step: places nearer than this are one
-constexpr double along_cosine = 0.95;   // a controller's axis nearer to the direction gives no first normal
 constexpr double parallel_sine = 1e-4;  // as FramedSampler has it
 
 constexpr uint32_t place_block = 32;
-
-// More than a stroke can have.
-constexpr uint32_t endless = UINT32_MAX;
 
 double mean_radius(const Buffer<float>& values) {
     double sum = 0;
     for (float value : values) sum += value;
     return sum > 0 ? sum / static_cast<double>(values.size()) : 1.0;
-}
-
-Vec3 across(const Vec3& axis, const Vec3& tangent) {
-    return (axis - axis.dot(tangent) * tangent).normalized();
 }
 
 }  // namespace
@@ -172,7 +160,7 @@ LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples,
     : settings_(settings),
       samples_(samples),
       out_(out),
-      basis_(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(settings.basis.data())),
+      basis_(scaled_basis(settings.scale, settings.basis)),
       step_(settings.spacing()) {
     for (const StyleAttribute& attribute : settings.style->attributes) {
         if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_unit_ = mean_radius(attribute.values);
@@ -220,17 +208,21 @@ void LiveKernel::take_segment() {
 // different points overlap.
 bool LiveKernel::follow_segment(uint32_t& units) {
     const Segment segment(block_, 0);
+    const double end = state_.start + segment.length();
+    // A point at a segment's end is the next one's, unless there is none.
+    const bool last = state_.closing && !state_.curve.has_segment();
+    const auto reached = [&](double s) { return last ? s <= end : s < end; };
     std::array<LivePlace, place_block> places;
-    while (state_.ahead <= segment.length()) {
+    while (reached(state_.points * step_)) {
         const uint32_t room = settings_.max_points - state_.points;
         state_.cut = room == 0;
         const uint32_t capacity = std::min({units, room, place_block});
         if (capacity == 0) return false;
         uint32_t count = 0;
-        for (; count < capacity && state_.ahead <= segment.length(); state_.ahead += step_) {
+        for (double s; count < capacity && reached(s = (state_.points + count) * step_);) {
             LivePlace& place = places[count++];
             if (only_counts()) continue;
-            place.t = segment.parameter_at(state_.ahead);
+            place.t = segment.parameter_at(s - state_.start);
             place.position = segment.position(place.t);
             place.tangent = segment.tangent(place.t);
         }
@@ -241,26 +233,13 @@ bool LiveKernel::follow_segment(uint32_t& units) {
             for (uint32_t k = 0; k < count; ++k) make_point(places[k]);
         }
     }
-    state_.ahead -= segment.length();
+    state_.start = end;
     state_.in_segment = false;
     return true;
 }
 
-Vec3 LiveKernel::first_normal(const Vec3& tangent) const {
-    if (samples_.orientations) {
-        const Vec3 up = turned_by(samples_.orientations, Vec3::UnitY());
-        if (!up.isZero(0)) {
-            const bool along = std::abs(up.dot(tangent)) >= along_cosine;
-            return across(along ? turned_by(samples_.orientations, Vec3::UnitX()) : up, tangent);
-        }
-    }
-    int furthest = 0;
-    tangent.cwiseAbs().minCoeff(&furthest);
-    return across(Vec3::Unit(furthest), tangent);
-}
-
 void LiveKernel::begin_walk() {
-    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, endless);
+    state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, StyleWalk::endless);
     state_.blend = SeamBlend(settings_.style->graph.patch, settings_.style->attributes);
 }
 
@@ -271,8 +250,7 @@ void LiveKernel::advance_walk() {
 }
 
 Vec3 LiveKernel::displacement_of(uint32_t node) const {
-    const Displacement& d = settings_.style->displacement;
-    return Vec3(d.along_tangent[node], d.along_normal[node], d.along_binormal[node]);
+    return fitted(basis_, settings_.style->displacement, node);
 }
 
 // As FramedSampler has it.
@@ -286,7 +264,7 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
 void LiveKernel::make_point(const LivePlace& place) {
     const Vec3 &position = place.position, &tangent = place.tangent;
     if (state_.points == 0) {
-        state_.frame = RotationMinimizingFrame(position, tangent, first_normal(tangent));
+        state_.frame = RotationMinimizingFrame(position, tangent, drawn_normal(samples_.orientations, tangent));
         begin_walk();
     } else {
         state_.frame.step(position, tangent);
@@ -294,7 +272,7 @@ void LiveKernel::make_point(const LivePlace& place) {
     }
     const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, place.t);
     if (settings_.frame == FLG_FRAME_METHOD_SUPPLIED) take_supplied_normal(hand.up);
-    write(position, tangent, state_.frame.normal(), hand, settings_.magnitude * settings_.scale);
+    write(position, tangent, state_.frame.normal(), hand, settings_.magnitude);
 }
 
 // Of a stroke without length. It has no frame to be displaced in.
@@ -305,15 +283,15 @@ void LiveKernel::make_lone_point() {
     }
     begin_walk();
     const Vec3 tangent = Vec3::UnitX();
-    write(state_.curve.last_place(), tangent, first_normal(tangent), state_.curve.last_hand(), 0.0);
+    write(state_.curve.last_place(), tangent, drawn_normal(samples_.orientations, tangent), state_.curve.last_hand(),
+          0.0);
 }
 
 void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-                       double factor) {
+                       double magnitude) {
     const uint32_t node = state_.walk.node();
-    const Vec3 binormal = tangent.cross(frame_normal);
-    const Vec3 along = basis_ * (displacement_of(node) + state_.blend.offset());
-    const Vec3 displaced = position + factor * (along.x() * tangent + along.y() * frame_normal + along.z() * binormal);
+    const Vec3 displacement = in_frame(displacement_of(node) + state_.blend.offset(), tangent, frame_normal);
+    const Vec3 displaced = position + magnitude * displacement;
     Vec3 normal = frame_normal;
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
     write_attributes(tangent, normal, radius);

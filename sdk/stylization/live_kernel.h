@@ -47,9 +47,6 @@ struct LiveHand {
     }
 };
 
-// `v` turned by a quaternion x y z w of any length; zero if that is zero.
-Vec3 turned_by(const float* quaternion, const Vec3& v);
-
 // From one place to the next.
 struct LiveSegment {
     Vec3 start = Vec3::Zero(), end = Vec3::Zero(), direction = Vec3::Zero();  // direction unit, from start to end
@@ -73,6 +70,7 @@ public:
     // Takes the curve's end to be at the last place; false if there is no segment left.
     bool finish(LiveSegment& segment);
     bool has_place() const { return places_ > 0; }
+    bool has_segment() const { return places_ == 2; }
     const Vec3& last_place() const { return end_; }
     const LiveHand& last_hand() const { return hand_end_; }
 
@@ -139,7 +137,7 @@ struct LiveState {
     bool in_segment = false;
     bool closing = false;  // no samples will follow
     bool cut = false;      // a point was due, and there was no room: the stroke ends before it
-    double ahead = 0;      // metres from the segment's start to the next point
+    double start = 0;      // arc length in metres where the segment begins
     uint32_t samples = 0;  // read
     uint32_t points = 0;   // made
     double motion_s = 0;   // TIME of the last point, if the style has SPEED
@@ -178,19 +176,18 @@ private:
     void begin_walk();
     void advance_walk();
     Vec3 displacement_of(uint32_t node) const;
-    Vec3 first_normal(const Vec3& tangent) const;
     void take_supplied_normal(const Vec3& up);
     void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-               double factor);
+               double magnitude);
     void write_attributes(const Vec3& tangent, Vec3& normal, double& radius);
     double motion_time();
 
     LiveSettings settings_;
     LiveSamples samples_;
     LiveColumns out_;
-    Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();
-    const float* speeds_ = nullptr;  // the result's, if the style has them
-    double radius_unit_ = 1;         // the radius attribute's mean
+    Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();  // with the scale
+    const float* speeds_ = nullptr;                        // the result's, if the style has them
+    double radius_unit_ = 1;                               // the radius attribute's mean
     double step_ = 0;
     LiveState state_;
     SegmentBlock block_;

@@ -12,6 +12,10 @@ namespace flg {
 
 namespace {
 
+// The longest step of the matching from one point of the guide to the next, in mean ones: what it passes by faster is
+// cut off. Nearer to 1, displacements along the guide grow.
+constexpr double matching_step_max = 1.4;
+
 // What matching gives: where on its style curve each node lies.
 struct Matched {
     explicit Matched(uint32_t count, Memory* memory) : places(count, memory), points(count, memory) {}
@@ -36,7 +40,8 @@ Task<void> match_guides(Pace& pace, const StyleRequest& request, const StyleCurv
         co_await each(pace, count, Cost::some_ns, load);
         const std::pmr::vector<Vec3>& points = curves[c].points;
         const SmoothStyleCurve style(points.data(), static_cast<uint32_t>(points.size()), curves[c].measure.length);
-        const GuideMatch match = co_await match_guide(pace, style, guide, request.desc.beta);
+        const double farthest_step = matching_step_max * style.length() / (count - 1);
+        const GuideMatch match = co_await match_guide(pace, style, guide, request.desc.beta, farthest_step);
         energy += match.energy;
         co_await each(pace, count, Cost::tens_of_ns, [&](uint32_t i) {
             const double place = match.places[i];

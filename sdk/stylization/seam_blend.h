@@ -4,18 +4,18 @@
 // d[j].
 //
 // The paper takes what the patch graph gives, and that a patch has a like one is no promise that they meet: on styles
-// with rare shapes a seam is a step of up to ten mean steps, which shows as a kink. Departure: the gap at a seam,
-//   g = d[i + 1] + what is left of the blend before - d[j],
-// is added to the copy that begins there and fades linearly, by p / (p + 1) at j to 1 / (p + 1) at the p-th point, p
-// being the patch size; after that the copy is exact again. So a seam's step is spread over as many points as the
-// patches were compared over. It needs the past only: live strokes blend alike. (Over ten built-in styles on the Thomas
-// attractor at temperature 0 this brings the largest step down from up to 9 to the style's own, and patches across
-// seams nearer to the style's on average; p against p / 2 and 2 p, and against smooth fades, is the best of these or
-// next to it. Where runs are shorter than p, at high temperatures, blends run into each other and shrink the
-// displacement: at temperature 10, with runs of 1.2 points, "loops" to 0.89 of the style's rms and "beads" to 0.40.
-// Unblended copies have 0.97 and 0.73, but steps 2.5 and 14 times the style's mean, and are further from its patches.
-// Fading over no more points than the run before had keeps 0.96 and 0.64, but brings such steps back, from temperature
-// 1 on.)
+// with rare shapes a seam is a step of up to ten mean steps, and a turn. Departure: the gaps at a seam in value and in
+// step,
+//   g = d[i + 1] + what is left of the blend before - d[j],   h = the step to that - (d[j + 1] - d[j]),
+// are added to the copy that begins there and fade by Hermite's cubic over p points, p being the patch size:
+//   (3 r^2 - 2 r^3) g + (1 - r) r^2 p h,   r from 1 at j to 0 at the p-th point behind it;
+// from there on the copy is exact again. So a result goes on at a seam where it was and as it went. It needs the past
+// only: live strokes blend alike. Where runs are shorter than p, at high temperatures, blends run into each other and
+// shrink the displacement.
+//
+// The last seam of a closed curve has to meet the style again at whatever phase of its waves. It is cross-faded: the run
+// that is left goes on beside the one that is taken, with weights 3 r^2 - 2 r^3 and the rest, so that nothing between
+// two copies goes further than they do.
 //
 // Attributes (sec. 5) are blended alike, each component by its own metric:
 // - on a line (R+ and R): the gap is a difference; what comes out is kept within what the style has, so that sizes stay
@@ -25,6 +25,7 @@
 //   in.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -37,32 +38,66 @@ namespace flg {
 class SeamBlend {
 public:
     SeamBlend() = default;
-    // The attributes outlive the blend.
-    explicit SeamBlend(uint32_t patch, std::span<const StyleAttribute> attributes = {})
-        : attributes_(attributes), patch_(patch) {}
+    // Over so many points, at least 1. The attributes outlive the blend.
+    explicit SeamBlend(uint32_t points, std::span<const StyleAttribute> attributes = {})
+        : attributes_(attributes), points_(points) {}
 
     // To the next sample, from node `from` to node `to`; `displacement(node)` is the style's. A node that is jumped
-    // from has a patch, so the one after it is of the same style curve.
+    // from has one behind it on the same style curve, and so has one that is jumped to.
     template <class DisplacementAt>
     void step(uint32_t from, uint32_t to, const DisplacementAt& displacement) {
-        if (left_ > 0) --left_;
-        if (to == from + 1) return;
-        gap_ = displacement(from + 1) + offset() - displacement(to);
-        find_attribute_gaps(from + 1, to);
-        left_ = patch_;
+        if (to == from + 1) {
+            go_on();
+            return;
+        }
+        const Vec3 shown = displacement(from) + offset();
+        const Shares shares_at_from = shares_;
+        go_on();
+        const Vec3 followed = displacement(from + 1) + offset();
+        const Vec3 carried = offset();
+        const Vec3 copied = displacement(to);
+        find_attribute_gaps(from, to, shares_at_from);
+        gap_ = followed - copied;
+        step_gap_ = (followed - shown) - (displacement(to + 1) - copied);
+        fades_ = !faded_.empty();
+        if (fades_) {
+            carried_ = carried;
+            left_run_ = {from + 1, curve_end_[from] - 1};
+            taken_run_ = {to, curve_end_[to] - 1};
+        }
+        left_ = span_ = points_;
+        per_span_ = 1.0 / span_;
+        shares_ = {1, 0};
+    }
+    // The next seam, and all behind it, are cross-faded over so many points. A run whose style curve ends stays at its
+    // last point. `displacement` and `curve_end` are the style's, by node, and outlive the blend.
+    void cross_fade(uint32_t points, std::span<const Vec3> displacement, std::span<const uint32_t> curve_end) {
+        points_ = points;
+        faded_ = displacement;
+        curve_end_ = curve_end;
+    }
+    // To the next sample of the same run.
+    void go_on() {
+        if (left_ == 0) return;
+        --left_;
+        const double r = left_ * per_span_;
+        shares_ = {r * r * (3 - 2 * r), fades_ ? 0 : r * r * (span_ - left_)};
+        if (fades_) gap_ = carried_ + faded_[left_run_.next()] - faded_[taken_run_.next()];
     }
 
+    // Points with an offset, this one included.
+    uint32_t points_left() const { return left_; }
     // What is added to the copied displacement.
-    Vec3 offset() const { return share() * gap_; }
+    Vec3 offset() const {
+        if (left_ == 0) return Vec3::Zero();
+        return shares_.of_gap * gap_ + shares_.of_step_gap * step_gap_;
+    }
+    // What is added to a component of attribute `index`, but for whole turns and before it is kept within its range.
+    double offset(size_t index, uint32_t component) const { return offset(index, component, shares_); }
 
     // A component of attribute `index` at the node that was stepped to.
     double value(size_t index, uint32_t component, uint32_t node) const {
-        const StyleAttribute& attribute = attributes_[index];
-        const double copied = attribute.values[size_t{node} * attribute.components + component];
-        if (component >= attribute.first_angle()) return copied + wound_rad_[index] + share() * gaps_[index][component];
-        if (left_ == 0) return copied;
-        const ValueRange range = attribute.ranges[component];
-        return std::clamp<double>(copied + share() * gaps_[index][component], range.low, range.high);
+        return value(index, component, node, shares_);
     }
     // All components, lengths times `scale`.
     void write(size_t index, uint32_t node, double scale, float* out) const {
@@ -73,18 +108,57 @@ public:
     }
 
 private:
-    double share() const { return left_ / (patch_ + 1.0); }
+    // A run that goes on until its curve ends.
+    struct Run {
+        uint32_t node = 0, last = 0;
+        uint32_t next() { return node = std::min(node + 1, last); }
+    };
+    // What is left of the gaps.
+    struct Shares {
+        double of_gap = 0, of_step_gap = 0;
+    };
 
-    // `followed` would have come without the seam.
-    void find_attribute_gaps(uint32_t followed, uint32_t to);
+    double offset(size_t index, uint32_t component, const Shares& shares) const {
+        const Gap& gap = gaps_[index][component];
+        double value = gap.value;
+        if (fades_) value += of_style(index, component, left_run_.node) - of_style(index, component, taken_run_.node);
+        return shares.of_gap * value + shares.of_step_gap * gap.step;
+    }
+    double of_style(size_t index, uint32_t component, uint32_t node) const {
+        const StyleAttribute& attribute = attributes_[index];
+        return attribute.values[size_t{node} * attribute.components + component];
+    }
+    double value(size_t index, uint32_t component, uint32_t node, const Shares& shares) const {
+        const StyleAttribute& attribute = attributes_[index];
+        const double copied = of_style(index, component, node);
+        if (component >= attribute.first_angle()) {
+            return copied + wound_rad_[index] + offset(index, component, shares);
+        }
+        if (shares.of_gap == 0) return copied;
+        const ValueRange range = attribute.ranges[component];
+        return std::clamp<double>(copied + offset(index, component, shares), range.low, range.high);
+    }
+    void find_attribute_gaps(uint32_t from, uint32_t to, const Shares& shares_at_from);
+
+    struct Gap {
+        float value = 0, step = 0;  // of a cross-fade: the value without both runs' own
+    };
 
     std::span<const StyleAttribute> attributes_;
-    Vec3 gap_ = Vec3::Zero();
-    std::array<std::array<float, attribute_components_max>, style_attributes_max> gaps_{};
+    Vec3 gap_ = Vec3::Zero(), step_gap_ = Vec3::Zero();
+    std::array<std::array<Gap, attribute_components_max>, style_attributes_max> gaps_{};
     std::array<double, style_attributes_max> wound_rad_{};  // whole turns since the curve's start; an attribute has one
                                                             // angle at most
-    uint32_t left_ = 0;                                     // points with an offset, this one included
-    uint32_t patch_ = 0;
+    std::span<const Vec3> faded_;          // the style's displacements, if the next seam is cross-faded
+    std::span<const uint32_t> curve_end_;  // likewise
+    Run left_run_, taken_run_;             // of the cross-fade that there is
+    Vec3 carried_ = Vec3::Zero();          // what was left of the blend before it
+    bool fades_ = false;                   // the seam's blend is a cross-fade
+    Shares shares_;
+    double per_span_ = 1;
+    uint32_t left_ = 0;
+    uint32_t span_ = 1;    // of the blend that there is
+    uint32_t points_ = 1;  // of those to come
 };
 
 }  // namespace flg

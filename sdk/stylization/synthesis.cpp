@@ -2,12 +2,26 @@
 #include "stylization/synthesis.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/moving_frame.h"
 #include "core/random.h"
 
 namespace flg {
+
+namespace {
+
+// Samples of a closed curve's last path, at most: the choice is among so many jumps, about 40 ns each.
+constexpr uint32_t last_path_max = 256;
+// Closed curves begin with so many points of the style before them, or half of a short style curve's.
+constexpr uint32_t last_path_wanted = 64;
+// The last jump has to be taken, however wide its gap is: so it is cross-faded over so many patches, but once around at
+// most.
+constexpr uint32_t last_blend_patches = 6;
+
+}  // namespace
 
 StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples)
     : trees_(trees), seed_(seed), curve_index_(curve_index), samples_left_(samples - 1) {
@@ -25,11 +39,25 @@ StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t 
     }
 }
 
+void StyleWalk::close() {
+    const PatchGraph& graph = trees_->graph();
+    const uint32_t end = graph.curve_end[node_];
+    uint32_t ahead = 0;  // points of the same style curve before the node
+    while (ahead < last_path_max && ahead < node_ && graph.curve_end[node_ - ahead - 1] == end) ++ahead;
+    const uint32_t wanted = std::min(last_path_wanted, (end - node_ + ahead) / 2);
+    if (ahead < wanted) {
+        node_ += wanted - ahead;
+        ahead = wanted;
+    }
+    home_ = node_;
+    last_path_ = std::min(ahead + 1, samples_left_);
+}
+
 // At the last patch of a style curve, and the rest of the curve is enough for the rest of the target.
 bool StyleWalk::runs_out() const {
     const PatchGraph& graph = trees_->graph();
     const uint32_t points_left = graph.curve_end[node_] - 1 - node_;
-    return points_left == graph.patch && samples_left_ <= points_left;
+    return last_path_ == 0 && points_left == graph.patch && samples_left_ <= points_left;
 }
 
 // One of the other destinations. A style with a single one is begun again.
@@ -46,6 +74,12 @@ void StyleWalk::draw_destination() {
 }
 
 bool StyleWalk::advance() {
+    if (going_home_) [[unlikely]] {
+        node_ = copies_ == 0 ? landing(0) : node_ + 1;
+        --copies_;  // having jumped, below 0: more than there are samples
+        --samples_left_;
+        return true;
+    }
     if (node_ == destination_node_ && !finishing_) {
         finishing_ = runs_out();
         if (!finishing_) draw_destination();
@@ -70,7 +104,10 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     node_known_ = true;
     finishing_.reset();
     // On closed curves one more than samples: where the style is when the curve has come around.
-    walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key, stroke.plan.steps + 1);
+    const bool has_end = stroke.plan.exact_step == 0;
+    walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
+                      has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
+    if (stroke.plan.curve.closed && stroke.plan.steps > 0) walk_.close();
     blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
@@ -100,9 +137,43 @@ bool SynthesisKernel::run(uint32_t n) {
 // To the next node, unless its path tree is missing.
 bool SynthesisKernel::advance() {
     const uint32_t from = walk_.node();
+    if (walk_.turns_home()) [[unlikely]] {
+        const uint32_t points = std::min(last_blend_patches * input_.trees->graph().patch, stroke_.plan.steps);
+        walk_.go_home(copies_before_last_jump(points));
+        blend_.cross_fade(points, {input_.style->displacement.data(), input_.style->displacement.size()},
+                          {input_.trees->graph().curve_end.data(), input_.trees->graph().curve_end.size()});
+    }
     if (!walk_.advance()) return false;
     blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
     return true;
+}
+
+// Where along the last path of a closed curve the runs before and behind the jump differ least, over as many points as
+// they are cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path.
+uint32_t SynthesisKernel::copies_before_last_jump(uint32_t points) const {
+    const Buffer<Vec3>& displacement = input_.style->displacement;
+    const uint32_t end = input_.trees->graph().curve_end[walk_.node()];
+    const uint32_t home_end = input_.trees->graph().curve_end[walk_.landing(0)];
+    uint32_t best = 0;
+    bool best_has_room = false;
+    double least = HUGE_VAL;
+    for (uint32_t copies = 0; copies < walk_.samples_left() && walk_.node() + copies + 1 < end; ++copies) {
+        const uint32_t from = walk_.node() + copies + 1, to = walk_.landing(copies);
+        const bool has_room = copies >= blend_.points_left() && from + points < end && to + points < home_end &&
+                              copies + points < walk_.samples_left();
+        if (best_has_room && !has_room) continue;
+        double difference = 0;
+        for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
+            const uint32_t on = probe * points / last_blend_patches;
+            difference +=
+                (displacement[std::min(from + on, end - 1)] - displacement[std::min(to + on, home_end - 1)]).norm();
+        }
+        if (difference >= least && has_room == best_has_room) continue;
+        least = difference;
+        best = copies;
+        best_has_room = has_room;
+    }
+    return best;
 }
 
 // Stands on the node of the sample to come, unless the units do not suffice for the path tree that is missing.
@@ -145,15 +216,14 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
 }
 
 // A target without length has no frame to be displaced in.
-Vec3 SynthesisKernel::displacement_at(const FramedSample& sample) const {
+Vec3 SynthesisKernel::displaced_in(const FramedSample& sample, const Vec3& d) const {
     if (stroke_.plan.steps == 0) return Vec3::Zero();
-    const Vec3 d = input_.style->displacement[walk_.node()] + blend_.offset();
-    return d.x() * sample.tangent + d.y() * sample.normal + d.z() * sample.tangent.cross(sample.normal);
+    return in_frame(d, sample.tangent, sample.normal);
 }
 
 void SynthesisKernel::write(const FramedSample& sample) {
     const StylizedColumns& out = stroke_.out;
-    const Vec3 displacement = displacement_at(sample);
+    const Vec3 displacement = displaced_in(sample, input_.style->displacement[walk_.node()] + blend_.offset());
     const size_t at = 3 * static_cast<size_t>(written_);
     const Vec3 position = sample.position + input_.magnitude * displacement;
     check_position(position, input_.magnitude);
@@ -191,31 +261,23 @@ bool SynthesisKernel::finish(uint32_t& units) {
         const bool pinned = has_ends && input_.pin_ends;
         if (!closed && !pinned && !stroke_.out.time) return true;
         if (closed) {
+            // The curve's first sample, and what of the last seam is not over there.
             if (!find_node(units)) return false;
-            last_displacement_ = displacement_at(first_);
+            first_displacement_ += displaced_in(first_, blend_.offset());
+            last_displacement_ = first_displacement_;
         }
-        FinishingInput finishing{.out = stroke_.out,
-                                 .style = input_.style,
-                                 .target = stroke_.plan.curve,
-                                 .count = count_,
-                                 .steps = stroke_.plan.steps,
-                                 .magnitude = input_.magnitude,
-                                 .pinned = pinned,
-                                 .closed = closed,
-                                 .start_excess = Vec3::Zero(),
-                                 .end_excess = last_displacement_,
-                                 .around = {},
-                                 .start_time = stroke_.start_time};
-        if (pinned) {
-            finishing.start_excess = first_displacement_;
-        } else {
-            finishing.end_excess -= first_displacement_;
-        }
-        if (closed) {
-            for (size_t a = 0; a < input_.style->attributes.size(); ++a) {
-                blend_.write(a, walk_.node(), input_.style->scale, finishing.around[a].data());
-            }
-        }
+        const FinishingInput finishing{.out = stroke_.out,
+                                       .style = input_.style,
+                                       .target = stroke_.plan.curve,
+                                       .count = count_,
+                                       .steps = stroke_.plan.steps,
+                                       .magnitude = input_.magnitude,
+                                       .pinned = pinned,
+                                       .closed = closed,
+                                       .start_excess = first_displacement_,
+                                       .end_excess = last_displacement_,
+                                       .around = blend_,
+                                       .start_time = stroke_.start_time};
         finishing_.emplace(finishing);
     }
     return finishing_->run(units);

@@ -8,6 +8,10 @@
 // Departures from the paper: a run that has come to the last patch of its style curve, with no more samples to come
 // than the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble
 // where the target ends as well); so a target as long as the guide gets the whole style.
+// Closed curves: the last path is one to the node that the curve began at, as long as it has to be, with one jump,
+// where the blend bends the curve least. It is blended over more points than others, and over the curve's first ones if
+// it comes late. (The paper corrects all of the displacement, in proportion to arc length: the direction still has a
+// step.)
 #pragma once
 
 #include <array>
@@ -23,12 +27,28 @@ namespace flg {
 // Which points of the style a target curve copies, one after the other.
 class StyleWalk {
 public:
+    // More points than a curve can have: the walk has no end to aim at.
+    static constexpr uint32_t endless = UINT32_MAX;
+
     StyleWalk() = default;
     // `from_start`: begins at the style's first point, and goes to the end of its first curve first (the first curve
     // with patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
     StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
+    // Before the first step along a closed curve: begins so far from the start of the style's curve that a last path
+    // can lead there. The last of the samples is the first once more.
+    void close();
 
     uint32_t node() const { return node_; }
+    uint32_t samples_left() const { return samples_left_; }
+    // Of a closed curve, where the last path begins: go_home() comes next.
+    bool turns_home() const { return samples_left_ == last_path_ && !going_home_; }
+    // The node that a jump after `copies` copied points would lead to.
+    uint32_t landing(uint32_t copies) const { return home_ - (samples_left_ - copies - 1); }
+    // Copies so many points, jumps, and copies up to where it began.
+    void go_home(uint32_t copies) {
+        going_home_ = true;
+        copies_ = copies;
+    }
     // To the next node. False if the tree to needed_tree() is missing: make it, then call again.
     bool advance();
     uint32_t needed_tree() const { return destination_; }
@@ -46,7 +66,11 @@ private:
     uint32_t destination_ = 0;  // as PathTrees numbers them
     uint32_t destination_node_ = 0;
     uint32_t samples_left_ = 0;  // after node()
-    bool finishing_ = false;     // goes on to the style's end
+    uint32_t home_ = 0;          // of a closed curve: where it began
+    uint32_t last_path_ = 0;     // its samples, the first one behind its start and the last one home; 0: not closed
+    uint32_t copies_ = 0;        // before the jump
+    bool going_home_ = false;
+    bool finishing_ = false;  // goes on to the style's end
 };
 
 struct SynthesisInput {
@@ -90,11 +114,12 @@ public:
 private:
     bool find_node(uint32_t& units);
     bool advance();
+    uint32_t copies_before_last_jump(uint32_t points) const;
     bool make_tree(uint32_t& units);
     void write(const FramedSample& sample);
     void write_attributes(const FramedSample& sample);
     void write_carried(uint32_t first);
-    Vec3 displacement_at(const FramedSample& sample) const;
+    Vec3 displaced_in(const FramedSample& sample, const Vec3& displacement) const;
     bool finish(uint32_t& units);
 
     SynthesisInput input_;

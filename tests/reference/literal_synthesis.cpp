@@ -43,8 +43,15 @@ std::vector<Vec3> copied_displacement(const std::vector<Vec3>& displacement, con
     std::vector<Vec3> out;
     for (size_t i = 0; i < count; ++i) {
         if (i > 0 && indices[i] != indices[i - 1] + 1) {
-            const Vec3 gap = displacement[indices[i - 1] + 1] + offsets[i] - displacement[indices[i]];
-            for (int k = 0; k < patch; ++k) offsets[i + static_cast<size_t>(k)] = gap * (patch - k) / (patch + 1.0);
+            const int from = indices[i - 1], to = indices[i];
+            const Vec3 followed = displacement[from + 1] + offsets[i];
+            const Vec3 gap = followed - displacement[to];
+            const Vec3 step_gap = (followed - out.back()) - (displacement[to + 1] - displacement[to]);
+            for (int k = 0; k < patch; ++k) {
+                const double t = static_cast<double>(k) / patch;
+                offsets[i + static_cast<size_t>(k)] =
+                    (1 + 2 * t) * (1 - t) * (1 - t) * gap + patch * t * (1 - t) * (1 - t) * step_gap;
+            }
         }
         out.push_back(displacement[indices[i]] + offsets[i]);
     }

@@ -24,8 +24,8 @@ struct Walk {
 // The style points that `samples` samples copy.
 std::vector<int> style_indices(const Graph& graph, const Walk& walk, int samples);
 
-// The displacement of each sample: that of the style point it copies, blended over `patch` samples behind each seam
-// (beyond the paper: sdk/stylization/seam_blend.h).
+// The displacement of each sample: that of the style point it copies, blended in value and step over `patch` samples
+// behind each seam (beyond the paper: sdk/stylization/seam_blend.h).
 std::vector<Vec3> copied_displacement(const std::vector<Vec3>& displacement, const std::vector<int>& indices,
                                       int patch);
 

@@ -19,10 +19,17 @@ struct Matched {
     double energy = 0.0;
 };
 
-Matched match(const SmoothStyleCurve& style, const Curve& guide, double beta, bool haltingly = false) {
+Matched match(const SmoothStyleCurve& style, const Curve& guide, double beta, double farthest_step,
+              bool haltingly = false) {
     const GuideMatch found = run_now(
-        std::pmr::new_delete_resource(), [&](Pace& pace) { return match_guide(pace, style, guide, beta); }, haltingly);
+        std::pmr::new_delete_resource(),
+        [&](Pace& pace) { return match_guide(pace, style, guide, beta, farthest_step); }, haltingly);
     return {{found.places.begin(), found.places.end()}, found.energy};
+}
+
+// As in the paper: a step may be of any length.
+Matched match(const SmoothStyleCurve& style, const Curve& guide, double beta) {
+    return match(style, guide, beta, style.length());
 }
 
 SmoothStyleCurve smooth(const Curve& points) {
@@ -209,6 +216,89 @@ TEST(GuideMatching, PointsThatWouldPassEachOtherShareTheirMean) {
     for (int i = 1; i + 1 < count; ++i) EXPECT_NEAR(delta[i], 5.0, 1e-9) << i;
 }
 
+// Steps of floats that are differences of sums.
+constexpr double rounding = 1e-12;
+
+TEST(GuideMatching, NoStepIsLongerThanTheBound) {
+    for (const test::NamedCurve& named : test::styles(400)) {
+        const SmoothStyleCurve style = smooth(named.points);
+        const Curve guide = guide_of(named.points);
+        for (const double beta : {0.01, 0.5, 0.99, 0.999999}) {
+            for (const double bound : {1.0, 1.1, 2.0}) {
+                const std::vector<double> delta = match(style, guide, beta, bound * style.spacing()).delta;
+                EXPECT_EQ(delta.front(), 0.0);
+                EXPECT_EQ(delta.back(), style.length());
+                EXPECT_TRUE(std::is_sorted(delta.begin(), delta.end())) << named.name << " beta " << beta;
+                for (size_t i = 1; i < delta.size(); ++i) {
+                    ASSERT_LE(delta[i] - delta[i - 1], bound * style.spacing() + rounding * style.length())
+                        << named.name << " beta " << beta << " point " << i;
+                }
+            }
+        }
+    }
+}
+
+// A straight style and a guide that jumps half way: places go up to the jump as they would alone, over it by the
+// longest steps, and the places of these are off their own minima by as much ahead as behind.
+TEST(GuideMatching, BoundedStepsHaveAClosedForm) {
+    const int count = 101;
+    Curve points, guide;
+    for (int i = 0; i < count; ++i) {
+        const double x = 10.0 * i / (count - 1);
+        points.push_back(Vec3(x, 0, 0));
+        guide.push_back(Vec3(0.5 * x + (i < 60 ? 0 : 5), 1, 0));
+    }
+    const double bound = 0.3;
+    const auto alone = [&](int i) { return 0.8 * guide[i].x() + 0.2 * points[i].x(); };
+    const std::vector<double> delta = match(smooth(points), guide, 0.8, bound).delta;
+    double off = 0;
+    int held = 0;
+    for (int i = 1; i + 1 < count; ++i) {
+        if (std::abs(delta[i] - alone(i)) < 1e-9) continue;
+        ++held;
+        off += delta[i] - alone(i);
+        EXPECT_TRUE(std::abs(delta[i] - delta[i - 1] - bound) < 1e-9 ||
+                    std::abs(delta[i + 1] - delta[i] - bound) < 1e-9)
+            << i;
+        EXPECT_EQ(delta[i] > alone(i), i < 60) << i;
+    }
+    EXPECT_GE(held, 16);  // 4 m less 0.06 a point, at 0.3 a step
+    EXPECT_LE(held, 19);
+    EXPECT_NEAR(off, 0, 1e-8);
+}
+
+// Convex, where the style is straight: nowhere towards any other places within order and bound does the energy fall.
+TEST(GuideMatching, BoundedPlacesAreTheBest) {
+    const int count = 60;
+    Curve points, guide;
+    for (int i = 0; i < count; ++i) {
+        points.push_back(Vec3(10.0 * i / (count - 1), 0, 0));
+        guide.push_back(Vec3(10.0 * random_unit(3, 0, static_cast<uint64_t>(i)), 1, 0));
+    }
+    const SmoothStyleCurve style = smooth(points);
+    for (const double bound : {1.05, 1.4, 3.0}) {
+        const double step = bound * style.spacing();
+        const std::vector<double> delta = match(style, guide, 0.9, step).delta;
+        for (uint64_t trial = 0; trial < 300; ++trial) {
+            // Steps between 0 and the bound that sum to the length: mixed from even ones and some that are shared out.
+            std::vector<double> other(count, 0.0);
+            double left = style.length();
+            for (int i = 1; i < count; ++i) {
+                const double least = std::max(0.0, left - step * (count - 1 - i)), most = std::min(step, left);
+                const double drawn = random_unit(100 + trial, 0, static_cast<uint64_t>(i)) < 0.5 ? least : most;
+                other[i] = other[i - 1] + drawn;
+                left -= drawn;
+            }
+            double slope = 0;
+            for (int i = 1; i + 1 < count; ++i) {
+                const double alone = 0.9 * guide[i].x() + 0.1 * points[i].x();
+                slope += (delta[i] - alone) * (other[i] - delta[i]);
+            }
+            ASSERT_GE(slope, -1e-7) << bound << " trial " << trial;
+        }
+    }
+}
+
 TEST(GuideMatching, MovesWithTheCurves) {
     for (const test::NamedCurve& named : test::styles(300)) {
         const Curve guide = guide_of(named.points);
@@ -227,7 +317,9 @@ TEST(GuideMatching, SlicingDoesNotChangeTheResult) {
     const Curve guide = guide_of(points);
     const SmoothStyleCurve style = smooth(points);
     for (const double beta : {0.5, 0.95}) {
-        EXPECT_EQ(match(style, guide, beta, true).delta, match(style, guide, beta).delta);
+        for (const double step : {1.4 * style.spacing(), style.length()}) {
+            EXPECT_EQ(match(style, guide, beta, step, true).delta, match(style, guide, beta, step).delta);
+        }
     }
 }
 

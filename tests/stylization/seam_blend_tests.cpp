@@ -15,28 +15,65 @@ using test::TestStyle;
 
 constexpr uint32_t patch = 10;
 
-TEST(SeamBlend, AGapFadesLinearlyOverAPatch) {
-    SeamBlend blend(4);
-    const auto displacement = [](uint32_t node) { return Vec3(node >= 50 ? -5.0 : 0.0, 1, 0); };
-    blend.step(7, 8, displacement);
-    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));
-    blend.step(8, 60, displacement);  // a gap of 5
-    for (uint32_t k = 0; k < 4; ++k) {
-        EXPECT_LT((blend.offset() - Vec3(4.0 - k, 0, 0)).norm(), 1e-14) << k;
-        blend.step(60 + k, 61 + k, displacement);
-    }
-    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));  // to the bit
+// A style of two straight lines: x = 0 up to node 50, then x = -5 + 0.5 (node - 60).
+Vec3 two_lines(uint32_t node) {
+    return Vec3(node >= 50 ? -5.0 + 0.5 * (static_cast<double>(node) - 60) : 0.0, 1, 0);
 }
 
-TEST(SeamBlend, ASeamWithinABlendGoesOnFromWhereThatIs) {
+// Hermite's cubic through 5 with the slope -0.5, and through 0 with the slope 0, over 4 points.
+double cubic(double k) {
+    const double t = k / 4;
+    return 5 * (1 + 2 * t) * (1 - t) * (1 - t) - 0.5 * 4 * t * (1 - t) * (1 - t);
+}
+
+TEST(SeamBlend, GapsInValueAndStepFadeByACubicOverAPatch) {
     SeamBlend blend(4);
-    const auto displacement = [](uint32_t node) { return Vec3(node >= 50 ? -5.0 : 0.0, 0, 0); };
-    blend.step(8, 60, displacement);
-    blend.step(60, 61, displacement);  // 3 is left
-    blend.step(61, 20, displacement);  // 2 would be left, at -5: a gap of -3 to 0
-    EXPECT_LT((blend.offset() - Vec3(-2.4, 0, 0)).norm(), 1e-14);
-    blend.step(20, 21, displacement);
-    EXPECT_LT((blend.offset() - Vec3(-1.8, 0, 0)).norm(), 1e-14);
+    blend.step(7, 8, two_lines);
+    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));
+    blend.step(8, 60, two_lines);
+    for (uint32_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(blend.points_left(), 4 - k);
+        EXPECT_LT((blend.offset() - Vec3(cubic(k), 0, 0)).norm(), 1e-14) << k;
+        blend.step(60 + k, 61 + k, two_lines);
+    }
+    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));  // to the bit
+    EXPECT_EQ(blend.points_left(), 0u);
+}
+
+TEST(SeamBlend, ASeamWithinABlendGoesOnFromWhereThatIsAndAsItWent) {
+    SeamBlend blend(4);
+    blend.step(8, 60, two_lines);
+    blend.step(60, 61, two_lines);
+    const double shown = two_lines(61).x() + cubic(1), followed = two_lines(62).x() + cubic(2);
+    blend.step(61, 20, two_lines);  // to x = 0 that stays
+    EXPECT_NEAR(blend.offset().x(), followed, 1e-14);
+    blend.step(20, 21, two_lines);
+    const double t = 0.25;
+    const double expected = followed * (1 + 2 * t) * (1 - t) * (1 - t) + (followed - shown) * 4 * t * (1 - t) * (1 - t);
+    EXPECT_NEAR(blend.offset().x(), expected, 1e-14);
+}
+
+// Two runs of a wave, out of phase: between them, from one to the other, as each goes, and the second one again in the
+// end. The run that is left ends at node 49 and stays there.
+TEST(SeamBlend, ACrossFadeGoesFromOneRunToTheOther) {
+    std::vector<Vec3> wave;
+    for (int i = 0; i < 100; ++i) wave.emplace_back(std::sin(0.3 * i), std::cos(0.3 * i), 0.01 * i);
+    std::vector<uint32_t> curve_end(50, 50);
+    curve_end.resize(100, 100);
+    const auto displacement = [&](uint32_t node) -> const Vec3& { return wave[node]; };
+    constexpr uint32_t points = 20, from = 35, to = 70;
+    SeamBlend blend(4);
+    blend.cross_fade(points, wave, curve_end);
+    blend.step(from, to, displacement);
+    for (uint32_t k = 0; k <= points; ++k) {
+        EXPECT_EQ(blend.points_left(), points - k);
+        const Vec3 left = wave[std::min(from + 1 + k, 49u)], taken = wave[to + k];
+        const double r = static_cast<double>(points - k) / points, weight = r * r * (3 - 2 * r);
+        const Vec3 shown = taken + blend.offset();
+        EXPECT_LT((shown - (weight * left + (1 - weight) * taken)).norm(), 1e-14) << k;
+        blend.step(to + k, to + k + 1, displacement);
+    }
+    EXPECT_EQ(blend.offset(), Vec3(0, 0, 0));  // to the bit
 }
 
 // Samples since the last seam: 0 at one.

@@ -18,10 +18,10 @@ protected:
         folder.write("ring.svg", "<svg><circle r='5'/><circle r='2'/></svg>");
         folder.write("wave.xyz", wave());
     }
-    // A stroke along x, 2 long, 0.1 up and down.
+    // A stroke along x, 2 long, 0.1 up and down: whole waves, so that its guide, which ends where it does, is straight.
     static std::string wave() {
         std::ostringstream text;
-        for (int i = 0; i <= 400; ++i) text << i / 200.0 << " " << 0.1 * std::sin(0.3 * i) << " 0\n";
+        for (int i = 0; i <= 400; ++i) text << i / 200.0 << " " << 0.1 * std::sin(M_PI * i / 10) << " 0\n";
         return text.str();
     }
     std::vector<std::string> command(const std::string& mesh, const std::string& script,

@@ -35,7 +35,9 @@ std::vector<Row> run_matching() {
         double energy = 0.0, literal_energy = 0.0;
         const double fast_ms = median_ms(kMatchingRuns, [&] {
             return time_ms([&] {
-                energy = run_now(memory, [&](Pace& pace) { return match_guide(pace, smooth, guide, kBeta); }).energy;
+                // Steps of any length, as in the paper.
+                const auto match = [&](Pace& pace) { return match_guide(pace, smooth, guide, kBeta, style.length); };
+                energy = run_now(memory, match).energy;
             });
         });
         const double literal_ms = median_ms(kMatchingRuns, [&] {

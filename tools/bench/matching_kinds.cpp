@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fig. 14 of the paper redrawn: the energy that our semi-discrete matching, through the C ABI, and the paper's discrete
-// one, literally, reach and the time they take, for N = 300 and 600 points. Over all built-in styles, the worst counts.
+// Fig. 14 of the paper redrawn: the energy that our semi-discrete matching, with steps of any length as in the paper,
+// and the paper's discrete one, literally, reach and the time they take, for N = 300 and 600 points. Over all built-in
+// styles, the worst counts.
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <cstring>
 
 #include "bench/groups.h"
 #include "bench/host.h"
@@ -12,11 +11,11 @@
 #include "curves/even_sampler.h"
 #include "reference/literal_matching.h"
 #include "runtime/run_now.h"
+#include "stylization/guide_matching.h"
 
 namespace flg::bench {
 namespace {
 
-constexpr uint32_t kStagesMax = 16;
 constexpr double kEnergyBar = 1.0, kSpeedBar = 1.0;
 constexpr int kKindRuns = 5;
 
@@ -25,80 +24,78 @@ struct Matched {
     double elapsed_ms;
 };
 
-// Also copies the guide.
-Matched match(Host& host, FlgCurveSet curve, uint32_t points, std::vector<Vec3>& guide) {
+std::vector<Vec3> guide_of(Host& host, FlgCurveSet curve, uint32_t points) {
     FlgStyleDesc desc = flgStyleDefaults();
     desc.style = curve;
     desc.point_count = points;
-    Matched matched = {};
-    matched.elapsed_ms = median_ms(kKindRuns, [&] {
-        FlgStyle style = {};
-        FlgJob job = {};
-        check(flgStyleCreate(host.context(), &desc, &style, &job));
-        host.run();
-        host.check_done(job);
-        matched.energy_sq_m = host.info(style).matching_energy;
-        FlgCurveSet guide_set = {};
-        check(flgStyleGetGuide(host.context(), style, &guide_set));
-        const float* positions = host.view(guide_set).columns[0].data;
-        guide.resize(points);
-        for (uint32_t i = 0; i < points; ++i) guide[i] = load_vec3(positions + size_t{3} * i);
-        check(flgCurveSetRelease(host.context(), guide_set));
-        std::array<FlgStageTime, kStagesMax> stages;
-        uint32_t count = 0;
-        check(flgJobGetStages(host.context(), job, stages.data(), kStagesMax, &count));
-        double elapsed_ms = 0.0;
-        for (uint32_t i = 0; i < count; ++i) {
-            if (std::strcmp(stages[i].name, "matching") == 0) elapsed_ms += 1e-3 * stages[i].busy_us;
-        }
-        check(flgJobRelease(host.context(), job));
-        check(flgStyleRelease(host.context(), style));
-        return elapsed_ms;
-    });
-    return matched;
+    FlgStyle style = {};
+    check(flgStyleCreate(host.context(), &desc, &style, nullptr));
+    host.run();
+    FlgCurveSet guide_set = {};
+    check(flgStyleGetGuide(host.context(), style, &guide_set));
+    const float* positions = host.view(guide_set).columns[0].data;
+    std::vector<Vec3> guide(points);
+    for (uint32_t i = 0; i < points; ++i) guide[i] = load_vec3(positions + size_t{3} * i);
+    check(flgCurveSetRelease(host.context(), guide_set));
+    check(flgStyleRelease(host.context(), style));
+    return guide;
 }
 
-// On the points that ours has.
-Matched match_literally(const FlgCurveSetView& view, const std::vector<Vec3>& guide) {
+// As many points of the style as the guide has.
+struct Sampled {
+    std::vector<Vec3> points;
+    double length = 0;
+};
+
+Sampled sampled(const FlgCurveSetView& view, uint32_t points) {
     const CurveView curve{view.columns[0].data, view.curve_offsets[1], false};
-    const auto points = static_cast<uint32_t>(guide.size());
-    const double length =
+    Sampled style{std::vector<Vec3>(points)};
+    style.length =
         run_now(std::pmr::new_delete_resource(), [&](Pace& pace) { return measure_curve(pace, curve); }).length;
-    EvenSampler sampler(curve, length, points - 1);
-    std::vector<Vec3> style(points);
+    EvenSampler sampler(curve, style.length, points - 1);
     CurveSample sample;
-    for (Vec3& point : style) {
+    for (Vec3& point : style.points) {
         uint32_t units = ~0u;
         sampler.next(sample, units);
         point = sample.position;
     }
-    const double beta = flgStyleDefaults().beta;
+    return style;
+}
+
+template <class Energy>
+Matched timed(const Energy& energy, size_t points) {
     Matched matched = {};
     matched.elapsed_ms = median_ms(kKindRuns, [&] {
         const double begin_ms = thread_ms();
-        matched.energy_sq_m = reference::match_discrete(style, length, guide, beta, false).energy / points;
+        matched.energy_sq_m = energy() / static_cast<double>(points);
         return thread_ms() - begin_ms;
     });
     return matched;
 }
 
-uint64_t processor_time_ns(void*) {
-    return static_cast<uint64_t>(1e6 * thread_ms());
-}
-
 }  // namespace
 
 std::vector<Row> run_matching_kinds() {
-    Host host(flgAllocatorDefaults(), {sizeof(FlgClock), nullptr, processor_time_ns});
+    Host host;
+    const double beta = flgStyleDefaults().beta;
     std::vector<Row> rows;
     for (const uint32_t points : {300U, 600U}) {
         double energy = 0.0, speed = 1e30;
         char energy_note[96] = "", speed_note[96] = "";
         for (const std::string& name : scenes::style_names()) {
             const FlgCurveSet curve = host.add(scenes::make_style(name));
-            std::vector<Vec3> guide;
-            const Matched semi = match(host, curve, points, guide);
-            const Matched discrete = match_literally(host.view(curve), guide);
+            const std::vector<Vec3> guide = guide_of(host, curve, points);
+            const Sampled style = sampled(host.view(curve), points);
+            const SmoothStyleCurve smooth(style.points.data(), points, style.length);
+            const Matched semi = timed(
+                [&] {
+                    const auto match = [&](Pace& pace) { return match_guide(pace, smooth, guide, beta, style.length); };
+                    return run_now(std::pmr::new_delete_resource(), match).energy;
+                },
+                points);
+            const Matched discrete =
+                timed([&] { return reference::match_discrete(style.points, style.length, guide, beta, false).energy; },
+                      points);
             if (semi.energy_sq_m / discrete.energy_sq_m > energy) {
                 energy = semi.energy_sq_m / discrete.energy_sq_m;
                 std::snprintf(energy_note, sizeof energy_note, "%s: %.6g of %.6g", name.c_str(), semi.energy_sq_m,

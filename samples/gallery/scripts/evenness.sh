@@ -22,8 +22,8 @@ cat > picture.json <<'END'
 {"size": [960, 330], "columns": 3,
  "all": {"camera": [0.0, 5.7], "ground": false, "aim_with": "all"},
  "panels": [
-  {"title": "Closeness: spikes are cut off", "show": [{"file": "close.xyz", "color": "#197c79", "radius": 0.0035}, {"file": "arc.xyz", "color": "#959597", "radius": 0.0015}]},
-  {"title": "Default: spikes are kept", "show": [{"file": "usual.xyz", "color": "#197c79", "radius": 0.0035}, {"file": "arc.xyz", "color": "#959597", "radius": 0.0015}]},
+  {"title": "Closeness: spikes are kept", "show": [{"file": "close.xyz", "color": "#197c79", "radius": 0.0035}, {"file": "arc.xyz", "color": "#959597", "radius": 0.0015}]},
+  {"title": "Default: kept as well", "show": [{"file": "usual.xyz", "color": "#197c79", "radius": 0.0035}, {"file": "arc.xyz", "color": "#959597", "radius": 0.0015}]},
   {"title": "Evenness alone: spikes bulge", "show": [{"file": "even.xyz", "color": "#d43527", "radius": 0.0035}, {"file": "arc.xyz", "color": "#959597", "radius": 0.0015}]}]}
 END
 filigree panels picture.json -o evenness.png

@@ -378,7 +378,7 @@ typedef enum FlgAttribute {
                                         ribbon's width lies along the second, tangent x normal */
     FLG_ATTRIBUTE_TIME = 5,          /* 1, seconds since the first point of the curve; may run backwards in real data */
     FLG_ATTRIBUTE_PRESSURE = 6,      /* 1, 0 to 1 */
-    FLG_ATTRIBUTE_ORIENTATION = 7,   /* 4, unit quaternion x y z w of the controller that drew it */
+    FLG_ATTRIBUTE_ORIENTATION = 7,   /* 4, unit quaternion x y z w of the controller; its y axis begins frames */
     FLG_ATTRIBUTE_STYLE_INDEX = 8,   /* 1, index of the style point that a stylized point copies; whole numbers */
     FLG_ATTRIBUTE_RADII = 9,         /* 3: half axes along the first and second normal, metres, >= 0, and the angle
                                         that turns them about the tangent, radians: an elliptic cross-section */
@@ -548,9 +548,9 @@ typedef struct FlgStyleDesc {
     float alpha;
     /* How far the flow smooths, as a multiple of the amount chosen from the style; > 0. Default 1. */
     float smoothing;
-    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Where the style is
-     * further from its guide than 1 / beta times its own radius of curvature (the far side of a loop), closeness wins:
-     * that stretch is skipped and gets cut off. Default 0.2: loops stay round. */
+    /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut off
+     * at any weight: from one point of the guide to the next the matching goes on along the style by at most 1.4 times
+     * the mean. Towards 0 every piece of the guide gets an equal share of the style. Default 0.2. */
     float beta;
     /* p: a patch is 2p + 1 points, sec. 4.4; 1 to 1024, with 2p + 1 < points. Larger patches copy longer runs. Default
      * 10. */
@@ -615,8 +615,8 @@ FLG_API FlgResult flgStyleRelease(FlgContext context, FlgStyle style);
 /* Where on the style a target curve begins. */
 typedef enum FlgStyleStart {
     FLG_STYLE_START_AUTO = 0,   /* a lone target curve as FLG_STYLE_START_STYLE, several as FLG_STYLE_START_RANDOM */
-    FLG_STYLE_START_STYLE = 1,  /* at the style's own start; the first run goes to its end: a target as long as the
-                                   guide gets the whole style once */
+    FLG_STYLE_START_STYLE = 1,  /* at the style's own start, closed targets a little further; the first run goes to its
+                                   end: an open target as long as the guide gets the whole style once */
     FLG_STYLE_START_RANDOM = 2, /* at a random point, chosen by seed and curve index */
     FLG_STYLE_START_FORCE_32BIT = 0x7fffffff
 } FlgStyleStart;
@@ -661,6 +661,12 @@ typedef struct FlgCurveSetStylizeDesc {
     /* Maximum points in the result, at most 2^31: guards against a scale far too small for the target. A larger result
      * fails with FLG_ERROR_LIMIT before memory is taken for it. 0: 2^31. Default 0. */
     uint32_t max_points;
+    /* Nonzero: points of open curves are exactly FlgStyleInfo::spacing * scale apart, as those of live strokes: the
+     * last lies up to one step before the target's end, and no run goes on to the style's end for it. So a live
+     * stroke's samples give the same bits (filigree_live.h). Curves shorter than one step keep their two points. Not
+     * with pin_ends. 0: the whole number of equal steps that comes nearest. Default 0. */
+    uint32_t exact_spacing;
+    uint32_t reserved;
 } FlgCurveSetStylizeDesc;
 
 FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint32_t struct_size);
@@ -670,11 +676,13 @@ FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint3
  * STYLE_INDEX, DISPLACEMENT if requested, the style's attributes and the target's other columns. A target curve
  * shorter than one step gets two points; a zero-length curve gets one, not displaced. Targets shorter than the style
  * get part of it.
- * Closed targets give closed results: the displacement is corrected in proportion to arc length so that it returns
- * to its start (sec. 4.5.1), attributes likewise, angles the shorter way. So sizes, frames and ribbons cross the
- * seam as evenly as elsewhere.
+ * Closed targets give closed results: their last path, of up to 256 points, leads back to the style point that the
+ * curve began with, by one jump. The runs before and behind it are cross-faded over 6 p points, if need be on over the
+ * curve's first ones. For that curves begin 64 points into the style at least, or in the middle of a shorter one. So
+ * sizes, frames and ribbons cross the curve's start as evenly as elsewhere.
  * Displacements are those of the style at STYLE_INDEX. After a jump from style point i to point j, the gap d[i + 1]
- * - d[j] is added and fades linearly to zero over p points, so results have no steps that the style lacks.
+ * - d[j] and that of the steps there are added and fade to zero by a cubic over p points: results go on where they
+ * were and as they went, with no steps and turns that the style lacks.
  * Attributes take the style's values at STYLE_INDEX; RADIUS, WIDTH and the half axes of RADII are multiplied by
  * scale. After jumps attributes blend as displacements do: angles the shorter way round, others kept within the
  * style's least and largest value. Angles are continuous along a curve: whole turns (PROJECTIVE: half turns) are

@@ -14,11 +14,18 @@
 //                  one sample behind (11 ms at 90 Hz), plus `smoothing` seconds if set. flgLiveStrokeGetTip gives the
 //                  rest, up to the last sample, for this frame.
 // The points       At even steps of arc length along the curve, FlgStyleInfo::spacing * scale, whatever the sample
-//                  rate. Points never move. Columns: POSITION, TANGENT, NORMAL, RADIUS, STYLE_INDEX, TIME, and the
-//                  style's attributes except RADIUS, all as flgCurveSetStylize gives them. One difference:
-//                  flgCurveSetStylize knows a curve's length and takes the nearest whole number of steps, so its
-//                  last point is the curve's end. Here the step is exact, and the last point lies up to one step
-//                  before the end.
+//                  rate. Points never move. The last lies up to one step before the end. Columns: POSITION, TANGENT,
+//                  NORMAL, RADIUS, STYLE_INDEX, TIME, and the style's attributes except RADIUS.
+// Live is batch    flgCurveSetStylize, given the samples of flgLiveStrokeEnd and exact_spacing = 1, gives the same
+//                  points to the bit: POSITION, TANGENT, NORMAL, STYLE_INDEX and attributes, for the same style,
+//                  magnitude, temperature, scale, basis, start and seed. Without exact_spacing it takes the nearest
+//                  whole number of steps, so that its last point is the curve's end: frames are the same, points lie up
+//                  to half a step from those drawn, and the last run may go on to the style's end. What cannot be the
+//                  same: RADIUS and TIME, which a live stroke makes of pressure and clock, the other carries over from
+//                  its target; `smoothing`, which the samples do not have; FlgFrameMethod.Supplied, where the other
+//                  takes a NORMAL column; samples nearer to each other than a thousandth of a step, of which a live
+//                  stroke takes the first; strokes shorter than a step, which have one point here and two there; what
+//                  passes max_points.
 // Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
 //                  by that attribute relative to its mean over the style.
 // Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
@@ -26,6 +33,8 @@
 // Frame            Rotation-minimizing (double reflection). The first normal is the y axis of the controller at the
 //                  first sample, made perpendicular to the curve; or its x axis if the y axis is within 18 degrees of
 //                  the curve's direction. Without an orientation: the coordinate axis furthest from the direction.
+//                  Resampling and stylizing a set with an ORIENTATION column, such as these samples, begins the same
+//                  way.
 //                  Supplied: the controller's y axis at every point, interpolated between samples (and smoothed with
 //                  them) and made perpendicular to the curve; where it is parallel to the curve, or samples have no
 //                  orientation, carried on from the last point where it was defined.

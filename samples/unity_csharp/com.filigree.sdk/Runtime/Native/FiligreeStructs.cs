@@ -382,9 +382,9 @@ namespace Filigree
         /// </summary>
         public float smoothing;
         /// <summary>
-        /// Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Where the
-        /// style is further from its guide than 1 / beta times its own radius of curvature (the far side of a loop),
-        /// closeness wins: that stretch is skipped and gets cut off. Default 0.2: loops stay round.
+        /// Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut
+        /// off at any weight: from one point of the guide to the next the matching goes on along the style by at most
+        /// 1.4 times the mean. Towards 0 every piece of the guide gets an equal share of the style. Default 0.2.
         /// </summary>
         public float beta;
         /// <summary>
@@ -490,5 +490,13 @@ namespace Filigree
         /// result fails with FlgResult.ErrorLimit before memory is taken for it. 0: 2^31. Default 0.
         /// </summary>
         public uint max_points;
+        /// <summary>
+        /// Nonzero: points of open curves are exactly FlgStyleInfo::spacing * scale apart, as those of live strokes:
+        /// the last lies up to one step before the target's end, and no run goes on to the style's end for it. So a
+        /// live stroke's samples give the same bits (filigree_live.h). Curves shorter than one step keep their two
+        /// points. Not with pin_ends. 0: the whole number of equal steps that comes nearest. Default 0.
+        /// </summary>
+        public uint exact_spacing;
+        public uint reserved;
     }
 }

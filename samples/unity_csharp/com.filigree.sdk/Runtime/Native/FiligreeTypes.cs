@@ -130,7 +130,9 @@ namespace Filigree
         Time = 5,
         /// <summary>FLG_ATTRIBUTE_PRESSURE: 1, 0 to 1</summary>
         Pressure = 6,
-        /// <summary>FLG_ATTRIBUTE_ORIENTATION: 4, unit quaternion x y z w of the controller that drew it</summary>
+        /// <summary>
+        /// FLG_ATTRIBUTE_ORIENTATION: 4, unit quaternion x y z w of the controller; its y axis begins frames
+        /// </summary>
         Orientation = 7,
         /// <summary>
         /// FLG_ATTRIBUTE_STYLE_INDEX: 1, index of the style point that a stylized point copies; whole numbers
@@ -241,8 +243,8 @@ namespace Filigree
         /// </summary>
         Auto = 0,
         /// <summary>
-        /// FLG_STYLE_START_STYLE: at the style's own start; the first run goes to its end: a target as long as the
-        /// guide gets the whole style once
+        /// FLG_STYLE_START_STYLE: at the style's own start, closed targets a little further; the first run goes to its
+        /// end: an open target as long as the guide gets the whole style once
         /// </summary>
         Style = 1,
         /// <summary>FLG_STYLE_START_RANDOM: at a random point, chosen by seed and curve index</summary>
