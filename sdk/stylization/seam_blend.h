@@ -55,7 +55,7 @@ public:
         go_on();
         const Vec3 followed = displacement(from + 1) + offset();
         const Vec3 carried = offset();
-        const Vec3 copied = displacement(to);
+        const Vec3& copied = displacement(to);
         find_attribute_gaps(from, to, shares_at_from);
         gap_ = followed - copied;
         step_gap_ = (followed - shown) - (displacement(to + 1) - copied);

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "stylization/applied_style.h"
 #include "stylization/finishing.h"
@@ -35,8 +36,9 @@ public:
     // with patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
     StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
     // Before the first step along a closed curve: begins so far from the start of the style's curve that a last path
-    // can lead there. The last of the samples is the first once more.
-    void close();
+    // can lead there. The last of the samples is the first once more. `pinned`: the style's displacements, if the result
+    // is moved so that its first point has none: then it begins near by where there is least.
+    void close(std::span<const Vec3> pinned);
 
     uint32_t node() const { return node_; }
     uint32_t samples_left() const { return samples_left_; }
@@ -115,6 +117,7 @@ private:
     bool find_node(uint32_t& units);
     bool advance();
     uint32_t copies_before_last_jump(uint32_t points) const;
+    std::span<const Vec3> all_displacements() const;
     bool make_tree(uint32_t& units);
     void write(const FramedSample& sample);
     void write_attributes(const FramedSample& sample);
