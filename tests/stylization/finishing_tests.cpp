@@ -68,8 +68,8 @@ TEST(Finishing, PinnedResultsBeginAndEndWhereTheirTargetsDo) {
     }
 }
 
-// The last seam of a closed curve, cross-faded over six patches and, where these are more samples than are left, over the
-// curve's first ones.
+// The last seam of a closed curve, cross-faded over six patches and, where these are more samples than are left, over
+// the curve's first ones.
 struct LastSeam {
     static constexpr size_t points = 60;
     size_t at = 0;     // the sample that the last run begins with
