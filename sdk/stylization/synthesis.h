@@ -9,9 +9,9 @@
 // than the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble
 // where the target ends as well); so a target as long as the guide gets the whole style.
 // Closed curves: the last path is one to the node that the curve began at, as long as it has to be, with one jump,
-// where both runs are most alike. They are cross-faded over more points than others are blended, and over the curve's
-// first ones if the jump comes late. (The paper corrects all of the displacement, in proportion to arc length: the direction still has a
-// step.)
+// where both runs are most alike. They are cross-faded over more points than others are blended, and over the
+// curve's first ones if the jump comes late. (The paper corrects all of the displacement, in proportion to arc
+// length: the direction still has a step.)
 #pragma once
 
 #include <array>
