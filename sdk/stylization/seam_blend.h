@@ -13,9 +13,9 @@
 // only: live strokes blend alike. Where runs are shorter than p, at high temperatures, blends run into each other and
 // shrink the displacement.
 //
-// The last seam of a closed curve has to meet the style again at whatever phase of its waves. It is cross-faded: the run
-// that is left goes on beside the one that is taken, with weights 3 r^2 - 2 r^3 and the rest, so that nothing between
-// two copies goes further than they do.
+// The last seam of a closed curve has to meet the style again at whatever phase of its waves. It is cross-faded: the
+// run that is left goes on beside the one that is taken, with weights 3 r^2 - 2 r^3 and the rest, so that nothing
+// between two copies goes further than they do.
 //
 // Attributes (sec. 5) are blended alike, each component by its own metric:
 // - on a line (R+ and R): the gap is a difference; what comes out is kept within what the style has, so that sizes stay
@@ -55,7 +55,7 @@ public:
         go_on();
         const Vec3 followed = displacement(from + 1) + offset();
         const Vec3 carried = offset();
-        const Vec3 copied = displacement(to);
+        const Vec3& copied = displacement(to);
         find_attribute_gaps(from, to, shares_at_from);
         gap_ = followed - copied;
         step_gap_ = (followed - shown) - (displacement(to + 1) - copied);

@@ -2,8 +2,29 @@
 #include "stylization/style.h"
 
 #include <algorithm>
+#include <cinttypes>
+
+#include "runtime/host.h"
 
 namespace flg {
+
+namespace {
+
+// Of the guide's length: the root mean square of a displacement that cannot be seen.
+constexpr double unseen_share = 1e-5;
+
+}  // namespace
+
+bool Style::has_nothing_to_learn() const {
+    return prepared.displacement_rms < unseen_share * prepared.guide_length;
+}
+
+void Style::warn(const Host& host) const noexcept {
+    if (!has_nothing_to_learn()) return;
+    host.log(FLG_LOG_LEVEL_WARNING,
+             "style (0x%" PRIx64 ") has nothing to learn: its example is its own guide, straight or without waves",
+             handle);
+}
 
 std::shared_ptr<PathTrees> Style::trees(float asked_temperature) {
     const float temperature = PathTrees::finite_temperature(prepared.graph, asked_temperature);

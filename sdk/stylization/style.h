@@ -51,6 +51,9 @@ public:
     std::shared_ptr<PathTrees> trees(float asked_temperature);
 
     FlgStyleInfo info() const;
+    // An example that is straight or too short to have waves is its own guide.
+    bool has_nothing_to_learn() const;
+    void warn(const Host& host) const noexcept override;
 
 private:
     void show() noexcept override { prepared.guide->publish_complete(); }

@@ -39,7 +39,7 @@ StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t 
     }
 }
 
-void StyleWalk::close() {
+void StyleWalk::close(std::span<const Vec3> pinned) {
     const PatchGraph& graph = trees_->graph();
     const uint32_t end = graph.curve_end[node_];
     uint32_t ahead = 0;  // points of the same style curve before the node
@@ -49,8 +49,18 @@ void StyleWalk::close() {
         node_ += wanted - ahead;
         ahead = wanted;
     }
+    if (!pinned.empty()) {
+        // Near by, and not so far on that the curve's end is near.
+        const uint32_t first = node_ - std::min(last_path_wanted, ahead - wanted);
+        const uint32_t middle = node_ - ahead + (end - node_ + ahead) / 2;
+        const uint32_t last = std::max(node_, std::min(node_ + last_path_wanted, middle));
+        const auto nearer = [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); };
+        const auto nearest = std::min_element(pinned.begin() + first, pinned.begin() + last + 1, nearer);
+        ahead += static_cast<uint32_t>(nearest - pinned.begin()) - node_;
+        node_ = static_cast<uint32_t>(nearest - pinned.begin());
+    }
     home_ = node_;
-    last_path_ = std::min(ahead + 1, samples_left_);
+    last_path_ = std::min(std::min(ahead, last_path_max) + 1, samples_left_);
 }
 
 // At the last patch of a style curve, and the rest of the curve is enough for the rest of the target.
@@ -107,7 +117,8 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     const bool has_end = stroke.plan.exact_step == 0;
     walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
                       has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
-    if (stroke.plan.curve.closed && stroke.plan.steps > 0) walk_.close();
+    if (stroke.plan.curve.closed && stroke.plan.steps > 0)
+        walk_.close(input_.pin_ends ? all_displacements() : std::span<const Vec3>());
     blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
@@ -140,12 +151,16 @@ bool SynthesisKernel::advance() {
     if (walk_.turns_home()) [[unlikely]] {
         const uint32_t points = std::min(last_blend_patches * input_.trees->graph().patch, stroke_.plan.steps);
         walk_.go_home(copies_before_last_jump(points));
-        blend_.cross_fade(points, {input_.style->displacement.data(), input_.style->displacement.size()},
+        blend_.cross_fade(points, all_displacements(),
                           {input_.trees->graph().curve_end.data(), input_.trees->graph().curve_end.size()});
     }
     if (!walk_.advance()) return false;
     blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
     return true;
+}
+
+std::span<const Vec3> SynthesisKernel::all_displacements() const {
+    return {input_.style->displacement.data(), input_.style->displacement.size()};
 }
 
 // Where along the last path of a closed curve the runs before and behind the jump differ least, over as many points as

@@ -9,13 +9,14 @@
 // than the style has points left, goes on to the style's end instead of jumping (the paper's cul-de-sac is no trouble
 // where the target ends as well); so a target as long as the guide gets the whole style.
 // Closed curves: the last path is one to the node that the curve began at, as long as it has to be, with one jump,
-// where the blend bends the curve least. It is blended over more points than others, and over the curve's first ones if
-// it comes late. (The paper corrects all of the displacement, in proportion to arc length: the direction still has a
-// step.)
+// where both runs are most alike. They are cross-faded over more points than others are blended, and over the
+// curve's first ones if the jump comes late. (The paper corrects all of the displacement, in proportion to arc
+// length: the direction still has a step.)
 #pragma once
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "stylization/applied_style.h"
 #include "stylization/finishing.h"
@@ -35,8 +36,9 @@ public:
     // with patches, that is). Otherwise at a random destination. `samples`: how many points there will be.
     StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t curve_index, uint32_t samples);
     // Before the first step along a closed curve: begins so far from the start of the style's curve that a last path
-    // can lead there. The last of the samples is the first once more.
-    void close();
+    // can lead there. The last of the samples is the first once more. `pinned`: the style's displacements, if the
+    // result is moved so that its first point has none: then it begins near by where there is least.
+    void close(std::span<const Vec3> pinned);
 
     uint32_t node() const { return node_; }
     uint32_t samples_left() const { return samples_left_; }
@@ -115,6 +117,7 @@ private:
     bool find_node(uint32_t& units);
     bool advance();
     uint32_t copies_before_last_jump(uint32_t points) const;
+    std::span<const Vec3> all_displacements() const;
     bool make_tree(uint32_t& units);
     void write(const FramedSample& sample);
     void write_attributes(const FramedSample& sample);

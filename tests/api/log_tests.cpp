@@ -41,6 +41,26 @@ std::string named(const char* object, uint64_t handle, const char* rest) {
     return line;
 }
 
+TEST(Log, NamesAStyleThatHasNothingToLearn) {
+    Log log;
+    const FlgContextDesc context = log.desc();
+    const Host host(context);
+    FlgStyleDesc desc = flgStyleDefaults();
+    Curves line;
+    for (const double x : {0.0, 1.0, 2.5}) line.add_point(x, 0, 0);
+    line.end_curve();
+    for (const bool straight : {true, false}) {
+        desc.style = host.create(straight ? line : coil());
+        FlgStyle style{};
+        ASSERT_EQ(flgStyleCreate(host.context, &desc, &style, nullptr), FLG_OK) << flgErrorGetMessage();
+        host.finish();
+        log.expect(straight ? std::vector{named("style", style.id,
+                                                "has nothing to learn: its example is its own guide, straight or "
+                                                "without waves")}
+                            : std::vector<std::string>{});
+    }
+}
+
 TEST(Log, NamesWhatWasRepairedOfASurface) {
     Log log;
     const SurfaceHost host(log.desc());

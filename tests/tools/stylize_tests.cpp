@@ -78,6 +78,28 @@ TEST_F(Stylize, ReportHasTheSchema) {
     EXPECT_GE(json.at("quality").at("jumps"), 0);
 }
 
+TEST_F(Stylize, AStraightStyleHasNothingToLearn) {
+    folder.write("line.xyz", "0 0 0\n1 0 0\n2.5 0 0\n");
+    done({"stylize", "--style", "line.xyz", "--target", "builtin:flourish", "-o", "out.xyz", "--scale", "1", "--report",
+          "report.json", "--quiet"});
+    EXPECT_NE(report().at("warnings").dump().find("nothing to learn"), std::string::npos);
+}
+
+// Less of it leaves waves in the guide, which is longer then.
+TEST_F(Stylize, SmoothingIsTheGuides) {
+    double before = 1e9;
+    for (const char* smoothing : {"0.001", "1"}) {
+        done({"stylize", "--style", "builtin:curls", "--smoothing", smoothing, "--target", "builtin:flourish", "-o",
+              "out.xyz", "--report", "report.json", "--quiet"});
+        const double length = report().at("quality").at("guide_length");
+        EXPECT_LT(length, 0.98 * before) << smoothing;
+        before = length;
+    }
+    const Outcome outcome = run(
+        {"stylize", "--style", "builtin:curls", "--smoothing", "0", "--target", "builtin:flourish", "-o", "out.xyz"});
+    EXPECT_EQ(outcome.status, 2);
+}
+
 TEST_F(Stylize, SameBitsWhateverTheWorkersAndTheBudget) {
     const std::vector<std::string> work = {"stylize",
                                            "--style",

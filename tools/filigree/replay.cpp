@@ -362,7 +362,7 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
     FlgLiveStrokeDesc& live = o->live;
     app->add_option("STROKES", o->strokes, "Recorded strokes: a .tilt sketch, other curves, or builtin:NAME")
         ->required();
-    o->style.add_to(*app);
+    o->style.add_to(*app, "--guide-smoothing");
     app->add_option("-o,--output", o->output, "Result: .xyz, .obj or .glb")->required()->type_name("OUT");
     app->add_flag("--fast", o->fast, "As fast as can be, instead of at the strokes' own times");
     o->apply.add_to(*app, kFrames, "Moving frame: rotation-minimizing, or by the controller's orientation");

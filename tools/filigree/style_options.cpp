@@ -95,7 +95,7 @@ void check_matching(const std::string& word) {
 
 StyleOptions::StyleOptions() : desc_(flgStyleDefaults()) {}
 
-void StyleOptions::add_to(CLI::App& app) {
+void StyleOptions::add_to(CLI::App& app, const std::string& smoothing) {
     std::string names;
     for (const std::string& name : scenes::style_names()) names += (names.empty() ? "" : ", ") + name;
     app.add_option("--style", style_,
@@ -119,6 +119,11 @@ void StyleOptions::add_to(CLI::App& app) {
     add(app.add_option("--alpha", desc_.alpha, "Length that the guide keeps, 0 to 1: dL/dt = (alpha - 1) int kappa^2")
             ->capture_default_str()
             ->check(between_including(0.0, 1.0)));
+    add(app.add_option(smoothing, desc_.smoothing,
+                       "How far the guide is smoothed, > 0: a multiple of the amount chosen from the style. Smaller: "
+                       "large waves stay in the guide; larger: more of the example is style. --save-guide shows it")
+            ->capture_default_str()
+            ->check(above_zero()));
     add(app.add_option("--beta", desc_.beta, "Closeness against evenness in the matching, between 0 and 1")
             ->capture_default_str()
             ->check(between(0.0, 1.0)));
@@ -198,6 +203,7 @@ void StyleOptions::describe(Report& report) const {
         report.parameters["multiresolution"].push_back({size.patch, as_written(size.weight)});
     }
     report.parameters["alpha"] = as_written(desc_.alpha);
+    report.parameters["guide_smoothing"] = as_written(desc_.smoothing);
     report.parameters["beta"] = as_written(desc_.beta);
     report.parameters["matching"] = kMatching;
     for (const Attribute& a : attributes_) report.parameters["attributes"].push_back(name_of_attribute(a.attribute));

@@ -14,7 +14,8 @@ namespace flg::cli {
 class StyleOptions {
 public:
     StyleOptions();
-    void add_to(CLI::App& app);
+    // `smoothing`: what the option for the guide's is called, where a command has another of that name.
+    void add_to(CLI::App& app, const std::string& smoothing = "--smoothing");
 
     // Refuses what does not go together (UsageError) and files that can't be written.
     void check_usage() const;

@@ -19,6 +19,8 @@ using samples::value_at;
 
 // Radius of curves that bring none: this share of the diagonal of all points' box.
 constexpr float kDefaultRadiusShare = 1.0f / 500.0f;
+// A displacement below this share of the guide's length cannot be seen.
+constexpr float kUnseenShare = 1e-5f;
 
 float diagonal_of(const FlgCurveSetView& view) {
     const FlgColumn& positions = *find_column(view, FLG_ATTRIBUTE_POSITION);
@@ -107,6 +109,9 @@ void StylizeOutput::write(FlgContext context, FlgStyle style, const StylizedCurv
     info.struct_size = sizeof info;
     check(flgStyleGetInfo(context, style, &info), "style");
 
+    if (info.displacement_rms < kUnseenShare * info.guide_length) {
+        report.warn("the style has nothing to learn: its example is its own guide, straight or without waves");
+    }
     report.counts["style_points"] = info.point_count;
     report.counts["patch_graph_edges"] = info.edge_count;
     report.counts["flow_steps"] = info.flow_steps;
