@@ -135,7 +135,8 @@ private:
                 sample.orientation[3] = 1.0f;  // the controller is held upright
             sample.pressure = 0.5f;
             sample.time = static_cast<double>(i) / kSamplesASecond;
-            for (const glm::vec3& point : vectors_of(stroke.push(samples::view_of(sample)))) made.points.push_back(to_point(point));
+            for (const glm::vec3& point : vectors_of(stroke.push(samples::view_of(sample))))
+                made.points.push_back(to_point(point));
             hand.points.push_back(p);
             if ((i + 1) % kSamplesAFrame != 0 || made.points.empty()) continue;
             std::vector<Layer> layers = finished_;

@@ -126,8 +126,8 @@ XrController Recording::at(double time_s) const {
         std::find_if(next->begin(), next->end(), [&](const LiveSample& sample) { return sample.time >= time_s; });
     const bool on_its_way = after == next->begin();
     const LiveSample& from = !on_its_way                ? *(after - 1)
-                                : next == strokes_.begin() ? strokes_.back().back()
-                                                           : (next - 1)->back();
+                             : next == strokes_.begin() ? strokes_.back().back()
+                                                        : (next - 1)->back();
     const double from_s = !on_its_way ? from.time : std::max(0.0, after->time - kPauseS);
     const double span_s = after->time - from_s;
     const auto along = static_cast<float>(span_s > 0.0 ? std::clamp((time_s - from_s) / span_s, 0.0, 1.0) : 1.0);

@@ -219,7 +219,9 @@ FlgResult flgStrokeInit(FlgStroke* stroke, uint32_t struct_size) {
 }
 
 FlgResult flgCurveFileGetStroke(FlgCurveFile file, uint32_t curve, FlgStroke* out_stroke) {
-    const auto strokes = [](const FlgCurveFileT& shown) -> auto& { return shown.data.strokes; };
+    const auto strokes = [](const FlgCurveFileT& shown) -> auto& {
+        return shown.data.strokes;
+    };
     return show_one("flgCurveFileGetStroke", file, strokes, curve, "curve", out_stroke, "out_stroke");
 }
 

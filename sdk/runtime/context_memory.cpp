@@ -37,8 +37,8 @@ size_t tag_offset(size_t size) {
 
 constexpr const char* total_limit = "memory_limit";
 // By kind.
-constexpr const char* limit_names[] = {"the limit of styles", "the limit of surfaces", "the limit of curves",
-                                       "the limit of models", "the limit of caches",   "the limit of scratch",
+constexpr const char* limit_names[] = {"the limit of styles",     "the limit of surfaces", "the limit of curves",
+                                       "the limit of models",     "the limit of caches",   "the limit of scratch",
                                        "the limit of the runtime"};
 
 // Of the job whose slice this thread runs.

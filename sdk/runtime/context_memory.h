@@ -102,8 +102,8 @@ public:
     void open(ContextMemory& memory);
     // What the job's result counts as. Likewise.
     void set_result(MemoryKind kind);
-    // The job has ended and freed what it held: what is left is its result. Returns the limit of its kind, if the result
-    // passes that: the job has failed then.
+    // The job has ended and freed what it held: what is left is its result. Returns the limit of its kind, if the
+    // result passes that: the job has failed then.
     std::optional<MemoryLimitReached> settle() noexcept;
 
     // While it lives, scratch that this thread takes stands in the job's account.

@@ -67,8 +67,8 @@ void check_next_sample(const float* position_before, double time_before, const L
     }
     const double jump = (load_vec3(sample.position) - load_vec3(position_before)).norm();
     if (jump > max_jump) {
-        throw Failure(FLG_ERROR_LIMIT, "samples.positions[%u] is %g m from the sample before it, max_jump is %s m", index, jump,
-                      NumberText(max_jump).c_str());
+        throw Failure(FLG_ERROR_LIMIT, "samples.positions[%u] is %g m from the sample before it, max_jump is %s m",
+                      index, jump, NumberText(max_jump).c_str());
     }
 }
 

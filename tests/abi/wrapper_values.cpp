@@ -77,5 +77,8 @@ int main() {
     if (!context) return failed(__LINE__), 1;
     desc.version = 1;
     if (!filigree::Context::create(desc).failed()) return failed(__LINE__), 1;
-    return lines_get_a_style(*context) && rows_may_be_apart() && failures_are_values(*context) && jobs_fail_as_values(*context) ? 0 : 1;
+    return lines_get_a_style(*context) && rows_may_be_apart() && failures_are_values(*context) &&
+                   jobs_fail_as_values(*context)
+               ? 0
+               : 1;
 }

@@ -56,7 +56,8 @@ TEST(ContextApi, TickNeedsAContextAndASizedReport) {
     expect_failure(flgContextTick({}, FLG_UNLIMITED, nullptr), FLG_ERROR_INVALID_HANDLE, "context is null");
     Host host;
     FlgFrameReport report{};
-    expect_failure(flgContextTick(host.context, FLG_UNLIMITED, &report), FLG_ERROR_INVALID_ARGUMENT, "report: struct_size is 0");
+    expect_failure(flgContextTick(host.context, FLG_UNLIMITED, &report), FLG_ERROR_INVALID_ARGUMENT,
+                   "report: struct_size is 0");
     EXPECT_EQ(flgContextTick(host.context, FLG_UNLIMITED, nullptr), FLG_OK);
     report.struct_size = sizeof report;
     EXPECT_EQ(flgContextTick(host.context, FLG_UNLIMITED, &report), FLG_OK);

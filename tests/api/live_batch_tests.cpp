@@ -54,7 +54,7 @@ TEST(LiveBatch, ARestyledStrokeDoesNotTurnAboutItself) {
     for (const bool held : {true, false}) {
         LiveHost host;
         Samples samples = drawn(120);
-        for (FlgLiveSample& sample : samples) {
+        for (LiveSample& sample : samples) {
             if (!held) std::fill_n(sample.orientation, 4, 0.0f);
         }
         const auto [live, batch] = restyled(host, samples, false);

@@ -84,8 +84,7 @@ TEST(LiveStroke, ManyStrokesAtOnceAreIndependent) {
     std::vector<FlgLiveStroke> strokes;
     for (int k = 0; k < 20; ++k) {
         hands.push_back(samples);
-        for (LiveSample& sample : hands.back())
-            sample.position[1] += 0.1f * static_cast<float>(k) * sample.position[0];
+        for (LiveSample& sample : hands.back()) sample.position[1] += 0.1f * static_cast<float>(k) * sample.position[0];
         alone.push_back(host.push_in_bursts(host.begin(), hands.back(), {1}));
         strokes.push_back(host.begin());
     }

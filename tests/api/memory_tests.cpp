@@ -40,8 +40,7 @@ TEST(ContextGetMemory, RefusesWhatIsNoContextOrStruct) {
     const auto beyond = static_cast<FlgMemoryKind>(FLG_MEMORY_KIND_RUNTIME + 1);
     expect_failure(flgContextGetMemory(host.context, beyond, &use), FLG_ERROR_INVALID_ARGUMENT, "kind is 8");
     expect_failure(flgContextSetMemoryLimit(host.context, beyond, 1), FLG_ERROR_INVALID_ARGUMENT, "kind is 8");
-    expect_failure(flgContextSetMemoryLimit({}, FLG_MEMORY_KIND_TOTAL, 1), FLG_ERROR_INVALID_HANDLE,
-                   "context is null");
+    expect_failure(flgContextSetMemoryLimit({}, FLG_MEMORY_KIND_TOTAL, 1), FLG_ERROR_INVALID_HANDLE, "context is null");
     use.struct_size = 4;
     expect_failure(flgContextGetMemory(host.context, FLG_MEMORY_KIND_TOTAL, &use), FLG_ERROR_INVALID_ARGUMENT,
                    "struct_size");
@@ -222,8 +221,7 @@ TEST(ContextMemoryLimit, OfAKindHoldsForThatKindAlone) {
         ASSERT_EQ(flgCurveSetResample(host.context, &resample, &set, &job), FLG_OK) << flgErrorGetMessage();
         host.finish();
         EXPECT_EQ(host.result_of(job), FLG_ERROR_OUT_OF_MEMORY);
-        EXPECT_NE(std::string(host.status_of(job).error).find("the limit of curves is 400000 bytes"),
-                  std::string::npos)
+        EXPECT_NE(std::string(host.status_of(job).error).find("the limit of curves is 400000 bytes"), std::string::npos)
             << host.status_of(job).error;
         ASSERT_EQ(flgCurveSetRelease(host.context, set), FLG_OK);
         EXPECT_LE(memory_of(host).curves.bytes, 400'000u);

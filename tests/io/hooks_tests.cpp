@@ -68,39 +68,39 @@ struct MemoryFiles {
     std::function<size_t(size_t)> bytes_read = [](size_t size) { return size; };
     FlgResult size_result = FLG_OK, read_result = FLG_OK, write_result = FLG_OK, close_result = FLG_OK;
 
-    const FlgFileSystem hook{
-        sizeof(FlgFileSystem),
-        0,
-        this,
-        [](void* self, const char* path, FlgFileAccess access, void** out_file) {
-            *out_file = static_cast<MemoryFiles*>(self)->opened(path, access);
-            return *out_file ? FLG_OK : FLG_ERROR_FILE;
-        },
-        [](void* self, void* file, uint64_t* out_size) {
-            auto& host = *static_cast<MemoryFiles*>(self);
-            *out_size = host.size_said(static_cast<File*>(file)->content.size());
-            return host.size_result;
-        },
-        [](void* self, void* file, void* out, size_t size, size_t* out_count) {
-            auto& from = *static_cast<File*>(file);
-            auto& host = *static_cast<MemoryFiles*>(self);
-            // In pieces, as hosts may.
-            const size_t count = std::min({size, from.content.size() - from.at, size_t{1000}});
-            std::memcpy(out, from.content.data() + from.at, count);
-            from.at += count;
-            *out_count = host.bytes_read(count);
-            return host.read_result;
-        },
-        [](void* self, void* file, const void* bytes, size_t size) {
-            static_cast<File*>(file)->content.append(static_cast<const char*>(bytes), size);
-            return static_cast<MemoryFiles*>(self)->write_result;
-        },
-        [](void* self, void* file, uint32_t complete) {
-            return static_cast<MemoryFiles*>(self)->closed(static_cast<File*>(file), complete);
-        },
-        [](void* self, const char* path) {
-            return static_cast<MemoryFiles*>(self)->files.erase(path) == 1 ? FLG_OK : FLG_ERROR_FILE;
-        }};
+    const FlgFileSystem hook{sizeof(FlgFileSystem),
+                             0,
+                             this,
+                             [](void* self, const char* path, FlgFileAccess access, void** out_file) {
+                                 *out_file = static_cast<MemoryFiles*>(self)->opened(path, access);
+                                 return *out_file ? FLG_OK : FLG_ERROR_FILE;
+                             },
+                             [](void* self, void* file, uint64_t* out_size) {
+                                 auto& host = *static_cast<MemoryFiles*>(self);
+                                 *out_size = host.size_said(static_cast<File*>(file)->content.size());
+                                 return host.size_result;
+                             },
+                             [](void* self, void* file, void* out, size_t size, size_t* out_count) {
+                                 auto& from = *static_cast<File*>(file);
+                                 auto& host = *static_cast<MemoryFiles*>(self);
+                                 // In pieces, as hosts may.
+                                 const size_t count = std::min({size, from.content.size() - from.at, size_t{1000}});
+                                 std::memcpy(out, from.content.data() + from.at, count);
+                                 from.at += count;
+                                 *out_count = host.bytes_read(count);
+                                 return host.read_result;
+                             },
+                             [](void* self, void* file, const void* bytes, size_t size) {
+                                 static_cast<File*>(file)->content.append(static_cast<const char*>(bytes), size);
+                                 return static_cast<MemoryFiles*>(self)->write_result;
+                             },
+                             [](void* self, void* file, uint32_t complete) {
+                                 return static_cast<MemoryFiles*>(self)->closed(static_cast<File*>(file), complete);
+                             },
+                             [](void* self, const char* path) {
+                                 return static_cast<MemoryFiles*>(self)->files.erase(path) == 1 ? FLG_OK
+                                                                                                : FLG_ERROR_FILE;
+                             }};
 
     File* opened(const char* path, FlgFileAccess access) {
         asked.insert(path);

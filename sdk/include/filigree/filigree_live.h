@@ -120,8 +120,8 @@ FLG_API FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc
 typedef struct FlgLiveSampleView {
     uint32_t struct_size;
     uint32_t sample_count;
-    uint32_t stride;           /* bytes from a sample to the next in every column: the size of the host's struct. Default
-                                  0: every column is packed */
+    uint32_t stride;           /* bytes from a sample to the next in every column: the size of the host's struct.
+                                  Default 0: every column is packed */
     uint32_t reserved;
     const float* positions;    /* 3 per sample, metres, magnitude at most 1e30 */
     const float* orientations; /* 4 per sample: a quaternion x y z w of any length; all zero: none; see Frame. Default
