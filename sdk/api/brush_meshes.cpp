@@ -19,7 +19,7 @@ namespace {
 constexpr uint32_t max_columns = 5;
 constexpr uint64_t max_vertices = UINT32_MAX;
 
-static_assert(sizeof(brush::Growth) + sizeof(uint64_t) <= sizeof FlgBrushMeshState::opaque);
+static_assert(sizeof(brush::Growth) + sizeof(uint64_t) + sizeof(Origin) <= sizeof FlgBrushMeshState::opaque);
 
 FlgBrushMeshDesc default_desc() {
     auto desc = sized<FlgBrushMeshDesc>();
@@ -214,6 +214,7 @@ uint64_t layout_of(const FlgBrushMeshDesc& desc) {
 // A state as the host keeps it.
 struct KeptGrowth {
     uint64_t layout = 0;
+    Origin origin{};
     brush::Growth growth;
 };
 
@@ -232,12 +233,19 @@ KeptGrowth read_state(const FlgBrushMeshState& state, const FlgBrushMeshDesc& de
                       "curve is not known");
     KeptGrowth kept;
     kept.layout = layout_of(desc);
+    std::copy_n(curves.view().origin, 3, kept.origin.begin());
     if (!state.begun) return kept;
+    const Origin origin = kept.origin;
     std::memcpy(static_cast<void*>(&kept), state.opaque, sizeof kept);
     if (kept.layout != layout_of(desc)) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc is not that of the calls that made the state: shape, sides, "
                       "join, start_cap, hard_normals, uv and left_handed must stay");
+    }
+    if (kept.origin != origin) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "desc.curves.origin is not that of the calls that made the state: %.17g %.17g %.17g",
+                      kept.origin[0], kept.origin[1], kept.origin[2]);
     }
     return kept;
 }

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdio>
 #include <new>
 
 #include "api/descriptors.h"
@@ -112,7 +113,7 @@ struct Settings {
           clock(read_hook(from.clock, "desc.clock")),
           profiler(read_hook(from.profiler, "desc.profiler")) {
         if (desc.worker_count > max_threads) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "worker_count is %u, must be 0 to %u", desc.worker_count,
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "desc.worker_count is %u, must be 0 to %u", desc.worker_count,
                           max_threads);
         }
         if (!allocator.allocate != !allocator.free) {
@@ -316,14 +317,19 @@ FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t count, 
         if (!(seconds >= 0 && seconds <= 1e9)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "seconds is %g, must be 0 to 1e9", seconds);
         }
-        for (uint32_t i = 0; i < count; ++i) self.jobs.get(jobs[i].id, "jobs");
+        const auto job_at = [&](uint32_t i) {
+            char name[24];
+            std::snprintf(name, sizeof name, "jobs[%u]", i);
+            return self.jobs.get(jobs[i].id, name);
+        };
+        for (uint32_t i = 0; i < count; ++i) job_at(i);
         using Clock = std::chrono::steady_clock;
         const auto end = Clock::now() + std::chrono::duration<double, std::micro>(seconds * 1e6);
         for (bool first = true;; first = false) {
             bool finished = count > 0;
             for (uint32_t i = 0; i < count; ++i) {
-                const Job& job = *self.jobs.get(jobs[i].id, "jobs");  // a callback may have released it
-                finished = finished && job.status.state == FLG_JOB_STATE_FINISHED;
+                // A callback may have released it.
+                finished = finished && job_at(i)->status.state == FLG_JOB_STATE_FINISHED;
             }
             if (finished) break;
             const double left_us = std::chrono::duration<double, std::micro>(end - Clock::now()).count();
@@ -337,8 +343,8 @@ FlgResult flgContextRun(FlgContext context, const FlgJob* jobs, uint32_t count, 
             self.runtime.wait(budget_us);
         }
         for (uint32_t i = 0; i < count; ++i) {
-            const Job& job = *self.jobs.get(jobs[i].id, "jobs");
-            if (job.status.result != FLG_OK) return set_last_error(job.status.result, job.status.error);
+            const FlgJobStatus& status = job_at(i)->status;
+            if (status.result != FLG_OK) return set_last_error(status.result, status.error);
         }
         return FLG_OK;
     });

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "api/descriptors.h"
+#include "api/host_buffers.h"
 #include "api/inputs.h"
 #include "api/surface_inputs.h"
 #include "api/tangle_change.h"
@@ -131,6 +132,20 @@ void check_room(const void* array, uint64_t count, uint32_t capacity, const char
                   capacity, static_cast<unsigned long long>(count));
 }
 
+void check_apart(const FlgDebugDrawing& drawing) {
+    constexpr uint64_t size = sizeof(FlgDebugVertex);
+    Blocks blocks;
+    if (drawing.lines) {
+        check_aligned(drawing.lines, alignof(FlgDebugVertex), "drawing.lines");
+        blocks.add_output({BlockName("drawing.lines"), drawing.lines, size, size, uint64_t{2} * drawing.line_count});
+    }
+    if (drawing.points) {
+        check_aligned(drawing.points, alignof(FlgDebugVertex), "drawing.points");
+        blocks.add_output({BlockName("drawing.points"), drawing.points, size, size, drawing.point_count});
+    }
+    blocks.check_apart();
+}
+
 template <class Object>
 FlgResult visible_result_of(const Object& object) {
     return visible_result_now(object);
@@ -161,6 +176,7 @@ FlgResult draw(const FlgDebugDrawDesc* desc, FlgDebugDrawing* drawing, uint32_t 
         write_struct(drawing, out, "drawing");
         check_room(out.lines, counted.line_count(), out.line_capacity, "line");
         check_room(out.points, counted.point_count(), out.point_capacity, "point");
+        check_apart(out);
         if (out.lines || out.points) {
             DrawList written(read, out.lines, out.points);
             paint(*product, written);

@@ -64,7 +64,7 @@ inline Origin read_origin_in(uint32_t ambient, const double (&origin)[3], const 
 }
 
 inline void check_frame(const FlgFrameMethod& method, const char* argument) {
-    check_enum(method, FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_SUPPLIED, argument, "FLG_FRAME_");
+    check_enum(method, FLG_FRAME_METHOD_ROTATION_MINIMIZING, FLG_FRAME_METHOD_SUPPLIED, argument, "FLG_FRAME_METHOD_");
 }
 
 // desc.basis of any numbers up to 1e30.

@@ -36,7 +36,7 @@ FlgLiveStrokeDesc default_live_stroke_desc() {
 }
 
 void check(const FlgLiveStrokeDesc& desc) {
-    check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_START_");
+    check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_STYLE_START_");
     check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");

@@ -30,7 +30,7 @@ std::shared_ptr<const Manifold> make_manifold(Context& context, Arguments&&... a
 }
 
 std::shared_ptr<const Manifold> make_shape(Context& context, const FlgManifoldShapeDesc& desc) {
-    check_enum(desc.shape, FLG_MANIFOLD_SHAPE_SPACE, FLG_MANIFOLD_SHAPE_FORMULA, "desc.shape", "FLG_SHAPE_");
+    check_enum(desc.shape, FLG_MANIFOLD_SHAPE_SPACE, FLG_MANIFOLD_SHAPE_FORMULA, "desc.shape", "FLG_MANIFOLD_SHAPE_");
     if (desc.shape == FLG_MANIFOLD_SHAPE_SPACE) {
         check_range(desc.ambient >= 2 && desc.ambient <= Manifold::max_ambient, "desc.ambient", desc.ambient,
                     "2 to 12");

@@ -35,7 +35,7 @@ void check(const FlgCurveSetStylizeDesc& desc) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.exact_spacing is set, and so is desc.pin_ends: exact steps do not come to a curve's end");
     }
-    check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_START_");
+    check_enum(desc.start, FLG_STYLE_START_AUTO, FLG_STYLE_START_RANDOM, "desc.start", "FLG_STYLE_START_");
 }
 
 }  // namespace

@@ -27,7 +27,12 @@ enum class Longer { refused, cut };
 
 template <class T, Longer longer = Longer::refused>
 void check_struct_size(uint32_t struct_size, const char* name) {
-    if (longer == Longer::refused && (struct_size < first_size<T> || struct_size > sizeof(T))) {
+    if (longer == Longer::refused && struct_size > sizeof(T)) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                      "%s: struct_size is %u, but this library knows %zu: the header is newer, or the size was not set",
+                      name, struct_size, sizeof(T));
+    }
+    if (longer == Longer::refused && struct_size < first_size<T>) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "%s: struct_size is %u, must be %u to %zu; take the struct from its defaults function", name,
                       struct_size, first_size<T>, sizeof(T));

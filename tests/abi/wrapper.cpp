@@ -81,6 +81,39 @@ bool models_work(filigree::Context& context) {
            view.joint_count >= 2 && view.vertex_weights.size() == 4 * view.vertex_count && view.vertex_count > 300;
 }
 
+// The count behind an animation is that of the joints.
+bool animations_are_sampled() {
+    const float times[] = {0, 1}, rotations[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0};
+    filigree::SkinAnimation animation;
+    animation.key_count = 2;
+    animation.times = times;
+    animation.rotations = rotations;
+    float sampled[] = {9, 9, 9, 9, 9, 9, 9, 9};
+    return filigree::skin_animation_sample(animation, 2, 1.0f, sampled, nullptr) && sampled[3] == 1 && sampled[6] == 1;
+}
+
+// A list that ends within a point is refused whole.
+bool halves_of_points_are_refused(filigree::Context& context) {
+    try {
+        context.curve_set_from_points({0, 0, 0, 1, 1});
+    } catch (const filigree::Error& error) {
+        return error.result() == FLG_ERROR_INVALID_ARGUMENT || error.result() == FLG_ERROR_LIMIT;
+    }
+    return false;
+}
+
+// Assigning lets go of what was held, and a context can be destroyed before its end.
+bool owners_let_go(filigree::Context& context) {
+    filigree::CurveSet held = context.curve_set_from_points({0, 0, 0, 1, 1, 1});
+    const FlgCurveSet before = held.get();
+    filigree::CurveSet other = context.curve_set_from_points({0, 0, 0, 2, 1, 1});
+    held = std::move(other);
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    if (other || flgCurveSetGetView(context.get(), before, &view) != FLG_ERROR_INVALID_HANDLE) return false;
+    filigree::Context second = filigree::Context::create();
+    return second.destroy() && !second;
+}
+
 bool live_strokes_work(filigree::Context& context, const filigree::Style& style) {
     filigree::LiveStrokeDesc live(style);
     if (context.begin(live)) return false;  // not warm
@@ -124,7 +157,8 @@ int main() {
         const filigree::Style copy = context.style_from_data(style.data());
         if (copy.info().matching.size() != style.info().point_count || copy.data() != style.data()) return 1;
         if (!surfaces_work(context) || !straight_skeletons_work(context) || !models_work(context)) return 1;
-        if (!live_strokes_work(context, style)) return 1;
+        if (!live_strokes_work(context, style) || !animations_are_sampled()) return 1;
+        if (!halves_of_points_are_refused(context) || !owners_let_go(context)) return 1;
         desc.scale = -1;
         try {
             const filigree::CurveSet refused = context.stylize(desc);

@@ -681,5 +681,30 @@ TEST(DebugDrawingApi, WhatIsNotThereIsNotDrawn) {
                    host.status_of(failing).error);
 }
 
+TEST(DebugDrawing, ArraysAreApartAndAligned) {
+    const Host host;
+    const FlgCurveSet set = host.create(arcs(1, 4));
+    FlgDebugDrawDesc desc = flgDebugDrawDefaults();
+    desc.parts = FLG_DEBUG_PART_LINES | FLG_DEBUG_PART_POINTS;
+    std::vector<FlgDebugVertex> memory(32);
+    std::memset(static_cast<void*>(memory.data()), 0xcd, memory.size() * sizeof(FlgDebugVertex));
+    const std::vector<FlgDebugVertex> before = memory;
+    const auto refused = [&](FlgDebugVertex* lines, FlgDebugVertex* points, const char* words) {
+        FlgDebugDrawing drawing = flgDebugDrawingDefaults();
+        drawing.lines = lines;
+        drawing.points = points;
+        drawing.line_capacity = drawing.point_capacity = 8;
+        expect_failure(flgDebugDrawCurveSet(host.context, set, &desc, &drawing), FLG_ERROR_INVALID_ARGUMENT, words);
+        EXPECT_EQ(std::memcmp(memory.data(), before.data(), memory.size() * sizeof(FlgDebugVertex)), 0);
+    };
+    refused(memory.data(), memory.data(), "drawing.lines overlaps drawing.points");
+    refused(memory.data() + 1, memory.data(), "overlap");
+    const auto aside = [&](size_t bytes) {
+        return reinterpret_cast<FlgDebugVertex*>(reinterpret_cast<char*>(memory.data()) + bytes);
+    };
+    refused(aside(1), nullptr, "drawing.lines is ");
+    refused(memory.data(), aside(20 * sizeof(FlgDebugVertex) + 2), "drawing.points is ");
+}
+
 }  // namespace
 }  // namespace flg::test

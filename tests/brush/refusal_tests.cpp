@@ -195,6 +195,14 @@ TEST(BrushRefusals, GrowingCurves) {
     call.desc.sides = 6;
     EXPECT_EQ(call.write(), FLG_ERROR_INVALID_ARGUMENT);
     EXPECT_NE(std::string(flgErrorGetMessage()).find("must stay"), std::string::npos);
+    // What is in the buffers is relative to another place.
+    Call moved;
+    moved.growing = true;
+    ASSERT_EQ(moved.write(), FLG_OK);
+    moved.view.origin[0] = 10;
+    EXPECT_EQ(moved.write(), FLG_ERROR_INVALID_ARGUMENT);
+    EXPECT_NE(std::string(flgErrorGetMessage()).find("desc.curves.origin is not that of the calls"), std::string::npos)
+        << flgErrorGetMessage();
 }
 
 TEST(BrushFormats, HalvesAreTheNearest) {

@@ -266,7 +266,7 @@ class Wrapper:
             kind = field["type"][:-1]
             if not array or array.more.startswith("("):
                 continue
-            count = "values.size()" + (f" / {array.factor}" if array.factor != 1 else " - 1" if array.more else "")
+            count = "values.size()" + (f", {array.factor}" if array.factor != 1 else "")
             if array.more:
                 count = "values.empty() ? 0 : values.size() - 1"
             doc = f"Sets {field['name']} and {array.count}. The array must live until the descriptor is used."
@@ -442,6 +442,7 @@ class _Call:
         after = rest[0] if rest else {"name": "", "type": ""}
         counted = after["type"] in ("uint32_t", "size_t") and (
             after["name"] in ("count", "size") or after["name"].endswith("_count"))
+        counted = counted and not (struct and not name.endswith("s"))  # one struct, and a number of something else
         out = name.startswith("out_") or f"{self._function['name']}.{name}" in _OUTPUTS
         short = name.removeprefix("out_")
         if out and base == "FlgJob" and not self._results:  # all there is: it may be let go of
@@ -498,9 +499,9 @@ class _Call:
             if base == "void":
                 element = element.replace("void", "uint8_t")
             factor = _FACTORS.get(f"{self._function['name']}.{name}", 1)
-            size = f"{name}.size()" + (f" / {factor}" if factor != 1 else "")
-            if after["type"] == "uint32_t":
-                size = f"detail::count({size})"
+            size = f"{name}.size()"
+            if after["type"] == "uint32_t" or factor != 1:
+                size = f"detail::count({size}{f', {factor}' if factor != 1 else ''})"
             if self._function["name"] == "flgManifoldProject":  # of 2, 3 or 4 numbers a point: the caller counts
                 self._parameters += [f"{kind} {name}", f"uint32_t {after['name']}"]
                 self._arguments += [name, after["name"]]

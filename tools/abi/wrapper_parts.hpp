@@ -242,8 +242,9 @@ Span<T> span(T* data, std::size_t size) {
     return {data, data ? size : 0};
 }
 
-inline uint32_t count(std::size_t size) {
-    return size < UINT32_MAX ? static_cast<uint32_t>(size) : UINT32_MAX;
+// Rows of so many numbers. What is too much, or ends within a row, is UINT32_MAX, which every call refuses.
+inline uint32_t count(std::size_t size, std::size_t row = 1) {
+    return size % row == 0 && size / row < UINT32_MAX ? static_cast<uint32_t>(size / row) : UINT32_MAX;
 }
 
 // Owns one handle of a context.
@@ -254,8 +255,10 @@ public:
     Owner(FlgContext context, Handle handle) noexcept : context_(context), handle_(handle) {}
     Owner(Owner&& other) noexcept : context_(other.context_), handle_(std::exchange(other.handle_, Handle{})) {}
     Owner& operator=(Owner&& other) noexcept {
-        std::swap(context_, other.context_);
-        std::swap(handle_, other.handle_);
+        if (this == &other) return *this;
+        reset();
+        context_ = other.context_;
+        handle_ = std::exchange(other.handle_, Handle{});
         return *this;
     }
     ~Owner() { reset(); }
@@ -281,7 +284,9 @@ public:
     explicit Object(Pointer pointer) noexcept : handle_(pointer) {}
     Object(Object&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
     Object& operator=(Object&& other) noexcept {
-        std::swap(handle_, other.handle_);
+        if (this == &other) return *this;
+        reset();
+        handle_ = std::exchange(other.handle_, nullptr);
         return *this;
     }
     ~Object() { reset(); }
@@ -303,11 +308,21 @@ public:
     explicit ContextOwner(FlgContext context) noexcept : handle_(context) {}
     ContextOwner(ContextOwner&& other) noexcept : handle_(std::exchange(other.handle_, FlgContext{})) {}
     ContextOwner& operator=(ContextOwner&& other) noexcept {
-        std::swap(handle_, other.handle_);
+        if (this == &other) return *this;
+        reset();
+        handle_ = std::exchange(other.handle_, FlgContext{});
         return *this;
     }
-    // With a host's job system it waits until that has let go of our tasks.
+    // With a host's job system it waits until that has let go of our tasks: if this thread runs them, call destroy()
+    // until it is true first.
     ~ContextOwner() { reset(); }
+    /// Destroys the context and all that it owns. False while the host's job system still holds its tasks: run them,
+    /// then call again. The destructor waits for that on its thread.
+    Result<bool> destroy() {
+        const FlgResult result = flgContextDestroy(handle_);
+        if (result == FLG_OK) handle_ = {};
+        return done(result);
+    }
 
     explicit operator bool() const noexcept { return handle_.id != 0; }
     FlgContext get() const noexcept { return handle_; }

@@ -241,8 +241,9 @@ Span<T> span(T* data, std::size_t size) {
     return {data, data ? size : 0};
 }
 
-inline uint32_t count(std::size_t size) {
-    return size < UINT32_MAX ? static_cast<uint32_t>(size) : UINT32_MAX;
+// Rows of so many numbers. What is too much, or ends within a row, is UINT32_MAX, which every call refuses.
+inline uint32_t count(std::size_t size, std::size_t row = 1) {
+    return size % row == 0 && size / row < UINT32_MAX ? static_cast<uint32_t>(size / row) : UINT32_MAX;
 }
 
 // Owns one handle of a context.
@@ -253,8 +254,10 @@ public:
     Owner(FlgContext context, Handle handle) noexcept : context_(context), handle_(handle) {}
     Owner(Owner&& other) noexcept : context_(other.context_), handle_(std::exchange(other.handle_, Handle{})) {}
     Owner& operator=(Owner&& other) noexcept {
-        std::swap(context_, other.context_);
-        std::swap(handle_, other.handle_);
+        if (this == &other) return *this;
+        reset();
+        context_ = other.context_;
+        handle_ = std::exchange(other.handle_, Handle{});
         return *this;
     }
     ~Owner() { reset(); }
@@ -280,7 +283,9 @@ public:
     explicit Object(Pointer pointer) noexcept : handle_(pointer) {}
     Object(Object&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
     Object& operator=(Object&& other) noexcept {
-        std::swap(handle_, other.handle_);
+        if (this == &other) return *this;
+        reset();
+        handle_ = std::exchange(other.handle_, nullptr);
         return *this;
     }
     ~Object() { reset(); }
@@ -302,11 +307,21 @@ public:
     explicit ContextOwner(FlgContext context) noexcept : handle_(context) {}
     ContextOwner(ContextOwner&& other) noexcept : handle_(std::exchange(other.handle_, FlgContext{})) {}
     ContextOwner& operator=(ContextOwner&& other) noexcept {
-        std::swap(handle_, other.handle_);
+        if (this == &other) return *this;
+        reset();
+        handle_ = std::exchange(other.handle_, FlgContext{});
         return *this;
     }
-    // With a host's job system it waits until that has let go of our tasks.
+    // With a host's job system it waits until that has let go of our tasks: if this thread runs them, call destroy()
+    // until it is true first.
     ~ContextOwner() { reset(); }
+    /// Destroys the context and all that it owns. False while the host's job system still holds its tasks: run them,
+    /// then call again. The destructor waits for that on its thread.
+    Result<bool> destroy() {
+        const FlgResult result = flgContextDestroy(handle_);
+        if (result == FLG_OK) handle_ = {};
+        return done(result);
+    }
 
     explicit operator bool() const noexcept { return handle_.id != 0; }
     FlgContext get() const noexcept { return handle_; }
@@ -2013,7 +2028,7 @@ struct SkinAnimation : FlgSkinAnimation {
     /// Sets translations and key_count. The array must live until the descriptor is used.
     void set_translations(Span<const float> values) {
         translations = values.data();
-        key_count = detail::count(values.size() / 3);
+        key_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_translations(std::initializer_list<float>) = delete;
@@ -2146,21 +2161,21 @@ struct TangleSeedPlaces : FlgTangleSeedPlaces {
     /// Sets points and point_count. The array must live until the descriptor is used.
     void set_points(Span<const float> values) {
         points = values.data();
-        point_count = detail::count(values.size() / 3);
+        point_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_points(std::initializer_list<float>) = delete;
     /// Sets loops and loop_count. The array must live until the descriptor is used.
     void set_loops(Span<const float> values) {
         loops = values.data();
-        loop_count = detail::count(values.size() / 3);
+        loop_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_loops(std::initializer_list<float>) = delete;
     /// Sets samples and sample_count. The array must live until the descriptor is used.
     void set_samples(Span<const float> values) {
         samples = values.data();
-        sample_count = detail::count(values.size() / 3);
+        sample_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_samples(std::initializer_list<float>) = delete;
@@ -2187,7 +2202,7 @@ struct TangleStep : FlgTangleStep {
     /// Sets made and made_count. The array must live until the descriptor is used.
     void set_made(Span<const float> values) {
         made = values.data();
-        made_count = detail::count(values.size() / 3);
+        made_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_made(std::initializer_list<float>) = delete;
@@ -2314,7 +2329,7 @@ struct MotionFileWriteDesc : FlgMotionFileWriteDesc {
     /// Sets poses and position_count. The array must live until the descriptor is used.
     void set_poses(Span<const double> values) {
         poses = values.data();
-        position_count = detail::count(values.size() / 12);
+        position_count = detail::count(values.size(), 12);
     }
     /// A list would end before the descriptor is used.
     void set_poses(std::initializer_list<double>) = delete;
@@ -2358,14 +2373,14 @@ struct LiveSampleView : FlgLiveSampleView {
     /// Sets positions and sample_count. The array must live until the descriptor is used.
     void set_positions(Span<const float> values) {
         positions = values.data();
-        sample_count = detail::count(values.size() / 3);
+        sample_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_positions(std::initializer_list<float>) = delete;
     /// Sets orientations and sample_count. The array must live until the descriptor is used.
     void set_orientations(Span<const float> values) {
         orientations = values.data();
-        sample_count = detail::count(values.size() / 4);
+        sample_count = detail::count(values.size(), 4);
     }
     /// A list would end before the descriptor is used.
     void set_orientations(std::initializer_list<float>) = delete;
@@ -2415,14 +2430,14 @@ struct ManifoldFromPointsDesc : FlgManifoldFromPointsDesc {
     /// Sets points and point_count. The array must live until the descriptor is used.
     void set_points(Span<const float> values) {
         points = values.data();
-        point_count = detail::count(values.size() / 3);
+        point_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_points(std::initializer_list<float>) = delete;
     /// Sets normals and point_count. The array must live until the descriptor is used.
     void set_normals(Span<const float> values) {
         normals = values.data();
-        point_count = detail::count(values.size() / 3);
+        point_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_normals(std::initializer_list<float>) = delete;
@@ -2467,7 +2482,7 @@ struct Obstacle : FlgObstacle {
     /// Sets points and point_count. The array must live until the descriptor is used.
     void set_points(Span<const double> values) {
         points = values.data();
-        point_count = detail::count(values.size() / 2);
+        point_count = detail::count(values.size(), 2);
     }
     /// A list would end before the descriptor is used.
     void set_points(std::initializer_list<double>) = delete;
@@ -2544,14 +2559,14 @@ struct MotionDesc : FlgMotionDesc {
     /// Sets poses and key_count. The array must live until the descriptor is used.
     void set_poses(Span<const double> values) {
         poses = values.data();
-        key_count = detail::count(values.size() / 12);
+        key_count = detail::count(values.size(), 12);
     }
     /// A list would end before the descriptor is used.
     void set_poses(std::initializer_list<double>) = delete;
     /// Sets body_points and body_point_count. The array must live until the descriptor is used.
     void set_body_points(Span<const double> values) {
         body_points = values.data();
-        body_point_count = detail::count(values.size() / 3);
+        body_point_count = detail::count(values.size(), 3);
     }
     /// A list would end before the descriptor is used.
     void set_body_points(std::initializer_list<double>) = delete;
@@ -3915,7 +3930,7 @@ public:
     /// Calls flgCurveSetCreateFromPoints.
     Result<CurveSet> curve_set_from_points(Span<const float> points, uint8_t flags = 0) const {
         FlgCurveSet out_set{};
-        const FlgResult result = flgCurveSetCreateFromPoints(handle_, points.data(), detail::count(points.size() / 3),
+        const FlgResult result = flgCurveSetCreateFromPoints(handle_, points.data(), detail::count(points.size(), 3),
             flags, &out_set);
         return detail::made(result, CurveSet(handle_, out_set));
     }
@@ -4013,7 +4028,7 @@ public:
         FlgSurface out_surface{};
         FlgJob job_made{};
         const FlgResult result = flgSurfaceCreateFromTriangles(handle_, positions.data(),
-            detail::count(positions.size() / 3), triangles.data(), detail::count(triangles.size() / 3), job,
+            detail::count(positions.size(), 3), triangles.data(), detail::count(triangles.size(), 3), job,
             &out_surface, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(handle_, job_made);
         return detail::made(result, Surface(handle_, out_surface));
@@ -4544,10 +4559,9 @@ inline Result<BrushMeshSizes> brush_mesh_write(const BrushMeshDesc& desc, FlgBru
 ///   out_translation  3, or null; 0 if the animation moves no roots
 /// Cost: about 80 ns a joint, 1 ns a key: all times are checked, and of the rest the two keys that are used.
 /// Calls flgSkinAnimationSample.
-inline Result<bool> skin_animation_sample(Span<const FlgSkinAnimation> animation, float time, float* out_rotations,
-    float* out_translation) {
-    const FlgResult result = flgSkinAnimationSample(animation.data(), detail::count(animation.size()), time,
-        out_rotations, out_translation);
+inline Result<bool> skin_animation_sample(const SkinAnimation& animation, uint32_t joint_count, float time,
+    float* out_rotations, float* out_translation) {
+    const FlgResult result = flgSkinAnimationSample(&animation, joint_count, time, out_rotations, out_translation);
     return detail::done(result);
 }
 
