@@ -96,6 +96,8 @@ FlgResult flgCurveSetCreateFromPoints(FlgContext context, const float* points, u
         Memory* const memory = self.memory[MemoryKind::curves];
         require(points, "points");
         if (count == 0) throw Failure(FLG_ERROR_INVALID_ARGUMENT, "count is 0, must be at least 1");
+        if (count > sampled_points_max)
+            throw Failure(FLG_ERROR_LIMIT, "count is %u, more than the limit of 2^31 points", count);
         if ((flags & ~FLG_CURVE_CLOSED) != 0)
             throw Failure(FLG_ERROR_INVALID_ARGUMENT, "flags is %u, must be 0 or FLG_CURVE_CLOSED", flags);
 

@@ -35,10 +35,23 @@ Buffer<uint32_t> copy_words(const uint32_t* words, size_t count, Memory* memory)
     return copy;
 }
 
+// Counts that are no mesh's, but a mistake: before arrays are read that far.
+void check_counts(const FlgMeshView& mesh) {
+    constexpr uint32_t max_vertices = 1u << 31, max_triangles = 1u << 30;
+    if (mesh.vertex_count > max_vertices) {
+        throw Failure(FLG_ERROR_LIMIT, "desc.mesh.vertex_count is %u, more than the limit of 2^31", mesh.vertex_count);
+    }
+    if (mesh.triangle_count > max_triangles) {
+        throw Failure(FLG_ERROR_LIMIT, "desc.mesh.triangle_count is %u, more than the limit of 2^30",
+                      mesh.triangle_count);
+    }
+}
+
 // The host's arrays, checked as far as one pass can and packed; refuse(column, bad) throws. The job checks indices and
 // positions.
 template <class Refuse>
 std::shared_ptr<MeshInput> copy_mesh(Context& context, const FlgMeshView& mesh, const Refuse& refuse) {
+    check_counts(mesh);
     if (mesh.triangle_count > 0) require(mesh.triangles, "desc.mesh.triangles");
     check_columns(mesh.columns, mesh.column_count, "desc.mesh");
     Memory* memory = context.memory[MemoryKind::surfaces];

@@ -94,12 +94,18 @@ bool animations_are_sampled() {
 
 // A list that ends within a point is refused whole.
 bool halves_of_points_are_refused(filigree::Context& context) {
+    int refused = 0;
     try {
         context.curve_set_from_points({0, 0, 0, 1, 1});
     } catch (const filigree::Error& error) {
-        return error.result() == FLG_ERROR_INVALID_ARGUMENT || error.result() == FLG_ERROR_LIMIT;
+        refused += error.result() == FLG_ERROR_LIMIT;
     }
-    return false;
+    try {
+        context.surface_from_triangles({0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 2});
+    } catch (const filigree::Error& error) {
+        refused += error.result() == FLG_ERROR_LIMIT;
+    }
+    return refused == 2;
 }
 
 // Assigning lets go of what was held, and a context can be destroyed before its end.

@@ -3,6 +3,7 @@
 // argument.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <set>
 
@@ -697,7 +698,7 @@ TEST(DebugDrawing, ArraysAreApartAndAligned) {
         expect_failure(flgDebugDrawCurveSet(host.context, set, &desc, &drawing), FLG_ERROR_INVALID_ARGUMENT, words);
         EXPECT_EQ(std::memcmp(memory.data(), before.data(), memory.size() * sizeof(FlgDebugVertex)), 0);
     };
-    refused(memory.data(), memory.data(), "drawing.lines overlaps drawing.points");
+    refused(memory.data(), memory.data(), "drawing.points overlaps drawing.lines");
     refused(memory.data() + 1, memory.data(), "overlap");
     const auto aside = [&](size_t bytes) {
         return reinterpret_cast<FlgDebugVertex*>(reinterpret_cast<char*>(memory.data()) + bytes);

@@ -51,7 +51,7 @@ TEST(Contexts, SideBySideTheyGiveWhatEachGivesAlone) {
     std::vector<Scenario> all = quick_scenarios();
     std::erase_if(all, [](const Scenario& of) { return of.run == pose_skins; });
     std::vector<std::string> alone;
-    for (const Scenario& scenario : all) alone.push_back(run(scenario, 0, 0));
+    for (const Scenario& scenario : all) alone.push_back(run(scenario, 0, FLG_UNLIMITED));
     constexpr uint32_t thread_count = 4;
     std::vector<std::thread> threads;
     for (uint32_t t = 0; t < thread_count; ++t) {
