@@ -59,7 +59,8 @@ namespace Filigree.Tests
                 FlgCurveSetStylizeDesc desc = Native.flgCurveSetStylizeDefaults();
                 style.Stylize(target, desc, ended => { throw new Exception("the game's own"); });
                 style.Stylize(target, desc, ended => ++calls);
-                var thrown = Expect.Throws<InvalidOperationException>(() => context.Tick(FiligreeContext.Unlimited), "a callback that throws");
+                var thrown = Expect.Throws<InvalidOperationException>(
+                    () => context.Tick(FiligreeContext.Unlimited), "a callback that throws");
                 Expect.Equal("the game's own", thrown.InnerException.Message, "what it threw");
                 Expect.Equal(1, calls, "the other is called all the same");
                 context.Tick(FiligreeContext.Unlimited);

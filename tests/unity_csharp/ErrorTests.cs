@@ -101,7 +101,8 @@ namespace Filigree.Tests
             context.Dispose();
             running.Dispose(); // went with its context
             style.Dispose();
-            Expect.Throws<ObjectDisposedException>(() => context.Tick(FiligreeContext.Unlimited), "a context that is gone");
+            Expect.Throws<ObjectDisposedException>(
+                () => context.Tick(FiligreeContext.Unlimited), "a context that is gone");
             Expect.Throws<ObjectDisposedException>(() => CurveSet.Create(context, Scenes.Line), "curves in it");
         }
     }

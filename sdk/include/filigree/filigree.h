@@ -176,10 +176,10 @@ typedef struct FlgProfiler {
 
 FLG_API FlgResult flgProfilerInit(FlgProfiler* profiler, uint32_t struct_size);
 
-/* In place of an index: none. */
-#define FLG_NO_INDEX 0xffffffffu
-/* In place of a time or a count: as long as it takes, as many as there are. */
-#define FLG_UNLIMITED 0xffffffffu
+/* ---- Constants ----------------------------------------------------------------------------------------------- */
+
+#define FLG_NO_INDEX 0xffffffffu  /* in place of an index: none */
+#define FLG_UNLIMITED 0xffffffffu /* in place of a time or a count: as long as it takes, as many as there are */
 
 /* ---- Context ------------------------------------------------------------------------------------------------- */
 

@@ -15,9 +15,9 @@ namespace Filigree
         public const int FLG_VERSION_PATCH = 0;
         /// <summary>The version of this header, as one number.</summary>
         public const int FLG_VERSION = 4096;
-        /// <summary>In place of an index: none.</summary>
+        /// <summary>in place of an index: none</summary>
         public const uint FLG_NO_INDEX = 4294967295;
-        /// <summary>In place of a time or a count: as long as it takes, as many as there are.</summary>
+        /// <summary>in place of a time or a count: as long as it takes, as many as there are</summary>
         public const uint FLG_UNLIMITED = 4294967295;
         /// <summary>the last point joins the first, which is not repeated</summary>
         public const int FLG_CURVE_CLOSED = 1;
