@@ -45,7 +45,12 @@ private:
         if (count < 2) return;  // without length: nothing to draw
         make_normals(count, joined);
         const auto first = static_cast<uint32_t>(data_.centers.size());
+        colors_.clear();
         for (uint32_t i = 0; i < count; ++i) add_point(i, count, joined);
+        data_.looks.resize(data_.centers.size());
+        write_normals(normals_, &data_.looks[first].normal, sizeof(PackedLook));
+        write_colors(colors_, &data_.looks[first].color, sizeof(PackedLook));
+        if (data_.has_displacements) add_displacements(count);
         add_chunks(first, count, joined);
     }
 
@@ -79,16 +84,20 @@ private:
         // Closed curves go there and back: no seam.
         const float to_end = joined ? 1.0f - std::abs(2.0f * along - 1.0f) : along;
         data_.centers.emplace_back(positions_[i], columns_.radius(source, look_));
-        data_.looks.push_back({pack_normal(normals_[i]), pack_color(columns_.color(source, look_, to_end))});
-        if (data_.has_displacements) add_displacement(i);
+        colors_.emplace_back(columns_.color(source, look_, to_end), 1.0f);
     }
 
-    void add_displacement(uint32_t i) {
-        const uint32_t source = kept_[i];
-        glm::vec3 normal = normals_[i];
-        if (columns_.has_normals() && look_.shape == Shape::ribbon && columns_.normal(source) != glm::vec3(0))
-            normal = columns_.normal(source);
-        data_.displacements.push_back({columns_.displacement(source), pack_normal(normal)});
+    // With the normals as given, where there are some.
+    void add_displacements(uint32_t count) {
+        const size_t first = data_.displacements.size();
+        const bool given = columns_.has_normals() && look_.shape == Shape::ribbon;
+        given_normals_ = normals_;
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t source = kept_[i];
+            data_.displacements.push_back({columns_.displacement(source), 0});
+            if (given && columns_.normal(source) != glm::vec3(0)) given_normals_[i] = columns_.normal(source);
+        }
+        write_normals(given_normals_, &data_.displacements[first].normal, sizeof(PackedDisplacement));
     }
 
     void add_chunks(uint32_t first, uint32_t count, bool joined) {
@@ -127,8 +136,10 @@ private:
     const CurveLook& look_;
     CurveColumns columns_;
     CurveData data_;
-    std::vector<glm::vec3> positions_, normals_;  // of the curve at hand
-    std::vector<uint32_t> kept_;                  // which of the view's points they are
+    // Of the curve at hand.
+    std::vector<glm::vec3> positions_, normals_, given_normals_;
+    std::vector<glm::vec4> colors_;
+    std::vector<uint32_t> kept_;  // which of the view's points they are
 };
 
 }  // namespace

@@ -386,12 +386,13 @@ typedef enum FlgAttribute {
     FLG_ATTRIBUTE_WIDTH = 11,        /* 1, metres, >= 0: of a ribbon */
     FLG_ATTRIBUTE_SPEED = 12,        /* 1, metres a second, > 0: of a motion along the curve */
     FLG_ATTRIBUTE_DISPLACEMENT = 13, /* 3, metres: what the style adds at magnitude 1 */
-    /* In no curve set: what skins and fields hand to the host's buffers (filigree_buffers.h). */
+    /* In no curve set: what skins, fields and brush meshes hand to the host's buffers (filigree_buffers.h). */
     FLG_ATTRIBUTE_JOINTS = 32,       /* 4 whole numbers: joints that move a vertex */
     FLG_ATTRIBUTE_WEIGHTS = 33,      /* 4, 0 to 1: of these joints, the largest first */
     FLG_ATTRIBUTE_PART = 34,         /* 1 whole number: the part that a vertex lies on */
     FLG_ATTRIBUTE_VALUE = 35,        /* 1: a field's */
     FLG_ATTRIBUTE_LABEL = 36,        /* 1 whole number: a field's nearest source */
+    FLG_ATTRIBUTE_UV = 37,           /* 2: texture coordinates of a brush mesh (filigree_brush.h) */
     FLG_ATTRIBUTE_USER = 64,         /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
     FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgAttribute;
@@ -417,8 +418,32 @@ typedef enum FlgNumberFormat {
     FLG_NUMBER_FORMAT_UINT32 = 6,  /* whole numbers, indices */
     FLG_NUMBER_FORMAT_UNORM16 = 7, /* 0 to 1 as 0 to 65535 */
     FLG_NUMBER_FORMAT_UINT8 = 8,   /* whole numbers */
+    /* A direction of 3 floats as two SNORM16, 4 bytes. With n = |x| + |y| + |z| these are (x, y) / n where z >= 0, else
+     * ((1 - |y|) sign x, (1 - |x|) sign y), x and y divided by n before. Off by at most 7e-5 radians; of any length, 0
+     * becomes (0, 0, 1). */
+    FLG_NUMBER_FORMAT_OCTAHEDRAL16 = 9,
+    FLG_NUMBER_FORMAT_SRGB8 = 10,  /* linear colour as the nearest byte of its sRGB value; alpha as UNORM8 */
     FLG_NUMBER_FORMAT_FORCE_32BIT = 0x7fffffff
 } FlgNumberFormat;
+
+/* Where a column goes in the host's buffers, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones;
+ * SNORM8 and SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; OCTAHEDRAL16 for NORMAL and TANGENT; UNORM8
+ * and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the host's own; SRGB8 for COLOR; UINT8, UINT16 and UINT32 for the
+ * whole ones: JOINTS, PART, LABEL. */
+typedef struct FlgBufferColumn {
+    FlgAttribute attribute; /* each at most once */
+    FlgNumberFormat format;
+    void* data;             /* of the first row written; aligned to the numbers' size, 2 of OCTAHEDRAL16 */
+    uint32_t stride;        /* bytes between rows, a multiple of the numbers' size; 0 = tightly packed */
+    /* Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has. Of
+     * OCTAHEDRAL16 0 or 3, which become two; of SRGB8 at most 4. */
+    uint32_t components;
+    /* Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1. Each
+     * finite and at most 1e30 in size; 0 for whole numbers, which can't be filled. */
+    float fill[4];
+    uint32_t optional;      /* nonzero: without such a column all components are `fill`. 0: it is refused */
+    uint32_t reserved;
+} FlgBufferColumn;
 
 enum {
     FLG_CURVE_CLOSED = 1 /* the last point joins the first, which is not repeated */
@@ -495,6 +520,31 @@ FLG_API FlgResult flgCurveSetResampleDescInit(FlgCurveSetResampleDesc* desc, uin
  * turns of more than 50 degrees as corners. Other columns are interpolated linearly; orientations are normalized.
  * Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 100 ns a point. */
 FLG_API FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set,
+                                      FlgJob* out_job);
+
+typedef struct FlgCurveSetSimplifyDesc {
+    uint32_t struct_size;
+    uint32_t level_count;    /* 1 to 16. Default 1 */
+    const FlgJobOptions* job;
+    FlgCurveSet curves;
+    /* One a level, metres, >= 0: how far a point that is left out may be from the line that is left, at the same arc
+     * length, plus how far its RADIUS may differ. 0 keeps what is not on a straight line. A pixel at distance d covers
+     * 2 d tan(fov / 2) / height metres. No default. */
+    const float* tolerances;
+    float color_tolerance;   /* how far COLOR may differ, a component; >= 0. Default 0.01 */
+    /* Nonzero: the rims of ribbons stay within the tolerance, in place of the radius: needs RADIUS, TANGENT and NORMAL.
+     * Default 0. */
+    uint32_t ribbons;
+    uint32_t reserved;
+} FlgCurveSetSimplifyDesc;
+
+FLG_API FlgResult flgCurveSetSimplifyDescInit(FlgCurveSetSimplifyDesc* desc, uint32_t struct_size);
+
+/* Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of one
+ * result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all levels, and a
+ * level is a range of it. Ends stay, at least every 1024th point, and three points of closed curves. Cost: about
+ * 50 ns a point and level; up to 5 us where few points can be left out of wild curves. */
+FLG_API FlgResult flgCurveSetSimplify(FlgContext context, const FlgCurveSetSimplifyDesc* desc, FlgCurveSet* out_set,
                                       FlgJob* out_job);
 
 /* ---- Styles -------------------------------------------------------------------------------------------------- */
@@ -778,6 +828,12 @@ static inline FlgCurveSetResampleDesc flgCurveSetResampleDefaults(void) {
 static inline FlgStyleDesc flgStyleDefaults(void) {
     FlgStyleDesc desc;
     flgStyleDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCurveSetSimplifyDesc flgCurveSetSimplifyDefaults(void) {
+    FlgCurveSetSimplifyDesc desc;
+    flgCurveSetSimplifyDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
 }
 

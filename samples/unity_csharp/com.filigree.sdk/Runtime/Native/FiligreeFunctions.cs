@@ -229,6 +229,19 @@ namespace Filigree
             FlgContext context, FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetSimplifyDescInit(FlgCurveSetSimplifyDesc* desc, uint struct_size);
+
+        /// <summary>
+        /// Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of
+        /// one result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all
+        /// levels, and a level is a range of it. Ends stay, at least every 1024th point, and three points of closed
+        /// curves. Cost: about 50 ns a point and level; up to 5 us where few points can be left out of wild curves.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetSimplify(
+            FlgContext context, FlgCurveSetSimplifyDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint struct_size);
 
         /// <summary>
@@ -401,6 +414,13 @@ namespace Filigree
         {
             FlgStyleDesc made;
             flgStyleDescInit(&made, (uint)sizeof(FlgStyleDesc));
+            return made;
+        }
+
+        public static FlgCurveSetSimplifyDesc flgCurveSetSimplifyDefaults()
+        {
+            FlgCurveSetSimplifyDesc made;
+            flgCurveSetSimplifyDescInit(&made, (uint)sizeof(FlgCurveSetSimplifyDesc));
             return made;
         }
 

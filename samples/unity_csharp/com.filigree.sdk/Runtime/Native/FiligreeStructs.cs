@@ -285,6 +285,36 @@ namespace Filigree
     }
 
     /// <summary>
+    /// Where a column goes in the host's buffers, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole
+    /// ones; SNORM8 and SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; OCTAHEDRAL16 for NORMAL and
+    /// TANGENT; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the host's own; SRGB8 for COLOR; UINT8,
+    /// UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
+    /// </summary>
+    public unsafe partial struct FlgBufferColumn
+    {
+        /// <summary>each at most once</summary>
+        public FlgAttribute attribute;
+        public FlgNumberFormat format;
+        /// <summary>of the first row written; aligned to the numbers' size, 2 of OCTAHEDRAL16</summary>
+        public void* data;
+        /// <summary>bytes between rows, a multiple of the numbers' size; 0 = tightly packed</summary>
+        public uint stride;
+        /// <summary>
+        /// Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has. Of
+        /// OCTAHEDRAL16 0 or 3, which become two; of SRGB8 at most 4.
+        /// </summary>
+        public uint components;
+        /// <summary>
+        /// Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1.
+        /// Each finite and at most 1e30 in size; 0 for whole numbers, which can't be filled.
+        /// </summary>
+        public fixed float fill[4];
+        /// <summary>nonzero: without such a column all components are `fill`. 0: it is refused</summary>
+        public uint optional;
+        public uint reserved;
+    }
+
+    /// <summary>
     /// Curves in flat arrays: curve c has the points curve_offsets[c] to curve_offsets[c + 1] - 1 of every column. For
     /// input the host owns the arrays, which must live for the call; for results the set owns them until it is
     /// released.
@@ -319,6 +349,29 @@ namespace Filigree
         public float spacing;
         /// <summary>Frame written to the result's TANGENT and NORMAL columns.</summary>
         public FlgFrameMethod frame;
+    }
+
+    public unsafe partial struct FlgCurveSetSimplifyDesc
+    {
+        public uint struct_size;
+        /// <summary>1 to 16. Default 1</summary>
+        public uint level_count;
+        public FlgJobOptions* job;
+        public FlgCurveSet curves;
+        /// <summary>
+        /// One a level, metres, &gt;= 0: how far a point that is left out may be from the line that is left, at the
+        /// same arc length, plus how far its RADIUS may differ. 0 keeps what is not on a straight line. A pixel at
+        /// distance d covers 2 d tan(fov / 2) / height metres. No default.
+        /// </summary>
+        public float* tolerances;
+        /// <summary>how far COLOR may differ, a component; &gt;= 0. Default 0.01</summary>
+        public float color_tolerance;
+        /// <summary>
+        /// Nonzero: the rims of ribbons stay within the tolerance, in place of the radius: needs RADIUS, TANGENT and
+        /// NORMAL. Default 0.
+        /// </summary>
+        public uint ribbons;
+        public uint reserved;
     }
 
     /// <summary>
