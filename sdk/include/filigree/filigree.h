@@ -543,7 +543,7 @@ FLG_API FlgResult flgCurveSetSimplifyDescInit(FlgCurveSetSimplifyDesc* desc, uin
 /* Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of one
  * result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all levels, and a
  * level is a range of it. Ends stay, at least every 1024th point, and three points of closed curves. Cost: about
- * 50 ns a point and level; up to 5 us where few points can be left out of wild curves. */
+ * 50 ns a point and level; up to 10 us where few points can be left out of wild curves. */
 FLG_API FlgResult flgCurveSetSimplify(FlgContext context, const FlgCurveSetSimplifyDesc* desc, FlgCurveSet* out_set,
                                       FlgJob* out_job);
 

@@ -199,7 +199,8 @@ FLG_API FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint32_
  * reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4 floats. Lines of one
  * point are written with that point twice; ribbons and tubes omit zero-length curves.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension,
- * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
+ * FLG_ERROR_FILE, FLG_ERROR_LIMIT (.glb: 2 GiB). Text leaves while it is made, in parts of 64 KiB, and may be of any
+ * size; above 2 GiB it can't be read again. Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
 FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc);
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
@@ -304,7 +305,7 @@ FLG_API FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t 
 /* Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null. .ply
  * and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else area-weighted ones.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
- * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: 0.2 to 0.5 us a triangle. */
+ * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us a triangle. */
 FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc);
 
 /* ---- Skinned models ------------------------------------------------------------------------------------------ */

@@ -230,9 +230,8 @@ CurveData read_xyz(std::string_view text, const Origin& origin) {
     return XyzReader(origin).read(text);
 }
 
-String write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
-    constexpr size_t usual_number = 12;
-    String text;
+void write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc, FileWriter& file) {
+    String& text = file.text;
     // What is written behind the coordinates: the radius first, where plain readers look for it.
     Vector<FlgColumn> columns;
     for (const FlgColumn& column : view.columns()) {
@@ -240,16 +239,13 @@ String write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
         if (column.attribute == FLG_ATTRIBUTE_RADIUS || column.attribute == FLG_ATTRIBUTE_POSITION) continue;
         if (desc.all_columns) columns.push_back(column);
     }
-    size_t numbers = std::size(coordinates);
     if (desc.all_columns) text += "# columns x y z";
     for (const FlgColumn& column : columns) {
-        numbers += column.components;
         for (uint32_t k = 0; desc.all_columns && k < column.components; ++k) {
             text += ' ' + column_name(column.attribute, column.components, k);
         }
     }
     if (desc.all_columns) text += '\n';
-    text.reserve(view.point_count() * numbers * usual_number);
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
         if (c != 0) text += '\n';
         if (view.closed(c)) text += "# closed\n";
@@ -260,9 +256,9 @@ String write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
             }
             for (const FlgColumn& column : columns) append_numbers(text, resolved(column).at(i), column.components);
             text += '\n';
+            file.drain();
         }
     }
-    return text;
 }
 
 }  // namespace flg::io
