@@ -606,6 +606,30 @@ private:
     FlgStyleInfo c_;
 };
 
+/// In which size a style was drawn on each curve of a result.
+struct CurveSetScales {
+    /// of the result; 0 for sets that no style was applied to
+    uint32_t curve_count{};
+    /// curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none. They live until the
+    /// set is released
+    Span<const float> scales;
+
+    /// Empty.
+    CurveSetScales() { flgCurveSetScalesInit(&c_, detail::size_of<FlgCurveSetScales>); }
+    /// Of the C struct.
+    CurveSetScales(const FlgCurveSetScales& c) : c_(c) {
+        curve_count = c.curve_count;
+        scales = detail::span(c.scales, curve_count);
+    }
+    /// The C struct, for C functions.
+    const FlgCurveSetScales& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgCurveSetScales() const noexcept { return c_; }
+
+private:
+    FlgCurveSetScales c_;
+};
+
 /// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and may
 /// repeat their first point at the end. The host owns the arrays, which must live for the call.
 struct ContourView {
@@ -2699,6 +2723,18 @@ public:
         const FlgResult result = flgCurveSetResample(context_, &desc, &out_set, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(context_, job_made);
         return detail::made(result, CurveSet(context_, out_set));
+    }
+
+    /// The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0. Times
+    /// FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.16 of that is a good radius for curves
+    /// that have none. FLG_NOT_READY until the result is published, its job's error if that failed. Cost: tens of
+    /// nanoseconds.
+    /// Calls flgCurveSetGetScales.
+    Result<CurveSetScales> scales() const {
+        FlgCurveSetScales out_scales;
+        flgCurveSetScalesInit(&out_scales, detail::size_of<FlgCurveSetScales>);
+        const FlgResult result = flgCurveSetGetScales(context_, handle_, &out_scales);
+        return detail::made(result, CurveSetScales(out_scales));
     }
 
     /// Starts a job that writes the columns of curves. Cost: that of flgColumnsWrite.
