@@ -147,6 +147,17 @@ FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetVie
     return get_view(out_view, [&] { return get_context(context).curve_sets.get(set.id, "set"); });
 }
 
+FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint32_t struct_size) {
+    return init(scales, struct_size, sized<FlgCurveSetScales>(), "scales");
+}
+
+FlgResult flgCurveSetGetScales(FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales) {
+    return show(
+        out_scales, "out_scales", sized<FlgCurveSetScales>(),
+        [&] { return get_context(context).curve_sets.get(set.id, "set"); },
+        [](const CurveSet& self) { return self.scales(); });
+}
+
 FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set) {
     return release(context, &Context::curve_sets, set, "set");
 }

@@ -40,7 +40,7 @@ void check(const FlgLiveStrokeDesc& desc) {
     check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");
-    check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
+    check_range(desc.scale >= 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and at least 0");
     check_range(desc.min_radius >= 0 && std::isfinite(desc.min_radius), "desc.min_radius", desc.min_radius,
                 "finite and at least 0");
     check_range(desc.max_radius >= 0 && std::isfinite(desc.max_radius), "desc.max_radius", desc.max_radius,
@@ -225,6 +225,7 @@ FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLive
         info.ended = self.phase() != LiveStroke::Phase::drawing;
         info.spacing = static_cast<float>(self.spacing());
         info.cut = self.cut();
+        info.scale = static_cast<float>(self.scale());
         write_struct(out_info, info, "out_info");
         return FLG_OK;
     });

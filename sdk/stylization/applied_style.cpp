@@ -24,7 +24,7 @@ Eigen::Matrix3d scaled_basis(double scale, const std::array<double, 9>& basis) {
     return scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
 }
 
-Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis) {
+void check_attribute_sizes(const PreparedStyle& style, double scale) {
     for (const StyleAttribute& attribute : style.attributes) {
         for (uint32_t k = 0; k < attribute.length_count(); ++k) {
             if (scale * attribute.ranges[k].high <= coordinate_max) continue;
@@ -33,6 +33,10 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
                           static_cast<int>(attribute.attribute), scale * attribute.ranges[k].high);
         }
     }
+}
+
+Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis) {
+    check_attribute_sizes(style, scale);
     const Eigen::Matrix3d matrix = scaled_basis(scale, basis);
     AppliedStyle applied;
     applied.displacement = Buffer<Vec3>(style.point_count(), pace.memory());

@@ -33,6 +33,9 @@ inline Vec3 in_frame(const Vec3& d, const Vec3& tangent, const Vec3& normal) {
     return d.x() * tangent + d.y() * normal + d.z() * tangent.cross(normal);
 }
 
+// Throws what the host is told if the style's attributes would get larger than columns may be.
+void check_attribute_sizes(const PreparedStyle& style, double scale);
+
 // Row-major: basis times (along tangent, first normal, second normal). The style outlives the result. About 10 ns a
 // point. Throws what the host is told if the style would get larger than coordinates may be.
 Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis);

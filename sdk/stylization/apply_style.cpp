@@ -5,6 +5,8 @@
 #include <array>
 
 #include "curves/sampling_job.h"
+#include "runtime/each.h"
+#include "stylization/automatic_scale.h"
 #include "stylization/synthesis.h"
 
 namespace flg {
@@ -13,12 +15,17 @@ namespace {
 
 constexpr uint32_t synthesis_chunk = 120;  // units, about 10 us
 
+// Of all curves; where each has its own, what that is a factor on.
+double common_scale(const FlgCurveSetStylizeDesc& desc) {
+    return desc.scale > 0 ? double{desc.scale} : 1.0;
+}
+
 // What all branches read, and the columns that they write to beside frames and carried ones; null: not wanted.
 struct Application {
     Application(const StylizeRequest& request, Memory* memory)
         : sampling{.in = *request.target,
                    .out = *request.out,
-                   .spacing = request.style->prepared.spacing() * double{request.desc.scale},
+                   .spacing = request.style->prepared.spacing() * common_scale(request.desc),
                    .frame = request.desc.frame,
                    .copies = request.desc.strokes,
                    .max_points = request.desc.max_points,
@@ -29,12 +36,16 @@ struct Application {
 
     Sampling sampling;
     AppliedStyle style;
+    ChosenScales chosen;  // empty if the host has given one
     SynthesisInput input;
     bool from_start = false;  // the first stroke along each curve
     Column* style_index = nullptr;
     Column* displacement = nullptr;
     Column* time = nullptr;
+    Column* thinned_radius = nullptr;      // the target's, where that is made thinner
     std::pmr::vector<Column*> attributes;  // in the order of the style's
+
+    double scale_of(uint32_t curve) const { return sampling.scales.empty() ? 1.0 : double{sampling.scales[curve]}; }
 };
 
 // The columns that the result gets from the style.
@@ -56,6 +67,29 @@ void find_columns(const StylizeRequest& request, Application& application) {
         application.attributes.push_back(out.find(attribute.attribute));
         if (attribute.attribute == FLG_ATTRIBUTE_SPEED) application.time = out.find(FLG_ATTRIBUTE_TIME);
     }
+    const bool own_radius = application.style.find(FLG_ATTRIBUTE_RADIUS) < application.style.attributes.size();
+    if (request.desc.scale == 0 && request.desc.magnitude != 0 && !own_radius) {
+        application.thinned_radius = out.find(FLG_ATTRIBUTE_RADIUS);
+    }
+}
+
+// For the host to read.
+Task<void> keep_scales(Pace& pace, const StylizeRequest& request, const Application& application) {
+    const uint32_t copies = application.sampling.copies;
+    Buffer<float>& scales = request.out->allocate_scales();
+    const float common = request.desc.scale;
+    co_await each(pace, scales.size(), Cost::some_ns, [&](uint32_t c) {
+        scales[c] = common > 0 ? common : application.chosen.scale[c / copies];
+    });
+}
+
+Task<void> thin_radius(Pace& pace, const Application& application, uint32_t curve, uint32_t out_curve) {
+    if (application.thinned_radius == nullptr) co_return;
+    const Buffer<uint32_t>& offsets = application.sampling.out.offsets();
+    float* const radius = application.thinned_radius->values.data() + offsets[out_curve];
+    const float thinning = application.chosen.thinning[curve];
+    co_await each(pace, offsets[out_curve + 1] - offsets[out_curve], Cost::some_ns,
+                  [=](uint32_t i) { radius[i] *= thinning; });
 }
 
 StylizedColumns stylized_columns(const Application& application, uint32_t out_curve,
@@ -91,6 +125,7 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
         const uint32_t out_curve = c * sampling.copies + stroke;
         column_pairs(sampling, out_curve, pairs);
         kernel.begin({.plan = sampling.plans[c],
+                      .scale = application.scale_of(c),
                       .key = stroke_key(c, stroke),
                       .from_start = application.from_start && stroke == 0,
                       .start_time = start_time(sampling.in, c),
@@ -103,6 +138,7 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
             co_await pace;
         }
         pace.advance(kernel.written() - written);
+        co_await thin_radius(pace, application, c, out_curve);
         sampling.out.complete_curve(out_curve);
         co_await pace;
     }
@@ -114,13 +150,21 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
     const PreparedStyle& prepared = request.style->prepared;
     const FlgCurveSetStylizeDesc& desc = request.desc;
     Application application(request, pace.memory());
+    if (desc.scale == 0) {
+        application.chosen = co_await choose_scales(pace, prepared, *request.target);
+        const Buffer<float>& scales = application.chosen.scale;
+        application.sampling.scales = {scales.data(), scales.size()};
+        co_await each(pace, scales.size(), Cost::tens_of_ns,
+                      [&](uint32_t c) { check_attribute_sizes(prepared, double{scales[c]}); });
+    }
     co_await plan_sampling(pace, application.sampling, style_columns(request, pace.memory()));
 
     pace.stage("synthesis");
     std::array<double, 9> basis;
     std::copy_n(desc.basis, basis.size(), basis.begin());
-    application.style = co_await fit_style(pace, prepared, desc.scale, basis);
+    application.style = co_await fit_style(pace, prepared, common_scale(desc), basis);
     find_columns(request, application);
+    co_await keep_scales(pace, request, application);
     const auto temperature = static_cast<float>(double{desc.temperature} * prepared.graph.temperature_unit);
     const std::shared_ptr<PathTrees> trees = request.style->trees(temperature);
     const bool lone = request.target->curve_count() == 1;

@@ -212,8 +212,7 @@ Task<void> split_stroke(Pace& pace, LiveSplit& split) {
 Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
     const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, request.desc.temperature);
     const PreparedStyle& style = request.style->prepared;
-    Replay replay{request, live_settings(request.desc), live_columns(style)};
-    replay.settings.style = &style;
+    Replay replay{request, live_settings(request.desc, style), live_columns(style)};
     replay.settings.trees = trees.get();
 
     pace.stage("check");

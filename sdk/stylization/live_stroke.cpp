@@ -7,6 +7,7 @@
 
 #include "core/failure.h"
 #include "core/number_text.h"
+#include "stylization/automatic_scale.h"
 
 namespace flg {
 
@@ -90,10 +91,12 @@ const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t firs
     return view;
 }
 
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc) {
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style) {
     LiveSettings settings;
+    settings.style = &style;
     settings.magnitude = desc.magnitude;
-    settings.scale = desc.scale;
+    const double pen_radius = 0.5 * (double{desc.min_radius} + desc.max_radius);
+    settings.scale = desc.scale > 0 ? desc.scale : live_scale(style, pen_radius);
     settings.min_radius = desc.min_radius;
     settings.max_radius = desc.max_radius;
     settings.smoothing = desc.smoothing;
@@ -109,7 +112,7 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
     : origin(request.origin),
       style_(request.style),
       trees_(request.trees),
-      settings_(live_settings(request.desc)),
+      settings_(live_settings(request.desc, request.style->prepared)),
       max_jump_(request.desc.max_jump),
       max_samples_(request.desc.max_samples),
       positions_(size_t{3} * request.desc.max_samples, memory),
@@ -120,7 +123,6 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       checkpoints_(request.desc.max_samples / checkpoint_interval + 1, memory),
       samples_{positions_.data(), orientations_.data(), pressures_.data(), times_.data()},
       columns_(live_columns(request.style->prepared)) {
-    settings_.style = &style_->prepared;
     settings_.trees = trees_.get();
     size_t components = 0;
     for (uint32_t k = 0; k < columns_.count; ++k) {

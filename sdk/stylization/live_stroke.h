@@ -32,8 +32,8 @@ struct LiveStrokeRequest {
     FlgLiveStrokeDesc desc;  // checked; its style is resolved above
 };
 
-// Without style and trees.
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc);
+// Without trees.
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style);
 
 // One sample of the controller; see FlgLiveSampleView.
 struct LiveSample {
@@ -90,6 +90,7 @@ public:
     // The next point has found no room.
     bool cut() const { return seen().cut; }
     double spacing() const { return settings_.spacing(); }
+    double scale() const { return settings_.scale; }
     const LiveColumns& columns() const { return columns_; }
     const LiveSamples& samples() const { return samples_; }
 

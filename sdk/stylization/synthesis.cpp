@@ -233,7 +233,7 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
 // A target without length has no frame to be displaced in.
 Vec3 SynthesisKernel::displaced_in(const FramedSample& sample, const Vec3& d) const {
     if (stroke_.plan.steps == 0) return Vec3::Zero();
-    return in_frame(d, sample.tangent, sample.normal);
+    return in_frame(stroke_.scale * d, sample.tangent, sample.normal);
 }
 
 void SynthesisKernel::write(const FramedSample& sample) {
@@ -259,9 +259,10 @@ void SynthesisKernel::write(const FramedSample& sample) {
 
 void SynthesisKernel::write_attributes(const FramedSample& sample) {
     const AppliedStyle& style = *input_.style;
+    const double scale = stroke_.scale * style.scale;
     for (size_t a = 0; a < style.attributes.size(); ++a) {
         const size_t at = size_t{written_} * style.attributes[a].components;
-        blend_.write(a, walk_.node(), style.scale, stroke_.out.attributes[a] + at);
+        blend_.write(a, walk_.node(), scale, stroke_.out.attributes[a] + at);
     }
     if (angle_ == style.attributes.size()) return;
     const Vec3 normal = turned_about(sample.tangent, sample.normal, blend_.value(angle_, 0, walk_.node()));
@@ -283,6 +284,7 @@ bool SynthesisKernel::finish(uint32_t& units) {
         }
         const FinishingInput finishing{.out = stroke_.out,
                                        .style = input_.style,
+                                       .scale = stroke_.scale,
                                        .target = stroke_.plan.curve,
                                        .count = count_,
                                        .steps = stroke_.plan.steps,

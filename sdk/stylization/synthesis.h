@@ -86,6 +86,7 @@ struct SynthesisInput {
 // One stroke along one target curve.
 struct StrokeInput {
     SamplingPlan plan;  // steps from even_step_count() with the guide's spacing times the scale
+    double scale = 1;   // of the style as it is applied; in the plan's spacing already
     uint64_t key = 0;   // of its random choices
     bool from_start = false;
     double start_time = 0;                // seconds; for styles with SPEED

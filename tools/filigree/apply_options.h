@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,8 @@ public:
     void describe(Report& report) const;
 
     float temperature() const { return temperature_; }
-    // None: the target's curves decide (relative_size.h).
-    std::optional<float> scale() const { return scale_; }
+    // 0: the SDK decides, as FlgCurveSetStylizeDesc::scale says.
+    float scale() const { return scale_; }
 
     // Into FlgCurveSetStylizeDesc or FlgLiveStrokeDesc; not the scale.
     template <class Desc>
@@ -37,7 +36,7 @@ public:
 private:
     // The SDK's defaults are the commands'.
     float magnitude_ = flgCurveSetStylizeDefaults().magnitude, temperature_ = flgCurveSetStylizeDefaults().temperature;
-    std::optional<float> scale_;
+    float scale_ = 0.0f;
     FlgFrameMethod frame_ = flgCurveSetStylizeDefaults().frame;
     FlgStyleStart start_ = flgCurveSetStylizeDefaults().start;
     std::vector<float> basis_;  // empty: the identity

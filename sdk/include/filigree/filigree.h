@@ -687,7 +687,16 @@ typedef struct FlgCurveSetStylizeDesc {
      * does not depend on the style's size. Displacements and attributes blend over p points between runs (see
      * flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0. */
     float temperature;
-    /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1. */
+    /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. 0 = chosen for each target curve by
+     * itself, and kept for the host to read (flgCurveSetGetScales): s = size of the target curve / size of the guide,
+     * the proportion that the example has. Size is D (D / L)^(1/3), with L the curve's length and D sqrt(12) times the
+     * root mean square distance of its points from their centre: the length if it is straight, less where it winds. If
+     * the target has a RADIUS, of mean r along the curve, the style swings as wide as the stroke was painted: 1.3 r /
+     * FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.6 s. That RADIUS is then made thinner where the
+     * style's turns would touch: multiplied by one factor for each curve, so that its mean is 0.16 * scale *
+     * displacement_rms at most; but not if the style has a RADIUS, nor at magnitude 0. The choice depends neither on
+     * place, direction or unit of style and target nor on the other curves. A curve without length has scale 1.
+     * Default 1. */
     float scale;
     FlgFrameMethod frame;
     /* Key for all random choices. Default 1. */
@@ -743,6 +752,21 @@ FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint3
  * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
 FLG_API FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set,
                                      FlgJob* out_job);
+
+/* In which size a style was drawn on each curve of a result. */
+typedef struct FlgCurveSetScales {
+    uint32_t struct_size;
+    uint32_t curve_count; /* of the result; 0 for sets that no style was applied to */
+    const float* scales;  /* curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none.
+                             They live until the set is released */
+} FlgCurveSetScales;
+
+FLG_API FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint32_t struct_size);
+
+/* The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0. Times
+ * FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.16 of that is a good radius for curves that
+ * have none. FLG_NOT_READY until the result is published, its job's error if that failed. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgCurveSetGetScales(FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales);
 
 /* ---- Defaults by value --------------------------------------------------------------------------------------- */
 /* The struct is filled in the host's code, at the host's size: safe with any library version. */
@@ -835,6 +859,12 @@ static inline FlgCurveSetSimplifyDesc flgCurveSetSimplifyDefaults(void) {
     FlgCurveSetSimplifyDesc desc;
     flgCurveSetSimplifyDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
+}
+
+static inline FlgCurveSetScales flgCurveSetScalesDefaults(void) {
+    FlgCurveSetScales scales;
+    flgCurveSetScalesInit(&scales, (uint32_t)sizeof scales);
+    return scales;
 }
 
 static inline FlgCurveSetStylizeDesc flgCurveSetStylizeDefaults(void) {

@@ -601,6 +601,30 @@ private:
     FlgStyleInfo c_;
 };
 
+/// In which size a style was drawn on each curve of a result.
+struct CurveSetScales {
+    /// of the result; 0 for sets that no style was applied to
+    uint32_t curve_count{};
+    /// curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none. They live until the
+    /// set is released
+    Span<const float> scales;
+
+    /// Empty.
+    CurveSetScales() { flgCurveSetScalesInit(&c_, detail::size_of<FlgCurveSetScales>); }
+    /// Of the C struct.
+    CurveSetScales(const FlgCurveSetScales& c) : c_(c) {
+        curve_count = c.curve_count;
+        scales = detail::span(c.scales, curve_count);
+    }
+    /// The C struct, for C functions.
+    const FlgCurveSetScales& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgCurveSetScales() const noexcept { return c_; }
+
+private:
+    FlgCurveSetScales c_;
+};
+
 /// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and may
 /// repeat their first point at the end. The host owns the arrays, which must live for the call.
 struct ContourView {
@@ -2712,7 +2736,7 @@ public:
     /// Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of one
     /// result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all levels,
     /// and a level is a range of it. Ends stay, at least every 1024th point, and three points of closed curves. Cost:
-    /// about 50 ns a point and level; up to 5 us where few points can be left out of wild curves.
+    /// about 50 ns a point and level; up to 10 us where few points can be left out of wild curves.
     /// Calls flgCurveSetSimplify.
     Result<CurveSet> simplify(CurveSetSimplifyDesc desc = {}, Job* out_job = nullptr) const {
         desc.curves = handle_;
@@ -2721,6 +2745,18 @@ public:
         const FlgResult result = flgCurveSetSimplify(context_, &desc, &out_set, out_job ? &job_made : nullptr);
         if (out_job) *out_job = Job(context_, job_made);
         return detail::made(result, CurveSet(context_, out_set));
+    }
+
+    /// The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0. Times
+    /// FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.16 of that is a good radius for curves
+    /// that have none. FLG_NOT_READY until the result is published, its job's error if that failed. Cost: tens of
+    /// nanoseconds.
+    /// Calls flgCurveSetGetScales.
+    Result<CurveSetScales> scales() const {
+        FlgCurveSetScales out_scales;
+        flgCurveSetScalesInit(&out_scales, detail::size_of<FlgCurveSetScales>);
+        const FlgResult result = flgCurveSetGetScales(context_, handle_, &out_scales);
+        return detail::made(result, CurveSetScales(out_scales));
     }
 
     /// Starts a job that writes the columns of curves. Cost: that of flgColumnsWrite.
@@ -3609,7 +3645,8 @@ public:
     /// frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4
     /// floats. Lines of one point are written with that point twice; ribbons and tubes omit zero-length curves. Errors:
     /// FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
-    /// FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8.
+    /// FLG_ERROR_LIMIT (.glb: 2 GiB). Text leaves while it is made, in parts of 64 KiB, and may be of any size; above 2
+    /// GiB it can't be read again. Cost: .glb 0.1 us a point, text 0.5 to 0.8.
     /// Calls flgCurveFileWrite.
     static Result<bool> write(const char* path, const FlgCurveSetView& view, const CurveFileWriteDesc& desc =
         CurveFileWriteDesc()) {
@@ -3680,7 +3717,8 @@ public:
     /// Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null.
     /// .ply and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else
     /// area-weighted ones. Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range),
-    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: 0.2 to 0.5 us a triangle.
+    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us
+    /// a triangle.
     /// Calls flgMeshFileWrite.
     static Result<bool> write(const char* path, const FlgMeshView& view, const MeshFileWriteDesc& desc =
         MeshFileWriteDesc()) {

@@ -10,9 +10,11 @@
  *
  * Curve formats, by extension:
  *   .xyz .txt     text: `x y z [radius]` per line, blank line between curves, `# closed` on the line before a closed
- *                 one; anything else after # is ignored. All points of a curve have a radius or none; if only some
- *                 curves do, the others get 0.005 m. A line `# columns x y z NAME ...` before the first point instead
- *                 names the contents of all lines, each number by a name from the list below
+ *                 one, `# color r g b a` (linear; without a: 1) on the line before the points that have this colour, up
+ *                 to the next such line; anything else after # is ignored. Points before the first colour are white.
+ *                 All points of a curve have a radius or none; if only some curves do, the others get 0.005 m. A line
+ *                 `# columns x y z NAME ...` before the first point instead names the contents of all lines, each
+ *                 number by a name from the list below
  *   .obj          lines (`l`); read and written. Edges (`l a b`) that chain are joined; colours and radii are lost
  *   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS, and with NORMAL,
  *                 _TIME, _PRESSURE, _STYLE_INDEX, _RADII, _ANGLE, _WIDTH, _SPEED, _DISPLACEMENT and _USERN (1 to 4
@@ -180,7 +182,7 @@ typedef struct FlgCurveFileWriteDesc {
     float default_radius;      /* metres, > 0, for curves without a RADIUS column. Default 0.005 */
     uint32_t tube_sides;       /* 3 to 64. Default 8 */
     uint32_t all_columns;      /* nonzero: .xyz and lines in .glb hold all columns of the view (.glb except TANGENT
-                                  and ORIENTATION), else positions, radii and, in .glb, colours. Default 0 */
+                                  and ORIENTATION), else positions, radii and colours. Default 0 */
     uint32_t reserved;
     float tolerance;           /* metres, >= 0: how far ribbons and tubes may deviate from those with all points and
                                   `tube_sides` sides. Makes the file smaller. Default 0: every point, every side */

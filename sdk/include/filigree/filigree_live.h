@@ -84,7 +84,10 @@ typedef struct FlgLiveStrokeDesc {
     /* As in FlgCurveSetStylizeDesc. */
     float magnitude;
     float temperature; /* the style must be warm at this temperature */
-    float scale;       /* > 0 */
+    /* > 0, or 0 = chosen from the radii, as a stroke's length is not known while it is drawn: the style swings 1.3 times
+     * the mean of min_radius and max_radius; as drawn if both are 0 or the style has no displacement.
+     * FlgLiveStrokeInfo::scale has the one chosen. The radii stay as they are. Default 1. */
+    float scale;
     /* Radius at pressure 0 and at pressure 1, metres, >= 0. Default 0.001 and 0.005. */
     float min_radius, max_radius;
     /* Time constant of an exponential filter on position and pressure, seconds, >= 0; adds that much lag to a steady
@@ -171,6 +174,7 @@ typedef struct FlgLiveStrokeInfo {
     float spacing;            /* metres: one step */
     uint32_t cut;             /* nonzero: the samples need more than max_points points; the stroke ends before its
                                  samples do */
+    float scale;              /* of the style: FlgLiveStrokeDesc::scale, or the one chosen for 0 */
 } FlgLiveStrokeInfo;
 
 FLG_API FlgResult flgLiveStrokeInfoInit(FlgLiveStrokeInfo* info, uint32_t struct_size);

@@ -67,8 +67,8 @@ inline std::string_view as_text(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Writes a temporary file beside `path`, or beside what it links to, and renames it when it is finished; else nothing is
-// left behind and all is as it was. The host's functions see to that themselves.
+// Writes a temporary file beside `path`, or beside what it links to, and renames it when it is finished; else nothing
+// is left behind and all is as it was. The host's functions see to that themselves.
 class FileWriter {
 public:
     explicit FileWriter(const Path& path);

@@ -235,7 +235,7 @@ namespace Filigree
         /// Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of
         /// one result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all
         /// levels, and a level is a range of it. Ends stay, at least every 1024th point, and three points of closed
-        /// curves. Cost: about 50 ns a point and level; up to 5 us where few points can be left out of wild curves.
+        /// curves. Cost: about 50 ns a point and level; up to 10 us where few points can be left out of wild curves.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetSimplify(
@@ -318,6 +318,19 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetStylize(
             FlgContext context, FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint struct_size);
+
+        /// <summary>
+        /// The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0.
+        /// Times FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.16 of that is a good radius
+        /// for curves that have none. FlgResult.NotReady until the result is published, its job's error if that failed.
+        /// Cost: tens of nanoseconds.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetGetScales(
+            FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales);
 
         public static FlgStyleInfo flgStyleInfoDefaults()
         {
@@ -421,6 +434,13 @@ namespace Filigree
         {
             FlgCurveSetSimplifyDesc made;
             flgCurveSetSimplifyDescInit(&made, (uint)sizeof(FlgCurveSetSimplifyDesc));
+            return made;
+        }
+
+        public static FlgCurveSetScales flgCurveSetScalesDefaults()
+        {
+            FlgCurveSetScales made;
+            flgCurveSetScalesInit(&made, (uint)sizeof(FlgCurveSetScales));
             return made;
         }
 

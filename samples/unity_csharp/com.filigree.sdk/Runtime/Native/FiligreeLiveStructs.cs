@@ -15,7 +15,11 @@ namespace Filigree
         public float magnitude;
         /// <summary>the style must be warm at this temperature</summary>
         public float temperature;
-        /// <summary>&gt; 0</summary>
+        /// <summary>
+        /// &gt; 0, or 0 = chosen from the radii, as a stroke's length is not known while it is drawn: the style swings
+        /// 1.3 times the mean of min_radius and max_radius; as drawn if both are 0 or the style has no displacement.
+        /// FlgLiveStrokeInfo::scale has the one chosen. The radii stay as they are. Default 1.
+        /// </summary>
         public float scale;
         /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>
         public float min_radius;
@@ -95,5 +99,7 @@ namespace Filigree
         /// nonzero: the samples need more than max_points points; the stroke ends before its samples do
         /// </summary>
         public uint cut;
+        /// <summary>of the style: FlgLiveStrokeDesc::scale, or the one chosen for 0</summary>
+        public float scale;
     }
 }

@@ -509,7 +509,18 @@ namespace Filigree
         /// between runs (see flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0.
         /// </summary>
         public float temperature;
-        /// <summary>Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1.</summary>
+        /// <summary>
+        /// Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. 0 = chosen for each target curve by
+        /// itself, and kept for the host to read (flgCurveSetGetScales): s = size of the target curve / size of the
+        /// guide, the proportion that the example has. Size is D (D / L)^(1/3), with L the curve's length and D
+        /// sqrt(12) times the root mean square distance of its points from their centre: the length if it is straight,
+        /// less where it winds. If the target has a RADIUS, of mean r along the curve, the style swings as wide as the
+        /// stroke was painted: 1.3 r / FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.6 s. That
+        /// RADIUS is then made thinner where the style's turns would touch: multiplied by one factor for each curve, so
+        /// that its mean is 0.16 * scale * displacement_rms at most; but not if the style has a RADIUS, nor at
+        /// magnitude 0. The choice depends neither on place, direction or unit of style and target nor on the other
+        /// curves. A curve without length has scale 1. Default 1.
+        /// </summary>
         public float scale;
         public FlgFrameMethod frame;
         /// <summary>Key for all random choices. Default 1.</summary>
@@ -551,5 +562,18 @@ namespace Filigree
         /// </summary>
         public uint exact_spacing;
         public uint reserved;
+    }
+
+    /// <summary>In which size a style was drawn on each curve of a result.</summary>
+    public unsafe partial struct FlgCurveSetScales
+    {
+        public uint struct_size;
+        /// <summary>of the result; 0 for sets that no style was applied to</summary>
+        public uint curve_count;
+        /// <summary>
+        /// curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none. They live until
+        /// the set is released
+        /// </summary>
+        public float* scales;
     }
 }
