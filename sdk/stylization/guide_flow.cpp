@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "runtime/each.h"
+#include "stylization/smooth_style_curve.h"
 #include "stylization/style_waves.h"
 
 namespace flg {
@@ -19,6 +20,9 @@ constexpr double damping = 18.0;
 constexpr double end_waves = 1.5;
 constexpr uint32_t min_end_points = 4;
 constexpr double rounding = 1e-9;
+// Points of the flow that each of the longest waves has; those of the style, where these are fewer.
+constexpr double points_per_wave = 32.0;
+constexpr size_t min_flow_points = 96;
 // Agreement asked of the diffusivity at the critical curvature; it is a margin, not a result.
 constexpr double limit_tolerance = 0.01;
 constexpr uint32_t max_limit_passes = 8;
@@ -46,8 +50,16 @@ struct Flow {
     uint32_t steps = 0;
 };
 
-Task<void> copy(Pace& pace, std::span<const Vec3> from, std::pmr::vector<Vec3>& to) {
-    co_await each(pace, from.size(), Cost::some_ns, [from, out = to.data()](uint32_t i) { out[i] = from[i]; });
+// As many points as `to` has, even in those of `from`.
+Task<void> sample(Pace& pace, std::span<const Vec3> from, std::pmr::vector<Vec3>& to) {
+    const auto last = static_cast<uint32_t>(from.size()) - 1;
+    const double step = static_cast<double>(last) / static_cast<double>(to.size() - 1);
+    co_await each(pace, to.size() - 1, Cost::some_ns, [=, out = to.data()](uint32_t k) {
+        const double along = step * k;
+        const uint32_t i = std::min(static_cast<uint32_t>(along), last - 1);
+        out[k] = from[i] + (along - i) * (from[i + 1] - from[i]);
+    });
+    to.back() = from[last];
 }
 
 // Length and curvatures of the evenly spaced curve.
@@ -69,7 +81,7 @@ Task<void> measure(Pace& pace, Flow& flow) {
 }
 
 Task<void> begin(Pace& pace, std::span<const Vec3> style, Flow& flow) {
-    co_await copy(pace, style, flow.points);
+    co_await sample(pace, style, flow.points);
     flow.time = 0.0;
     flow.critical_bend = max_bend;
     co_await measure(pace, flow);
@@ -136,6 +148,16 @@ Task<void> move_points(Pace& pace, Flow& flow, double ratio, double force) {
         factor[i] = factor[i + 1] + (points[i + 1] - points[i]).norm();
     };
     co_await each(pace, last, pass_cost, substitute);
+}
+
+// The arc lengths from the points to the end, in factor.
+Task<void> measure_rests(Pace& pace, Flow& flow) {
+    const uint32_t last = flow.segments();
+    flow.factor[last] = 0.0;
+    co_await each(pace, last, pass_cost, [last, points = flow.points.data(), rests = flow.factor.data()](uint32_t k) {
+        const uint32_t i = last - 1 - k;
+        rests[i] = rests[i + 1] + (points[i + 1] - points[i]).norm();
+    });
 }
 
 // Spaces the points evenly along their polygon.
@@ -217,14 +239,10 @@ Task<Vec3> find_end(Pace& pace, std::span<const Vec3> style, int step, double re
 Task<void> begin_between_ends(Pace& pace, std::span<const Vec3> style, double reach, Flow& flow) {
     const uint32_t last = flow.segments();
     co_await begin(pace, style, flow);
-    if (last < min_end_points) co_return;
+    if (style.size() < min_end_points) co_return;
     flow.points[0] = co_await find_end(pace, style, 1, reach);
     flow.points[last] = co_await find_end(pace, style, -1, reach);
-    flow.factor[last] = 0.0;
-    co_await each(pace, last, pass_cost, [last, points = flow.points.data(), rests = flow.factor.data()](uint32_t k) {
-        const uint32_t i = last - 1 - k;
-        rests[i] = rests[i + 1] + (points[i + 1] - points[i]).norm();
-    });
+    co_await measure_rests(pace, flow);
     co_await respace(pace, flow);
     co_await measure(pace, flow);
 }
@@ -245,37 +263,47 @@ Task<void> flow_to(Pace& pace, double end_time, Flow& flow, const GuideFlowParam
     while (flow.time < end_time) co_await step(pace, flow, params, end_time);
 }
 
-// The guide at the flow's time, taken back by what as much time again does to it.
-Task<void> give_bends_back(Pace& pace, Flow& flow, const GuideFlowParams& params, FlowedGuide& guide) {
-    guide.time = flow.time;
-    guide.points.resize(flow.points.size());
-    co_await copy(pace, flow.points, guide.points);
-    co_await flow_to(pace, 2.0 * guide.time, flow, params);
-    flow.factor[flow.segments()] = 0.0;
-    Vec3* const points = flow.points.data();
+// Takes the curve back by what as much time again does to it, then spaces it evenly.
+Task<void> give_bends_back(Pace& pace, Flow& flow, const GuideFlowParams& params) {
+    std::pmr::vector<Vec3> once(flow.points.size(), pace.memory());
+    co_await sample(pace, flow.points, once);
+    const double time = flow.time;
+    co_await flow_to(pace, 2.0 * time, flow, params);
+    flow.time = time;
     const uint32_t last = flow.segments();
-    co_await each(pace, last, pass_cost, [=, once = guide.points.data(), rests = flow.factor.data()](uint32_t k) {
-        const uint32_t i = last - 1 - k;
-        if (i > 0) points[i] = 2.0 * once[i] - points[i];
-        rests[i] = rests[i + 1] + (points[i + 1] - points[i]).norm();
+    co_await each(pace, 1, last, pass_cost, [twice = flow.points.data(), from = once.data()](uint32_t i) {
+        twice[i] = 2.0 * from[i] - twice[i];
     });
+    co_await measure_rests(pace, flow);
     co_await respace(pace, flow);
-    guide.length = flow.factor[0];
-    guide.points.swap(flow.points);
+    co_await measure(pace, flow);
+}
+
+// As many points as `guide` has, on the smooth curve through the flow's.
+Task<void> refine(Pace& pace, const Flow& flow, std::pmr::vector<Vec3>& guide) {
+    const SmoothStyleCurve curve(flow.points.data(), flow.segments() + 1, flow.length);
+    const double step = flow.length / static_cast<double>(guide.size() - 1);
+    co_await each(pace, guide.size() - 1, Cost::tens_of_ns, [=, out = guide.data()](uint32_t i) {
+        out[i] = curve.evaluate(step * i).position;
+    });
+    guide.back() = flow.points.back();
+}
+
+// Points that the flow of a style needs.
+size_t flow_points(double waves, size_t style_points) {
+    const double wanted = std::ceil(points_per_wave * waves);
+    return std::min(std::max(static_cast<size_t>(wanted), min_flow_points), style_points);
 }
 
 }  // namespace
 
 Task<FlowedGuide> guide_flow(Pace& pace, std::span<const Vec3> style, GuideFlowParams params) {
-    Flow flow(style.size(), pace.memory());
     FlowedGuide guide{std::pmr::vector<Vec3>(pace.memory())};
     const double waves = params.time > 0.0 || params.alpha == 1.0 ? 0.0 : co_await count_waves(pace, style);
+    Flow flow(waves > 0.0 ? flow_points(waves, style.size()) : style.size(), pace.memory());
     if (waves == 0.0) {
         co_await begin(pace, style, flow);
         co_await flow_to(pace, params.time, flow, params);
-        guide.points = std::move(flow.points);
-        guide.time = flow.time;
-        guide.length = flow.length;
     } else {
         co_await begin_between_ends(pace, style, end_waves / waves, flow);
         co_await damp_waves(pace, waves, flow, params);
@@ -284,9 +312,17 @@ Task<FlowedGuide> guide_flow(Pace& pace, std::span<const Vec3> style, GuideFlowP
             co_await begin_between_ends(pace, style, end_waves * std::sqrt(params.smoothing) / waves, flow);
             co_await flow_to(pace, end_time, flow, params);
         }
-        co_await give_bends_back(pace, flow, params, guide);
+        co_await give_bends_back(pace, flow, params);
     }
+    guide.time = flow.time;
+    guide.length = flow.length;
     guide.steps = flow.steps;
+    if (flow.points.size() == style.size()) {
+        guide.points = std::move(flow.points);
+    } else {
+        guide.points.resize(style.size());
+        co_await refine(pace, flow, guide.points);
+    }
     co_return guide;
 }
 
