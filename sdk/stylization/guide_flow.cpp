@@ -13,9 +13,8 @@ namespace flg {
 
 namespace {
 
-// The flow ends when waves have been damped by exp(-this (1 - w)), w being 1/2 for even waves with alpha = 1/2. Twice
-// the time then damps what is left of them once more, and what bends slower is had from the difference.
-constexpr double damping = 18.0;
+// The flow ends when waves have been damped by exp(-this (1 - w)), w being 1/2 for even waves with alpha = 1/2.
+constexpr double damping = 16.0;
 // Straight lines through so many waves at the ends say where the guide ends.
 constexpr double end_waves = 1.5;
 constexpr uint32_t min_end_points = 4;
@@ -263,16 +262,15 @@ Task<void> flow_to(Pace& pace, double end_time, Flow& flow, const GuideFlowParam
     while (flow.time < end_time) co_await step(pace, flow, params, end_time);
 }
 
-// Takes the curve back by what as much time again does to it, then spaces it evenly.
+// 2 G(t) - G(2 t), evenly spaced: what exp(-x) is for a bend becomes 1 - (1 - exp(-x))^2.
 Task<void> give_bends_back(Pace& pace, Flow& flow, const GuideFlowParams& params) {
+    const double time = flow.time;
     std::pmr::vector<Vec3> once(flow.points.size(), pace.memory());
     co_await sample(pace, flow.points, once);
-    const double time = flow.time;
     co_await flow_to(pace, 2.0 * time, flow, params);
     flow.time = time;
-    const uint32_t last = flow.segments();
-    co_await each(pace, 1, last, pass_cost, [twice = flow.points.data(), from = once.data()](uint32_t i) {
-        twice[i] = 2.0 * from[i] - twice[i];
+    co_await each(pace, 1, flow.segments(), pass_cost, [from = once.data(), out = flow.points.data()](uint32_t i) {
+        out[i] = 2.0 * from[i] - out[i];
     });
     co_await measure_rests(pace, flow);
     co_await respace(pace, flow);

@@ -16,8 +16,9 @@
 //   the curve does: the flow ends at the damping wanted for the longest waves of the style, see `style_waves.h`.
 // - There ends stay. A tip is anywhere on a wave, or a hook where a pen was put down: here the guide ends on the middle
 //   line of the last waves, abreast of the tip.
-// - The flow takes something from the bends of the guide, too. As much time again takes about as much again, of waves
-//   nothing is left by then: 2 G(t) - G(2 t) has the bends that the style has.
+// - The flow flattens the bends of the guide, too, the less the longer they are. As much time again takes about as much
+//   again, while of waves nothing is left: 2 G(t) - G(2 t) has the style's bends. A term more would overshoot where
+//   scribbles turn back.
 #pragma once
 
 #include <cstdint>
