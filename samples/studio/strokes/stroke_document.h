@@ -46,6 +46,8 @@ struct StrokeSettings {
     float magnitude = 1.0f;  // 0: the stroke alone
     float temperature = 0.0f;
     int patch = 10;
+    // How the guide of the example is made and matched, as in FlgStyleDesc.
+    float smoothing = 1.0f, beta = 0.2f;
     float radius_mm = 2.2f;
     int seed = 1;
     glm::vec3 color{0.90f, 0.13f, 0.03f}, color_end{0.50f, 0.02f, 0.22f};  // linear RGB
