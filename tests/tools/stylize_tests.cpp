@@ -298,6 +298,22 @@ TEST_F(Stylize, ASketchKeepsItsColoursAndItsBrushesShapes) {
                    {"--tolerance", "-1"});
 }
 
+TEST_F(Stylize, ToleranceLeavesTheLinesThePointsThatTheyNeed) {
+    std::vector<uint64_t> counts;
+    for (const char* tolerance : {"auto", "0", "0.0005", "0.01"}) {
+        done({"stylize", "--style", "builtin:curls", "--target", "builtin:spiral", "-o", "out.xyz", "--columns",
+              "--tolerance", tolerance, "--report", "report.json", "--save-path", "path.txt"});
+        counts.push_back(report().at("counts").at("written_points"));
+        const std::vector<std::string> lines = lines_of(folder.read("out.xyz"));
+        EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& l) { return !l.empty() && l[0] != '#'; }),
+                  static_cast<ptrdiff_t>(counts.back()));
+        EXPECT_EQ(report().at("counts").at("result_points"), counts[0]);
+    }
+    EXPECT_EQ(counts[1], counts[0]);
+    EXPECT_LT(counts[2], counts[1]);
+    EXPECT_LT(counts[3], counts[2]);
+}
+
 TEST_F(Stylize, RadiiAreCarriedOver) {
     folder.write("target.xyz", "0 0 0 0.25\n1 0 0 0.25\n2 0 0 0.25\n");
     done({"stylize", "--style", "builtin:zigzag", "--target", "target.xyz", "-o", "out.xyz", "--scale", "1"});
