@@ -40,6 +40,7 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
     const Eigen::Matrix3d matrix = scaled_basis(scale, basis);
     AppliedStyle applied;
     applied.displacement = Buffer<Vec3>(style.point_count(), pace.memory());
+    for (Buffer<float>& values : applied.along) values = Buffer<float>(style.point_count(), pace.memory());
     applied.attributes = style.attributes;
     applied.scale = scale;
     co_await each(pace, style.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
@@ -50,6 +51,7 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
                           scaled.norm());
         }
         std::construct_at(&applied.displacement[i], scaled);
+        for (size_t c = 0; c < 3; ++c) applied.along[c][i] = static_cast<float>(scaled[static_cast<int>(c)]);
     });
     co_return applied;
 }

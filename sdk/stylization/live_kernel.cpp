@@ -122,8 +122,6 @@ namespace {
 constexpr double place_share = 1e-3;    // of a step: places nearer than this are one
 constexpr double parallel_sine = 1e-4;  // as FramedSampler has it
 
-constexpr uint32_t place_block = 32;
-
 double mean_radius(const Buffer<float>& values) {
     double sum = 0;
     for (float value : values) sum += value;
@@ -164,16 +162,19 @@ LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples,
       step_(settings.spacing()) {
     for (const StyleAttribute& attribute : settings.style->attributes) {
         if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_unit_ = mean_radius(attribute.values);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) turns_ = true;
     }
     for (uint32_t k = live_own_columns; k < out.count; ++k) {
         if (out.layout[k].attribute == FLG_ATTRIBUTE_SPEED) speeds_ = out.data[k];
     }
     state_.curve = LiveCurve(settings.smoothing, place_share * step_);
+    state_.chain = FrameChain(step_);
+    displaced_.set_magnitude(settings.magnitude);
 }
 
 void LiveKernel::restore(const LiveState& state) {
     state_ = state;
-    if (state_.in_segment) state_.segment.load(block_);
+    if (state_.in_segment) take_segment();
 }
 
 bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
@@ -201,36 +202,32 @@ bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
 
 void LiveKernel::take_segment() {
     state_.segment.load(block_);
+    make_rows(block_, 0, 1, rows_);
     state_.in_segment = true;
 }
 
-// False if it wasn't followed to its end. All places of a block first, then all frames, so that the long latencies of
-// different points overlap.
+// False if it wasn't followed to its end.
 bool LiveKernel::follow_segment(uint32_t& units) {
-    const Segment segment(block_, 0);
-    const double end = state_.start + segment.length();
+    const double end = state_.start + block_.lengths[0];
     // A point at a segment's end is the next one's, unless there is none.
     const bool last = state_.closing && !state_.curve.has_segment();
     const auto reached = [&](double s) { return last ? s <= end : s < end; };
-    std::array<LivePlace, place_block> places;
     while (reached(state_.points * step_)) {
         const uint32_t room = settings_.max_points - state_.points;
         state_.cut = room == 0;
-        const uint32_t capacity = std::min({units, room, place_block});
+        const uint32_t capacity = std::min({units, room, SampleBlock::capacity});
         if (capacity == 0) return false;
         uint32_t count = 0;
         for (double s; count < capacity && reached(s = (state_.points + count) * step_);) {
-            LivePlace& place = places[count++];
-            if (only_counts()) continue;
-            place.t = segment.parameter_at(s - state_.start);
-            place.position = segment.position(place.t);
-            place.tangent = segment.tangent(place.t);
+            samples_made_.row[count] = 0;
+            samples_made_.along[count++] = static_cast<float>(s - state_.start);
         }
         units -= count;
         if (only_counts()) {
             state_.points += count;
         } else {
-            for (uint32_t k = 0; k < count; ++k) make_point(places[k]);
+            samples_made_.count = count;
+            make_points();
         }
     }
     state_.start = end;
@@ -261,18 +258,37 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
     if (size > parallel_sine * up.norm()) state_.frame.set_normal(normal / size);
 }
 
-void LiveKernel::make_point(const LivePlace& place) {
-    const Vec3 &position = place.position, &tangent = place.tangent;
-    if (state_.points == 0) {
-        state_.frame = RotationMinimizingFrame(position, tangent, drawn_normal(samples_.orientations, tangent));
-        begin_walk();
-    } else {
-        state_.frame.step(position, tangent);
-        advance_walk();
+void LiveKernel::make_points() {
+    place_samples(rows_, samples_made_);
+    make_frames();
+    for (uint32_t k = 0; k < samples_made_.count; ++k) {
+        if (state_.points + k == 0)
+            begin_walk();
+        else
+            advance_walk();
+        follow_style(k, state_.segment.hand_start.between(state_.segment.hand_end, samples_made_.t[k]));
     }
-    const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, place.t);
-    if (settings_.frame == FLG_FRAME_METHOD_SUPPLIED) take_supplied_normal(hand.up);
-    write(position, tangent, state_.frame.normal(), hand, settings_.magnitude);
+    write();
+}
+
+void LiveKernel::make_frames() {
+    SampleBlock& samples = samples_made_;
+    const auto first_normal = [&] { return drawn_normal(samples_.orientations, samples.tangent_of(0)); };
+    if (settings_.frame != FLG_FRAME_METHOD_SUPPLIED) {
+        if (state_.points == 0) state_.chain.begin(samples, first_normal());
+        state_.chain.follow(samples);
+        return;
+    }
+    for (uint32_t k = 0; k < samples.count; ++k) {
+        if (state_.points + k == 0) {
+            state_.frame = RotationMinimizingFrame(samples.position_of(0), samples.tangent_of(0), first_normal());
+        } else {
+            state_.frame.step(samples.position_of(k), samples.tangent_of(k));
+        }
+        const double t = samples.t[k];
+        take_supplied_normal(state_.segment.hand_start.up + t * (state_.segment.hand_end.up - state_.segment.hand_start.up));
+        samples.set_normal(k, state_.frame.normal());
+    }
 }
 
 // Of a stroke without length. It has no frame to be displaced in.
@@ -281,28 +297,53 @@ void LiveKernel::make_lone_point() {
         ++state_.points;
         return;
     }
+    const Vec3 place = state_.curve.last_place(), tangent = Vec3::UnitX();
+    float position[3];
+    store_vec3(place, position);
+    samples_made_.count = 1;
+    samples_made_.set_place(0, position, tangent);
+    samples_made_.set_normal(0, drawn_normal(samples_.orientations, tangent));
     begin_walk();
-    const Vec3 tangent = Vec3::UnitX();
-    write(state_.curve.last_place(), tangent, drawn_normal(samples_.orientations, tangent), state_.curve.last_hand(),
-          0.0);
+    follow_style(0, state_.curve.last_hand());
+    displaced_.set_along(0, Vec3::Zero());
+    write();
 }
 
-void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-                       double magnitude) {
+// What point k of those that are made copies: attributes as flgCurveSetStylize gives them, sizes times scale. The
+// style's radius makes the hand's.
+void LiveKernel::follow_style(uint32_t k, const LiveHand& hand) {
     const uint32_t node = state_.walk.node();
-    const Vec3 displacement = in_frame(displacement_of(node) + state_.blend.offset(), tangent, frame_normal);
-    const Vec3 displaced = position + magnitude * displacement;
-    Vec3 normal = frame_normal;
+    const size_t at = row() + k;
+    displaced_.set_along(k, displacement_of(node) + state_.blend.offset());
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
-    write_attributes(tangent, normal, radius);
-    const size_t at = row();
-    store_vec3(displaced, out_.data[0] + 3 * at);
-    store_vec3(tangent, out_.data[1] + 3 * at);
-    store_vec3(normal, out_.data[2] + 3 * at);
+    uint32_t column = live_own_columns;
+    for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
+        const StyleAttribute& attribute = settings_.style->attributes[a];
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
+            radius *= state_.blend.value(a, 0, node) / radius_unit_;
+            continue;
+        }
+        state_.blend.write(a, node, settings_.scale, out_.data[column++] + at * attribute.components);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) displaced_.turn_rad[k] = state_.blend.value(a, 0, node);
+    }
     out_.data[3][at] = static_cast<float>(radius);
     out_.data[4][at] = static_cast<float>(node);
-    out_.data[5][at] = static_cast<float>(speeds_ ? motion_time() : hand.time);
-    ++state_.points;
+    out_.data[5][at] = static_cast<float>(hand.time);
+}
+
+// Points that know what they copy. An angle of the style turns the normal.
+void LiveKernel::write() {
+    const uint32_t count = samples_made_.count;
+    const size_t at = row();
+    displace_samples(samples_made_, displaced_);
+    if (turns_) turn_normals(displaced_, samples_made_);
+    pack(displaced_.position, count, out_.data[0] + 3 * at);
+    pack(samples_made_.tangent, count, out_.data[1] + 3 * at);
+    pack(samples_made_.normal, count, out_.data[2] + 3 * at);
+    for (uint32_t k = 0; speeds_ && k < count; ++k, ++state_.points) {
+        out_.data[5][row()] = static_cast<float>(motion_time());
+    }
+    if (!speeds_) state_.points += count;
 }
 
 // Of the point whose position and speed have been written.
@@ -313,24 +354,6 @@ double LiveKernel::motion_time() {
     const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
     state_.motion_s += distance / (0.5 * (double{speeds_[at - 1]} + double{speeds_[at]}));
     return state_.motion_s;
-}
-
-// As flgCurveSetStylize gives them: sizes times scale, an angle turns the normal. The style's radius makes the hand's.
-void LiveKernel::write_attributes(const Vec3& tangent, Vec3& normal, double& radius) {
-    const size_t at = row();
-    const uint32_t node = state_.walk.node();
-    uint32_t column = live_own_columns;
-    for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
-        const StyleAttribute& attribute = settings_.style->attributes[a];
-        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
-            radius *= state_.blend.value(a, 0, node) / radius_unit_;
-            continue;
-        }
-        state_.blend.write(a, node, settings_.scale, out_.data[column++] + at * attribute.components);
-        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) {
-            normal = turned_about(tangent, normal, state_.blend.value(a, 0, node));
-        }
-    }
 }
 
 }  // namespace flg

@@ -22,7 +22,8 @@
 #include <array>
 
 #include "core/moving_frame.h"
-#include "curves/segment_block.h"
+#include "curves/sample_block.h"
+#include "stylization/displaced_block.h"
 #include "stylization/style.h"
 #include "stylization/synthesis.h"
 
@@ -125,12 +126,6 @@ struct LiveColumns {
 };
 LiveColumns live_columns(const PreparedStyle& style);
 
-// A point to be, on the drawn curve.
-struct LivePlace {
-    Vec3 position, tangent;  // tangent unit
-    double t = 0;            // on the segment that is followed
-};
-
 struct LiveState {
     LiveCurve curve;
     LiveSegment segment;  // being followed if in_segment
@@ -141,7 +136,8 @@ struct LiveState {
     uint32_t samples = 0;  // read
     uint32_t points = 0;   // made
     double motion_s = 0;   // TIME of the last point, if the style has SPEED
-    RotationMinimizingFrame frame;
+    FrameChain chain;               // of rotation-minimizing frames
+    RotationMinimizingFrame frame;  // of supplied ones
     StyleWalk walk;
     SeamBlend blend;
 };
@@ -171,15 +167,15 @@ private:
     size_t row() const { return state_.points - out_.first; }
     bool follow_segment(uint32_t& units);
     void take_segment();
-    void make_point(const LivePlace& place);
+    void make_points();
+    void make_frames();
     void make_lone_point();
     void begin_walk();
     void advance_walk();
     Vec3 displacement_of(uint32_t node) const;
     void take_supplied_normal(const Vec3& up);
-    void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-               double magnitude);
-    void write_attributes(const Vec3& tangent, Vec3& normal, double& radius);
+    void follow_style(uint32_t k, const LiveHand& hand);
+    void write();
     double motion_time();
 
     LiveSettings settings_;
@@ -187,10 +183,16 @@ private:
     LiveColumns out_;
     Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();  // with the scale
     const float* speeds_ = nullptr;                        // the result's, if the style has them
+    bool turns_ = false;                                   // the style has an angle
     double radius_unit_ = 1;                               // the radius attribute's mean
     double step_ = 0;
     LiveState state_;
+    // Of the segment that is followed.
     SegmentBlock block_;
+    SegmentRows rows_;
+    // Points that are being made.
+    SampleBlock samples_made_;
+    DisplacedBlock displaced_;
 };
 
 }  // namespace flg

@@ -83,6 +83,21 @@ void StyleWalk::draw_destination() {
     hops_ = nullptr;
 }
 
+uint32_t StyleWalk::copy_on(uint32_t most) {
+    if (going_home_) return 0;
+    most = std::min(most, samples_left_ - std::min(samples_left_, last_path_));
+    uint32_t copies = 0;
+    if (finishing_) {
+        copies = most;
+    } else if (hops_ != nullptr) {
+        most = std::min(most, destination_node_ >= node_ ? destination_node_ - node_ : most);
+        while (copies < most && hops_[node_ + copies] == node_ + copies + 1) ++copies;
+    }
+    node_ += copies;
+    samples_left_ -= copies;
+    return copies;
+}
+
 bool StyleWalk::advance() {
     if (going_home_) [[unlikely]] {
         node_ = copies_ == 0 ? landing(0) : node_ + 1;
@@ -110,7 +125,8 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     sampler_.emplace(stroke.plan);
     count_ = stroke.plan.sample_count();
     written_ = 0;
-    block_at_ = block_count_ = 0;
+    block_.count = followed_ = 0;
+    displaced_.set_magnitude(input_.magnitude);
     node_known_ = true;
     finishing_.reset();
     // On closed curves one more than samples: where the style is when the curve has come around.
@@ -125,22 +141,13 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
 
 bool SynthesisKernel::run(uint32_t n) {
     while (written_ < count_) {
-        if (block_at_ == block_count_) {
+        if (followed_ == block_.count) {
             if (n == 0) return false;
-            block_at_ = 0;
-            block_count_ = sampler_->next(block_.data(), sample_block, n);
+            followed_ = 0;
+            if (sampler_->next(block_, n) == 0) return false;
         }
-        const uint32_t first = block_at_;
-        bool out_of_units = false;
-        while (block_at_ < block_count_ && !out_of_units) {
-            if (find_node(n)) {
-                write(block_[block_at_++]);
-            } else {
-                out_of_units = true;
-            }
-        }
-        write_carried(first);
-        if (out_of_units) return false;
+        if (!follow_style(n)) return false;
+        write_block();
     }
     return finish(n);
 }
@@ -205,14 +212,86 @@ bool SynthesisKernel::find_node(uint32_t& units) {
     return true;
 }
 
-// The carried columns of the block's samples that were just written, from `first` on.
-void SynthesisKernel::write_carried(uint32_t first) {
+// Along the style for all samples of the block, unless the units do not suffice for a path tree that is missing.
+bool SynthesisKernel::follow_style(uint32_t& units) {
+    while (followed_ < block_.count) {
+        if (!find_node(units)) return false;
+        if (blend_.points_left() > 0) {
+            copy_blended();
+        } else {
+            const uint32_t node = walk_.node();
+            walk_.copy_on(block_.count - followed_ - 1);
+            copy_style(node, walk_.node() + 1 - node);
+        }
+        node_known_ = false;
+    }
+    return true;
+}
+
+// The style as it is, from a node on.
+void SynthesisKernel::copy_style(uint32_t node, uint32_t count) {
+    const AppliedStyle& style = *input_.style;
+    for (int c = 0; c < 3; ++c) std::copy_n(style.along[c].data() + node, count, displaced_.along[c] + followed_ + 1);
+    for (uint32_t k = 0; k < count; ++k) nodes_[followed_ + k] = static_cast<float>(node + k);
+    for (size_t a = 0; a < style.attributes.size(); ++a) {
+        const size_t at = size_t{written_ + followed_} * style.attributes[a].components;
+        blend_.write_run(a, node, count, stroke_.scale * style.scale, stroke_.out.attributes[a] + at);
+    }
+    if (angle_ < style.attributes.size()) {
+        for (uint32_t k = 0; k < count; ++k) displaced_.turn_rad[followed_ + k] = blend_.value(angle_, 0, node + k);
+    }
+    followed_ += count;
+}
+
+// The style's point that the walk stands at, and what is left of the last seam.
+void SynthesisKernel::copy_blended() {
+    const AppliedStyle& style = *input_.style;
+    const uint32_t node = walk_.node();
+    displaced_.set_along(followed_, style.displacement[node] + blend_.offset());
+    nodes_[followed_] = static_cast<float>(node);
+    for (size_t a = 0; a < style.attributes.size(); ++a) {
+        const size_t at = size_t{written_ + followed_} * style.attributes[a].components;
+        blend_.write(a, node, stroke_.scale * style.scale, stroke_.out.attributes[a] + at);
+    }
+    if (angle_ < style.attributes.size()) displaced_.turn_rad[followed_] = blend_.value(angle_, 0, node);
+    ++followed_;
+}
+
+void SynthesisKernel::write_block() {
+    const StylizedColumns& out = stroke_.out;
+    const uint32_t count = block_.count;
+    const size_t at = 3 * static_cast<size_t>(written_);
+    // A target without length has no frame to be displaced in.
+    if (stroke_.plan.steps == 0) displaced_.set_along(0, Vec3::Zero());
+    displaced_.scale(count, static_cast<float>(stroke_.scale));
+    if (!displace_samples(block_, displaced_)) {
+        for (uint32_t k = 0; k < count; ++k) {
+            const Vec3 displacement = displaced_.displacement_of(k);
+            check_position(block_.position_of(k) + input_.magnitude * displacement, input_.magnitude);
+        }
+    }
+    if (written_ == 0) {
+        first_tangent_ = block_.tangent_of(0);
+        first_normal_ = block_.normal_of(0);
+        first_displacement_ = displaced_.displacement_of(0);
+    }
+    last_displacement_ = displaced_.displacement_of(count - 1);
+    if (angle_ < input_.style->attributes.size()) turn_normals(displaced_, block_);
+    pack(displaced_.position, count, out.frames.positions + at);
+    pack(block_.tangent, count, out.frames.tangents + at);
+    pack(block_.normal, count, out.frames.normals + at);
+    if (out.displacement) pack(displaced_.displacement, count, out.displacement + at);
+    std::copy_n(nodes_.data(), count, out.style_index + written_);
+    write_carried();
+    written_ += count;
+}
+
+void SynthesisKernel::write_carried() {
     if (stroke_.carried.empty()) return;
-    const uint32_t count = block_at_ - first;
-    std::array<SamplePlace, sample_block> places;
-    for (uint32_t k = 0; k < count; ++k) places[k] = {block_[first + k].segment, block_[first + k].t};
+    std::array<SamplePlace, SampleBlock::capacity> places;
+    for (uint32_t k = 0; k < block_.count; ++k) places[k] = {block_.segment[k], block_.t[k]};
     for (const ColumnPair& column : stroke_.carried) {
-        interpolate_column(column, stroke_.plan.curve, {places.data(), count}, written_ - count);
+        interpolate_column(column, stroke_.plan.curve, {places.data(), block_.count}, written_);
     }
 }
 
@@ -230,43 +309,8 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
     return true;
 }
 
-// A target without length has no frame to be displaced in.
-Vec3 SynthesisKernel::displaced_in(const FramedSample& sample, const Vec3& d) const {
-    if (stroke_.plan.steps == 0) return Vec3::Zero();
-    return in_frame(stroke_.scale * d, sample.tangent, sample.normal);
-}
-
-void SynthesisKernel::write(const FramedSample& sample) {
-    const StylizedColumns& out = stroke_.out;
-    const Vec3 displacement = displaced_in(sample, input_.style->displacement[walk_.node()] + blend_.offset());
-    const size_t at = 3 * static_cast<size_t>(written_);
-    const Vec3 position = sample.position + input_.magnitude * displacement;
-    check_position(position, input_.magnitude);
-    store_vec3(position, out.frames.positions + at);
-    store_vec3(sample.tangent, out.frames.tangents + at);
-    store_vec3(sample.normal, out.frames.normals + at);
-    if (out.displacement) store_vec3(displacement, out.displacement + at);
-    out.style_index[written_] = static_cast<float>(walk_.node());
-    write_attributes(sample);
-    if (written_ == 0) {
-        first_ = sample;
-        first_displacement_ = displacement;
-    }
-    last_displacement_ = displacement;
-    ++written_;
-    node_known_ = false;
-}
-
-void SynthesisKernel::write_attributes(const FramedSample& sample) {
-    const AppliedStyle& style = *input_.style;
-    const double scale = stroke_.scale * style.scale;
-    for (size_t a = 0; a < style.attributes.size(); ++a) {
-        const size_t at = size_t{written_} * style.attributes[a].components;
-        blend_.write(a, walk_.node(), scale, stroke_.out.attributes[a] + at);
-    }
-    if (angle_ == style.attributes.size()) return;
-    const Vec3 normal = turned_about(sample.tangent, sample.normal, blend_.value(angle_, 0, walk_.node()));
-    store_vec3(normal, stroke_.out.frames.normals + 3 * static_cast<size_t>(written_));
+Vec3 SynthesisKernel::in_first_frame(const Vec3& displacement) const {
+    return in_frame(stroke_.scale * displacement, first_tangent_, first_normal_);
 }
 
 // Once all samples are written.
@@ -279,7 +323,7 @@ bool SynthesisKernel::finish(uint32_t& units) {
         if (closed) {
             // The curve's first sample, and what of the last seam is not over there.
             if (!find_node(units)) return false;
-            first_displacement_ += displaced_in(first_, blend_.offset());
+            first_displacement_ += in_first_frame(blend_.offset());
             last_displacement_ = first_displacement_;
         }
         const FinishingInput finishing{.out = stroke_.out,

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "curves/block_sampler.h"
+
+#include <algorithm>
+
+namespace flg {
+
+BlockSampler::BlockSampler(const CurveView& curve, double length, uint32_t steps)
+    : stream_(curve), curve_(curve), steps_(steps), step_(steps > 0 ? length / steps : 0) {}
+
+BlockSampler::BlockSampler(const CurveView& curve, double step)
+    : stream_(curve), curve_(curve), steps_(no_end), step_(step) {}
+
+bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
+    out.count = 0;
+    if (steps_ == 0) {
+        // A curve without length has no direction; any will do.
+        while (!stream_.done()) {
+            if (units == 0) return false;
+            --units;
+            stream_.take();
+        }
+        out.count = 1;
+        out.segment[0] = 0;
+        out.t[0] = 0;
+        out.set_place(0, curve_.raw(curve_.closed ? 0 : curve_.count - 1), Vec3::UnitX());
+        return true;
+    }
+    if (units == 0) return false;
+    const uint32_t first = next_;
+    bool has_end = false;
+    for (;;) {
+        fill(out);
+        has_end = add_end(out);
+        if (out.count > 0) break;
+        if (units == 0 || !read_on(units)) return false;
+    }
+    units -= std::min(units, out.count);
+    for (uint32_t k = 0; k < out.count; ++k) {
+        const auto j = static_cast<size_t>(out.row[k]);
+        out.along[k] = static_cast<float>((first + k) * step_ - starts_[j]);
+        out.segment[k] = stream_.index_of(static_cast<uint32_t>(j));
+    }
+    place_samples(rows_, out);
+    if (has_end) {
+        const uint32_t last = out.count - 1;
+        out.t[last] = 1;
+        out.set_place(last, curve_.raw(curve_.closed ? 0 : curve_.count - 1), stream_.segment().tangent_end());
+    }
+    return true;
+}
+
+// The samples of the segments that are there, as many as there is room for.
+void BlockSampler::fill(SampleBlock& out) {
+    while (row_ < last_row_) {
+        const uint32_t stop = stops_[row_];
+        const uint32_t count = std::min(stop - next_, SampleBlock::capacity - out.count);
+        int32_t* rows = out.row + out.count;
+        // Most segments have no more than two: the block has room for them, and there is no branch to be guessed.
+        rows[0] = rows[1] = static_cast<int32_t>(row_);
+        for (uint32_t k = 2; k < count; ++k) rows[k] = static_cast<int32_t>(row_);
+        out.count += count;
+        next_ += count;
+        if (next_ < stop) return;
+        ++row_;
+    }
+}
+
+// The sample at the curve's end, if it is time.
+bool BlockSampler::add_end(SampleBlock& out) {
+    if (next_ != steps_ || row_ < last_row_ || !stream_.done() || out.count == SampleBlock::capacity) return false;
+    out.row[out.count++] = static_cast<int32_t>(last_row_ - 1);
+    ++next_;
+    return true;
+}
+
+bool BlockSampler::read_on(uint32_t& units) {
+    const SegmentStream::Range range = stream_.take();
+    units -= std::min(units, range.last - range.first + 1);
+    if (range.first == range.last) return units > 0;
+    const SegmentBlock& block = stream_.block();
+    make_rows(block, range.first, range.last, rows_);
+    for (uint32_t j = range.first; j < range.last; ++j) {
+        starts_[j] = end_;
+        end_ += block.lengths[j];
+        stops_[j] = first_sample_from(end_, step_, end_ / step_);
+    }
+    // What the arc length comes to has no samples behind it.
+    if (stream_.done()) stops_[range.last - 1] = steps_;
+    row_ = range.first;
+    last_row_ = range.last;
+    return true;
+}
+
+}  // namespace flg

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Second pass over a curve: samples at equal steps of arc length, in order, in constant memory; a block of them at a
+// time.
+#pragma once
+
+#include <array>
+
+#include "curves/sample_block.h"
+#include "curves/segment_stream.h"
+
+namespace flg {
+
+class BlockSampler {
+public:
+    // `length` as measure_curve() finds it; `steps` >= 1, or 0 for a curve without length.
+    BlockSampler(const CurveView& curve, double length, uint32_t steps);
+    // Samples of which none is the curve's end: `step` metres apart, as many as there is room for.
+    BlockSampler(const CurveView& curve, double step);
+
+    // Some of the samples to come, 1 to SampleBlock::capacity of steps + 1; the first and the last are the curve's ends
+    // exactly. Takes one of `units` for each and for each point of the polyline read on the way, as far as there are
+    // any; false, to be called again, if there were none.
+    bool next(SampleBlock& out, uint32_t& units);
+
+private:
+    bool read_on(uint32_t& units);
+    void fill(SampleBlock& out);
+    bool add_end(SampleBlock& out);
+
+    static constexpr uint32_t no_end = UINT32_MAX;
+
+    SegmentStream stream_;
+    CurveView curve_;
+    uint32_t steps_;  // or no_end
+    double step_;
+    uint32_t next_ = 0;  // sample to come
+    // Segments whose samples are coming.
+    SegmentRows rows_;
+    std::array<double, SegmentRows::size> starts_;     // arc length
+    std::array<uint32_t, SegmentRows::size> stops_;  // the first sample behind
+    uint32_t row_ = 0, last_row_ = 0;
+    double end_ = 0;  // arc length of all segments read
+};
+
+// The first of the samples 0, step, 2 step, ... that isn't before `end`; `steps_in` is end / step, about.
+inline uint32_t first_sample_from(double end, double step, double steps_in) {
+    constexpr double samples_max = 2147483000.0;
+    int32_t n = static_cast<int32_t>(steps_in < samples_max ? steps_in : samples_max) - 1;
+    n = n > 0 ? n : 0;
+    for (int k = 0; k < 3; ++k) n += n * step < end ? 1 : 0;
+    return static_cast<uint32_t>(n);
+}
+
+}  // namespace flg
