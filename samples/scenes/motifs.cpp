@@ -78,7 +78,7 @@ Offset bubbles(double u) {
 Offset clouds(double u) {
     return repeated(u, 1301, 12, 0.24, [](double t, int) {
         const double a = 0.5 * kTau * t;
-        return Place{0.5 - 0.62 * std::cos(a) + 0.24 * (t - 0.5), 0.85 * std::sin(a), 0.12 * std::sin(2.0 * a)};
+        return Place{0.5 - 0.5 * std::cos(a), 0.85 * std::sin(a), 0.12 * std::sin(2.0 * a)};
     });
 }
 
@@ -142,7 +142,7 @@ Offset ripples(double u) {
     const Hand hand(1901);
     const double burst = std::pow(std::sin(0.5 * kTau * (5.0 * u + 0.10 * hand.timing(5.0 * u))), 2.0);
     const double a = hand.angle(u, 34.0, 0.10), s = 0.060 * burst * hand.strength(u, 10.0, 0.30);
-    return {0.25 * s * std::cos(a), s * std::sin(a), 0.0};
+    return {0.06 * s * std::cos(a), s * std::sin(a), 0.0};
 }
 
 Offset rope(double u) {

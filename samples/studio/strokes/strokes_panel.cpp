@@ -105,7 +105,7 @@ void StrokesWorkspace::style_button(const std::string& name, const char* said) {
 void StrokesWorkspace::draw_styles() {
     if (!ui::section("Style")) return;
     int number = 0;
-    for (const std::string& name : scenes::style_names()) {
+    for (const std::string& name : scenes::library_names()) {
         if (number++ % kStylesInARow != 0) ui::same_row();
         style_button(name, ("Style " + name + ", built in.").c_str());
     }

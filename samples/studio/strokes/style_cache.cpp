@@ -13,7 +13,7 @@ namespace {
 constexpr float kLength = 3.5f;  // of a preview, of its height
 
 bool is_builtin_style(const std::string& name) {
-    const std::vector<std::string>& names = scenes::style_names();
+    const std::vector<std::string>& names = scenes::library_names();
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
