@@ -252,7 +252,7 @@ TEST(AutomaticScale, LiveStrokesTakeItFromTheirRadii) {
         EXPECT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);
         return info.scale;
     };
-    EXPECT_NEAR(scale(0.01f, 0.03f, 0), 1.3f * 0.02f / style_info_now.displacement_rms, 1e-5f);
+    EXPECT_NEAR(scale(0.01f, 0.03f, 0), 0.02f / (0.16f * style_info_now.displacement_rms), 1e-5f);
     EXPECT_EQ(scale(0, 0, 0), 1.0f);
     EXPECT_EQ(scale(0.01f, 0.03f, 0.7f), 0.7f);
 }
