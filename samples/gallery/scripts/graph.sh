@@ -69,8 +69,8 @@ awk '
         for (i = 0; i < N; ++i) {x[i] = (x[i] - cx) / size; y[i] = (y[i] - cy) / size; z[i] = (z[i] - cz) / size}
         print "# columns x y z radius red green blue alpha" > "chain.xyz"
         print "# columns x y z radius red green blue alpha" > "jumps.xyz"
-        for (i = 0; i + 1 < N; ++i) edge(i, i + 1, 0.022, 0, "chain.xyz")
-        for (e = 0; e < E; ++e) if (weight[e] > 0.02 && from[e] != into[e]) edge(from[e], into[e], 0.0015 + 0.012 * weight[e], 1, "jumps.xyz")
+        for (i = p; i + p < N; ++i) edge(i, i + 1, 0.022, 0, "chain.xyz")
+        for (e = 0; e < E; ++e) if (weight[e] > 0.02 && from[e] != into[e]) edge(from[e], into[e], 0.002 + 0.02 * weight[e], 1, "jumps.xyz")
     }' style.xyz
 # The style in the same colours.
 awk '
@@ -83,6 +83,6 @@ cat > picture.json <<'END'
  "all": {"ground": false},
  "panels": [
   {"title": "A style", "camera": [5.0, 8.0], "show": [{"file": "painted.xyz", "radius": 0.006}]},
-  {"title": "Its patch graph", "keys": [{"color": "#5b88c0", "text": "the style's next point, in the style's colours"}, {"color": "#9c9da1", "text": "jumps, the thicker the cheaper"}], "camera": [40.0, 20.0], "aim": [[-1.9, -1.9, -1.9], [1.9, 1.9, 1.9]], "show": [{"file": "chain.xyz", "shadow": false}, {"file": "jumps.xyz", "shadow": false, "gloss": 0.0}]}]}
+  {"title": "Its patch graph", "keys": [{"color": "#5b88c0", "text": "the style's next point, in the style's colours"}, {"color": "#9c9da1", "text": "jumps, the thicker the cheaper"}], "camera": [40.0, 20.0], "show": [{"file": "chain.xyz", "shadow": false}, {"file": "jumps.xyz", "shadow": false, "gloss": 0.0}]}]}
 END
 filigree panels picture.json -o graph.png
