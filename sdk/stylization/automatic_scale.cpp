@@ -111,7 +111,7 @@ Task<ChosenScales> choose_scales(Pace& pace, const PreparedStyle& style, const C
 
 double live_scale(const PreparedStyle& style, double radius) {
     if (!(radius > 0) || !(style.displacement_rms > 0)) return 1;
-    return std::clamp(swing_per_radius * radius / style.displacement_rms, scale_min, scale_max);
+    return std::clamp(radius / (radius_per_swing * style.displacement_rms), scale_min, scale_max);
 }
 
 }  // namespace flg

@@ -28,7 +28,7 @@ struct ChosenScales {
 // About 10 ns a point of the target and of the guide. Stage "size".
 Task<ChosenScales> choose_scales(Pace& pace, const PreparedStyle& style, const CurveSet& target);
 
-// Of a stroke whose length nobody knows yet; `radius` is that of the pen, metres.
+// Of a stroke whose length nobody knows yet; `radius` is that of the line that is drawn, metres: its turns stay apart.
 double live_scale(const PreparedStyle& style, double radius);
 
 }  // namespace flg

@@ -324,7 +324,7 @@ TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
     refused([](auto& d) { d.style = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.style is null");
     refused([](auto& d) { d.magnitude = NAN; }, invalid, "desc.magnitude is nan");
     refused([](auto& d) { d.temperature = -1; }, invalid, "desc.temperature is -1");
-    refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
+    refused([](auto& d) { d.scale = -1; }, invalid, "desc.scale is -1");
     refused([](auto& d) { d.min_radius = -1; }, invalid, "desc.min_radius is -1");
     refused([](auto& d) { d.max_radius = INFINITY; }, invalid, "desc.max_radius is inf");
     refused([](auto& d) { d.smoothing = -1; }, invalid, "desc.smoothing is -1");

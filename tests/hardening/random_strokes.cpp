@@ -78,6 +78,7 @@ void RandomHost::stylize() {
     desc.magnitude = number(-1, 1);
     desc.temperature = number(0, 3);
     desc.scale = number(0.3, 2);
+    if (chance(5)) desc.scale = 0;
     desc.frame = choice<FlgFrameMethod>(3);
     desc.start = choice<FlgStyleStart>(3);
     desc.strokes = chance(10) ? draw(2000) : 1 + draw(2);

@@ -93,6 +93,7 @@ void make_contexts(Calls& calls) {
     FLG_INIT(calls, flgLogInit);
     FLG_INIT(calls, flgProfilerInit);
     FLG_INIT(calls, flgStyleInfoInit);
+    FLG_INIT(calls, flgCurveSetScalesInit);
     FLG_INIT(calls, flgSurfaceReportInit);
     FLG_INIT(calls, flgTangleHistoryInit);
     FLG_INIT(calls, flgTangleSeedPlacesInit);
@@ -215,6 +216,14 @@ void stylize_curves(Calls& calls) {
     calls.finish();
     calls.note(one);
     FLG_DRAW(calls, flgDebugDrawCurveSet, one);
+    desc.scale = 0;
+    FlgCurveSet fitting{};
+    FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(fitting), calls.job());
+    calls.finish();
+    calls.note(fitting);
+    FlgCurveSetScales scales = flgCurveSetScalesDefaults();
+    FLG_CALL(calls, flgCurveSetGetScales, calls.context, fitting, &scales);
+    calls.note(scales.scales, scales.curve_count * sizeof(float));
     desc.target = one;
     desc.strokes = 1;
     desc.scale = 0.5f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // filigree stylize: its files, its report, and that nothing but the input decides about the bits.
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -259,6 +260,16 @@ TEST_F(Stylize, SizesAreEachStrokesOwn) {
     EXPECT_LT(farthest[2], 0.2);                                             // some radii
     EXPECT_GT(farthest[2], 0.02);
     EXPECT_LT(radius[2], 0.3 * 0.02);  // thinner, so that turns stay apart
+}
+
+TEST_F(Stylize, TheLibraryIsListedAndWritten) {
+    const std::string list = done({"styles"}).out;
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 24);
+    EXPECT_TRUE(folder.list().empty());
+    EXPECT_EQ(done({"styles", "-o", "library"}).out, list);
+    done({"stylize", "--style", "builtin:hearts", "--target", "builtin:s_curve", "-o", "a.xyz"});
+    done({"stylize", "--style", "library/hearts.xyz", "--target", "builtin:s_curve", "-o", "b.xyz"});
+    EXPECT_EQ(folder.read("a.xyz"), folder.read("b.xyz"));
 }
 
 TEST_F(Stylize, ASketchKeepsItsColoursAndItsBrushesShapes) {

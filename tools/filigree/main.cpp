@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
 
     std::vector<flg::cli::Command> commands = {flg::cli::add_info(program, common),
                                                flg::cli::add_stylize(program, common),
+                                               flg::cli::add_styles(program, common),
                                                flg::cli::add_replay(program, common)};
     for (flg::cli::Command& command : flg::cli::add_mesh(program, common)) commands.push_back(std::move(command));
     commands.push_back(flg::cli::add_geodesic(program, common));

@@ -85,7 +85,7 @@ StrokeSettings to_settings(const nlohmann::json& json) {
     // Documents of version 0.1 had a shape "raw", and called what is upright standing.
     s.styled = json.value("styled", json.at("shape") != "raw");
     s.upright = json.value("upright", json.value("standing", false));
-    s.scale_cm = std::clamp(json.at("scale_cm").get<float>(), 0.01f, 100.0f);
+    s.scale_cm = std::clamp(json.at("scale_cm").get<float>(), 0.0f, 100.0f);
     s.magnitude = std::clamp(json.at("magnitude").get<float>(), 0.0f, 10.0f);
     s.temperature = std::clamp(json.at("temperature").get<float>(), 0.0f, 100.0f);
     s.patch = std::clamp(json.at("patch").get<int>(), 1, 64);

@@ -42,7 +42,7 @@ struct StrokeSettings {
     bool styled = true;           // else the stroke alone
     StrokeShape shape = StrokeShape::tube;
     bool upright = false;    // the style swings away from what it lies on, not along it
-    float scale_cm = 1.6f;   // how far the style swings off the stroke, root mean square
+    float scale_cm = 1.6f;   // how far the style swings off the stroke, root mean square; 0: what fits its radius
     float magnitude = 1.0f;  // 0: the stroke alone
     float temperature = 0.0f;
     int patch = 10;

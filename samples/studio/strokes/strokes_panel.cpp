@@ -106,7 +106,7 @@ void StrokesWorkspace::style_button(const std::string& name, const char* said) {
 void StrokesWorkspace::draw_styles() {
     if (!ui::section("Style")) return;
     int number = 0;
-    for (const std::string& name : scenes::style_names()) {
+    for (const std::string& name : scenes::library_names()) {
         if (number++ % kStylesInARow != 0) ui::same_row();
         style_button(name, ("Style " + name + ", built in.").c_str());
     }
@@ -157,8 +157,14 @@ void StrokesWorkspace::draw_sizes() {
         // Of what was opened sizes may be beyond those of what is drawn here.
         scaled_length("Radius", &next_.radius_mm, 0.001f, 0.2f, 30.0f, "Half the thickness of a stroke. Keys [ and ].",
                       true, true);
-        scaled_length("Style size", &next_.scale_cm, 0.01f, 0.1f, 10.0f,
-                      "How far the style swings off the stroke. More makes wider and fewer turns.", true, next_.styled);
+        bool fits = next_.scale_cm == 0.0f;
+        if (!fits) {
+            scaled_length("Style size", &next_.scale_cm, 0.01f, 0.1f, 10.0f,
+                          "How far the style swings off the stroke. More makes wider and fewer turns.", true,
+                          next_.styled);
+        }
+        if (ui::toggle("Size fits radius", &fits, "The style swings so far that its turns stay apart.", next_.styled))
+            next_.scale_cm = fits ? 0.0f : StrokeSettings().scale_cm;
         ui::slider("Magnitude", &next_.magnitude, 0.0f, 3.0f, "%.2f x",
                    "Strength of the style. 0 is the plain stroke, 1 matches the example, more exaggerates it.", false,
                    next_.styled);

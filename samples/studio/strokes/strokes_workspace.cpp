@@ -9,6 +9,7 @@
 #include <map>
 
 #include "strokes/standing_strokes.h"
+#include "strokes/stroke_arrays.h"
 #include "strokes/stroke_files.h"
 #include "workspaces.h"
 
@@ -117,7 +118,7 @@ float StrokesWorkspace::lift(const filigree::Style* style) {
     const float rms = style != nullptr ? style_cache_.info(*style).displacement_rms : 0.0f;
     if (!next_.styled || tool_ != Tool::draw || !(rms > 0.0f)) return asked;
     const glm::vec2 reach = style_cache_.reach(document_, next_.style);
-    const float swing = 0.01f * next_.scale_cm / rms * next_.magnitude * (next_.upright ? reach.y : reach.x);
+    const float swing = swing_m(next_) / rms * next_.magnitude * (next_.upright ? reach.y : reach.x);
     return std::max(asked, swing + 0.001f * next_.radius_mm);
 }
 

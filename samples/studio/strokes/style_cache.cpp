@@ -17,7 +17,7 @@ constexpr float kUnseenShare = 1e-5f;
 constexpr size_t kKept = 32;  // styles that nothing is drawn with
 
 bool is_builtin_style(const std::string& name) {
-    const std::vector<std::string>& names = scenes::style_names();
+    const std::vector<std::string>& names = scenes::library_names();
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
