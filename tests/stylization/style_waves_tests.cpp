@@ -48,10 +48,9 @@ TEST(StyleWaves, OvertonesBelongToTheirWaves) {
     const Curve corners = test::even_curve(
         [](double u) { return Vec3(u, 0.2 * std::abs(2.0 * (8.0 * u - std::floor(8.0 * u)) - 1.0), 0.0); }, 600);
     EXPECT_NEAR(waves_of(corners), edge * 8.0, 1.0);
-    const Curve eights =
-        test::even_curve([](double u) { return Vec3(u - 0.03 * std::sin(2.0 * tau * 8.0 * u),
-                                                    0.04 * std::sin(tau * 8.0 * u), 0.0); },
-                         600);
+    const Curve eights = test::even_curve(
+        [](double u) { return Vec3(u - 0.03 * std::sin(2.0 * tau * 8.0 * u), 0.04 * std::sin(tau * 8.0 * u), 0.0); },
+        600);
     EXPECT_NEAR(waves_of(eights), edge * 8.0, 1.5);
 }
 
