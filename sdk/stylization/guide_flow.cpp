@@ -20,7 +20,7 @@ constexpr double end_waves = 1.5;
 constexpr uint32_t min_end_points = 4;
 constexpr double rounding = 1e-9;
 // Points of the flow that each of the longest waves has; those of the style, where these are fewer.
-constexpr double points_per_wave = 32.0;
+constexpr double points_per_wave = 24.0;
 constexpr size_t min_flow_points = 96;
 // Agreement asked of the diffusivity at the critical curvature; it is a margin, not a result.
 constexpr double limit_tolerance = 0.01;
@@ -269,9 +269,8 @@ Task<void> give_bends_back(Pace& pace, Flow& flow, const GuideFlowParams& params
     co_await sample(pace, flow.points, once);
     co_await flow_to(pace, 2.0 * time, flow, params);
     flow.time = time;
-    co_await each(pace, 1, flow.segments(), pass_cost, [from = once.data(), out = flow.points.data()](uint32_t i) {
-        out[i] = 2.0 * from[i] - out[i];
-    });
+    co_await each(pace, 1, flow.segments(), pass_cost,
+                  [from = once.data(), out = flow.points.data()](uint32_t i) { out[i] = 2.0 * from[i] - out[i]; });
     co_await measure_rests(pace, flow);
     co_await respace(pace, flow);
     co_await measure(pace, flow);
@@ -281,9 +280,8 @@ Task<void> give_bends_back(Pace& pace, Flow& flow, const GuideFlowParams& params
 Task<void> refine(Pace& pace, const Flow& flow, std::pmr::vector<Vec3>& guide) {
     const SmoothStyleCurve curve(flow.points.data(), flow.segments() + 1, flow.length);
     const double step = flow.length / static_cast<double>(guide.size() - 1);
-    co_await each(pace, guide.size() - 1, Cost::tens_of_ns, [=, out = guide.data()](uint32_t i) {
-        out[i] = curve.evaluate(step * i).position;
-    });
+    co_await each(pace, guide.size() - 1, Cost::tens_of_ns,
+                  [=, out = guide.data()](uint32_t i) { out[i] = curve.evaluate(step * i).position; });
     guide.back() = flow.points.back();
 }
 

@@ -37,7 +37,7 @@ struct GuideFlowParams {
     // Squared metres. Above 0: the bare flow between the style's own ends, for exactly this time.
     double time = 0.0;
     // Growth of t per step; the number of steps is about log(t / spacing^2) / growth, whatever the shape.
-    double growth = 0.4;
+    double growth = 0.6;
 };
 
 struct FlowedGuide {

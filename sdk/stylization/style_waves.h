@@ -15,7 +15,7 @@
 
 namespace flg {
 
-// Waves over the whole length, those at the low edge of their spectrum: about 3/4 of what one would count. 0: there are
+// Waves over the whole length, those at the low edge of their spectrum: about 0.6 of what one would count. 0: there are
 // none, the style is straight, bends plainly, or is too short to tell. `style`: at least two points, about evenly
 // spaced. It outlives the task. About 80 ns a point.
 Task<double> count_waves(Pace& pace, std::span<const Vec3> style);

@@ -12,8 +12,8 @@
 namespace flg::test {
 
 struct GuideQuality {
-    double waves = 0.0;   // what still waves in the guide: its distance from parabolas over two waves
-    double offset = 0.0;  // how far off the style's middle the guide lies: the mean displacement over three waves
+    double waves = 0.0;         // what still waves in the guide: its distance from parabolas over two waves
+    double offset = 0.0;        // how far off the style's middle the guide lies: the mean displacement over three waves
     double displacement = 0.0;  // root mean square, metres
 };
 
@@ -22,9 +22,7 @@ inline double rest_beside_parabola(const Curve& values, size_t first, size_t cou
     // Orthogonal polynomials over even places.
     double line_sq = 0.0, bend_sq = 0.0, mean_sq = 0.0;
     Vec3 mean = Vec3::Zero(), line = Vec3::Zero(), bend = Vec3::Zero();
-    const auto place = [&](size_t k) {
-        return 2.0 * static_cast<double>(k) / static_cast<double>(count - 1) - 1.0;
-    };
+    const auto place = [&](size_t k) { return 2.0 * static_cast<double>(k) / static_cast<double>(count - 1) - 1.0; };
     for (size_t k = 0; k < count; ++k) mean_sq += place(k) * place(k) / static_cast<double>(count);
     for (size_t k = 0; k < count; ++k) {
         const double x = place(k), y = x * x - mean_sq;

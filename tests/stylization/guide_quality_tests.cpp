@@ -44,8 +44,7 @@ const Waves waves[] = {
     {"tall zigzag", 14, [](double u) { return Vec3(0.0, 0.15 * triangle(14.0 * u), 0.0); }},
     {"loops", 10, [](double u) { return Vec3(0.05 * std::sin(tau * 10 * u), 0.05 * std::cos(tau * 10 * u), 0.0); },
      0.35},  // more of a loop lies where it goes forwards
-    {"coil", 10,
-     [](double u) { return Vec3(0.0, 0.05 * std::cos(tau * 10 * u), 0.05 * std::sin(tau * 10 * u)); }},
+    {"coil", 10, [](double u) { return Vec3(0.0, 0.05 * std::cos(tau * 10 * u), 0.05 * std::sin(tau * 10 * u)); }},
     {"sine", 8, [](double u) { return Vec3(0.0, 0.03 * std::sin(tau * 8 * u + 1.0), 0.0); }},
     // Hairs of uneven lengths.
     {"fur", 45,
@@ -83,8 +82,8 @@ Curve scribble(const Line& line, const Waves& wave, int count) {
 Curve guide_of(const Curve& style, double smoothing = 1.0) {
     GuideFlowParams params;
     params.smoothing = smoothing;
-    const FlowedGuide guide = run_now(std::pmr::new_delete_resource(),
-                                      [&](Pace& pace) { return guide_flow(pace, style, params); });
+    const FlowedGuide guide =
+        run_now(std::pmr::new_delete_resource(), [&](Pace& pace) { return guide_flow(pace, style, params); });
     return {guide.points.begin(), guide.points.end()};
 }
 
@@ -124,7 +123,7 @@ TEST(GuideQuality, GuidesLieOnTheMiddleLine) {
             const Curve guide = guide_of(style);
             const test::GuideQuality quality = test::guide_quality(style, guide, wave.count);
             const std::string name = std::string(wave.name) + " on " + line.name;
-            EXPECT_LT(off(guide, middle, 15, 85), (0.16 + wave.lopsided) * quality.displacement) << name;
+            EXPECT_LT(off(guide, middle, 15, 85), (0.18 + wave.lopsided) * quality.displacement) << name;
             EXPECT_LT(off(guide, middle, 0, 100), (0.25 + wave.lopsided) * quality.displacement) << name;
             EXPECT_LT(quality.waves, 0.03) << name;
             EXPECT_LT(quality.offset, 0.2) << name;
@@ -149,9 +148,9 @@ TEST(GuideQuality, SamplingAndDirectionDoNotMatter) {
 TEST(GuideQuality, HooksAtTheEndsDoNotBendTheGuide) {
     for (const Waves& wave : waves) {
         const Curve middle = dense(lines[0]);
-        const double size = test::guide_quality(scribble(lines[0], wave, 900), guide_of(scribble(lines[0], wave, 900)),
-                                                wave.count)
-                                .displacement;
+        const double size =
+            test::guide_quality(scribble(lines[0], wave, 900), guide_of(scribble(lines[0], wave, 900)), wave.count)
+                .displacement;
         const Curve style = test::even_curve(
             [&](double u) {
                 const double from_end = std::min(u, 1.0 - u), hook = std::clamp(1.0 - from_end / 0.03, 0.0, 1.0);

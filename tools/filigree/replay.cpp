@@ -51,7 +51,7 @@ const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_METHOD_
 struct Options {
     StyleOptions style;
     ApplyOptions apply;
-    std::string strokes, output;
+    std::string strokes, output, save_guide;
     bool fast = false;
     FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
     std::optional<float> min_radius, max_radius;
@@ -274,6 +274,7 @@ void run_replay(Options options, const CommonOptions& common) {
     StylizeOutput output = {};
     output.curves = options.output;
     output.surface = options.surface;
+    output.guide = options.save_guide;
     output.check_paths();
     options.style.check_usage();
     require_writable(common.report);
@@ -381,6 +382,7 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
                     "Radius at pressure 1, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.005")
         ->check(at_least_zero());
     o->surface.add_to(*app);
+    app->add_option("--save-guide", o->save_guide, "Write the style's guide")->type_name("G.xyz");
     return {app, [o, &common] { run_replay(*o, common); }};
 }
 

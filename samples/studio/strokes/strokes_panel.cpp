@@ -201,10 +201,11 @@ void StrokesWorkspace::draw_guide() {
     slider("Smoothing", &smoothing_, &next_.smoothing, 0.02f, 20.0f, "%.2f x",
            "How far the example is smoothed to its guide. Less leaves large waves in the guide, more makes them style.",
            true, next_.styled);
-    slider("Closeness", &beta_, &next_.beta, 0.01f, 0.99f, "%.2f",
-           "How guide and example are matched. More: each point of the guide takes what is nearest. Less: pieces of the "
-           "guide take equal shares of the example.",
-           false, next_.styled);
+    slider(
+        "Closeness", &beta_, &next_.beta, 0.01f, 0.99f, "%.2f",
+        "How guide and example are matched. More: each point of the guide takes what is nearest. Less: pieces of the "
+        "guide take equal shares of the example.",
+        false, next_.styled);
     shown.smoothing = smoothing_;
     shown.beta = beta_;
     guide_.update(document_, shown);

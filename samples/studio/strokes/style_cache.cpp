@@ -119,8 +119,8 @@ const filigree::Style* StyleCache::get(const StrokeDocument& document, const Str
     entry.style = prepare(points_of(document, settings.style), settings, [this, key = key_of(settings)](const auto&) {
         const auto found = styles_.find(key);
         if (found == styles_.end() || !has_nothing_to_learn(found->second.style)) return;
-        app_.notices.add(Weight::warning, "Style " + std::get<0>(key) +
-                                              " has nothing to learn: its example is straight, or too short.");
+        app_.notices.add(Weight::warning,
+                         "Style " + std::get<0>(key) + " has nothing to learn: its example is straight, or too short.");
     });
     return &entry.style;
 }

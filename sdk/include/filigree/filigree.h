@@ -590,13 +590,13 @@ typedef struct FlgStyleDesc {
      * one spacing, and one patch graph leads from any to any other (Fig. 3). Curves too short for a patch are never
      * jumped to; at least one must be long enough. */
     FlgCurveSet style;
-    /* The unstyled form: one open curve for each style curve, in order. Null: computed by the length-preserving flow of
-     * sec. 4.1. */
+    /* The unstyled form: one open curve for each style curve, in order. Null: made by the length-preserving flow of sec.
+     * 4.1, along the middle line of the style's waves; a style without waves is its own guide. */
     FlgCurveSet guide;
     /* How much of its length the guide keeps in the flow, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain curve
      * shortening; 1 keeps the length and removes little. Default 0.5. */
     float alpha;
-    /* How far the flow smooths, as a multiple of the amount chosen from the style; > 0. Default 1. */
+    /* How long the flow lasts, as a multiple of the time that the style's waves ask for; > 0. Default 1. */
     float smoothing;
     /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut off
      * at any weight: from one point of the guide to the next the matching goes on along the style by at most 1.4 times
@@ -617,7 +617,7 @@ typedef struct FlgStyleDesc {
 FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
- * flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points. */
+ * flgCurveSetStylize at once; its job then waits for this one. Cost: below 2 ms of work for 600 points. */
 FLG_API FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
 
 typedef struct FlgStyleInfo {

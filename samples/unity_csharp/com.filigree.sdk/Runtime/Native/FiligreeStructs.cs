@@ -421,8 +421,8 @@ namespace Filigree
         /// </summary>
         public FlgCurveSet style;
         /// <summary>
-        /// The unstyled form: one open curve for each style curve, in order. Null: computed by the length-preserving
-        /// flow of sec. 4.1.
+        /// The unstyled form: one open curve for each style curve, in order. Null: made by the length-preserving flow
+        /// of sec. 4.1, along the middle line of the style's waves; a style without waves is its own guide.
         /// </summary>
         public FlgCurveSet guide;
         /// <summary>
@@ -431,7 +431,7 @@ namespace Filigree
         /// </summary>
         public float alpha;
         /// <summary>
-        /// How far the flow smooths, as a multiple of the amount chosen from the style; &gt; 0. Default 1.
+        /// How long the flow lasts, as a multiple of the time that the style's waves ask for; &gt; 0. Default 1.
         /// </summary>
         public float smoothing;
         /// <summary>
