@@ -23,11 +23,11 @@ void make_rows(const SegmentBlock& __restrict block, uint32_t first, uint32_t la
     component(block.points.y, block.directions.y, block.tangents_start.y, block.tangents_end.y, 1);
     component(block.points.z, block.directions.z, block.tangents_start.z, block.tangents_end.z, 2);
     for (uint32_t j = first; j < last; ++j) {
-        const double low = block.speeds_low[j], middle = block.speeds_middle[j], high = block.speeds_high[j];
+        const float low = block.speeds_low[j], middle = block.speeds_middle[j], high = block.speeds_high[j];
         rows.chord[j] = static_cast<float>(block.chords[j]);
         rows.length[j] = static_cast<float>(block.lengths[j]);
-        rows.speed_slope[j] = static_cast<float>((high - low) * (0.5 / gauss_offset));
-        rows.speed_bend[j] = static_cast<float>((high + low - 2.0 * middle) * (0.5 / offset_sq));
+        rows.speed_slope[j] = (high - low) * static_cast<float>(0.5 / gauss_offset);
+        rows.speed_bend[j] = (high + low - 2 * middle) * static_cast<float>(0.5 / offset_sq);
     }
 }
 

@@ -72,8 +72,8 @@ private:
 
     bool refill();
     void find_closing_edge();
+    uint32_t take_edges();
     uint32_t read_points();
-    void make_edges(uint32_t points);
     void make_vertices(uint32_t points);
     void make_tangents(uint32_t count);
 
