@@ -163,6 +163,10 @@ Task<void> add_powers(Pace& pace, const Buffer<Vec3>& tangents, Bins& bins) {
                       bins[bin] += power * (bin + 1 - at);
                       bins[bin + 1] += power * (at - bin);
                   });
+    turns = {};
+    co_await pace;
+    values = {};
+    co_await pace;
 }
 
 // With the Gaussian's greatest value 1: a pure wave has its power for a density.
