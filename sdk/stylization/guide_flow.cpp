@@ -208,7 +208,7 @@ struct EndLine {
     // Where the line is abreast of the tip, or where it ends if the tip is further out.
     Vec3 end(const Vec3& tip) const {
         const double determinant = weights * along_sq_sum - along_sum * along_sum;
-        const Vec3 start = (along_sq_sum * points - along_sum * along_points) / determinant;
+        Vec3 start = (along_sq_sum * points - along_sum * along_points) / determinant;
         const Vec3 slope = (weights * along_points - along_sum * points) / determinant;
         const double slope_sq = slope.squaredNorm();
         if (!(slope_sq > 0.0)) return start;

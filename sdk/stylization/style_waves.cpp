@@ -147,8 +147,9 @@ Task<void> add_powers(Pace& pace, const Buffer<Vec3>& tangents, Bins& bins) {
     Buffer<Complex3> values(cells, pace.memory());
     Buffer<Turn> turns(size_t{2} * cells, pace.memory());
     co_await make_turns(pace, cells, turns);
-    // The even ones forwards, then the odd ones backwards: the transform of the row and its mirror image.
-    co_await each(pace, cells, Cost::tens_of_ns, [=, out = values.data(), in = tangents.data()](uint32_t j) {
+    // The even ones forwards, then the odd ones backwards: the transform of the row and its mirror image. Each may be
+    // the first in its page.
+    co_await each(pace, cells, Cost::hundreds_of_ns, [=, out = values.data(), in = tangents.data()](uint32_t j) {
         out[reversed_bits(j, bits)] = {2 * j < cells ? in[2 * j] : in[2 * (cells - j) - 1], Vec3::Zero()};
     });
     co_await fourier(pace, values, turns);
@@ -162,6 +163,10 @@ Task<void> add_powers(Pace& pace, const Buffer<Vec3>& tangents, Bins& bins) {
                       bins[bin] += power * (bin + 1 - at);
                       bins[bin + 1] += power * (at - bin);
                   });
+    turns = {};
+    co_await pace;
+    values = {};
+    co_await pace;
 }
 
 // With the Gaussian's greatest value 1: a pure wave has its power for a density.

@@ -590,8 +590,8 @@ typedef struct FlgStyleDesc {
      * one spacing, and one patch graph leads from any to any other (Fig. 3). Curves too short for a patch are never
      * jumped to; at least one must be long enough. */
     FlgCurveSet style;
-    /* The unstyled form: one open curve for each style curve, in order. Null: made by the length-preserving flow of sec.
-     * 4.1, along the middle line of the style's waves; a style without waves is its own guide. */
+    /* The unstyled form: one open curve for each style curve, in order. Null: made by the flow of sec. 4.1, along the
+     * middle line of the style's waves; a style without waves is its own guide. */
     FlgCurveSet guide;
     /* How much of its length the guide keeps in the flow, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain curve
      * shortening; 1 keeps the length and removes little. Default 0.5. */

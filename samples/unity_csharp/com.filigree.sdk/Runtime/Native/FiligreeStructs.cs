@@ -421,8 +421,8 @@ namespace Filigree
         /// </summary>
         public FlgCurveSet style;
         /// <summary>
-        /// The unstyled form: one open curve for each style curve, in order. Null: made by the length-preserving flow
-        /// of sec. 4.1, along the middle line of the style's waves; a style without waves is its own guide.
+        /// The unstyled form: one open curve for each style curve, in order. Null: made by the flow of sec. 4.1, along
+        /// the middle line of the style's waves; a style without waves is its own guide.
         /// </summary>
         public FlgCurveSet guide;
         /// <summary>
