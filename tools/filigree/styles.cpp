@@ -7,6 +7,7 @@
 #include "command.h"
 #include "documents/failure.h"
 #include "documents/report.h"
+#include "documents/text_file.h"
 #include "support/curve_source.h"
 
 namespace flg::cli {

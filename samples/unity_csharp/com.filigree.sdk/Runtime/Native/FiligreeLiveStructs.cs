@@ -17,7 +17,7 @@ namespace Filigree
         public float temperature;
         /// <summary>
         /// &gt; 0, or 0 = chosen from the radii, as a stroke's length is not known while it is drawn: the mean of
-        /// min_radius and max_radius becomes 0.16 of the style's swing, scale * displacement_rms, so that turns stay
+        /// min_radius and max_radius becomes 0.14 of the style's swing, scale * displacement_rms, so that turns stay
         /// apart. 1 if both are 0 or the style has no displacement. FlgLiveStrokeInfo::scale has the one chosen.
         /// Default 1.
         /// </summary>
