@@ -64,7 +64,8 @@ TEST(Xyz, ColorsAreKeptWithoutAsking) {
     const uint32_t offsets[] = {0, 3, 4};
     const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0},
                                  {FLG_ATTRIBUTE_COLOR, 4, colors.data(), 0, 0}};
-    FlgCurveSetView view = flgCurveSetViewDefaults();
+    FlgCurveSetView view = {};
+    view.struct_size = sizeof view;
     view.curve_count = 2;
     view.curve_offsets = offsets;
     view.columns = columns;
