@@ -10,10 +10,10 @@ namespace flg {
 
 namespace {
 
-constexpr double swing_per_radius = 1.3;   // more: the style leaves the shape that was painted
+constexpr double swing_per_radius = 1.2;   // more: the style leaves the shape that was painted
 constexpr double finest = 8;               // more: turns on long thin strokes too small to see
-constexpr double coarsest = 1.6;           // more: dabs get less than a turn of most styles
-constexpr double radius_per_swing = 0.16;  // more: turns touch; less: they are hairs
+constexpr double coarsest = 1.25;          // more: dabs get less than a turn of most styles
+constexpr double radius_per_swing = 0.14;  // more: turns touch; less: they are hairs
 constexpr double scale_min = 1e-30, scale_max = 1e30;
 
 constexpr uint32_t points_chunk = 1000;  // about 10 us

@@ -113,9 +113,9 @@ TEST(AutomaticScale, SwingsAsWideAsAStrokeWasPainted) {
     host.finish();
     const double rms = style_info(host, style).displacement_rms;
     const auto scale = [&](double length, double radius) { return sized(host, style, line(length, radius)).scales[0]; };
-    EXPECT_NEAR(scale(6, 0.1), 1.3 * 0.1 / rms, 1e-4);
+    EXPECT_NEAR(scale(6, 0.1), 1.2 * 0.1 / rms, 1e-4);
     EXPECT_NEAR(scale(6, 0.001), 1.0 / 8, 1e-5) << "no finer than that";
-    EXPECT_NEAR(scale(6, 10), 1.6, 1e-5) << "no coarser";
+    EXPECT_NEAR(scale(6, 10), 1.25, 1e-5) << "no coarser";
     EXPECT_NEAR(scale(6, 0), 1, 1e-5) << "as without a radius";
 }
 
@@ -126,7 +126,7 @@ TEST(AutomaticScale, MakesTheRadiusThinner) {
     const float rms = style_info(host, style).displacement_rms;
     const auto radius = [](const Sized& s) { return find_column(s.view, FLG_ATTRIBUTE_RADIUS)->data; };
     for (uint32_t i = 0; i < thick.view.curve_offsets[1]; ++i)
-        ASSERT_NEAR(radius(thick)[i], 0.16f * rms * thick.scales[0], 1e-6);
+        ASSERT_NEAR(radius(thick)[i], 0.14f * rms * thick.scales[0], 1e-6);
     EXPECT_NEAR(radius(sized(host, style, line(6, 0.001)))[0], 0.001f, 1e-8) << "thin enough";
     EXPECT_EQ(radius(sized(host, style, line(6, 0.1), 1))[0], 0.1f) << "scale given: as it was";
 }
@@ -218,7 +218,7 @@ TEST(AutomaticScale, KeepsPaintedSketchesLegible) {
         EXPECT_GE(turns, 5) << "curve " << c << " shows nothing of the style";
         EXPECT_LE(turns, 100) << "curve " << c;
         const float* drawn = find_column(result.view, FLG_ATTRIBUTE_RADIUS)->data;
-        EXPECT_LE(drawn[result.view.curve_offsets[c]], 0.17 * swing) << "curve " << c << ": turns touch";
+        EXPECT_LE(drawn[result.view.curve_offsets[c]], 0.15 * swing) << "curve " << c << ": turns touch";
     }
 }
 
@@ -252,7 +252,7 @@ TEST(AutomaticScale, LiveStrokesTakeItFromTheirRadii) {
         EXPECT_EQ(flgLiveStrokeRelease(host.context, stroke), FLG_OK);
         return info.scale;
     };
-    EXPECT_NEAR(scale(0.01f, 0.03f, 0), 0.02f / (0.16f * style_info_now.displacement_rms), 1e-5f);
+    EXPECT_NEAR(scale(0.01f, 0.03f, 0), 0.02f / (0.14f * style_info_now.displacement_rms), 1e-5f);
     EXPECT_EQ(scale(0, 0, 0), 1.0f);
     EXPECT_EQ(scale(0.01f, 0.03f, 0.7f), 0.7f);
 }

@@ -64,13 +64,14 @@ TEST(Xyz, ColorsAreKeptWithoutAsking) {
     const uint32_t offsets[] = {0, 3, 4};
     const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0},
                                  {FLG_ATTRIBUTE_COLOR, 4, colors.data(), 0, 0}};
-    FlgCurveSetView view = flgCurveSetViewDefaults();
+    FlgCurveSetView view = {};
+    view.struct_size = sizeof view;
     view.curve_count = 2;
     view.curve_offsets = offsets;
     view.columns = columns;
     view.column_count = 2;
     const std::string path = folder.at("a.xyz");
-    ASSERT_EQ(flgCurveFileWrite(path.c_str(), &view, nullptr), FLG_OK) << last_error();
+    ASSERT_EQ(flgCurveFileWrite(path.c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
     EXPECT_EQ(slurp(path), "# color 1 0 0 1\n0 0 0\n1 0 0\n# color 0 0.5 0 1\n2 0 0\n\n3 0 0\n");
     EXPECT_EQ(read(path).column(FLG_ATTRIBUTE_COLOR), colors);
 }

@@ -2,6 +2,8 @@
 // filigree stylize: its files, its report, and that nothing but the input decides about the bits.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -270,6 +272,24 @@ TEST_F(Stylize, TheLibraryIsListedAndWritten) {
     done({"stylize", "--style", "builtin:hearts", "--target", "builtin:s_curve", "-o", "a.xyz"});
     done({"stylize", "--style", "library/hearts.xyz", "--target", "builtin:s_curve", "-o", "b.xyz"});
     EXPECT_EQ(folder.read("a.xyz"), folder.read("b.xyz"));
+
+    // The SDK's copies are these.
+    size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FLG_SOURCES "/sdk/data/styles")) {
+        if (entry.path().extension() != ".xyz") continue;
+        ++files;
+        std::ifstream stream(entry.path());
+        const std::string kept{std::istreambuf_iterator<char>(stream), {}};
+        const std::vector<std::string> theirs = lines_of(kept);
+        const std::vector<std::string> ours = lines_of(folder.read("library/" + entry.path().filename().string()));
+        ASSERT_EQ(ours.size(), theirs.size()) << entry.path();
+        for (size_t i = 0; i < ours.size(); ++i) {
+            const std::vector<double> a = numbers_of<double>(ours[i]), b = numbers_of<double>(theirs[i]);
+            ASSERT_EQ(a.size(), b.size()) << entry.path() << ", line " << i + 1;
+            for (size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-6) << entry.path() << ", line " << i + 1;
+        }
+    }
+    EXPECT_EQ(files, 24u);
 }
 
 TEST_F(Stylize, ASketchKeepsItsColoursAndItsBrushesShapes) {
@@ -469,8 +489,11 @@ TEST_F(Stylize, EveryKindOfColumnGoesFromFileToFile) {
     }
     EXPECT_EQ(folder.read("out.xyz").rfind("# columns x y z radius nx ny nz", 0), std::string::npos);
     EXPECT_EQ(folder.read("out.xyz").rfind("# columns x y z radius tangent_0", 0), 0u);
-    // Without --columns the lines are plain.
-    for (const std::string& line : lines_of(folder.read("again.xyz"))) ASSERT_EQ(numbers_of<float>(line).size(), 4u);
+    // Without --columns the lines are plain; colours are comments.
+    for (const std::string& line : lines_of(folder.read("again.xyz"))) {
+        if (line.starts_with("# color ")) continue;
+        ASSERT_EQ(numbers_of<float>(line).size(), 4u);
+    }
     expect_refused(
         {"stylize", "--style", "style.xyz", "--target", "builtin:flourish", "-o", "x.xyz", "--attributes", "user1"}, 1,
         {"no column", "USER + 1"});

@@ -8,7 +8,7 @@
 namespace flg::cli {
 namespace {
 
-constexpr float kRadiusPerSwing = 0.16f;  // as flgCurveSetGetScales has it
+constexpr float kRadiusPerSwing = 0.14f;  // as flgCurveSetGetScales has it
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "documents/failure.h"
 #include "documents/report.h"
+#include "documents/text_file.h"
 #include "support/curve_source.h"
 
 namespace flg::cli {
@@ -17,7 +18,10 @@ struct Options {
 };
 
 void write(const samples::CurveSource& style, const std::string& path) {
-    if (flgCurveFileWrite(path.c_str(), &style.view(), nullptr) != FLG_OK) throw InputError(flgIoErrorGetMessage());
+    FlgCurveFileWriteDesc desc = flgCurveFileWriteDefaults();
+    // Radii and colours are there in any case, and in a plainer file.
+    desc.all_columns = samples::find_column(style.view(), FLG_ATTRIBUTE_ANGLE) != nullptr;
+    if (flgCurveFileWrite(path.c_str(), &style.view(), &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
 }
 
 void run_styles(const Options& options, const CommonOptions& common) {
@@ -44,7 +48,7 @@ void run_styles(const Options& options, const CommonOptions& common) {
 Command add_styles(CLI::App& program, const CommonOptions& common) {
     CLI::App* app = program.add_subcommand("styles", "Lists the style library, or writes it as files");
     const auto o = std::make_shared<Options>();
-    app->add_option("-o,--output", o->folder, "Writes each style into this folder, NAME.xyz: radius and colour, too")
+    app->add_option("-o,--output", o->folder, "Writes each style into this folder, NAME.xyz: radius and colour, too, and the angle of ribbons")
         ->type_name("FOLDER");
     return {app, [o, &common] { run_styles(*o, common); }};
 }

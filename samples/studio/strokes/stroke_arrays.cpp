@@ -55,7 +55,7 @@ samples::LiveSample live_sample(const StrokeSample& sample) {
 }
 
 float swing_m(const StrokeSettings& settings) {
-    constexpr float kRadiusPerSwing = 0.16f;  // as FlgLiveStrokeDesc::scale has it
+    constexpr float kRadiusPerSwing = 0.14f;  // as FlgLiveStrokeDesc::scale has it
     const float mean_radius = 0.5f * (1.0f + kLightest) * 0.001f * settings.radius_mm;
     return settings.scale_cm > 0.0f ? 0.01f * settings.scale_cm : mean_radius / kRadiusPerSwing;
 }

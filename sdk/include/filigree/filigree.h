@@ -691,9 +691,9 @@ typedef struct FlgCurveSetStylizeDesc {
      * itself, and kept for the host to read (flgCurveSetGetScales): s = size of the target curve / size of the guide,
      * the proportion that the example has. Size is D (D / L)^(1/3), with L the curve's length and D sqrt(12) times the
      * root mean square distance of its points from their centre: the length if it is straight, less where it winds. If
-     * the target has a RADIUS, of mean r along the curve, the style swings as wide as the stroke was painted: 1.3 r /
-     * FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.6 s. That RADIUS is then made thinner where the
-     * style's turns would touch: multiplied by one factor for each curve, so that its mean is 0.16 * scale *
+     * the target has a RADIUS, of mean r along the curve, the style swings as wide as the stroke was painted: 1.2 r /
+     * FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.25 s. That RADIUS is then made thinner where the
+     * style's turns would touch: multiplied by one factor for each curve, so that its mean is 0.14 * scale *
      * displacement_rms at most; but not if the style has a RADIUS, nor at magnitude 0. The choice depends neither on
      * place, direction or unit of style and target nor on the other curves. A curve without length has scale 1.
      * Default 1. */
@@ -764,7 +764,7 @@ typedef struct FlgCurveSetScales {
 FLG_API FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint32_t struct_size);
 
 /* The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0. Times
- * FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.16 of that is a good radius for curves that
+ * FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.14 of that is a good radius for curves that
  * have none. FLG_NOT_READY until the result is published, its job's error if that failed. Cost: tens of nanoseconds. */
 FLG_API FlgResult flgCurveSetGetScales(FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales);
 

@@ -324,7 +324,7 @@ namespace Filigree
 
         /// <summary>
         /// The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0.
-        /// Times FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.16 of that is a good radius
+        /// Times FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.14 of that is a good radius
         /// for curves that have none. FlgResult.NotReady until the result is published, its job's error if that failed.
         /// Cost: tens of nanoseconds.
         /// </summary>

@@ -16,10 +16,9 @@ namespace Filigree
         /// <summary>the style must be warm at this temperature</summary>
         public float temperature;
         /// <summary>
-        /// &gt; 0, or 0 = chosen from the radii, as a stroke's length is not known while it is drawn: the mean of
-        /// min_radius and max_radius becomes 0.16 of the style's swing, scale * displacement_rms, so that turns stay
-        /// apart. 1 if both are 0 or the style has no displacement. FlgLiveStrokeInfo::scale has the one chosen.
-        /// Default 1.
+        /// &gt; 0, or 0 = chosen from the radii, as a stroke's length is not known while it is drawn: the mean of the
+        /// two radii below becomes 0.14 of the style's swing, scale * displacement_rms, so that turns stay apart. 1 if
+        /// both are 0 or the style has no displacement. FlgLiveStrokeInfo::scale has the one chosen. Default 1.
         /// </summary>
         public float scale;
         /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>

@@ -515,9 +515,9 @@ namespace Filigree
         /// guide, the proportion that the example has. Size is D (D / L)^(1/3), with L the curve's length and D
         /// sqrt(12) times the root mean square distance of its points from their centre: the length if it is straight,
         /// less where it winds. If the target has a RADIUS, of mean r along the curve, the style swings as wide as the
-        /// stroke was painted: 1.3 r / FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.6 s. That
+        /// stroke was painted: 1.2 r / FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.25 s. That
         /// RADIUS is then made thinner where the style's turns would touch: multiplied by one factor for each curve, so
-        /// that its mean is 0.16 * scale * displacement_rms at most; but not if the style has a RADIUS, nor at
+        /// that its mean is 0.14 * scale * displacement_rms at most; but not if the style has a RADIUS, nor at
         /// magnitude 0. The choice depends neither on place, direction or unit of style and target nor on the other
         /// curves. A curve without length has scale 1. Default 1.
         /// </summary>
