@@ -225,6 +225,8 @@ FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLive
         info.ended = self.phase() != LiveStroke::Phase::drawing;
         info.spacing = static_cast<float>(self.spacing());
         info.cut = self.cut();
+        info.waiting_points = self.waiting_points();
+        info.dense_samples = self.dense_samples();
         write_struct(out_info, info, "out_info");
         return FLG_OK;
     });

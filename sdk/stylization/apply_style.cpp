@@ -11,7 +11,7 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t synthesis_chunk = 120;  // units, about 10 us
+constexpr uint32_t synthesis_chunk = 400;  // units, about 10 us
 
 // What all branches read, and the columns that they write to beside frames and carried ones; null: not wanted.
 struct Application {

@@ -95,5 +95,15 @@ namespace Filigree
         /// nonzero: the samples need more than max_points points; the stroke ends before its samples do
         /// </summary>
         public uint cut;
+        /// <summary>
+        /// about how many points the samples so far still have to get; usually 0. Every sample to come makes 1,024 of
+        /// them at most: see Delivery
+        /// </summary>
+        public uint waiting_points;
+        /// <summary>
+        /// samples from which on the stroke has had more than 64 points to the next: pushing them takes longer. A
+        /// larger scale or more samples a second make it fewer
+        /// </summary>
+        public uint dense_samples;
     }
 }
