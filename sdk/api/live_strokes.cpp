@@ -226,6 +226,8 @@ FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLive
         info.spacing = static_cast<float>(self.spacing());
         info.cut = self.cut();
         info.scale = static_cast<float>(self.scale());
+        info.waiting_points = self.waiting_points();
+        info.dense_samples = self.dense_samples();
         write_struct(out_info, info, "out_info");
         return FLG_OK;
     });

@@ -36,11 +36,8 @@ bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
         if (units == 0 || !read_on(units)) return false;
     }
     units -= std::min(units, out.count);
-    for (uint32_t k = 0; k < out.count; ++k) {
-        const auto j = static_cast<size_t>(out.row[k]);
-        out.along[k] = static_cast<float>((first + k) * step_ - starts_[j]);
-        out.segment[k] = stream_.index_of(static_cast<uint32_t>(j));
-    }
+    find_places(starts_.data(), first, step_, out);
+    for (uint32_t k = 0; k < out.count; ++k) out.segment[k] = stream_.index_of(static_cast<uint32_t>(out.row[k]));
     place_samples(rows_, out);
     if (has_end) {
         const uint32_t last = out.count - 1;
@@ -83,8 +80,9 @@ bool BlockSampler::read_on(uint32_t& units) {
     for (uint32_t j = range.first; j < range.last; ++j) {
         starts_[j] = end_;
         end_ += block.lengths[j];
-        stops_[j] = first_sample_from(end_, step_, end_ / step_);
+        ends_[j] = end_;
     }
+    find_stops(ends_.data(), range.first, range.last, step_, stops_.data());
     // What the arc length comes to has no samples behind it.
     if (stream_.done()) stops_[range.last - 1] = steps_;
     row_ = range.first;

@@ -36,19 +36,10 @@ private:
     uint32_t next_ = 0;  // sample to come
     // Segments whose samples are coming.
     SegmentRows rows_;
-    std::array<double, SegmentRows::size> starts_;     // arc length
-    std::array<uint32_t, SegmentRows::size> stops_;  // the first sample behind
+    std::array<double, SegmentRows::size> starts_, ends_;  // arc lengths
+    std::array<uint32_t, SegmentRows::size> stops_;        // the first sample behind
     uint32_t row_ = 0, last_row_ = 0;
     double end_ = 0;  // arc length of all segments read
 };
-
-// The first of the samples 0, step, 2 step, ... that isn't before `end`; `steps_in` is end / step, about.
-inline uint32_t first_sample_from(double end, double step, double steps_in) {
-    constexpr double samples_max = 2147483000.0;
-    int32_t n = static_cast<int32_t>(steps_in < samples_max ? steps_in : samples_max) - 1;
-    n = n > 0 ? n : 0;
-    for (int k = 0; k < 3; ++k) n += n * step < end ? 1 : 0;
-    return static_cast<uint32_t>(n);
-}
 
 }  // namespace flg

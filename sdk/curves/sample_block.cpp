@@ -25,6 +25,14 @@ void make_rows(const SegmentBlock& block, uint32_t first, uint32_t last, Segment
     FLG_FOR_THIS_MACHINE(make_rows(block, first, last, rows));
 }
 
+void find_stops(const double* ends, uint32_t first, uint32_t last, double step, uint32_t* stops) {
+    FLG_FOR_THIS_MACHINE(find_stops(ends, first, last, step, stops));
+}
+
+void find_places(const double* starts, double first, double step, SampleBlock& block) {
+    FLG_FOR_THIS_MACHINE(find_places(starts, first, step, block));
+}
+
 void place_samples(const SegmentRows& rows, SampleBlock& block) {
     // Lanes that are nobody's go along with the last sample.
     for (uint32_t k = block.count; k % SampleBlock::lanes != 0; ++k) {
@@ -81,17 +89,12 @@ void FrameChain::follow(SampleBlock& block) {
 }
 
 void pack(const float (&values)[3][SampleBlock::size], uint32_t count, float* out) {
-    const float *x = values[0] + 1, *y = values[1] + 1, *z = values[2] + 1;
-    for (uint32_t k = 0; k < count; ++k) {
-        out[3 * k] = x[k];
-        out[3 * k + 1] = y[k];
-        out[3 * k + 2] = z[k];
-    }
+    FLG_FOR_THIS_MACHINE(pack(values[0] + 1, values[1] + 1, values[2] + 1, count, out));
 }
 
 void pack_positions(const SampleBlock& block, uint32_t count, float* out) {
     for (uint32_t k = 0; k < count; ++k) {
-        for (int c = 0; c < 3; ++c) out[3 * k + static_cast<uint32_t>(c)] = block.start[c][k + 1] + block.offset[c][k + 1];
+        for (uint32_t c = 0; c < 3; ++c) out[3 * k + c] = block.start[c][k + 1] + block.offset[c][k + 1];
     }
 }
 

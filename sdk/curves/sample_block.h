@@ -24,7 +24,7 @@ struct SegmentRows {
     static constexpr uint32_t size = SegmentBlock::size;
     float linear[3][size], square[3][size], cube[3][size];
     float start[3][size];
-    float chord[size], length[size];     // metres
+    float chord[size], length[size];            // metres
     float speed_slope[size], speed_bend[size];  // of the parabola through the speeds at the Gauss points
 };
 
@@ -91,6 +91,10 @@ private:
 
 // Of the block's segments `first` to `last` - 1.
 void make_rows(const SegmentBlock& block, uint32_t first, uint32_t last, SegmentRows& rows);
+// Of the segments, which end at these arc lengths: the first of the samples 0, step, 2 step, ... behind each.
+void find_stops(const double* ends, uint32_t first, uint32_t last, double step, uint32_t* stops);
+// Finds `along` of the samples `first`, `first` + 1, ..., whose rows are known, and begin at these arc lengths.
+void find_places(const double* starts, double first, double step, SampleBlock& block);
 // Finds t, start, offset and tangent of the samples, whose rows and places along are known.
 void place_samples(const SegmentRows& rows, SampleBlock& block);
 

@@ -31,6 +31,27 @@ void make_rows(const SegmentBlock& __restrict block, uint32_t first, uint32_t la
     }
 }
 
+void find_stops(const double* __restrict ends, uint32_t first, uint32_t last, double step, uint32_t* __restrict stops) {
+    constexpr double samples_max = 2147483000.0;
+    const double per_step = 1 / step;
+    for (uint32_t j = first; j < last; ++j) {
+        const double end = ends[j], steps = end * per_step;
+        double n = static_cast<double>(static_cast<int32_t>(steps < samples_max ? steps : samples_max)) - 1;
+        // Rounding may have it one off to either side.
+        n = n > 0 ? n : 0;
+        n += n * step < end ? 1.0 : 0.0;
+        n += n * step < end ? 1.0 : 0.0;
+        n += n * step < end ? 1.0 : 0.0;
+        stops[j] = static_cast<uint32_t>(static_cast<int32_t>(n));
+    }
+}
+
+void find_places(const double* __restrict starts, double first, double step, SampleBlock& __restrict block) {
+    for (int32_t k = 0; k < static_cast<int32_t>(block.count); ++k) {
+        block.along[k] = static_cast<float>((first + k) * step - starts[block.row[k]]);
+    }
+}
+
 // The inverse of arc length. It starts from the parabola through the three speeds, what a Newton step takes away with
 // the mean speed in the place of the speed at t. Where the speed varies by more than `even_speed` that isn't good
 // enough, and Chebyshev's third-order form of Newton's method on the arc length itself goes on. Speeds of one segment
@@ -193,5 +214,14 @@ void find_normals(SampleBlock& block) {
         for (int c = 0; c < 3; ++c) {
             block.normal[c][k + 1] = real * block.first[c][k + 1] + imaginary * block.second[c][k + 1];
         }
+    }
+}
+
+void pack(const float* __restrict x, const float* __restrict y, const float* __restrict z, uint32_t count,
+          float* __restrict out) {
+    for (uint32_t k = 0; k < count; ++k) {
+        out[3 * k] = x[k];
+        out[3 * k + 1] = y[k];
+        out[3 * k + 2] = z[k];
     }
 }

@@ -218,18 +218,19 @@ bool LiveKernel::follow_segment(uint32_t& units) {
         const uint32_t capacity = std::min({units, room, SampleBlock::capacity});
         if (capacity == 0) return false;
         uint32_t count = 0;
-        for (double s; count < capacity && reached(s = (state_.points + count) * step_);) {
-            samples_made_.row[count] = 0;
-            samples_made_.along[count++] = static_cast<float>(s - state_.start);
-        }
+        while (count < capacity && reached((state_.points + count) * step_)) samples_made_.row[count++] = 0;
         units -= count;
+        state_.segment_points += count;
         if (only_counts()) {
             state_.points += count;
         } else {
             samples_made_.count = count;
+            find_places(&state_.start, state_.points, step_, samples_made_);
             make_points();
         }
     }
+    if (state_.segment_points > dense_points) ++state_.dense_segments;
+    state_.segment_points = 0;
     state_.start = end;
     state_.in_segment = false;
     return true;
@@ -286,7 +287,8 @@ void LiveKernel::make_frames() {
             state_.frame.step(samples.position_of(k), samples.tangent_of(k));
         }
         const double t = samples.t[k];
-        take_supplied_normal(state_.segment.hand_start.up + t * (state_.segment.hand_end.up - state_.segment.hand_start.up));
+        take_supplied_normal(state_.segment.hand_start.up +
+                             t * (state_.segment.hand_end.up - state_.segment.hand_start.up));
         samples.set_normal(k, state_.frame.normal());
     }
 }

@@ -232,6 +232,20 @@ const FlgCurveSetView& LiveStroke::tip() {
     return tip_view_.show(tip_columns_, 0, points > from.points ? points - first : 0);
 }
 
+uint32_t LiveStroke::waiting_points() const {
+    const LiveState& state = seen();
+    if (!state.in_segment || state.cut) return 0;
+    // To the end of the segment, and from there from sample to sample.
+    double length = (state.start + state.segment.chord) - state.points * spacing();
+    for (uint32_t i = state.samples; i < sample_count_; ++i) {
+        const float* position = positions_.data() + 3 * size_t{i};
+        length += (load_vec3(position) - load_vec3(position - 3)).norm();
+    }
+    const double points = std::ceil(length / spacing());
+    const double room = settings_.max_points - state.points;
+    return static_cast<uint32_t>(std::clamp(points, 0.0, room));
+}
+
 void LiveStroke::begin_end() {
     before_end_ = kernel_.state();
     kernel_.close();

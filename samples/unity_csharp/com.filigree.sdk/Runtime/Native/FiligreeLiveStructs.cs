@@ -101,5 +101,15 @@ namespace Filigree
         public uint cut;
         /// <summary>of the style: FlgLiveStrokeDesc::scale, or the one chosen for 0</summary>
         public float scale;
+        /// <summary>
+        /// about how many points the samples so far still have to get; usually 0. Every sample to come makes 1,024 of
+        /// them at most: see Delivery
+        /// </summary>
+        public uint waiting_points;
+        /// <summary>
+        /// samples from which on the stroke has had more than 64 points to the next: pushing them takes longer. A
+        /// larger scale or more samples a second make it fewer
+        /// </summary>
+        public uint dense_samples;
     }
 }
