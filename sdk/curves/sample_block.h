@@ -24,7 +24,7 @@ struct SegmentRows {
     static constexpr uint32_t size = SegmentBlock::size;
     float linear[3][size], square[3][size], cube[3][size];
     float start[3][size];
-    float chord[size], length[size];     // metres
+    float chord[size], length[size];            // metres
     float speed_slope[size], speed_bend[size];  // of the parabola through the speeds at the Gauss points
 };
 

@@ -12,7 +12,7 @@
 namespace flg {
 
 struct AppliedStyle {
-    Buffer<Vec3> displacement;  // metres along the target's tangent, first and second normal, at magnitude 1
+    Buffer<Vec3> displacement;           // metres along the target's tangent, first and second normal, at magnitude 1
     std::array<Buffer<float>, 3> along;  // the same, as blocks of samples take them
     std::span<const StyleAttribute> attributes;
     double scale = 1;  // of the attributes' lengths

@@ -18,9 +18,9 @@ struct DisplacedBlock {
     static constexpr uint32_t size = SampleBlock::size;
 
     // In: slot k + 1 is sample k's, as in SampleBlock.
-    float along[3][size];    // d: along tangent, first and second normal; metres
-    float magnitude[size];   // slot k is sample k's
-    double turn_rad[size];   // likewise: by what the normal of a ribbon is turned about the tangent
+    float along[3][size];   // d: along tangent, first and second normal; metres
+    float magnitude[size];  // slot k is sample k's
+    double turn_rad[size];  // likewise: by what the normal of a ribbon is turned about the tangent
     // Out.
     float displacement[3][size];  // metres, in space
     float position[3][size];

@@ -287,7 +287,8 @@ void LiveKernel::make_frames() {
             state_.frame.step(samples.position_of(k), samples.tangent_of(k));
         }
         const double t = samples.t[k];
-        take_supplied_normal(state_.segment.hand_start.up + t * (state_.segment.hand_end.up - state_.segment.hand_start.up));
+        take_supplied_normal(state_.segment.hand_start.up +
+                             t * (state_.segment.hand_end.up - state_.segment.hand_start.up));
         samples.set_normal(k, state_.frame.normal());
     }
 }

@@ -130,14 +130,14 @@ struct LiveState {
     LiveCurve curve;
     LiveSegment segment;  // being followed if in_segment
     bool in_segment = false;
-    bool closing = false;  // no samples will follow
-    bool cut = false;      // a point was due, and there was no room: the stroke ends before it
-    double start = 0;      // arc length in metres where the segment begins
-    uint32_t samples = 0;  // read
-    uint32_t points = 0;   // made
-    uint32_t segment_points = 0;  // of them, on the segment
-    uint32_t dense_segments = 0;  // with more than dense_points
-    double motion_s = 0;   // TIME of the last point, if the style has SPEED
+    bool closing = false;           // no samples will follow
+    bool cut = false;               // a point was due, and there was no room: the stroke ends before it
+    double start = 0;               // arc length in metres where the segment begins
+    uint32_t samples = 0;           // read
+    uint32_t points = 0;            // made
+    uint32_t segment_points = 0;    // of them, on the segment
+    uint32_t dense_segments = 0;    // with more than dense_points
+    double motion_s = 0;            // TIME of the last point, if the style has SPEED
     FrameChain chain;               // of rotation-minimizing frames
     RotationMinimizingFrame frame;  // of supplied ones
     StyleWalk walk;
