@@ -2,6 +2,7 @@
 #include "curves/arc_length.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "runtime/pace.h"
@@ -24,16 +25,18 @@ struct CurveMeasuring {
             if (range.first < range.last) add(stream.block(), range);
         }
         if (!stream.done()) return false;
-        if (measure.length > 0) measure.mean = moment / measure.length;
+        if (measure.length > 0) measure.mean = Vec3(moment[0], moment[1], moment[2]) / measure.length;
         return true;
     }
     void add(const SegmentBlock& block, SegmentStream::Range range) {
         if (measure.length == 0) measure.tangent = block.tangents_start[range.first];
         SegmentBlock::Deviations deviations;
         block.deviate(range.first, range.last, first, measure.tangent, deviations);
+        double length = measure.length;
+        std::array<double, 3> sum = moment;
         for (uint32_t j = range.first; j < range.last; ++j) {
-            measure.length += block.lengths[j];
-            for (int c = 0; c < 3; ++c) moment[c] += 0.5 * deviations.moments[c][j];
+            length += block.lengths[j];
+            for (size_t c = 0; c < 3; ++c) sum[c] += 0.5 * deviations.moments[c][j];
             // Of deviations that are equal but for rounding the first counts, however the curve is turned.
             constexpr double clearly = 1.0 + 1e-6;
             if (deviations.across_sq[j] > farthest_sq * clearly) {
@@ -42,13 +45,15 @@ struct CurveMeasuring {
                 measure.farthest = deviation - deviation.dot(measure.tangent) * measure.tangent;
             }
         }
+        measure.length = length;
+        moment = sum;
         measure.extent = std::max(measure.extent, double{deviations.largest});
     }
 
     SegmentStream stream;
     CurveMeasure measure;
     Vec3 first;
-    Vec3 moment = Vec3::Zero();
+    std::array<double, 3> moment{};
     double farthest_sq = 0;
 };
 

@@ -49,18 +49,22 @@ bool BlockSampler::next(SampleBlock& out, uint32_t& units) {
 
 // The samples of the segments that are there, as many as there is room for.
 void BlockSampler::fill(SampleBlock& out) {
-    while (row_ < last_row_) {
-        const uint32_t stop = stops_[row_];
-        const uint32_t count = std::min(stop - next_, SampleBlock::capacity - out.count);
-        int32_t* rows = out.row + out.count;
+    uint32_t row = row_, next = next_, filled = out.count;
+    while (row < last_row_) {
+        const uint32_t stop = stops_[row];
+        const uint32_t count = std::min(stop - next, SampleBlock::capacity - filled);
+        int32_t* rows = out.row + filled;
         // Most segments have no more than two: the block has room for them, and there is no branch to be guessed.
-        rows[0] = rows[1] = static_cast<int32_t>(row_);
-        for (uint32_t k = 2; k < count; ++k) rows[k] = static_cast<int32_t>(row_);
-        out.count += count;
-        next_ += count;
-        if (next_ < stop) return;
-        ++row_;
+        rows[0] = rows[1] = static_cast<int32_t>(row);
+        for (uint32_t k = 2; k < count; ++k) rows[k] = static_cast<int32_t>(row);
+        filled += count;
+        next += count;
+        if (next < stop) break;
+        ++row;
     }
+    row_ = row;
+    next_ = next;
+    out.count = filled;
 }
 
 // The sample at the curve's end, if it is time.
@@ -77,11 +81,13 @@ bool BlockSampler::read_on(uint32_t& units) {
     if (range.first == range.last) return units > 0;
     const SegmentBlock& block = stream_.block();
     make_rows(block, range.first, range.last, rows_);
+    double end = end_;
     for (uint32_t j = range.first; j < range.last; ++j) {
-        starts_[j] = end_;
-        end_ += block.lengths[j];
-        ends_[j] = end_;
+        starts_[j] = end;
+        end += block.lengths[j];
+        ends_[j] = end;
     }
+    end_ = end;
     find_stops(ends_.data(), range.first, range.last, step_, stops_.data());
     // What the arc length comes to has no samples behind it.
     if (stream_.done()) stops_[range.last - 1] = steps_;

@@ -26,17 +26,23 @@ bool settle(const TreeInMaking& tree, uint32_t& units) {
         const uint32_t group = first_of(tree.least, tree.group_count, key);
         int32_t* members = tree.waiting + size_t{group} * group_size;
         const uint32_t member = first_of(members, group_size, key);
+        // Before the member goes: loads of registers would wait for what was stored to a part of them just now.
+        int32_t least = infinite;
+        for (uint32_t k = 0; k < group_size; ++k) {
+            const int32_t here = k == member ? infinite : members[k];
+            least = here < least ? here : least;
+        }
+        tree.least[group] = least;
         members[member] = infinite;
-        tree.least[group] = least_of(members, group_size);
         const uint32_t node = group * group_size + member;
         const float distance = __builtin_bit_cast(float, key);
         const auto reach = [&](uint32_t source, float through) {
             const auto bits = __builtin_bit_cast(int32_t, through);
-            int32_t& least = tree.least[source / group_size];
+            int32_t& group_least = tree.least[source / group_size];
             tree.distance[source] = through;
             tree.next_hop[source] = static_cast<uint16_t>(node);
             tree.waiting[source] = bits;
-            least = bits < least ? bits : least;
+            group_least = bits < group_least ? bits : group_least;
         };
         if (node > 0 && tree.curve_end[node - 1] != node) {
             const uint32_t before = node - 1;

@@ -70,7 +70,6 @@ TEST(LiveStrokeInput, AStrokeThatIsBehindSaysSoAndCatchesUp) {
     LiveHost host;
     const FlgLiveStroke stroke = host.begin();
     Samples samples = drawn(24);
-    host.live.max_points = 100'000;
     host.push(stroke, samples.data(), 10);
     EXPECT_EQ(host.info(stroke).dense_samples, 0u);
     EXPECT_EQ(host.info(stroke).waiting_points, 0u);
@@ -85,7 +84,7 @@ TEST(LiveStrokeInput, AStrokeThatIsBehindSaysSoAndCatchesUp) {
     const uint32_t waiting = other.info(jumping).waiting_points;
     EXPECT_NEAR(waiting, 2900.0 - most_points, 60.0);
     other.push(jumping, samples.data() + 12, 1);
-    EXPECT_NEAR(other.info(jumping).waiting_points, double{waiting} - most_points, 60.0);
+    EXPECT_NEAR(other.info(jumping).waiting_points, static_cast<double>(waiting) - most_points, 60.0);
     other.push(jumping, samples.data() + 13, 2);
     EXPECT_EQ(other.info(jumping).waiting_points, 0u);
     EXPECT_EQ(other.info(jumping).waiting_samples, 0u);

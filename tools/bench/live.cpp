@@ -34,7 +34,7 @@ constexpr uint32_t kDensePoints = 64;  // a sample: pushes that make more take l
 // The same strokes make the same work: for the p99 a push counts with the median of so many rounds, without what the
 // machine did besides in some of them. The longest is that of all rounds.
 constexpr int kRounds = 7;
-constexpr uint32_t kMaxPoints = 1u << 18;
+constexpr uint32_t kMaxPoints = 1u << 20;
 constexpr uint32_t kTickBudgetUs = 2000;
 constexpr std::chrono::microseconds kPenPause{100};
 

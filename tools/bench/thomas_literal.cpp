@@ -63,6 +63,7 @@ LiteralTimes literal_stylize(Host& host, FlgStyle style, const char* name, const
     times.all_ms =
         times.paths_ms + time_ms([&] {
             std::vector<Vec3> points;
+            points.reserve(target.points.size());
             for (const scenes::Point& p : target.points) points.emplace_back(p.x, p.y, p.z);
             const auto framed = literal::resample_polyline(points, static_cast<int>(count) - 1, Vec3::UnitY());
             const double factor = scale_for(info, length_of(target), count);
