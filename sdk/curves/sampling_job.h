@@ -33,7 +33,7 @@ constexpr uint32_t sampled_points_max = uint32_t{1} << 31;
 struct Sampling {
     const CurveSet& in;
     CurveSet& out;
-    double spacing;                     // metres
+    double spacing;                      // metres
     std::span<const float> scales = {};  // factor on the spacing, one a curve of `in`; empty: 1
     FlgFrameMethod frame;
     uint32_t copies;             // how often each curve is in `out`: the copies of curve c begin at c * copies

@@ -78,9 +78,8 @@ Task<void> keep_scales(Pace& pace, const StylizeRequest& request, const Applicat
     const uint32_t copies = application.sampling.copies;
     Buffer<float>& scales = request.out->allocate_scales();
     const float common = request.desc.scale;
-    co_await each(pace, scales.size(), Cost::some_ns, [&](uint32_t c) {
-        scales[c] = common > 0 ? common : application.chosen.scale[c / copies];
-    });
+    co_await each(pace, scales.size(), Cost::some_ns,
+                  [&](uint32_t c) { scales[c] = common > 0 ? common : application.chosen.scale[c / copies]; });
 }
 
 Task<void> thin_radius(Pace& pace, const Application& application, uint32_t curve, uint32_t out_curve) {

@@ -155,7 +155,8 @@ TEST(AutomaticScale, IsEquivariantUnderSimilarities) {
     const Curves target = arcs(5, 60, 7);
     const std::vector<float> expected = sized(host, coil_style(host), target).scales;
     const auto turned = [](double x, double y, double z) -> std::array<double, 3> {
-        return {7 * (0.36 * x + 0.48 * y - 0.8 * z) + 5, 7 * (-0.8 * x + 0.6 * y) - 90, 7 * (0.48 * x + 0.64 * y + 0.6 * z)};
+        return {7 * (0.36 * x + 0.48 * y - 0.8 * z) + 5, 7 * (-0.8 * x + 0.6 * y) - 90,
+                7 * (0.48 * x + 0.64 * y + 0.6 * z)};
     };
     const std::vector<float> larger = sized(host, coil_style(host), moved(target, turned, 7)).scales;
     const std::vector<float> smaller = sized(host, coil_style(host, 4), target).scales;
@@ -203,9 +204,9 @@ TEST(AutomaticScale, KeepsPaintedSketchesLegible) {
     Host host;
     const FlgStyle style = coil_style(host);
     Curves sketch;
-    add_line(sketch, 0.12, 0, 0.02);   // a dab
-    add_line(sketch, 2.0, 1, 0.004);   // an outline
-    add_line(sketch, 0.8, 2, 0.05);    // a broad stroke
+    add_line(sketch, 0.12, 0, 0.02);  // a dab
+    add_line(sketch, 2.0, 1, 0.004);  // an outline
+    add_line(sketch, 0.8, 2, 0.05);   // a broad stroke
     const Sized result = sized(host, style, sketch);
     const FlgStyleInfo info = style_info(host, style);
     for (uint32_t c = 0; c < 3; ++c) {

@@ -53,7 +53,8 @@ TEST(Xyz, ColorsAreCommentsToOthers) {
               (Floats{1, 1, 1, 1, 1, 0.5f, 0.25f, 1, 1, 0.5f, 0.25f, 1, 1, 0.5f, 0.25f, 1, 0, 0, 1, 0.5f}));
     EXPECT_TRUE(curves.column(FLG_ATTRIBUTE_RADIUS).empty());
     EXPECT_TRUE(read(folder.put("b.xyz", "0 0 0\n1 0 0\n# color blue\n")).column(FLG_ATTRIBUTE_COLOR).empty());
-    const Read closed = read(folder.put("c.xyz", "# closed\n# color 1 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n# color 0 1 0\n"));
+    const Read closed =
+        read(folder.put("c.xyz", "# closed\n# color 1 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n# color 0 1 0\n"));
     EXPECT_EQ(closed.column(FLG_ATTRIBUTE_COLOR), (Floats{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}));
 }
 

@@ -48,7 +48,8 @@ void run_styles(const Options& options, const CommonOptions& common) {
 Command add_styles(CLI::App& program, const CommonOptions& common) {
     CLI::App* app = program.add_subcommand("styles", "Lists the style library, or writes it as files");
     const auto o = std::make_shared<Options>();
-    app->add_option("-o,--output", o->folder, "Writes each style into this folder, NAME.xyz: radius and colour, too, and the angle of ribbons")
+    app->add_option("-o,--output", o->folder,
+                    "Writes each style into this folder, NAME.xyz: radius and colour, too, and the angle of ribbons")
         ->type_name("FOLDER");
     return {app, [o, &common] { run_styles(*o, common); }};
 }
