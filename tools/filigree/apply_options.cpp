@@ -29,8 +29,7 @@ void ApplyOptions::add_to(CLI::App& app, const std::map<std::string, FlgFrameMet
            "--scale",
            [this](const std::string& text) { scale_ = text == kAuto ? 0.0f : static_cast<float>(std::stod(text)); },
            "Size of the style on the curves, > 0; 1 = as drawn. auto or 0: each curve gets it in the proportion that "
-           "the "
-           "example has, and as wide as its stroke where it has a radius; its line is thinner than the stroke then")
+           "the example has, and as wide as its stroke where it has a radius; its line is thinner than the stroke then")
         ->type_name("S|auto")
         ->default_str(kAuto)
         ->check(auto_or(above_zero()));
