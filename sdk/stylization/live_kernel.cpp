@@ -238,7 +238,8 @@ bool LiveKernel::follow_segment(uint32_t& units) {
 
 void LiveKernel::begin_walk() {
     state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, StyleWalk::endless);
-    state_.blend = SeamBlend(settings_.style->graph.patch, settings_.style->attributes);
+    state_.blend =
+        SeamBlend(settings_.style->graph.patch, fitted_bend(basis_, *settings_.style), settings_.style->attributes);
 }
 
 void LiveKernel::advance_walk() {

@@ -2,6 +2,7 @@
 #include "stylization/prepare_style.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/each.h"
 #include "stylization/guide_matching.h"
@@ -136,6 +137,10 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
 
     pace.stage("patch_graph");
     co_await make_graph(pace, request);
+    double sum = 0;
+    co_await each(pace, prepared.point_count(), Cost::some_ns,
+                  [&](uint32_t point) { sum += prepared.squared_bend(point); });
+    prepared.bend = std::sqrt(sum / prepared.point_count());
     pace.advance(1);
 }
 

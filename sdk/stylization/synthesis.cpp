@@ -135,7 +135,7 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
                       has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
     if (stroke.plan.curve.closed && stroke.plan.steps > 0)
         walk_.close(input_.pin_ends ? all_displacements() : std::span<const Vec3>());
-    blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
+    blend_ = SeamBlend(input_.trees->graph().patch, input_.style->bend, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
 
