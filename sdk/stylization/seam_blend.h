@@ -12,8 +12,8 @@
 // from there on the copy is exact again. So a result goes on at a seam where it was and as it went. It needs the past
 // only: live strokes blend alike. n is the patch size p, or as many as keep what is added from bending more,
 //   6 |g| / n^2 + 4 |h| / n,
-// than the style does by itself (root mean square), up to 4 p. Where a blend is not over, n is p. Where runs are shorter
-// than p, at high temperatures, blends run into each other and shrink the displacement.
+// than the style does by itself (root mean square), up to 4 p. Where a blend is not over, n is p. Where runs are
+// shorter than p, at high temperatures, blends run into each other and shrink the displacement.
 //
 // The last seam of a closed curve has to meet the style again at whatever phase of its waves. It is cross-faded: the
 // run that is left goes on beside the one that is taken, with weights 3 r^2 - 2 r^3 and the rest, so that nothing
