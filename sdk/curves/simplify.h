@@ -9,6 +9,8 @@
 // otherwise quadratic for spirals.
 #pragma once
 
+#include <array>
+
 #include "curves/curve_set.h"
 #include "runtime/task.h"
 

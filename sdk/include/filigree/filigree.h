@@ -684,7 +684,7 @@ typedef struct FlgCurveSetStylizeDesc {
     /* tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; >= 0. At 0 the result copies long
      * runs of the style, at 1 a dozen points at a time; at 10 and above it jumps nearly always. In units of
      * FlgStyleInfo::temperature_unit (a tenth of the median distance between a patch and the one most like it), so it
-     * does not depend on the style's size. Displacements and attributes blend over p points between runs (see
+     * does not depend on the style's size. Displacements and attributes blend over p to 4 p points at seams (see
      * flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0. */
     float temperature;
     /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. 0 = chosen for each target curve by
@@ -740,8 +740,8 @@ FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint3
  * curve's first ones. For that curves begin 64 points into the style at least, or in the middle of a shorter one. So
  * sizes, frames and ribbons cross the curve's start as evenly as elsewhere.
  * Displacements are those of the style at STYLE_INDEX. After a jump from style point i to point j, the gap d[i + 1]
- * - d[j] and that of the steps there are added and fade to zero by a cubic over p points: results go on where they
- * were and as they went, with no steps and turns that the style lacks.
+ * - d[j] and that of the steps there are added and fade to zero by a cubic over p to 4 p points: results go on where
+ * they were and as they went, with no steps and turns that the style lacks.
  * Attributes take the style's values at STYLE_INDEX; RADIUS, WIDTH and the half axes of RADII are multiplied by
  * scale. After jumps attributes blend as displacements do: angles the shorter way round, others kept within the
  * style's least and largest value. Angles are continuous along a curve: whole turns (PROJECTIVE: half turns) are

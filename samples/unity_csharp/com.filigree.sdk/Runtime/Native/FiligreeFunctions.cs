@@ -304,10 +304,10 @@ namespace Filigree
         /// points into the style at least, or in the middle of a shorter one. So sizes, frames and ribbons cross the
         /// curve's start as evenly as elsewhere. Displacements are those of the style at STYLE_INDEX. After a jump from
         /// style point i to point j, the gap d[i + 1] - d[j] and that of the steps there are added and fade to zero by
-        /// a cubic over p points: results go on where they were and as they went, with no steps and turns that the
-        /// style lacks. Attributes take the style's values at STYLE_INDEX; RADIUS, WIDTH and the half axes of RADII are
-        /// multiplied by scale. After jumps attributes blend as displacements do: angles the shorter way round, others
-        /// kept within the style's least and largest value. Angles are continuous along a curve: whole turns
+        /// a cubic over p to 4 p points: results go on where they were and as they went, with no steps and turns that
+        /// the style lacks. Attributes take the style's values at STYLE_INDEX; RADIUS, WIDTH and the half axes of RADII
+        /// are multiplied by scale. After jumps attributes blend as displacements do: angles the shorter way round,
+        /// others kept within the style's least and largest value. Angles are continuous along a curve: whole turns
         /// (PROJECTIVE: half turns) are added as needed. As floats, they keep a precision of 1e-4 rad after 150 turns.
         /// ANGLE also turns the result's NORMAL about its tangent. With SPEED the result has TIME, starting at the
         /// target's first TIME value, or 0; each step takes its length divided by the mean speed of its ends. Results

@@ -505,8 +505,8 @@ namespace Filigree
         /// tau, sec. 4.4.1: the cost of copying the style's next point instead of jumping; &gt;= 0. At 0 the result
         /// copies long runs of the style, at 1 a dozen points at a time; at 10 and above it jumps nearly always. In
         /// units of FlgStyleInfo::temperature_unit (a tenth of the median distance between a patch and the one most
-        /// like it), so it does not depend on the style's size. Displacements and attributes blend over p points
-        /// between runs (see flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0.
+        /// like it), so it does not depend on the style's size. Displacements and attributes blend over p to 4 p points
+        /// at seams (see flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0.
         /// </summary>
         public float temperature;
         /// <summary>
