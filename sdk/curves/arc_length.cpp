@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "curves/even_sampler.h"
 #include "runtime/pace.h"
 
 namespace flg {
@@ -89,6 +90,16 @@ Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve) {
     CurveMeasuring measuring(curve);
     while (!measuring.run(points_at_once)) co_await pace;
     co_return measuring.measure;
+}
+
+Task<double> measure_steps(Pace& pace, CurveView curve, const float* scales) {
+    double length = 0;
+    uint32_t points = 0;
+    for (SegmentStream stream(curve); !stream.done();) {
+        if (stream.advance()) length += step_scale(curve, scales, stream.index()).steps(stream.segment().length());
+        if (++points % points_at_once == 0) co_await pace;
+    }
+    co_return length;
 }
 
 }  // namespace flg

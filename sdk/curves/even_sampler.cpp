@@ -3,11 +3,11 @@
 
 namespace flg {
 
-EvenSampler::EvenSampler(const CurveView& curve, double length, uint32_t steps)
-    : stream_(curve), curve_(curve), steps_(steps), step_(steps > 0 ? length / steps : 0) {}
+EvenSampler::EvenSampler(const CurveView& curve, double length, uint32_t steps, const float* scales)
+    : stream_(curve), curve_(curve), steps_(steps), step_(steps > 0 ? length / steps : 0), scales_(scales) {}
 
-EvenSampler::EvenSampler(const CurveView& curve, double step)
-    : stream_(curve), curve_(curve), steps_(UINT32_MAX), step_(step) {}
+EvenSampler::EvenSampler(const CurveView& curve, double step, const float* scales)
+    : stream_(curve), curve_(curve), steps_(UINT32_MAX), step_(step), scales_(scales) {}
 
 void EvenSampler::make_last(CurveSample& out) const {
     out.position = curve_.point(curve_.closed ? 0 : curve_.count - 1);

@@ -24,13 +24,16 @@ Eigen::Matrix3d scaled_basis(double scale, const std::array<double, 9>& basis) {
     return scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
 }
 
-Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis) {
+Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis,
+                             double largest_scale) {
+    const double growth = largest_scale / scale;
     for (const StyleAttribute& attribute : style.attributes) {
         for (uint32_t k = 0; k < attribute.length_count(); ++k) {
-            if (scale * attribute.ranges[k].high <= coordinate_max) continue;
+            const double largest = largest_scale * attribute.ranges[k].high;
+            if (largest <= coordinate_max) continue;
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.scale is %g: attribute %d of the style would be %g m, above 1e30", scale,
-                          static_cast<int>(attribute.attribute), scale * attribute.ranges[k].high);
+                          static_cast<int>(attribute.attribute), largest);
         }
     }
     const Eigen::Matrix3d matrix = scaled_basis(scale, basis);
@@ -40,10 +43,10 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
     applied.scale = scale;
     co_await each(pace, style.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
         const Vec3 scaled = fitted(matrix, style.displacement, i);
-        if (!(scaled.cwiseAbs().maxCoeff() <= coordinate_max)) {
+        if (!(growth * scaled.cwiseAbs().maxCoeff() <= coordinate_max)) {
             throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                           "desc.scale is %g: with desc.basis the style's displacement would be %g m, above 1e30", scale,
-                          scaled.norm());
+                          growth * scaled.norm());
         }
         std::construct_at(&applied.displacement[i], scaled);
     });

@@ -55,7 +55,7 @@ LiveCurve::Reading LiveCurve::filtered(const Reading& value, double time) {
 
 LiveSegment LiveCurve::segment_to(bool smooth_end, const Vec3& tangent_end) const {
     const Vec3& u = direction_;
-    LiveSegment segment{start_, end_, u, chord_, u, u, hand_start_, hand_end_};
+    LiveSegment segment{start_, end_, u, chord_, u, u, hand_start_, hand_end_, left_start_, came_to_end_};
     if (smooth_start_) {
         segment.tangent_start = tangent_start_;
         segment.tangent_end = mirrored(tangent_start_, u);
@@ -74,9 +74,11 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
     const Reading value = filtered(reading_of(samples, sample), time);
     const Vec3 place = value.head<3>();
     const LiveHand hand{value[3], time, value.tail<3>()};
+    HandReading reading{static_cast<float>(hand.pressure), left_end_.speed};
     if (places_ == 0) {
         end_ = place;
         hand_end_ = hand;
+        left_end_ = reading;
         places_ = 1;
         return false;
     }
@@ -85,6 +87,7 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
     const double chord = std::sqrt(way.x() * way.x() + way.y() * way.y() + way.z() * way.z());
     if (!(chord > resolution_)) {
         hand_end_ = hand;
+        left_end_ = reading;
         return false;
     }
     const Vec3 direction = (1.0 / chord) * way;
@@ -98,6 +101,11 @@ bool LiveCurve::read(const LiveSamples& samples, uint32_t sample, LiveSegment& s
         tangent = (1.0 / std::sqrt(sum.x() * sum.x() + sum.y() * sum.y() + sum.z() * sum.z())) * sum;
         segment = segment_to(smooth, tangent);
     }
+    reading.speed = speed_between(end_, place, time - hand_end_.time);
+    left_start_ = left_end_;
+    if (!moves_) left_start_.speed = reading.speed;
+    moves_ = true;
+    came_to_end_ = left_end_ = reading;
     start_ = end_;
     end_ = place;
     direction_ = direction;
@@ -173,7 +181,7 @@ LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples,
 
 void LiveKernel::restore(const LiveState& state) {
     state_ = state;
-    if (state_.in_segment) state_.segment.load(block_);
+    if (state_.in_segment) take_segment();
 }
 
 bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
@@ -202,13 +210,24 @@ bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
 void LiveKernel::take_segment() {
     state_.segment.load(block_);
     state_.in_segment = true;
+    steered_start_ = steered_by(state_.segment.reading_start);
+    steered_end_ = steered_by(state_.segment.reading_end);
+}
+
+Steered LiveKernel::steered_by(const HandReading& reading) const {
+    return settings_.drives.steer([&](uint32_t k) {
+        const bool by_pressure = settings_.drives.list()[k].attribute == FLG_ATTRIBUTE_PRESSURE;
+        return by_pressure ? reading.pressure : reading.speed;
+    });
 }
 
 // False if it wasn't followed to its end. All places of a block first, then all frames, so that the long latencies of
 // different points overlap.
 bool LiveKernel::follow_segment(uint32_t& units) {
     const Segment segment(block_, 0);
-    const double end = state_.start + segment.length();
+    const StepScale scale{steered_start_.scale, steered_end_.scale};
+    const bool scaled = settings_.drives.drive(FLG_STYLE_DRIVEN_SCALE);
+    const double end = state_.start + (scaled ? scale.steps(segment.length()) : segment.length());
     // A point at a segment's end is the next one's, unless there is none.
     const bool last = state_.closing && !state_.curve.has_segment();
     const auto reached = [&](double s) { return last ? s <= end : s < end; };
@@ -222,7 +241,9 @@ bool LiveKernel::follow_segment(uint32_t& units) {
         for (double s; count < capacity && reached(s = (state_.points + count) * step_);) {
             LivePlace& place = places[count++];
             if (only_counts()) continue;
-            place.t = segment.parameter_at(s - state_.start);
+            const double along = s - state_.start;
+            place.t = segment.parameter_at(scaled ? std::min(scale.length(segment.length(), along), segment.length())
+                                                  : along);
             place.position = segment.position(place.t);
             place.tangent = segment.tangent(place.t);
         }
@@ -240,12 +261,15 @@ bool LiveKernel::follow_segment(uint32_t& units) {
 
 void LiveKernel::begin_walk() {
     state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, StyleWalk::endless);
+    state_.walk.heat(settings_.hot_trees);
+    state_.walk.begin_with_cap();
     state_.blend = SeamBlend(settings_.style->graph.patch, settings_.style->attributes);
 }
 
-void LiveKernel::advance_walk() {
+void LiveKernel::advance_walk(const Steered& steered) {
     const uint32_t from = state_.walk.node();
-    if (!state_.walk.advance()) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
+    const bool hot = steered.is_hot(settings_.seed, 0, state_.points);
+    if (!state_.walk.advance(hot)) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
     state_.blend.step(from, state_.walk.node(), [this](uint32_t node) { return displacement_of(node); });
 }
 
@@ -263,16 +287,17 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
 
 void LiveKernel::make_point(const LivePlace& place) {
     const Vec3 &position = place.position, &tangent = place.tangent;
+    const Steered steered = steered_start_.between(steered_end_, static_cast<float>(place.t));
     if (state_.points == 0) {
         state_.frame = RotationMinimizingFrame(position, tangent, drawn_normal(samples_.orientations, tangent));
         begin_walk();
     } else {
         state_.frame.step(position, tangent);
-        advance_walk();
+        advance_walk(steered);
     }
     const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, place.t);
     if (settings_.frame == FLG_FRAME_METHOD_SUPPLIED) take_supplied_normal(hand.up);
-    write(position, tangent, state_.frame.normal(), hand, settings_.magnitude);
+    write(position, tangent, state_.frame.normal(), hand, steered, settings_.magnitude);
 }
 
 // Of a stroke without length. It has no frame to be displaced in.
@@ -284,17 +309,18 @@ void LiveKernel::make_lone_point() {
     begin_walk();
     const Vec3 tangent = Vec3::UnitX();
     write(state_.curve.last_place(), tangent, drawn_normal(samples_.orientations, tangent), state_.curve.last_hand(),
-          0.0);
+          steered_by(state_.curve.last_reading()), 0.0);
 }
 
 void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-                       double magnitude) {
+                       const Steered& steered, double magnitude) {
     const uint32_t node = state_.walk.node();
-    const Vec3 displacement = in_frame(displacement_of(node) + state_.blend.offset(), tangent, frame_normal);
+    const Vec3 displacement =
+        steered.weight() * in_frame(displacement_of(node) + state_.blend.offset(), tangent, frame_normal);
     const Vec3 displaced = position + magnitude * displacement;
     Vec3 normal = frame_normal;
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
-    write_attributes(tangent, normal, radius);
+    write_attributes(tangent, steered, normal, radius);
     const size_t at = row();
     store_vec3(displaced, out_.data[0] + 3 * at);
     store_vec3(tangent, out_.data[1] + 3 * at);
@@ -316,7 +342,8 @@ double LiveKernel::motion_time() {
 }
 
 // As flgCurveSetStylize gives them: sizes times scale, an angle turns the normal. The style's radius makes the hand's.
-void LiveKernel::write_attributes(const Vec3& tangent, Vec3& normal, double& radius) {
+void LiveKernel::write_attributes(const Vec3& tangent, const Steered& steered, Vec3& normal, double& radius) {
+    radius *= steered.radius;
     const size_t at = row();
     const uint32_t node = state_.walk.node();
     uint32_t column = live_own_columns;
@@ -326,7 +353,7 @@ void LiveKernel::write_attributes(const Vec3& tangent, Vec3& normal, double& rad
             radius *= state_.blend.value(a, 0, node) / radius_unit_;
             continue;
         }
-        state_.blend.write(a, node, settings_.scale, out_.data[column++] + at * attribute.components);
+        state_.blend.write(a, node, settings_.scale * steered.scale, out_.data[column++] + at * attribute.components);
         if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) {
             normal = turned_about(tangent, normal, state_.blend.value(a, 0, node));
         }

@@ -90,8 +90,9 @@ const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t firs
     return view;
 }
 
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc) {
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const StyleDrives& drives) {
     LiveSettings settings;
+    settings.drives = drives;
     settings.magnitude = desc.magnitude;
     settings.scale = desc.scale;
     settings.min_radius = desc.min_radius;
@@ -109,7 +110,8 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
     : origin(request.origin),
       style_(request.style),
       trees_(request.trees),
-      settings_(live_settings(request.desc)),
+      hot_trees_(request.hot_trees),
+      settings_(live_settings(request.desc, request.drives)),
       max_jump_(request.desc.max_jump),
       max_samples_(request.desc.max_samples),
       positions_(size_t{3} * request.desc.max_samples, memory),
@@ -122,6 +124,7 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       columns_(live_columns(request.style->prepared)) {
     settings_.style = &style_->prepared;
     settings_.trees = trees_.get();
+    settings_.hot_trees = hot_trees_.get();
     size_t components = 0;
     for (uint32_t k = 0; k < columns_.count; ++k) {
         const CurveSet::ColumnLayout& layout = columns_.layout[k];
@@ -153,8 +156,9 @@ void LiveStroke::check_all(const FlgLiveSampleView& samples) const {
     if (count > 0 && kernel_.state().cut) {
         throw Failure(FLG_ERROR_LIMIT, "stroke has come to max_points, %u", settings_.max_points);
     }
-    if (count > 0 && settings_.smoothing > 0 && !samples.times) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times is null, but the stroke's smoothing needs times");
+    if (count > 0 && !samples.times && (settings_.smoothing > 0 || settings_.drives.drive_by(FLG_ATTRIBUTE_SPEED))) {
+        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "samples.times is null, but the stroke's %s needs times",
+                      settings_.smoothing > 0 ? "smoothing" : "drive by SPEED");
     }
     std::array<float, 3> position;
     double time = 0;

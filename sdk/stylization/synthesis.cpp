@@ -41,9 +41,11 @@ StyleWalk::StyleWalk(PathTrees* trees, bool from_start, uint64_t seed, uint64_t 
 
 void StyleWalk::close(std::span<const Vec3> pinned) {
     const PatchGraph& graph = trees_->graph();
-    const uint32_t end = graph.curve_end[node_];
+    const uint32_t end = std::min(graph.curve_end[node_], graph.node_count - graph.end_cap);
     uint32_t ahead = 0;  // points of the same style curve before the node
-    while (ahead < last_path_max && ahead < node_ && graph.curve_end[node_ - ahead - 1] == end) ++ahead;
+    while (ahead < last_path_max && ahead + graph.start_cap < node_ &&
+           graph.curve_end[node_ - ahead - 1] == graph.curve_end[node_])
+        ++ahead;
     const uint32_t wanted = std::min(last_path_wanted, (end - node_ + ahead) / 2);
     if (ahead < wanted) {
         node_ += wanted - ahead;
@@ -63,6 +65,39 @@ void StyleWalk::close(std::span<const Vec3> pinned) {
     last_path_ = std::min(std::min(ahead, last_path_max) + 1, samples_left_);
 }
 
+void StyleWalk::begin_with_cap() {
+    if (trees_->graph().start_cap == 0) return;
+    begins_ = node_;
+    node_ = 0;
+    cap_left_ = trees_->graph().start_cap;
+}
+
+void StyleWalk::end_with_cap() {
+    const PatchGraph& graph = trees_->graph();
+    if (graph.end_cap == 0) return;
+    const uint32_t body_end = graph.node_count - graph.end_cap;
+    uint32_t run_in = 0;  // points of the same style curve before the cap
+    while (run_in < last_path_max && run_in < body_end - graph.start_cap &&
+           graph.curve_end[body_end - run_in - 1] == graph.node_count) {
+        ++run_in;
+    }
+    lead_home(graph.node_count - 1, graph.end_cap, run_in);
+}
+
+void StyleWalk::take_motifs() {
+    const PatchGraph& graph = trees_->graph();
+    (cap_left_ > 0 ? begins_ : node_) = graph.start();
+    motif_end_ = graph.motif_end();
+    if (graph.end_cap == 0) lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - graph.start()));
+}
+
+void StyleWalk::lead_home(uint32_t node, uint32_t cap, uint32_t run_in) {
+    home_ = node;
+    cap_ = cap;
+    // The start cap, or the first sample, is not part of it.
+    last_path_ = std::min(cap + run_in, samples_left_ - (std::max(cap_left_, 1U) - 1));
+}
+
 // At the last patch of a style curve, and the rest of the curve is enough for the rest of the target.
 bool StyleWalk::runs_out() const {
     const PatchGraph& graph = trees_->graph();
@@ -80,13 +115,24 @@ void StyleWalk::draw_destination() {
         destination_ = drawn < destination_ ? drawn : drawn + 1;
         destination_node_ = trees_->destination(destination_);
     }
-    hops_ = nullptr;
+    hops_ = hot_hops_ = nullptr;
 }
 
-bool StyleWalk::advance() {
+bool StyleWalk::advance(bool hot) {
     if (going_home_) [[unlikely]] {
         node_ = copies_ == 0 ? landing(0) : node_ + 1;
         --copies_;  // having jumped, below 0: more than there are samples
+        --samples_left_;
+        return true;
+    }
+    if (cap_left_ > 0) [[unlikely]] {
+        --cap_left_;
+        node_ = cap_left_ == 0 ? begins_ : node_ + 1;
+        --samples_left_;
+        return true;
+    }
+    if (motif_end_ > 0) {
+        node_ = node_ + 2 == motif_end_ ? trees_->graph().start() : node_ + 1;
         --samples_left_;
         return true;
     }
@@ -97,13 +143,19 @@ bool StyleWalk::advance() {
     if (finishing_) {
         ++node_;
     } else {
-        if (hops_ == nullptr) hops_ = trees_->find(destination_);
-        if (hops_ == nullptr) return false;
-        node_ = hops_[node_];
+        const uint16_t*& hops = hot ? hot_hops_ : hops_;
+        if (hops == nullptr) hops = (hot ? hot_trees_ : trees_)->find(destination_);
+        if (hops == nullptr) return false;
+        node_ = hops[node_];
     }
     --samples_left_;
     return true;
 }
+
+SynthesisKernel::SynthesisKernel(const SynthesisInput& input, Memory* memory)
+    : input_(input),
+      tree_kernel_(memory),
+      first_steered_(input.steered ? size_t{last_blend_patches} * input.trees->graph().patch + 1 : 0, memory) {}
 
 void SynthesisKernel::begin(const StrokeInput& stroke) {
     stroke_ = stroke;
@@ -114,11 +166,17 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     node_known_ = true;
     finishing_.reset();
     // On closed curves one more than samples: where the style is when the curve has come around.
-    const bool has_end = stroke.plan.exact_step == 0;
+    const bool has_end = stroke.plan.exact_step == 0 || input_.trees->graph().end_cap > 0;
     walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
                       has_end ? stroke.plan.steps + 1 : StyleWalk::endless);
-    if (stroke.plan.curve.closed && stroke.plan.steps > 0)
+    walk_.heat(input_.hot_trees);
+    if (stroke.plan.curve.closed && stroke.plan.steps > 0) {
         walk_.close(input_.pin_ends ? all_displacements() : std::span<const Vec3>());
+    } else if (stroke.plan.steps > 0) {
+        walk_.begin_with_cap();
+        walk_.end_with_cap();
+        if (stroke.whole_motifs) walk_.take_motifs();
+    }
     blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
@@ -129,17 +187,20 @@ bool SynthesisKernel::run(uint32_t n) {
             if (n == 0) return false;
             block_at_ = 0;
             block_count_ = sampler_->next(block_.data(), sample_block, n);
+            steer_block();
         }
         const uint32_t first = block_at_;
         bool out_of_units = false;
         while (block_at_ < block_count_ && !out_of_units) {
             if (find_node(n)) {
-                write(block_[block_at_++]);
+                write(block_[block_at_], steered_[block_at_]);
+                ++block_at_;
             } else {
                 out_of_units = true;
             }
         }
         write_carried(first);
+        if (stroke_.steered) steer_carried_radii(first);
         if (out_of_units) return false;
     }
     return finish(n);
@@ -154,28 +215,57 @@ bool SynthesisKernel::advance() {
         blend_.cross_fade(points, all_displacements(),
                           {input_.trees->graph().curve_end.data(), input_.trees->graph().curve_end.size()});
     }
-    if (!walk_.advance()) return false;
+    if (!walk_.advance(is_hot())) return false;
     blend_.step(from, walk_.node(), [this](uint32_t node) -> const Vec3& { return input_.style->displacement[node]; });
     return true;
+}
+
+void SynthesisKernel::steer_block() {
+    for (uint32_t k = 0; k < block_count_; ++k) {
+        steered_[k] = {.scale = stroke_.across};
+        if (!stroke_.steered) continue;
+        const FramedSample& sample = block_[k];
+        const Steered& next = stroke_.steered[stroke_.plan.curve.following(sample.segment)];
+        steered_[k] = stroke_.steered[sample.segment].between(next, sample.t);
+        steered_[k].scale *= stroke_.across;
+        if (written_ + k < first_steered_.size()) std::construct_at(&first_steered_[written_ + k], steered_[k]);
+    }
+}
+
+// At the sample to come: of a closed curve, behind the last one, the first.
+const Steered& SynthesisKernel::steered() const {
+    return block_at_ < block_count_ ? steered_[block_at_] : first_steered_[0];
+}
+
+std::span<const Steered> SynthesisKernel::first_steered() const {
+    if (!stroke_.steered) return {};
+    return {first_steered_.data(), std::min<size_t>(first_steered_.size(), written_)};
+}
+
+bool SynthesisKernel::is_hot() const {
+    return input_.hot_trees && steered().is_hot(input_.seed, stroke_.key, written_);
 }
 
 std::span<const Vec3> SynthesisKernel::all_displacements() const {
     return {input_.style->displacement.data(), input_.style->displacement.size()};
 }
 
-// Where along the last path of a closed curve the runs before and behind the jump differ least, over as many points as
-// they are cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path.
+// Where along the last path the runs before and behind the jump differ least, over as many points as they are
+// cross-faded. Places come first where the seam before is over, both runs go on so far, and so does the path. The end
+// cap is not jumped into, nor copied before its time.
 uint32_t SynthesisKernel::copies_before_last_jump(uint32_t points) const {
     const Buffer<Vec3>& displacement = input_.style->displacement;
-    const uint32_t end = input_.trees->graph().curve_end[walk_.node()];
-    const uint32_t home_end = input_.trees->graph().curve_end[walk_.landing(0)];
+    const PatchGraph& graph = input_.trees->graph();
+    const uint32_t end = std::min(graph.curve_end[walk_.node()], graph.node_count - graph.end_cap);
+    const uint32_t home_end = graph.curve_end[walk_.landing(0)];
     uint32_t best = 0;
     bool best_has_room = false;
     double least = HUGE_VAL;
-    for (uint32_t copies = 0; copies < walk_.samples_left() && walk_.node() + copies + 1 < end; ++copies) {
+    const uint32_t copies_end = std::min(walk_.samples_left(), walk_.before_cap() + 1);
+    for (uint32_t copies = 0; copies < copies_end && walk_.node() + copies + 1 < end; ++copies) {
         const uint32_t from = walk_.node() + copies + 1, to = walk_.landing(copies);
         const bool has_room = copies >= blend_.points_left() && from + points < end && to + points < home_end &&
-                              copies + points < walk_.samples_left();
+                              copies + points < walk_.before_cap();
         if (best_has_room && !has_room) continue;
         double difference = 0;
         for (uint32_t probe = 0; probe <= last_blend_patches; ++probe) {
@@ -216,8 +306,15 @@ void SynthesisKernel::write_carried(uint32_t first) {
     }
 }
 
+// The target's radii: those of the style are steered with the other attributes.
+void SynthesisKernel::steer_carried_radii(uint32_t first) {
+    if (stroke_.out.carried_radius == nullptr) return;
+    const uint32_t count = block_at_ - first;
+    for (uint32_t k = 0; k < count; ++k) stroke_.out.carried_radius[written_ - count + k] *= steered_[first + k].radius;
+}
+
 bool SynthesisKernel::make_tree(uint32_t& units) {
-    PathTrees& trees = *input_.trees;
+    PathTrees& trees = is_hot() ? *input_.hot_trees : *input_.trees;
     const uint32_t k = walk_.needed_tree();
     if (tree_ == nullptr) {
         if (units == 0) return false;
@@ -236,9 +333,10 @@ Vec3 SynthesisKernel::displaced_in(const FramedSample& sample, const Vec3& d) co
     return in_frame(d, sample.tangent, sample.normal);
 }
 
-void SynthesisKernel::write(const FramedSample& sample) {
+void SynthesisKernel::write(const FramedSample& sample, const Steered& steered) {
     const StylizedColumns& out = stroke_.out;
-    const Vec3 displacement = displaced_in(sample, input_.style->displacement[walk_.node()] + blend_.offset());
+    const Vec3 displacement =
+        steered.weight() * displaced_in(sample, input_.style->displacement[walk_.node()] + blend_.offset());
     const size_t at = 3 * static_cast<size_t>(written_);
     const Vec3 position = sample.position + input_.magnitude * displacement;
     check_position(position, input_.magnitude);
@@ -247,7 +345,7 @@ void SynthesisKernel::write(const FramedSample& sample) {
     store_vec3(sample.normal, out.frames.normals + at);
     if (out.displacement) store_vec3(displacement, out.displacement + at);
     out.style_index[written_] = static_cast<float>(walk_.node());
-    write_attributes(sample);
+    write_attributes(sample, steered);
     if (written_ == 0) {
         first_ = sample;
         first_displacement_ = displacement;
@@ -257,11 +355,12 @@ void SynthesisKernel::write(const FramedSample& sample) {
     node_known_ = false;
 }
 
-void SynthesisKernel::write_attributes(const FramedSample& sample) {
+void SynthesisKernel::write_attributes(const FramedSample& sample, const Steered& steered) {
     const AppliedStyle& style = *input_.style;
     for (size_t a = 0; a < style.attributes.size(); ++a) {
         const size_t at = size_t{written_} * style.attributes[a].components;
-        blend_.write(a, walk_.node(), style.scale, stroke_.out.attributes[a] + at);
+        const double scale = style.scale * steered.size(style.attributes[a].attribute);
+        blend_.write(a, walk_.node(), scale, stroke_.out.attributes[a] + at);
     }
     if (angle_ == style.attributes.size()) return;
     const Vec3 normal = turned_about(sample.tangent, sample.normal, blend_.value(angle_, 0, walk_.node()));
@@ -278,7 +377,8 @@ bool SynthesisKernel::finish(uint32_t& units) {
         if (closed) {
             // The curve's first sample, and what of the last seam is not over there.
             if (!find_node(units)) return false;
-            first_displacement_ += displaced_in(first_, blend_.offset());
+            const double weight = stroke_.steered ? first_steered_[0].weight() : 1.0;
+            first_displacement_ += weight * displaced_in(first_, blend_.offset());
             last_displacement_ = first_displacement_;
         }
         const FinishingInput finishing{.out = stroke_.out,
@@ -292,6 +392,7 @@ bool SynthesisKernel::finish(uint32_t& units) {
                                        .start_excess = first_displacement_,
                                        .end_excess = last_displacement_,
                                        .around = blend_,
+                                       .first_steered = first_steered(),
                                        .start_time = stroke_.start_time};
         finishing_.emplace(finishing);
     }

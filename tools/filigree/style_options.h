@@ -37,6 +37,7 @@ private:
     std::vector<FlgStyleAttribute> attributes(double style_length) const;
     void parse_attributes(const std::vector<std::string>& words);
     void parse_patch_sizes(const std::vector<std::string>& words);
+    void parse_caps(const std::string& text);
 
     std::string style_, guide_, style_file_;
     std::vector<Attribute> attributes_;

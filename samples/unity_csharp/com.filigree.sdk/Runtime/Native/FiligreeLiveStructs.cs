@@ -52,6 +52,14 @@ namespace Filigree
         /// metres: what samples and points are relative to. flgLiveStrokeReplay takes its samples' instead. Default 0
         /// </summary>
         public fixed double origin[3];
+        /// <summary>
+        /// What the hand drives along the stroke, at most 8; null: nothing. By PRESSURE, or by SPEED: metres a second
+        /// from the sample before (infinite in no time), for which samples need times. The style must be warm at both
+        /// temperatures of a drive. Copied by flgLiveStrokeBegin.
+        /// </summary>
+        public FlgStyleDrive* drives;
+        public uint drive_count;
+        public uint reserved2;
     }
 
     /// <summary>Samples of the controller, as columns: arrays of the host, or members of an array of structs.</summary>

@@ -401,6 +401,26 @@ namespace Filigree
         public uint attribute_count;
         /// <summary>Attributes to transfer, at most 8, each once; null: the shape alone.</summary>
         public FlgStyleAttribute* attributes;
+        /// <summary>
+        /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
+        /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
+        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller (see
+        /// FlgCurveSetStylizeDesc::fit); closed targets get none. 0: none. Below 0: found, as what comes before the
+        /// first and after the last repetition: patches that have no like elsewhere in the example (FlgStyleInfo says
+        /// how long they are; patches are compared twice for it). What is left of the curve must be long enough for two
+        /// patches. Default 0.
+        /// </summary>
+        public float start_cap;
+        /// <summary>
+        /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
+        /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
+        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller (see
+        /// FlgCurveSetStylizeDesc::fit); closed targets get none. 0: none. Below 0: found, as what comes before the
+        /// first and after the last repetition: patches that have no like elsewhere in the example (FlgStyleInfo says
+        /// how long they are; patches are compared twice for it). What is left of the curve must be long enough for two
+        /// patches. Default 0.
+        /// </summary>
+        public float end_cap;
     }
 
     public unsafe partial struct FlgStyleInfo
@@ -431,6 +451,33 @@ namespace Filigree
         public uint reserved;
         /// <summary>point_count arc lengths on the style's curves, metres; lives until the style is released</summary>
         public float* matching;
+        /// <summary>the first points of the style, so many, are its start cap</summary>
+        public uint start_cap_points;
+        /// <summary>likewise the last ones its end cap</summary>
+        public uint end_cap_points;
+    }
+
+    /// <summary>
+    /// Steers a style along its targets: where the column is `from`, `driven` has the value `at_from`, where it is
+    /// `to`, the value `at_to`; in between in proportion, beyond them no further. So at the target's points; values go
+    /// evenly from one point to the next. Several drives of the same thing are multiplied.
+    /// </summary>
+    public unsafe partial struct FlgStyleDrive
+    {
+        /// <summary>
+        /// a column of one float: PRESSURE, RADIUS, WIDTH, a USER one, ... SPEED, where it lacks, is made from TIME:
+        /// metres a second from the point before (infinite in no time)
+        /// </summary>
+        public FlgAttribute attribute;
+        public FlgStyleDriven driven;
+        /// <summary>finite, not equal; `from` may be above `to`</summary>
+        public float from;
+        /// <summary>finite, not equal; `from` may be above `to`</summary>
+        public float to;
+        /// <summary>finite; see FlgStyleDriven</summary>
+        public float at_from;
+        /// <summary>finite; see FlgStyleDriven</summary>
+        public float at_to;
     }
 
     public unsafe partial struct FlgCurveSetStylizeDesc
@@ -498,5 +545,17 @@ namespace Filigree
         /// </summary>
         public uint exact_spacing;
         public uint reserved;
+        /// <summary>What columns of the target drive along it, at most 8; null: nothing, the same everywhere.</summary>
+        public FlgStyleDrive* drives;
+        public uint drive_count;
+        /// <summary>
+        /// Fits whole motifs to open targets, 0 to 1; a motif is the style's first curve that is long enough for a
+        /// patch, without its caps. Above 0 a target begins and ends with a motif's, and has the whole number of them
+        /// that comes nearest to its length, at least one. They differ by a factor r from that length: motifs are
+        /// stretched by r^fit along the target, and jumps skip or repeat what is then still missing. So 1 stretches
+        /// alone, and every motif is whole; near 0 hardly any stretches. A target shorter than a patch gets the whole
+        /// motif, smaller in all ways. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
+        /// </summary>
+        public float fit;
     }
 }

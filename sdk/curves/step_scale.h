@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Steps that get longer and shorter along a curve: within a segment of length L the length of a step goes evenly, by
+// arc length, from `start` to `end` times the usual one. Then both ways are closed forms:
+//   steps(s) = int_0^s dr / scale(r) = (L / (end - start)) ln(1 + (end - start) s / (start L))
+#pragma once
+
+#include <cmath>
+
+namespace flg {
+
+struct StepScale {
+    double start = 1, end = 1;  // > 0
+
+    // What a segment of this length is worth in usual lengths.
+    double steps(double length) const {
+        const double x = (end - start) / start;
+        return x == 0 ? length / start : length / start * (std::log1p(x) / x);
+    }
+    // How far along the segment so many of them reach.
+    double length(double segment_length, double steps) const {
+        const double y = (end - start) / segment_length * steps;
+        return y == 0 ? start * steps : start * steps * (std::expm1(y) / y);
+    }
+};
+
+}  // namespace flg
