@@ -77,11 +77,11 @@ StyleDrives read_hand_drives(const FlgLiveStrokeDesc& desc) {
 }
 
 // Throws FLG_NOT_READY if a tree is missing.
-std::shared_ptr<PathTrees> warm_trees(Style& style, float temperature) {
+std::shared_ptr<PathTrees> warm_trees(Style& style, float temperature, const char* whose) {
     std::shared_ptr<PathTrees> trees = style.trees(style.prepared.temperature(temperature));
     if (all_trees_made(*trees)) return trees;
     throw Failure(FLG_NOT_READY,
-                  "desc.style is not warm at temperature %s; call flgStyleWarm with it, and tick until its job is done",
+                  "desc.style is not warm at %s, %s; call flgStyleWarm with it, and tick until its job is done", whose,
                   NumberText(temperature).c_str());
 }
 
@@ -182,8 +182,10 @@ FlgResult flgLiveStrokeBegin(FlgContext context, const FlgLiveStrokeDesc* desc, 
         }
         request.drives = read_hand_drives(read);
         const auto [cold, hot] = request.drives.temperatures(read.temperature);
-        request.trees = warm_trees(*request.style, cold);
-        request.hot_trees = warm_trees(*request.style, hot);
+        const bool driven = request.drives.drive(FLG_STYLE_DRIVEN_TEMPERATURE);
+        const char* const whose = driven ? "a temperature of desc.drives" : "desc.temperature";
+        request.trees = warm_trees(*request.style, cold, whose);
+        request.hot_trees = warm_trees(*request.style, hot, whose);
         request.desc = read;
         request.origin = read_origin(read.origin, "desc.origin");
         *out_stroke = {self.live_strokes.add(make_object<LiveStroke>(memory, request, memory))};

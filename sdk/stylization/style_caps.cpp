@@ -10,7 +10,7 @@ namespace flg {
 
 namespace {
 
-constexpr double like_share = 0.25;   // of the distance of unrelated patches
+constexpr double like_share = 0.1;   // of the distance of unrelated patches
 constexpr double like_medians = 2.0;  // of the median distance to the most like patch
 
 }  // namespace

@@ -3,8 +3,9 @@
 // given as lengths of the example, or found: what comes before the first and after the last repetition. That is so
 // many points in a row as a patch has, each of them in the middle of a patch that has a like one elsewhere.
 //
-// Like are patches whose distance is below a quarter of what two unrelated ones have, or below twice the median of the
-// patches' distances to the one most like each.
+// Like are patches whose distance is below a tenth of what two unrelated ones have, or below twice the median of the
+// patches' distances to the one most like each. So what is found depends on the patch: a flourish that repeats itself
+// within a patch's reach is no cap.
 #pragma once
 
 #include "runtime/task.h"

@@ -380,8 +380,8 @@ void read_style_file(std::span<const std::byte> data, PreparedStyle& style, Memo
     Reader in(data.subspan(sizeof magic), memory);
     const auto its_version = in.value<uint32_t>();
     if (its_version != version && its_version != version_with_caps) {
-        throw Failure(FLG_ERROR_FORMAT, "data is a prepared style of format %u, this library reads format %u",
-                      its_version, version_with_caps);
+        throw Failure(FLG_ERROR_FORMAT, "data is a prepared style of format %u, this library reads formats %u and %u",
+                      its_version, version, version_with_caps);
     }
     const auto reserved = in.value<uint32_t>();
     const auto size = in.value<uint64_t>();

@@ -67,7 +67,7 @@ void StyleWalk::close(std::span<const Vec3> pinned) {
 
 void StyleWalk::begin_with_cap() {
     if (trees_->graph().start_cap == 0) return;
-    begins_ = node_;
+    begins_ = trees_->graph().start();
     node_ = 0;
     cap_left_ = trees_->graph().start_cap;
 }
@@ -86,7 +86,7 @@ void StyleWalk::end_with_cap() {
 
 void StyleWalk::take_motifs() {
     const PatchGraph& graph = trees_->graph();
-    (cap_left_ > 0 ? begins_ : node_) = graph.start();
+    if (cap_left_ == 0) node_ = graph.start();
     motif_end_ = graph.motif_end();
     if (graph.end_cap == 0) lead_home(motif_end_ - 1, 0, std::min(last_path_max, motif_end_ - 1 - graph.start()));
 }
@@ -165,6 +165,7 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     block_at_ = block_count_ = 0;
     node_known_ = true;
     finishing_.reset();
+    steered_.fill({.scale = stroke.across});
     // On closed curves one more than samples: where the style is when the curve has come around.
     const bool has_end = stroke.plan.exact_step == 0 || input_.trees->graph().end_cap > 0;
     walk_ = StyleWalk(input_.trees, stroke.from_start, input_.seed, stroke.key,
@@ -187,7 +188,7 @@ bool SynthesisKernel::run(uint32_t n) {
             if (n == 0) return false;
             block_at_ = 0;
             block_count_ = sampler_->next(block_.data(), sample_block, n);
-            steer_block();
+            if (stroke_.steered) steer_block();
         }
         const uint32_t first = block_at_;
         bool out_of_units = false;
@@ -222,8 +223,6 @@ bool SynthesisKernel::advance() {
 
 void SynthesisKernel::steer_block() {
     for (uint32_t k = 0; k < block_count_; ++k) {
-        steered_[k] = {.scale = stroke_.across};
-        if (!stroke_.steered) continue;
         const FramedSample& sample = block_[k];
         const Steered& next = stroke_.steered[stroke_.plan.curve.following(sample.segment)];
         steered_[k] = stroke_.steered[sample.segment].between(next, sample.t);

@@ -22,7 +22,9 @@ TEST(StepScale, StepsAreTheIntegralOfTheInverseScale) {
         // The sum takes ever coarser steps where the scale is small.
         const double tolerance = std::min(start, end) < 1e-3 ? 0.2 : 1e-8;
         EXPECT_NEAR(scale.steps(length), sum, tolerance * sum) << start << " to " << end;
-        if (tolerance < 0.1) EXPECT_NEAR(scale.length(length, middle), length / 2, 1e-8 * length);
+        if (tolerance < 0.1) {
+            EXPECT_NEAR(scale.length(length, middle), length / 2, 1e-8 * length);
+        }
         EXPECT_NEAR(scale.length(length, scale.steps(length)), length, 1e-12 * length);
         EXPECT_EQ(scale.length(length, 0), 0);
     }

@@ -270,6 +270,12 @@ FlgStyle StyleOptions::load(FlgContext context, Report& report) const {
     return style;
 }
 
+void StyleOptions::describe_caps(const FlgStyleInfo& info, Report& report) {
+    if (info.start_cap_points + info.end_cap_points == 0) return;
+    report.counts["start_cap_points"] = info.start_cap_points;
+    report.counts["end_cap_points"] = info.end_cap_points;
+}
+
 void StyleOptions::save(FlgContext context, FlgStyle style, Report& report) const {
     if (style_.empty() || style_file_.empty()) return;
     size_t size = 0;

@@ -24,6 +24,8 @@ public:
     FlgStyle start(FlgContext context, Report& report, FlgJob& out_job) const;
     // Keeps the style, ready by now, if a file is wanted.
     void save(FlgContext context, FlgStyle style, Report& report) const;
+    // How long a prepared style's caps are, if it has any.
+    static void describe_caps(const FlgStyleInfo& info, Report& report);
     // What errors are about.
     const std::string& subject() const { return style_.empty() ? style_file_ : style_; }
 

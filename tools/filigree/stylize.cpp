@@ -122,6 +122,7 @@ void run_stylize(const Options& options, const CommonOptions& common) {
         StyledCurves styled = style_by_size(session, desc, target_view, options.target, report);
         output.write(context, desc.style, {styled.curves.view(), shapes, styled.default_radius}, report);
     }
+    StyleOptions::describe_caps(style_info(context, desc.style), report);
     report.write();
 }
 
