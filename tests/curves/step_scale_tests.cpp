@@ -10,24 +10,21 @@ namespace flg {
 namespace {
 
 TEST(StepScale, StepsAreTheIntegralOfTheInverseScale) {
-    for (const auto& [start, end] : {std::pair{0.5, 2.0}, {2.0, 0.5}, {1.0, 1.0 + 1e-12}, {3.0, 3.0}, {1e-6, 1e6}}) {
+    for (const auto& [start, end] : {std::pair{0.5, 2.0}, {2.0, 0.5}, {1.0, 1.0 + 1e-12}, {3.0, 3.0}}) {
         const StepScale scale{start, end};
         const double length = 7;
         double sum = 0, middle = 0;
-        constexpr int parts = 400000;
+        constexpr int parts = 40000;
         for (int i = 0; i < parts; ++i) {
             sum += length / parts / (start + (end - start) * (i + 0.5) / parts);
             if (i + 1 == parts / 2) middle = sum;
         }
-        // The sum takes ever coarser steps where the scale is small.
-        const double tolerance = std::min(start, end) < 1e-3 ? 0.2 : 1e-8;
-        EXPECT_NEAR(scale.steps(length), sum, tolerance * sum) << start << " to " << end;
-        if (tolerance < 0.1) {
-            EXPECT_NEAR(scale.length(length, middle), length / 2, 1e-8 * length);
-        }
+        EXPECT_NEAR(scale.steps(length), sum, 1e-8 * sum) << start << " to " << end;
+        EXPECT_NEAR(scale.length(length, middle), length / 2, 1e-8 * length);
         EXPECT_NEAR(scale.length(length, scale.steps(length)), length, 1e-12 * length);
         EXPECT_EQ(scale.length(length, 0), 0);
     }
+    EXPECT_NEAR((StepScale{1e-6, 1e6}.steps(7)), 7 / 1e6 * std::log(1e12), 1e-15);
 }
 
 TEST(StepScale, ConstantScalesDivideTheLength) {
