@@ -2,7 +2,6 @@
 #include "stylization/prepare_style.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/failure.h"
 #include "runtime/each.h"
@@ -72,15 +71,6 @@ Task<void> take_attributes(Pace& pace, const StyleRequest& request, const Matche
     }
 }
 
-// The distance of two patches that have nothing in common.
-double unrelated_distance(const PreparedStyle& prepared, const StyleScene& scene) {
-    const auto of_size = [&](uint32_t patch) { return std::sqrt(2.0 * (2 * patch + 1)) * prepared.displacement_rms; };
-    if (scene.sizes.empty()) return of_size(scene.patch);
-    double sum = 0;
-    for (const FlgPatchSize& size : scene.sizes) sum += size.weight * of_size(size.patch);
-    return sum;
-}
-
 // Two patches at least between the caps.
 bool has_body(const StyleScene& scene) {
     for (uint32_t c = 0; c < scene.curve_count(); ++c) {
@@ -107,8 +97,10 @@ Task<void> set_caps(Pace& pace, const StyleRequest& request, double last_length,
     scene.end_cap = marked.end;
     check_body(scene, desc);
     if (desc.start_cap >= 0 && desc.end_cap >= 0) co_return;
-    const PatchGraph graph = co_await patch_graph(pace, scene);
-    const StyleCaps found = co_await find_caps(pace, graph, scene, unrelated_distance(prepared, scene));
+    const StyleScene wide = wide_scene(scene);
+    if (!has_body(wide)) co_return;
+    const PatchGraph graph = co_await patch_graph(pace, wide);
+    const StyleCaps found = co_await find_caps(pace, graph, wide, prepared.displacement_rms);
     if (desc.start_cap < 0) scene.start_cap = found.start;
     if (desc.end_cap < 0) scene.end_cap = found.end;
     if (has_body(scene)) co_return;

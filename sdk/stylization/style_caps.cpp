@@ -10,8 +10,9 @@ namespace flg {
 
 namespace {
 
-constexpr double like_share = 0.1;   // of the distance of unrelated patches
+constexpr double like_share = 0.1;    // of the distance of unrelated patches
 constexpr double like_medians = 2.0;  // of the median distance to the most like patch
+constexpr uint32_t patches_per_style = 16;
 
 }  // namespace
 
@@ -25,7 +26,13 @@ StyleCaps marked_caps(std::span<const uint32_t> boundaries, std::span<const floa
     return caps;
 }
 
-Task<StyleCaps> find_caps(Pace& pace, const PatchGraph& graph, const StyleScene& scene, double unrelated) {
+StyleScene wide_scene(StyleScene scene) {
+    scene.patch = std::max(scene.patch, scene.node_count() / (2 * patches_per_style));
+    scene.sizes = {};
+    return scene;
+}
+
+Task<StyleCaps> find_caps(Pace& pace, const PatchGraph& graph, const StyleScene& scene, double rms) {
     Buffer<float> cheapest(graph.node_count, pace.memory());
     co_await each(pace, graph.node_count, Cost::some_ns, [&](uint32_t i) { cheapest[i] = HUGE_VALF; });
     co_await each(pace, graph.jump_count(), Cost::some_ns, [&](uint32_t jump) {
@@ -33,6 +40,7 @@ Task<StyleCaps> find_caps(Pace& pace, const PatchGraph& graph, const StyleScene&
         least = std::min(least, graph.in_cost[jump]);
     });
     const double median = graph.temperature_unit / PatchGraph::temperature_share;
+    const double unrelated = std::sqrt(2.0 * (2 * scene.patch + 1)) * rms;
     const double like = std::max(like_share * unrelated, like_medians * median);
     const uint32_t needed = 2 * scene.patch + 1;
     const uint32_t last_curve = scene.curve_count() - 1;

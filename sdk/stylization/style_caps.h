@@ -3,9 +3,9 @@
 // given as lengths of the example, or found: what comes before the first and after the last repetition. That is so
 // many points in a row as a patch has, each of them in the middle of a patch that has a like one elsewhere.
 //
-// Like are patches whose distance is below a tenth of what two unrelated ones have, or below twice the median of the
-// patches' distances to the one most like each. So what is found depends on the patch: a flourish that repeats itself
-// within a patch's reach is no cap.
+// For that, patches are wide: a flourish that goes to and fro must not count as its own repetition. Like are patches
+// whose distance is below a tenth of what two unrelated ones have, or below twice the median of the patches' distances
+// to the one most like each.
 #pragma once
 
 #include "runtime/task.h"
@@ -22,7 +22,9 @@ struct StyleCaps {
 StyleCaps marked_caps(std::span<const uint32_t> boundaries, std::span<const float> matching, double last_length,
                       double start_cap, double end_cap);
 
-// From the graph of the style without caps. `unrelated`: metres, the distance of patches that have nothing in common.
-Task<StyleCaps> find_caps(Pace& pace, const PatchGraph& graph, const StyleScene& scene, double unrelated);
+// The scene as caps are looked for in it.
+StyleScene wide_scene(StyleScene scene);
+// From that scene's graph. `rms`: metres, of the displacement.
+Task<StyleCaps> find_caps(Pace& pace, const PatchGraph& graph, const StyleScene& scene, double rms);
 
 }  // namespace flg
