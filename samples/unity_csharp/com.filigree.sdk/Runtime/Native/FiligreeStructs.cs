@@ -404,21 +404,21 @@ namespace Filigree
         /// <summary>
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
         /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
-        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller (see
-        /// FlgCurveSetStylizeDesc::fit); closed targets get none. 0: none. Below 0: found, as what comes before the
-        /// first and after the last repetition: patches that have no like elsewhere in the example (FlgStyleInfo says
-        /// how long they are; patches are compared twice for it). What is left of the curve must be long enough for two
-        /// patches. Default 0.
+        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
+        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
+        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
+        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
+        /// left must be long enough for two patches. Default 0.
         /// </summary>
         public float start_cap;
         /// <summary>
         /// Caps: how much of the example's first curve at its start, and of its last curve at its end, belongs to a
         /// stroke's ends alone, metres along the example. Each open target begins with the one and ends with the other,
-        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller (see
-        /// FlgCurveSetStylizeDesc::fit); closed targets get none. 0: none. Below 0: found, as what comes before the
-        /// first and after the last repetition: patches that have no like elsewhere in the example (FlgStyleInfo says
-        /// how long they are; patches are compared twice for it). What is left of the curve must be long enough for two
-        /// patches. Default 0.
+        /// once; between them no jump leads into a cap. A target too short for both gets both, smaller in all
+        /// directions; closed targets get none, live strokes no end cap. 0: none. Below 0: found, as what comes before
+        /// the first and after the last repetition of patches that are a sixteenth of the style's points long, or
+        /// `patch` if that is longer (FlgStyleInfo says how long they are; patches are compared twice for it). What is
+        /// left must be long enough for two patches. Default 0.
         /// </summary>
         public float end_cap;
     }
@@ -550,11 +550,11 @@ namespace Filigree
         public uint drive_count;
         /// <summary>
         /// Fits whole motifs to open targets, 0 to 1; a motif is the style's first curve that is long enough for a
-        /// patch, without its caps. Above 0 a target begins and ends with a motif's, and has the whole number of them
-        /// that comes nearest to its length, at least one. They differ by a factor r from that length: motifs are
-        /// stretched by r^fit along the target, and jumps skip or repeat what is then still missing. So 1 stretches
-        /// alone, and every motif is whole; near 0 hardly any stretches. A target shorter than a patch gets the whole
-        /// motif, smaller in all ways. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
+        /// patch, without its caps. Above 0 a target has motif after motif (`start` and `temperature` have no effect),
+        /// as many as come nearest to its length, at least one. That length is r times theirs: they are stretched along
+        /// it by r^fit, and jumps in the last one skip or repeat the rest. 1 stretches alone; near 0 hardly anything
+        /// stretches. A target too short for a motif gets it smaller in all directions; one shorter than a patch a
+        /// whole one at any fit. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
         /// </summary>
         public float fit;
     }
