@@ -205,6 +205,34 @@ TEST_F(Fitting, ATargetShorterThanAPatchGetsASmallMotif) {
     }
 }
 
+// A style with a start cap alone: live is batch.
+TEST(LiveFitting, StrokesBeginWithTheStartCap) {
+    LiveHost host;
+    FlgStyleDesc style = flgStyleDefaults();
+    style.point_count = 256;
+    style.style = host.create(coil());
+    style.start_cap = 2;
+    host.style = host.live.style = prepare(host, style);
+    host.warm(0);
+    const uint32_t cap = style_info(host, host.style).start_cap_points;
+    ASSERT_GT(cap, 5u);
+    const FlgLiveStroke stroke = host.begin();
+    host.push_in_bursts(stroke, drawn(250), {3, 1});
+    const LiveHost::Ended ended = host.end(stroke);
+    FlgCurveSetStylizeDesc desc = flgCurveSetStylizeDefaults();
+    desc.style = host.style;
+    desc.target = ended.samples;
+    desc.scale = host.live.scale;
+    desc.exact_spacing = 1;
+    const Heard batch = heard_of(host.view_of(stylize(host, desc)));
+    const Heard live = heard_of(host.view_of(ended.stylized));
+    for (uint32_t i = 0; i < cap; ++i) {
+        ASSERT_EQ(live.of(FLG_ATTRIBUTE_STYLE_INDEX)[i], static_cast<float>(i));
+    }
+    EXPECT_TRUE(live.of(FLG_ATTRIBUTE_STYLE_INDEX) == batch.of(FLG_ATTRIBUTE_STYLE_INDEX));
+    EXPECT_TRUE(live.of(FLG_ATTRIBUTE_POSITION) == batch.of(FLG_ATTRIBUTE_POSITION));
+}
+
 TEST_F(Fitting, Refusals) {
     learn(0, 0);
     FlgStyleDesc style = flgStyleDefaults();
