@@ -467,7 +467,7 @@ TEST_F(Stylize, ColumnsOfTheTargetSteerTheStyle) {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     };
-    done(with({"--drive", "pressure=magnitude:0:1,pressure:0.5:1=radius:1:1"}));
+    done(with({"--drive", "pressure=magnitude:0:1,pressure:0.5:1=temperature:0:1"}));
     EXPECT_EQ(report().at("parameters").at("drive").size(), 2u);
     const std::vector<std::string> driven = lines_of(folder.read("out.xyz"));
     EXPECT_NEAR(numbers_of<float>(driven.front()).at(1), 0, 1e-6);
