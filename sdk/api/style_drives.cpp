@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "api/style_drives.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -8,6 +9,7 @@
 #include "api/inputs.h"
 #include "core/failure.h"
 #include "core/number_text.h"
+#include "core/sized_struct.h"
 
 namespace flg {
 
