@@ -8,8 +8,6 @@
 // sharp where it touches what casts it and softer further away: Percentage-Closer Soft Shadows (Fernando, 2005), with
 // taps on Vogel's spiral.
 
-layout(set = 0, binding = 2) uniform sampler2D shadow_depths;
-
 layout(location = 0) in vec2 at;  // -1..1, y down
 layout(location = 0) out vec4 out_color;
 
@@ -22,11 +20,6 @@ const float pool_light = 0.14;         // by how much the floor is brighter abou
 const float pool_end = 4.0;            // where that ends, radii of the scene
 const float fade_begin = 1.5;          // where the floor begins to melt into the gradient, radii of the scene
 const float fade_end = 6.0;
-
-vec2 spiral(int i, int count) {
-    float angle = golden_angle * float(i) + 6.2831853 * view.turn.x;
-    return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
-}
 
 float floor_light(vec3 position) {
     if (view.sun_color.w == 0.0) return 1.0;

@@ -6,8 +6,6 @@
 namespace flg::render {
 namespace {
 
-constexpr uint32_t max_points = 1u << 28;
-
 std::span<const FlgColumn> columns_of(const FlgCurveSetView& view) {
     return {view.columns, view.column_count};
 }
@@ -22,9 +20,6 @@ void check_view(const FlgCurveSetView& view) {
         if (view.curve_offsets[c + 1] < view.curve_offsets[c])
             fail("curve_offsets falls from %u to %u after curve %u.", view.curve_offsets[c], view.curve_offsets[c + 1],
                  c);
-    if (view.curve_offsets[view.curve_count] > max_points)
-        fail("The view has %u points; the renderer takes at most %u.", view.curve_offsets[view.curve_count],
-             max_points);
     if (view.column_count == 0 || !view.columns) fail("The view has no columns.");
 }
 

@@ -75,7 +75,8 @@ struct CurveData {
 ChunkBounds bounds_of(const glm::vec4* centers, const glm::vec3* normals, uint32_t segments, Shape shape,
                       Box& in_out_box);
 
-// Throws Error for a view or a look that can't be used.
-CurveData prepare_curves(const FlgCurveSetView& view, const CurveLook& look);
+// In parts of at most `max_points` points, at least 128: each a device buffer's. Long curves are divided between chunks
+// and drawn as if they were not. Throws Error for a view or a look that can't be used.
+std::vector<CurveData> prepare_curves(const FlgCurveSetView& view, const CurveLook& look, uint32_t max_points);
 
 }  // namespace flg::render

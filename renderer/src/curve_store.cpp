@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flg::render {
 namespace {
@@ -13,9 +14,8 @@ constexpr float largest_magnitude_offset = 1e6f;
 // of the way to the camera's target.
 constexpr float depth_in_front = 0.04f;
 
-void check_size(const Device& device, size_t points) {
-    const size_t most = device.properties().limits.maxStorageBufferRange / sizeof(glm::vec4);
-    if (points > most) fail("The curves have %zu points; this device takes %zu in an upload.", points, most);
+uint32_t points_in_a_buffer(const Device& device) {
+    return static_cast<uint32_t>(device.properties().limits.maxStorageBufferRange / sizeof(glm::vec4));
 }
 
 }  // namespace
@@ -39,39 +39,56 @@ IndexPatterns::IndexPatterns(UploadRing& ring) {
 }
 
 DeviceCurves::DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines,
-                           const FlgCurveSetView& view, const CurveLook& wanted_look)
-    : look(wanted_look), data(prepare_curves(view, wanted_look)), device(memory.device().handle()) {
-    check_size(memory.device(), data.centers.size());
+                           const FlgCurveSetView& view, const CurveLook& wanted_look, uint32_t max_points)
+    : look(wanted_look) {
     const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    centers = ring.make_filled(data.centers, usage, MemoryUse::curves);
-    looks = ring.make_filled(data.looks, usage, MemoryUse::curves);
-    chunks = ring.make_filled(data.chunks, usage, MemoryUse::curves);
-    if (data.has_displacements) displacements = ring.make_filled(data.displacements, usage, MemoryUse::curves);
-    bind(pipelines);
-    data.centers = {};
-    data.looks = {};
-    data.displacements = {};
+    for (CurveData& data : prepare_curves(view, look, max_points ? max_points : points_in_a_buffer(memory.device()))) {
+        DevicePart& part = parts.emplace_back(std::move(data), memory.device().handle());
+        part.centers = ring.make_filled(part.data.centers, usage, MemoryUse::curves);
+        part.looks = ring.make_filled(part.data.looks, usage, MemoryUse::curves);
+        part.chunks = ring.make_filled(part.data.chunks, usage, MemoryUse::curves);
+        if (part.data.has_displacements)
+            part.displacements = ring.make_filled(part.data.displacements, usage, MemoryUse::curves);
+        part.bind(pipelines);
+        part.data.centers = {};
+        part.data.looks = {};
+        part.data.displacements = {};
+    }
 }
 
 DeviceCurves::DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, const CurveLook& wanted_look,
                            uint32_t capacity)
-    : look(wanted_look), device(memory.device().handle()) {
+    : look(wanted_look) {
     check_look(look);
-    if (capacity < 2 || capacity > max_growing_points)
-        fail("The capacity is %u; it must be 2 to %u.", capacity, max_growing_points);
-    check_size(memory.device(), capacity);
-    growing = std::make_unique<GrowingCurve>(data, look, capacity);
+    const uint32_t most = std::min(max_growing_points, points_in_a_buffer(memory.device()));
+    if (capacity < 2 || capacity > most) fail("The capacity is %u; it must be 2 to %u.", capacity, most);
+    DevicePart& part = parts.emplace_back(CurveData(), memory.device().handle());
+    growing = std::make_unique<GrowingCurve>(part.data, look, capacity);
     const auto room = [&](size_t count, size_t size) {
         return Buffer(memory, count * size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                       DeviceMemory::Place::device, MemoryUse::curves);
     };
-    centers = room(data.centers.capacity(), sizeof data.centers[0]);
-    looks = room(data.looks.capacity(), sizeof data.looks[0]);
-    chunks = room(data.chunks.capacity(), sizeof data.chunks[0]);
-    bind(pipelines);
+    part.centers = room(part.data.centers.capacity(), sizeof part.data.centers[0]);
+    part.looks = room(part.data.looks.capacity(), sizeof part.data.looks[0]);
+    part.chunks = room(part.data.chunks.capacity(), sizeof part.data.chunks[0]);
+    part.bind(pipelines);
 }
 
-void DeviceCurves::bind(const Pipelines& pipelines) {
+DevicePart::DevicePart(DevicePart&& other) noexcept
+    : data(std::move(other.data)),
+      device(other.device),
+      centers(std::move(other.centers)),
+      looks(std::move(other.looks)),
+      chunks(std::move(other.chunks)),
+      displacements(std::move(other.displacements)),
+      pool(std::exchange(other.pool, VK_NULL_HANDLE)),
+      set(other.set) {}
+
+DevicePart::~DevicePart() {
+    vkDestroyDescriptorPool(device, pool, nullptr);
+}
+
+void DevicePart::bind(const Pipelines& pipelines) {
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, curve_buffers};
     VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool_info.maxSets = 1;
@@ -103,18 +120,21 @@ void DeviceCurves::bind(const Pipelines& pipelines) {
     vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
 }
 
-DeviceCurves::~DeviceCurves() {
-    vkDestroyDescriptorPool(device, pool, nullptr);
+void DeviceCurves::add_targets(UploadTargets& targets) const {
+    for (const DevicePart& part : parts)
+        for (const Buffer* buffer : {&part.centers, &part.looks, &part.chunks, &part.displacements})
+            targets.buffers.push_back(buffer->handle());
 }
 
-void DeviceCurves::add_targets(UploadTargets& targets) const {
-    for (const Buffer* buffer : {&centers, &looks, &chunks, &displacements})
-        targets.buffers.push_back(buffer->handle());
+Box DeviceCurves::box() const {
+    Box box;
+    for (const DevicePart& part : parts) box.add(part.data.box_at(magnitude_offset));
+    return box;
 }
 
 void CurveStore::set_magnitude_offset(CurvesId id, float offset) {
     DeviceCurves& curves = at(id.value);
-    if (!curves.data.has_displacements)
+    if (!curves.has_displacements())
         fail("The curves %llu were uploaded without a DISPLACEMENT column.", static_cast<unsigned long long>(id.value));
     if (!(std::abs(offset) <= largest_magnitude_offset))
         fail("The magnitude offset is %g; it must be in -%g to %g.", offset, largest_magnitude_offset,
@@ -137,9 +157,10 @@ void CurveStore::upload_growth() {
         if (!curves->growing) continue;
         const GrowingCurve::Changes changes = curves->growing->changes();
         ring_.all_or_nothing([&] {
-            rewrite(curves->centers, curves->data.centers, changes.first_point, changes.point_count);
-            rewrite(curves->looks, curves->data.looks, changes.first_point, changes.point_count);
-            rewrite(curves->chunks, curves->data.chunks, changes.first_chunk, changes.chunk_count);
+            const DevicePart& part = curves->parts.front();
+            rewrite(part.centers, part.data.centers, changes.first_point, changes.point_count);
+            rewrite(part.looks, part.data.looks, changes.first_point, changes.point_count);
+            rewrite(part.chunks, part.data.chunks, changes.first_chunk, changes.chunk_count);
         });
         curves->growing->changes_uploaded();
     }
@@ -148,7 +169,7 @@ void CurveStore::upload_growth() {
 Box CurveStore::bounds() const {
     Box box;
     for (const auto& [id, curves] : items())
-        if (curves->visible) box.add(curves->data.box_at(curves->magnitude_offset));
+        if (curves->visible) box.add(curves->box());
     return box;
 }
 
@@ -158,10 +179,12 @@ void CurveStore::select(std::span<const ViewUniforms> views, bool shadow, DrawLi
     for (const auto& [id, curves] : items()) {
         if (!curves->visible) continue;
         if (shadow && (!curves->look.casts_shadow || curves->look.shape == Shape::line)) continue;
-        const auto first_bin = static_cast<uint32_t>(list.bins.size());
-        selector.select(curves->data, curves->look, curves->magnitude_offset, instances, list.bins);
-        const auto bin_count = static_cast<uint32_t>(list.bins.size()) - first_bin;
-        if (bin_count) list.items.push_back({curves.get(), first_bin, bin_count});
+        for (const DevicePart& part : curves->parts) {
+            const auto first_bin = static_cast<uint32_t>(list.bins.size());
+            selector.select(part.data, curves->look, curves->magnitude_offset, instances, list.bins);
+            const auto bin_count = static_cast<uint32_t>(list.bins.size()) - first_bin;
+            if (bin_count) list.items.push_back({curves.get(), part.set, first_bin, bin_count});
+        }
     }
 }
 
@@ -188,8 +211,8 @@ uint64_t record_curves(VkCommandBuffer commands, const Pipelines& pipelines, con
         vkCmdBindPipeline(
             commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
             shadow ? pipelines.curve_shadow(look.shape, displaced) : pipelines.curve(look, displaced, pass.eyes));
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 1, 1, &item.curves->set,
-                                0, nullptr);
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 1, 1, &item.set, 0,
+                                nullptr);
         for (uint32_t i = item.first_bin; i < item.first_bin + item.bin_count; ++i) {
             const DrawBin& bin = list.bins[i];
             const CurvePush push{bin.columns,

@@ -27,36 +27,47 @@ private:
     uint32_t first_[33] = {};
 };
 
-// One upload: its buffers, and what the host keeps to choose from it.
-struct DeviceCurves {
-    DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines, const FlgCurveSetView& view,
-                 const CurveLook& look);
-    // For a curve that grows.
-    DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, const CurveLook& look, uint32_t capacity);
-    ~DeviceCurves();
-    DeviceCurves(const DeviceCurves&) = delete;
-    DeviceCurves& operator=(const DeviceCurves&) = delete;
+// As many curves as buffers of the device can hold, and what the host keeps to choose from them.
+struct DevicePart {
+    DevicePart(CurveData curve_data, VkDevice of_device) : data(std::move(curve_data)), device(of_device) {}
+    DevicePart(DevicePart&& other) noexcept;
+    ~DevicePart();
 
-    CurveLook look;
     CurveData data;  // without its points, but for a growing curve
-    std::unique_ptr<GrowingCurve> growing;
-    float magnitude_offset = 0.0f;
-    bool visible = true;
     VkDevice device;
     Buffer centers, looks, chunks, displacements;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE;
 
-    void add_targets(UploadTargets& targets) const;
-
-private:
     void bind(const Pipelines& pipelines);
+};
+
+// One upload.
+struct DeviceCurves {
+    // `max_points`: of a part; 0: as many as the device's buffers hold.
+    DeviceCurves(DeviceMemory& memory, UploadRing& ring, const Pipelines& pipelines, const FlgCurveSetView& view,
+                 const CurveLook& look, uint32_t max_points);
+    // For a curve that grows.
+    DeviceCurves(DeviceMemory& memory, const Pipelines& pipelines, const CurveLook& look, uint32_t capacity);
+    DeviceCurves(const DeviceCurves&) = delete;
+    DeviceCurves& operator=(const DeviceCurves&) = delete;
+
+    CurveLook look;
+    std::vector<DevicePart> parts;          // of a growing curve one; none if there are no points
+    std::unique_ptr<GrowingCurve> growing;  // its data is the part's
+    float magnitude_offset = 0.0f;
+    bool visible = true;
+
+    void add_targets(UploadTargets& targets) const;
+    bool has_displacements() const { return !parts.empty() && parts.front().data.has_displacements; }
+    Box box() const;
 };
 
 // Of all curves, what one view draws.
 struct DrawList {
     struct Item {
         const DeviceCurves* curves;
+        VkDescriptorSet set;  // of a part
         uint32_t first_bin;
         uint32_t bin_count;
     };

@@ -40,16 +40,20 @@ void GrowingCurve::append(const FlgCurveSetView& view) {
     const uint32_t count = view.curve_offsets[1];
     check_points(columns, count);
     const auto before = static_cast<uint32_t>(data_.centers.size());
+    std::vector<glm::vec4> colors;
     for (uint32_t i = 0; i < count; ++i, ++given_count_) {
         const glm::vec3 p = columns.position(i);
         if (!data_.centers.empty() && glm::vec3(data_.centers.back()) == p) continue;
         data_.centers.emplace_back(p, columns.radius(i, look_));
-        colors_.push_back(pack_color(columns.color(i, look_, 0.0f)));
+        colors.emplace_back(columns.color(i, look_, 0.0f), 1.0f);
         ordinals_.push_back(given_count_);
         const bool follows = look_.shape == Shape::ribbon && columns.has_normals();
         normals_.push(follows ? columns.normal(i) : glm::vec3(0));
     }
-    if (data_.centers.size() > before) refresh(std::max(before, 1u) - 1);
+    if (data_.centers.size() == before) return;
+    colors_.resize(data_.centers.size());
+    write_colors(colors, &colors_[before], sizeof(uint32_t));
+    refresh(std::max(before, 1u) - 1);
 }
 
 void GrowingCurve::check_points(const CurveColumns& columns, uint32_t count) const {
@@ -79,8 +83,12 @@ void GrowingCurve::refresh(uint32_t from) {
     const bool line = look_.shape == Shape::line;
     const uint32_t changed = line ? from : normals_.find(data_.centers.data(), from);
     data_.looks.resize(count);
-    for (uint32_t i = changed; i < count; ++i)
-        data_.looks[i] = {pack_normal(line ? glm::vec3(0.0f, 1.0f, 0.0f) : normals_[i]), colors_[i]};
+    for (uint32_t i = changed; i < count; ++i) data_.looks[i].color = colors_[i];
+    if (changed < count) {
+        const std::vector<glm::vec3> up(line ? count - changed : 0, glm::vec3(0.0f, 1.0f, 0.0f));
+        const glm::vec3* const normals = line ? up.data() : normals_.from(changed);
+        write_normals({normals, count - changed}, &data_.looks[changed].normal, sizeof(PackedLook));
+    }
     first_changed_point_ = std::min(first_changed_point_, changed);
     make_chunks(std::min(from, changed));
 }

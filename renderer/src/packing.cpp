@@ -4,21 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filigree/filigree_buffers.h"
 #include "vk.h"
 
 namespace flg::render {
-namespace {
-
-// The inverse, to 0.2 %, of the polynomial in packing.glsl; cheaper than pow, a million times a second.
-uint32_t srgb_byte(float linear) {
-    const float v = std::clamp(linear, 0.0f, 1.0f);
-    const float s1 = std::sqrt(v), s2 = std::sqrt(s1), s3 = std::sqrt(s2);
-    const float srgb = 0.585122381f * s1 + 0.783140355f * s2 - 0.368262736f * s3;
-    return static_cast<uint32_t>(std::clamp(srgb, 0.0f, 1.0f) * 255.0f + 0.5f);
-}
-
-}  // namespace
-
 Column find_column(std::span<const FlgColumn> columns, FlgAttribute attribute, uint32_t components, const char* name) {
     for (const FlgColumn& column : columns) {
         if (column.attribute != attribute) continue;
@@ -46,22 +35,39 @@ void check_color(glm::vec3 color, const char* name) {
     for (int i = 0; i < 3; ++i) check_in(color[i], 0.0f, 1.0f, name);
 }
 
-uint32_t pack_normal(glm::vec3 n) {
-    n /= std::max(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), 1e-30f);
-    glm::vec2 p(n.x, n.y);
-    if (n.z < 0.0f)
-        p = {(1.0f - std::abs(n.y)) * (n.x >= 0.0f ? 1.0f : -1.0f),
-             (1.0f - std::abs(n.x)) * (n.y >= 0.0f ? 1.0f : -1.0f)};
-    const auto snorm = [](float v) {
-        const float scaled = v * 32767.0f;
-        const auto rounded = static_cast<int16_t>(scaled + (scaled < 0.0f ? -0.5f : 0.5f));
-        return static_cast<uint32_t>(static_cast<uint16_t>(rounded));
-    };
-    return snorm(p.x) | snorm(p.y) << 16;
+void write_columns(std::span<const FlgColumn> from, uint32_t rows, std::span<const FlgBufferColumn> to) {
+    if (to.empty()) return;
+    FlgBufferOutput output = flgBufferOutputDefaults();
+    output.columns = to.data();
+    output.column_count = static_cast<uint32_t>(to.size());
+    output.row_capacity = rows;
+    FlgColumnsWriteDesc desc = flgColumnsWriteDefaults();
+    desc.columns = from.data();
+    desc.column_count = static_cast<uint32_t>(from.size());
+    desc.row_count = rows;
+    desc.output = &output;
+    if (flgColumnsWrite(&desc) != FLG_OK) fail("%s", flgErrorGetMessage());
 }
 
-uint32_t pack_color(glm::vec3 c) {
-    return srgb_byte(c.x) | srgb_byte(c.y) << 8 | srgb_byte(c.z) << 16 | 0xff000000u;
+void write_normals(std::span<const glm::vec3> normals, uint32_t* to, uint32_t stride) {
+    if (normals.empty()) return;
+    const FlgColumn from = {FLG_ATTRIBUTE_NORMAL, 3, &normals[0].x, 0, 0};
+    const FlgBufferColumn column = {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_OCTAHEDRAL16, to, stride, 0, {}, 0, 0};
+    write_columns({&from, 1}, static_cast<uint32_t>(normals.size()), {&column, 1});
+}
+
+void write_colors(std::span<const glm::vec4> colors, uint32_t* to, uint32_t stride) {
+    if (colors.empty()) return;
+    const FlgColumn from = {FLG_ATTRIBUTE_COLOR, 4, &colors[0].x, 0, 0};
+    const FlgBufferColumn column = {FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_SRGB8, to, stride, 0, {}, 0, 0};
+    write_columns({&from, 1}, static_cast<uint32_t>(colors.size()), {&column, 1});
+}
+
+uint32_t packed_color(glm::vec3 linear) {
+    const glm::vec4 color(linear, 1.0f);
+    uint32_t packed = 0;
+    write_colors({&color, 1}, &packed, sizeof packed);
+    return packed;
 }
 
 }  // namespace flg::render

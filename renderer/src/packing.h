@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns of a view, checked, and values as compact as the shaders take them (shaders/packing.glsl).
+// Columns of a view, checked, and values as compact as the shaders take them (shaders/packing.glsl): written by
+// filigree_buffers.h.
 #pragma once
 
 #include <cstdint>
@@ -35,10 +36,14 @@ bool is_usable(glm::vec3 p);
 void check_in(float value, float low, float high, const char* name);
 void check_color(glm::vec3 color, const char* name);
 
-// Octahedral, 2 x snorm16; of any length but zero.
-uint32_t pack_normal(glm::vec3 normal);
+// Columns of a view as filigree_buffers.h writes them; throws Error.
+void write_columns(std::span<const FlgColumn> from, uint32_t rows, std::span<const FlgBufferColumn> to);
 
-// Linear to sRGB, 4 x unorm8; clamped, opaque.
-uint32_t pack_color(glm::vec3 linear);
+// FLG_NUMBER_FORMAT_OCTAHEDRAL16, `stride` bytes from one to the next.
+void write_normals(std::span<const glm::vec3> normals, uint32_t* to, uint32_t stride);
+
+// Linear to FLG_NUMBER_FORMAT_SRGB8, opaque; likewise.
+void write_colors(std::span<const glm::vec4> colors, uint32_t* to, uint32_t stride);
+uint32_t packed_color(glm::vec3 linear);
 
 }  // namespace flg::render

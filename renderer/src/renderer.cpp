@@ -22,6 +22,8 @@ Options checked(Options options) {
         fail("options.samples is %u; it must be 0, 1, 2, 4 or 8.", samples);
     if (options.shadow_size != 0 && (options.shadow_size < 256 || options.shadow_size > 8192))
         fail("options.shadow_size is %u; it must be 0 or 256 to 8192.", options.shadow_size);
+    if (options.max_points != 0 && options.max_points < 128)
+        fail("options.max_points is %u; it must be 0 or at least 128.", options.max_points);
     return options;
 }
 
@@ -129,8 +131,9 @@ Renderer::~Renderer() = default;
 
 CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
-    auto curves = s.ring.all_or_nothing(
-        [&] { return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look); });
+    auto curves = s.ring.all_or_nothing([&] {
+        return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look, s.options.max_points);
+    });
     s.scene_changed();
     return {s.curves.add(std::move(curves))};
 }
@@ -138,8 +141,9 @@ CurvesId Renderer::upload(const FlgCurveSetView& view, const CurveLook& look) {
 void Renderer::update(CurvesId id, const FlgCurveSetView& view, const CurveLook& look) {
     State& s = *state_;
     const bool visible = s.curves.at(id.value).visible;
-    auto curves = s.ring.all_or_nothing(
-        [&] { return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look); });
+    auto curves = s.ring.all_or_nothing([&] {
+        return std::make_unique<DeviceCurves>(s.memory, s.ring, s.pipelines, view, look, s.options.max_points);
+    });
     curves->visible = visible;
     s.curves.replace(id.value, std::move(curves), s.frame);
     s.recycle();

@@ -85,7 +85,7 @@ void mark_other_parts(SurfaceData& data, const FlgSkinView& skin, const SurfaceL
         const uint32_t own = parts[1] == parts[2] ? parts[1] : parts[0];  // as triangle_parts() has it
         const auto other = std::ranges::find_if(parts, [&](uint32_t part) { return part != own; });
         if (other == std::end(parts)) continue;
-        const uint32_t other_color = pack_color(look.regions[*other % look.regions.size()].color);
+        const uint32_t other_color = packed_color(look.regions[*other % look.regions.size()].color);
         for (int k = 0; k < 3; ++k) {
             const uint32_t from = corners[k];
             SurfaceVertex vertex = data.vertices[from];

@@ -55,7 +55,7 @@ struct PackedMaterial {
 
 PackedMaterial pack_material(const Material& material) {
     const auto byte = [](float share) { return static_cast<uint32_t>(255.0f * share + 0.5f); };
-    return {pack_color(material.color), byte(material.metallic) | byte(material.roughness) << 8};
+    return {packed_color(material.color), byte(material.metallic) | byte(material.roughness) << 8};
 }
 
 class Builder {
@@ -80,14 +80,16 @@ public:
             fail(
                 "The mesh has %u vertices, those between regions counted once a region; the renderer takes at most %u.",
                 count, max_vertices);
-        data_.vertices.reserve(count);
+        data_.vertices.resize(count);
         data_.positions.reserve(count);
         for (const uint32_t source : split.copied) data_.positions.push_back(data_.positions[source]);
         if (look_.smooth && !normal_) normals_ = creased_normals(data_.positions, split.indices, split.copied);
+        write_columns_of_view();
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t source = i < mesh_.vertex_count ? i : split.copied[i - mesh_.vertex_count];
-            add_vertex(i, source, split.label_of.empty() ? 0 : split.label_of[i]);
+            finish_vertex(i, source, split.label_of.empty() ? 0 : split.label_of[i]);
         }
+        if (!normals_.empty()) write_normals(normals_, &data_.vertices[0].normal, sizeof(SurfaceVertex));
         data_.indices = std::move(split.indices);
         data_.copied = std::move(split.copied);
         return std::move(data_);
@@ -144,23 +146,36 @@ private:
         const float width_px = material ? material->border_width_px : look_.border_width_px;
         if (width_px == 0.0f) return;
         data_.borders.push_back({data_.positions[edge.low], data_.positions[edge.high],
-                                 pack_color(material ? material->border_color : look_.border_color), 0.5f * width_px});
+                                 packed_color(material ? material->border_color : look_.border_color),
+                                 0.5f * width_px});
     }
 
-    void add_vertex(uint32_t index, uint32_t source, uint32_t label) {
-        const auto normal = normal_ ? normal_.at<glm::vec3>(source) : normals_.empty() ? glm::vec3(0) : normals_[index];
-        if (!is_usable(normal)) fail("Vertex %u has a normal that is not finite.", source);
-        PackedMaterial material = materials_[label % materials_.size()];
-        if (look_.regions.empty() && color_) {
-            const glm::vec3 color(color_.at<glm::vec4>(source));
-            if (!is_usable(color)) fail("Vertex %u has a colour that is not finite.", source);
-            material.color = pack_color(color);
+    bool has_own_colors() const { return look_.regions.empty() && color_; }
+
+    // Normals and colours that the mesh has, of its vertices.
+    void write_columns_of_view() {
+        for (uint32_t i = 0; i < mesh_.vertex_count; ++i) {
+            if (normal_ && !is_usable(normal_.at<glm::vec3>(i))) fail("Vertex %u has a normal that is not finite.", i);
+            if (has_own_colors() && !is_usable(color_.at<glm::vec3>(i)))
+                fail("Vertex %u has a colour that is not finite.", i);
         }
+        std::vector<FlgBufferColumn> to;
+        const auto add = [&](FlgAttribute attribute, FlgNumberFormat format, uint32_t* first) {
+            to.push_back({attribute, format, first, sizeof(SurfaceVertex), 0, {}, 0, 0});
+        };
+        if (normal_) add(FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_OCTAHEDRAL16, &data_.vertices[0].normal);
+        if (has_own_colors()) add(FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_SRGB8, &data_.vertices[0].color);
+        write_columns({mesh_.columns, mesh_.column_count}, mesh_.vertex_count, to);
+    }
+
+    void finish_vertex(uint32_t index, uint32_t source, uint32_t label) {
+        SurfaceVertex& vertex = data_.vertices[index];
+        vertex = data_.vertices[source];
+        const PackedMaterial& material = materials_[label % materials_.size()];
+        if (!has_own_colors()) vertex.color = material.color;
         const bool known = data_.has_field && !std::isinf(field_[source]);
-        data_.vertices.push_back({pack_normal(normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : normal),
-                                  material.color,
-                                  material.metallic_and_roughness | (known ? field_known : 0) | own_part,
-                                  {.field = known ? field_[source] : 0.0f}});
+        vertex.material = material.metallic_and_roughness | (known ? field_known : 0) | own_part;
+        vertex.field = known ? field_[source] : 0.0f;
     }
 
     const FlgMeshView& mesh_;

@@ -101,10 +101,17 @@ void CurveObject::write(const FlgBrushMeshDesc& desc, FlgBrushMeshState* state) 
     const Ogre::HardwareBufferLockGuard indices(index_data_.indexBuffer, index * sizeof(uint32_t), index_bytes,
                                                 Ogre::HardwareBuffer::HBL_WRITE_ONLY);
     auto* const to = static_cast<unsigned char*>(vertices.pData);
-    const FlgVertexColumn columns[] = {
-        {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, to + offsetof(Vertex, position), sizeof(Vertex), 0},
-        {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, to + offsetof(Vertex, normal), sizeof(Vertex), 0},
-        {FLG_VERTEX_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_UNORM8, to + offsetof(Vertex, colour), sizeof(Vertex), 0}};
+    const FlgBufferColumn columns[] = {
+        {FLG_ATTRIBUTE_POSITION,
+         FLG_NUMBER_FORMAT_FLOAT32,
+         to + offsetof(Vertex, position),
+         sizeof(Vertex),
+         0,
+         {},
+         0,
+         0},
+        {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, to + offsetof(Vertex, normal), sizeof(Vertex), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_UNORM8, to + offsetof(Vertex, colour), sizeof(Vertex), 0, {}, 0, 0}};
     output.columns = columns;
     output.column_count = 3;
     output.vertex_capacity = sizes.vertex_count;

@@ -34,7 +34,12 @@ struct Curve {
 // (radius, colour), twist (angle of a ribbon, radius, colour).
 const std::vector<std::string>& style_names();
 
-// An open stroke of about a metre that looks drawn by hand: 150 to 600 points, with radii. Empty for an unknown name.
+// The style library: those, and bubbles, clouds, fret, grass, hearts, heartbeat, leaves, ripples, rope, rosettes,
+// script, scrolls, stars, thorns.
+const std::vector<std::string>& library_names();
+
+// A style of the library: an open stroke of about a metre that looks drawn by hand, with 150 to 600 points and radii.
+// Empty for an unknown name.
 Curve make_style(std::string_view name);
 
 // s_curve, spiral, flourish, ring (closed), vine (closed), coaster (closed, with normals that bank), lorenz, thomas.

@@ -1,38 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The style strokes. Each is an offset from a gently bent axis, as a function of the place on the axis; turns come a
 // little early or late, grow and shrink, and fade in and out at the ends, as a hand makes them.
-#include <cmath>
-#include <numbers>
-
-#include "noise.h"
-#include "scenes.h"
+#include "hand.h"
 
 namespace flg::scenes {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
-
-// Metres along the axis, up and sideways from it.
-struct Offset {
-    double along, up, side;
-};
-
-// A hand's irregularity: one noise each for timing, size and shake.
-struct Hand {
-    Noise timing, size, shake;
-
-    explicit Hand(uint64_t seed) : timing(seed), size(seed + 1), shake(seed + 2) {}
-
-    // Angle after `turns` turns over the whole stroke, at u in [0, 1]; never runs backwards for small `unevenness`.
-    double angle(double u, double turns, double unevenness) const {
-        return kTau * (turns * u + unevenness * timing(turns * u * 0.8));
-    }
-    // A factor around 1 that also fades the stroke in and out.
-    double strength(double u, double turns, double spread) const {
-        const double ends = smooth_step(u / 0.05) * smooth_step((1.0 - u) / 0.05);
-        return ends * (1.0 + spread * size(turns * u * 0.6 + 11.0));
-    }
-};
 
 Offset loops(double u) {
     const Hand hand(101);
@@ -165,19 +137,6 @@ double pen_radius(double u, uint64_t seed) {
     return 0.0045 * (1.0 + 0.35 * pressure.rough(9.0 * u));
 }
 
-struct Recipe {
-    const char* name;
-    Offset (*offset)(double u);
-    uint32_t count;
-    uint64_t seed;
-    Color color;
-    bool planar = false;
-    // Null: a pen's pressure, no angle, one colour.
-    double (*radius)(double u) = nullptr;
-    double (*angle)(double u) = nullptr;
-    Color (*varied_color)(double u) = nullptr;
-};
-
 constexpr Recipe kRecipes[] = {
     {"loops", loops, 600, 1, {0.86f, 0.16f, 0.10f, 1.0f}},
     {"zigzag", zigzag, 420, 2, {0.95f, 0.55f, 0.05f, 1.0f}},
@@ -225,9 +184,20 @@ const std::vector<std::string>& style_names() {
     return names;
 }
 
+const std::vector<std::string>& library_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> list = style_names();
+        for (const Recipe& recipe : motif_recipes()) list.emplace_back(recipe.name);
+        return list;
+    }();
+    return names;
+}
+
 Curve make_style(std::string_view name) {
     Curve curve;
-    for (const Recipe& recipe : kRecipes) {
+    std::vector<Recipe> recipes(std::begin(kRecipes), std::end(kRecipes));
+    recipes.insert(recipes.end(), motif_recipes().begin(), motif_recipes().end());
+    for (const Recipe& recipe : recipes) {
         if (name != recipe.name) continue;
         curve.color = recipe.color;
         curve.points.reserve(recipe.count);

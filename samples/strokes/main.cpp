@@ -29,13 +29,13 @@ struct Options {
 
 std::string known_styles() {
     std::string list;
-    for (const std::string& name : flg::scenes::style_names()) list += (list.empty() ? "" : ", ") + name;
+    for (const std::string& name : flg::scenes::library_names()) list += (list.empty() ? "" : ", ") + name;
     return list;
 }
 
 // A built-in style goes by its bare name, too.
 std::string style_source(const std::string& style) {
-    const std::vector<std::string>& names = flg::scenes::style_names();
+    const std::vector<std::string>& names = flg::scenes::library_names();
     if (std::find(names.begin(), names.end(), style) != names.end()) return "builtin:" + style;
     const bool is_name = style.find_first_of("./:") == style.npos;
     if (is_name && !std::filesystem::exists(style)) {

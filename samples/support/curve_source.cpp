@@ -12,7 +12,7 @@ constexpr std::string_view kPrefix = "builtin:";
 
 std::string known_names() {
     std::string names;
-    for (const auto* list : {&scenes::style_names(), &scenes::target_names(), &scenes::scene_names()}) {
+    for (const auto* list : {&scenes::library_names(), &scenes::target_names(), &scenes::scene_names()}) {
         for (const std::string& name : *list) names += (names.empty() ? "" : ", ") + name;
     }
     return names;

@@ -16,7 +16,6 @@
 namespace flg {
 namespace {
 
-constexpr uint32_t max_columns = 5;
 constexpr uint64_t max_vertices = UINT32_MAX;
 
 static_assert(sizeof(brush::Growth) + sizeof(uint64_t) + sizeof(Origin) <= sizeof FlgBrushMeshState::opaque);
@@ -289,25 +288,22 @@ private:
     }
 };
 
-constexpr uint32_t components[max_columns] = {3, 3, 4, 4, 2};
-
-bool takes(FlgVertexAttribute attribute, FlgNumberFormat format) {
-    switch (format) {
-        case FLG_NUMBER_FORMAT_FLOAT32:
-        case FLG_NUMBER_FORMAT_FLOAT16: return true;
-        case FLG_NUMBER_FORMAT_UNORM8: return attribute == FLG_VERTEX_ATTRIBUTE_COLOR;
-        case FLG_NUMBER_FORMAT_SNORM8:
-        case FLG_NUMBER_FORMAT_SNORM16:
-            return attribute == FLG_VERTEX_ATTRIBUTE_NORMAL || attribute == FLG_VERTEX_ATTRIBUTE_TANGENT;
-        default: return false;
-    }
-}
+// A column of vertices, and how many numbers it has.
+struct Kind {
+    FlgAttribute attribute;
+    uint32_t components;
+};
+constexpr Kind kinds[brush::column_kinds] = {{FLG_ATTRIBUTE_POSITION, 3},
+                                             {FLG_ATTRIBUTE_NORMAL, 3},
+                                             {FLG_ATTRIBUTE_TANGENT, 4},
+                                             {FLG_ATTRIBUTE_COLOR, 4},
+                                             {FLG_ATTRIBUTE_UV, 2}};
 
 // What a call writes to, checked.
 class Buffers {
 public:
     Buffers(const FlgBrushMeshOutput& given, const Request& request) : given_(given), request_(request) {
-        check_range(given.column_count <= max_columns, "output.column_count", given.column_count, "0 to 5");
+        check_range(given.column_count <= brush::column_kinds, "output.column_count", given.column_count, "0 to 5");
         if (given.column_count > 0) require(given.columns, "output.columns");
         for (uint32_t i = 0; i < given.column_count; ++i) add_column(i);
         if (given.column_count > 0)
@@ -321,34 +317,28 @@ public:
 
 private:
     void add_column(uint32_t i) {
-        const FlgVertexColumn& column = given_.columns[i];
-        char name[48];
-        const auto named = [&](const char* field) {
-            std::snprintf(name, sizeof name, "output.columns[%u].%s", i, field);
-            return name;
-        };
-        check_enum(column.attribute, FLG_VERTEX_ATTRIBUTE_POSITION, FLG_VERTEX_ATTRIBUTE_UV, named("attribute"),
-                   "FLG_VERTEX_ATTRIBUTE_");
-        check_enum(column.format, FLG_NUMBER_FORMAT_FLOAT32, FLG_NUMBER_FORMAT_UINT8, named("format"),
-                   "FLG_NUMBER_FORMAT_");
-        if (!takes(column.attribute, column.format)) {
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].format is %d, which attribute %d cannot have",
-                          i, static_cast<int>(column.format), static_cast<int>(column.attribute));
-        }
-        const uint32_t number = bytes_of(column.format), size = number * components[column.attribute];
-        check_aligned(column.data, number, named("data"));
-        const uint32_t stride = checked_stride(column.stride, number, size, named("stride"));
-        if (column.attribute == FLG_VERTEX_ATTRIBUTE_UV && request_.desc.uv == 0)
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u] are texture coordinates, but desc.uv is 0",
-                          i);
-        FlgVertexColumn& slot = output_.columns[column.attribute];
-        if (slot.data)
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].attribute is %d once more", i,
+        check_buffer_column(given_.columns, i);
+        FlgBufferColumn column = given_.columns[i];
+        const auto named = [i](const char* field) { return BlockName("output.columns[%u].%s", i, field); };
+        const Kind* const kind = std::find_if(std::begin(kinds), std::end(kinds),
+                                              [&](const Kind& k) { return k.attribute == column.attribute; });
+        if (kind == std::end(kinds)) {
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "output.columns[%u].attribute is %d, which vertices of brush meshes don't have", i,
                           static_cast<int>(column.attribute));
-        slot = column;
-        slot.stride = stride;
+        }
+        if (column.attribute == FLG_ATTRIBUTE_UV && request_.desc.uv == 0 && !column.optional)
+            throw Failure(FLG_ERROR_INVALID_ARGUMENT,
+                          "output.columns[%u] are texture coordinates, but desc.uv is 0; `optional` would fill them",
+                          i);
+        check_range(column.components <= 4, named("components").text, column.components, "0 to 4");
+        if (column.components == 0)
+            column.components = column.format == FLG_NUMBER_FORMAT_OCTAHEDRAL16 ? 3 : kind->components;
+        const uint32_t size = row_size(column.format, column.components);
+        column.stride = checked_stride(column.stride, bytes_of(column.format), size, named("stride").text);
+        output_.columns[kind - kinds] = column;
         blocks_.add_output(
-            {BlockName("output.columns[%u]", i), column.data, stride, size, request_.sizes.vertex_count});
+            {BlockName("output.columns[%u]", i), column.data, column.stride, size, request_.sizes.vertex_count});
     }
     void add_indices() {
         check_indices(given_.indices, given_.index_format, given_.index_capacity, request_.sizes.index_count,

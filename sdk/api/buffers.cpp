@@ -25,73 +25,6 @@ FlgBufferOutput default_output() {
     return output;
 }
 
-// Names and rules of a column of the output.
-struct Named {
-    char text[64];
-    Named(uint32_t column, const char* field) {
-        std::snprintf(text, sizeof text, "output.columns[%u].%s", column, field);
-    }
-    operator const char*() const { return text; }
-};
-
-bool takes(FlgAttribute attribute, FlgNumberFormat format) {
-    const bool own = attribute >= FLG_ATTRIBUTE_USER;
-    const bool whole =
-        attribute == FLG_ATTRIBUTE_JOINTS || attribute == FLG_ATTRIBUTE_PART || attribute == FLG_ATTRIBUTE_LABEL;
-    switch (format) {
-        case FLG_NUMBER_FORMAT_FLOAT32:
-        case FLG_NUMBER_FORMAT_FLOAT16: return !whole;
-        case FLG_NUMBER_FORMAT_UNORM8:
-        case FLG_NUMBER_FORMAT_UNORM16:
-            return own || attribute == FLG_ATTRIBUTE_COLOR || attribute == FLG_ATTRIBUTE_PRESSURE ||
-                   attribute == FLG_ATTRIBUTE_WEIGHTS || attribute == FLG_ATTRIBUTE_VALUE;
-        case FLG_NUMBER_FORMAT_SNORM8:
-        case FLG_NUMBER_FORMAT_SNORM16:
-            return own || attribute == FLG_ATTRIBUTE_NORMAL || attribute == FLG_ATTRIBUTE_TANGENT ||
-                   attribute == FLG_ATTRIBUTE_ORIENTATION;
-        default: return whole;
-    }
-}
-
-uint32_t row_size(const FlgBufferColumn& column, uint32_t components) {
-    return components * bytes_of(column.format);
-}
-
-// What can be said of a column before there is a result.
-void check_column(const FlgBufferColumn* columns, uint32_t i) {
-    const FlgBufferColumn& column = columns[i];
-    const int32_t attribute = number_of(column.attribute);
-    const int own = components_of(attribute);
-    if (own < 0) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].attribute is %d, not one of FLG_ATTRIBUTE_...", i,
-                      attribute);
-    }
-    for (uint32_t j = 0; j < i; ++j) {
-        if (number_of(columns[j].attribute) == attribute)
-            throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].attribute is %d once more", i, attribute);
-    }
-    check_enum(column.format, FLG_NUMBER_FORMAT_FLOAT32, FLG_NUMBER_FORMAT_UINT8, Named(i, "format"),
-               "FLG_NUMBER_FORMAT_");
-    if (!takes(column.attribute, column.format)) {
-        throw Failure(FLG_ERROR_INVALID_ARGUMENT, "output.columns[%u].format is %d, which attribute %d cannot have", i,
-                      static_cast<int>(column.format), attribute);
-    }
-    check_range(column.components <= max_user_components, Named(i, "components"), column.components, "0 to 16");
-    check_aligned(column.data, bytes_of(column.format), Named(i, "data"));
-    const uint32_t components = column.components ? column.components : std::max(static_cast<uint32_t>(own), 1u);
-    checked_stride(column.stride, bytes_of(column.format), row_size(column, components), Named(i, "stride"));
-    const bool whole = is_whole(column.format);
-    for (uint32_t k = 0; k < 4; ++k) {
-        if (whole ? column.fill[k] == 0 : is_coordinate(column.fill[k])) continue;
-        char name[64];
-        std::snprintf(name, sizeof name, "output.columns[%u].fill[%u]", i, k);
-        check_range(false, name, double{column.fill[k]},
-                    whole ? "0 for whole numbers" : "finite and at most 1e30 in size");
-    }
-    check_range(!whole || column.optional == 0, Named(i, "optional"), column.optional, "0 for whole numbers");
-    check_range(column.reserved == 0, Named(i, "reserved"), column.reserved, "0");
-}
-
 // What the host asked for, copied: its structs live for the call only.
 class Request {
 public:
@@ -99,7 +32,7 @@ public:
         check_range(output_.column_count <= max_output_columns, "output.column_count", output_.column_count, "0 to 16");
         if (output_.column_count > 0) require(output_.columns, "output.columns");
         for (uint32_t i = 0; i < output_.column_count; ++i) {
-            check_column(output_.columns, i);
+            check_buffer_column(output_.columns, i);
             columns_[i] = output_.columns[i];
         }
         if (output_.origin) {
@@ -173,7 +106,8 @@ private:
                           "output.columns[%u].components is %u, but there are %u whole numbers, which can't be filled",
                           i, to.components, copy.from.components);
         }
-        to.stride = checked_stride(to.stride, bytes_of(to.format), row_size(to, to.components), Named(i, "stride"));
+        to.stride = checked_stride(to.stride, bytes_of(to.format), row_size(to.format, to.components),
+                                   BlockName("output.columns[%u].stride", i).text);
         return copy;
     }
     void add_triangles(const ResultArrays& arrays, uint64_t vertices, const char* argument, BufferPlan& plan) const {
@@ -201,8 +135,8 @@ private:
         Blocks blocks;
         for (uint32_t i = 0; i < plan.column_count; ++i) {
             const FlgBufferColumn& to = plan.columns[i].to;
-            blocks.add_output(
-                {BlockName("output.columns[%u]", i), to.data, to.stride, row_size(to, to.components), plan.row_count});
+            blocks.add_output({BlockName("output.columns[%u]", i), to.data, to.stride,
+                               row_size(to.format, to.components), plan.row_count});
         }
         const auto add_packed = [&](void* data, FlgNumberFormat format, uint64_t count, const char* name) {
             const uint32_t size = bytes_of(format);

@@ -60,6 +60,7 @@ int components_of(int32_t attribute) {
         case FLG_ATTRIBUTE_ORIENTATION:
         case FLG_ATTRIBUTE_JOINTS:
         case FLG_ATTRIBUTE_WEIGHTS: return 4;
+        case FLG_ATTRIBUTE_UV: return 2;
         default: return attribute >= FLG_ATTRIBUTE_USER ? 0 : -1;
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curve sets: checked and copied at the door, shown, released, resampled.
+// Curve sets: checked and copied at the door, shown, released, resampled, simplified.
 #include <cmath>
 #include <cstring>
 
@@ -7,6 +7,7 @@
 #include "api/descriptors.h"
 #include "api/inputs.h"
 #include "curves/sampling_job.h"
+#include "curves/simplify.h"
 
 namespace flg {
 
@@ -45,6 +46,25 @@ std::pmr::vector<uint32_t> column_order(const FlgCurveSetView& view, Memory* mem
         order.insert(first ? order.begin() : order.end(), i);
     }
     return order;
+}
+
+FlgCurveSetSimplifyDesc default_simplify_desc() {
+    auto desc = sized<FlgCurveSetSimplifyDesc>();
+    desc.level_count = 1;
+    desc.color_tolerance = 0.01f;
+    return desc;
+}
+
+SimplifyInput read_simplify_input(const FlgCurveSetSimplifyDesc& desc, std::shared_ptr<const CurveSet> curves) {
+    SimplifyInput input{std::move(curves), {}, desc.level_count, desc.color_tolerance, desc.ribbons != 0};
+    for (uint32_t l = 0; l < desc.level_count; ++l) {
+        char name[32];
+        std::snprintf(name, sizeof name, "desc.tolerances[%u]", l);
+        check_range(desc.tolerances[l] >= 0 && is_coordinate(desc.tolerances[l]), name, desc.tolerances[l],
+                    "0 to 1e30");
+        input.tolerances[l] = desc.tolerances[l];
+    }
+    return input;
 }
 
 }  // namespace
@@ -127,6 +147,17 @@ FlgResult flgCurveSetGetView(FlgContext context, FlgCurveSet set, FlgCurveSetVie
     return get_view(out_view, [&] { return get_context(context).curve_sets.get(set.id, "set"); });
 }
 
+FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint32_t struct_size) {
+    return init(scales, struct_size, sized<FlgCurveSetScales>(), "scales");
+}
+
+FlgResult flgCurveSetGetScales(FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales) {
+    return show(
+        out_scales, "out_scales", sized<FlgCurveSetScales>(),
+        [&] { return get_context(context).curve_sets.get(set.id, "set"); },
+        [](const CurveSet& self) { return self.scales(); });
+}
+
 FlgResult flgCurveSetRelease(FlgContext context, FlgCurveSet set) {
     return release(context, &Context::curve_sets, set, "set");
 }
@@ -149,6 +180,31 @@ FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc*
         out->origin = in->origin;
         submission.read(*in, "desc.curves");
         submission.job().strand.start(resample_curves(submission.pace(), in, read.spacing, read.frame, out));
+        *out_set = {submission.commit(self.curve_sets, out, out_job)};
+    });
+}
+
+FlgResult flgCurveSetSimplifyDescInit(FlgCurveSetSimplifyDesc* desc, uint32_t struct_size) {
+    return init(desc, struct_size, default_simplify_desc());
+}
+
+FlgResult flgCurveSetSimplify(FlgContext context, const FlgCurveSetSimplifyDesc* desc, FlgCurveSet* out_set,
+                              FlgJob* out_job) {
+    return guarded([&] {
+        Context& self = clear_outputs(context, out_set, "out_set", out_job);
+        const FlgCurveSetSimplifyDesc read = read_struct(desc, default_simplify_desc(), "desc");
+        check_range(read.level_count >= 1 && read.level_count <= max_levels, "desc.level_count", read.level_count,
+                    "1 to 16");
+        require(read.tolerances, "desc.tolerances");
+        check_range(read.color_tolerance >= 0 && is_coordinate(read.color_tolerance), "desc.color_tolerance",
+                    read.color_tolerance, "0 to 1e30");
+        Submission submission(self, read.job);
+        const auto in = self.curve_sets.get(read.curves.id, "desc.curves");
+        const SimplifyInput input = read_simplify_input(read, in);
+        const auto out = self.make(self.curve_sets);
+        out->origin = in->origin;
+        submission.read(*in, "desc.curves");
+        submission.job().strand.start(simplify_curves(submission.pace(), input, out));
         *out_set = {submission.commit(self.curve_sets, out, out_job)};
     });
 }

@@ -10,7 +10,7 @@
 
 namespace flg {
 
-// What sentences call a buffer.
+// What sentences call a buffer, or one of its fields.
 struct BlockName {
     BlockName() { text[0] = '\0'; }
     [[gnu::format(printf, 2, 3)]] explicit BlockName(const char* format, ...);
@@ -40,6 +40,9 @@ private:
     std::array<Block, 40> blocks_;
     uint32_t count_ = 0, output_count_ = 0;
 };
+
+// Refuses what output.columns[i] can't be, whatever there is to write. None before it is of the same attribute.
+void check_buffer_column(const FlgBufferColumn* columns, uint32_t i);
 
 // Refuses null, and what is not aligned to `number` bytes.
 void check_aligned(const void* data, uint32_t number, const char* name);

@@ -41,7 +41,7 @@ void check(const FlgLiveStrokeDesc& desc) {
     check_range(std::isfinite(desc.magnitude), "desc.magnitude", desc.magnitude, "finite");
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");
-    check_range(desc.scale > 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and above 0");
+    check_range(desc.scale >= 0 && std::isfinite(desc.scale), "desc.scale", desc.scale, "finite and at least 0");
     check_range(desc.min_radius >= 0 && std::isfinite(desc.min_radius), "desc.min_radius", desc.min_radius,
                 "finite and at least 0");
     check_range(desc.max_radius >= 0 && std::isfinite(desc.max_radius), "desc.max_radius", desc.max_radius,
@@ -244,6 +244,9 @@ FlgResult flgLiveStrokeGetInfo(FlgContext context, FlgLiveStroke stroke, FlgLive
         info.ended = self.phase() != LiveStroke::Phase::drawing;
         info.spacing = static_cast<float>(self.spacing());
         info.cut = self.cut();
+        info.scale = static_cast<float>(self.scale());
+        info.waiting_points = self.waiting_points();
+        info.dense_samples = self.dense_samples();
         write_struct(out_info, info, "out_info");
         return FLG_OK;
     });

@@ -26,8 +26,8 @@ void check(const FlgCurveSetStylizeDesc& desc) {
     check_range(is_coordinate(desc.magnitude), "desc.magnitude", desc.magnitude, "finite and at most 1e30 in size");
     check_range(desc.temperature >= 0 && std::isfinite(desc.temperature), "desc.temperature", desc.temperature,
                 "finite and at least 0");
-    check_range(desc.scale > 0 && is_coordinate(desc.scale), "desc.scale", desc.scale,
-                "finite, above 0 and at most 1e30");
+    check_range(desc.scale >= 0 && is_coordinate(desc.scale), "desc.scale", desc.scale,
+                "finite, at least 0 and at most 1e30");
     check_frame(desc.frame, "desc.frame");
     check_basis(desc.basis);
     check_range(desc.max_points <= sampled_points_max, "desc.max_points", desc.max_points, "at most 2^31");

@@ -236,7 +236,7 @@ Counts write(const Curve& curve, const Style& style, const Output& output, Growt
 }
 
 void advance(Output& output, const Counts& written) {
-    for (FlgVertexColumn& column : output.columns) {
+    for (FlgBufferColumn& column : output.columns) {
         if (column.data) column.data = static_cast<char*>(column.data) + written.vertices * column.stride;
     }
     output.first_index_value += static_cast<uint32_t>(written.vertices);

@@ -22,10 +22,10 @@ void put_three(char* to, const Lanes& value) {
 
 RowWriter::RowWriter(const Style& style, const CrossSection& section, const Output& output)
     : style_(style), section_(section), output_(output) {
-    const auto is_plain = [&](FlgVertexAttribute attribute) {
-        return output.columns[attribute].data && output.columns[attribute].format == FLG_NUMBER_FORMAT_FLOAT32;
+    const auto is_plain = [&](Of kind) {
+        return wanted(kind) && output[kind].format == FLG_NUMBER_FORMAT_FLOAT32 && output[kind].components == 3;
     };
-    plain_ = is_plain(FLG_VERTEX_ATTRIBUTE_POSITION) && is_plain(FLG_VERTEX_ATTRIBUTE_NORMAL);
+    plain_ = is_plain(Of::position) && is_plain(Of::normal);
     // Turned around, two corners of each triangle change places.
     const uint32_t second = style.left_handed ? 2 : 1, third = 3 - second;
     for (uint32_t q = 0; q < section.quads; ++q) {
@@ -37,16 +37,30 @@ RowWriter::RowWriter(const Style& style, const CrossSection& section, const Outp
     }
 }
 
-template <uint32_t components, class Value>
-void RowWriter::store(FlgVertexAttribute attribute, uint32_t count, Value value) {
-    const FlgVertexColumn& column = output_.columns[attribute];
+template <uint32_t own, class Value>
+void RowWriter::store(Of kind, uint32_t count, Value value) {
+    const FlgBufferColumn& column = output_[kind];
+    char* at = static_cast<char*>(column.data) + static_cast<size_t>(vertices_) * column.stride;
+    const auto lanes_of = [&](uint32_t v) {
+        Lanes lanes = value(v);
+        for (uint32_t k = own; k < 4; ++k) lanes[k] = column.fill[k];
+        return lanes;
+    };
+    if (is_of_rows(column.format)) {
+        for (uint32_t v = 0; v < count; ++v, at += column.stride) {
+            const Lanes lanes = lanes_of(v);
+            float row[4];
+            std::memcpy(row, &lanes, sizeof row);
+            store_row(column.format, row, column.components, at);
+        }
+        return;
+    }
     with_conversion(column.format, [&](auto convert) {
         using Number = decltype(convert(0.0f));
-        char* at = static_cast<char*>(column.data) + static_cast<size_t>(vertices_) * column.stride;
         for (uint32_t v = 0; v < count; ++v, at += column.stride) {
-            const Lanes lanes = value(v);
+            const Lanes lanes = lanes_of(v);
             auto* const numbers = reinterpret_cast<Number*>(at);
-            for (uint32_t k = 0; k < components; ++k) numbers[k] = convert(lanes[k]);
+            for (uint32_t k = 0; k < column.components; ++k) numbers[k] = convert(lanes[k]);
         }
     });
 }
@@ -59,8 +73,8 @@ void RowWriter::write_places_and_normals(const Row& row) {
                 lean = row.normal_along * row.tangent;
     const CrossSection& section = section_;
     const uint32_t count = section.vertices;
-    const FlgVertexColumn& places = output_.columns[FLG_VERTEX_ATTRIBUTE_POSITION];
-    const FlgVertexColumn& normals = output_.columns[FLG_VERTEX_ATTRIBUTE_NORMAL];
+    const FlgBufferColumn& places = output_[Of::position];
+    const FlgBufferColumn& normals = output_[Of::normal];
     const size_t place_stride = places.stride, normal_stride = normals.stride;
     char* place = static_cast<char*>(places.data) + static_cast<size_t>(vertices_) * place_stride;
     char* normal = static_cast<char*>(normals.data) + static_cast<size_t>(vertices_) * normal_stride;
@@ -72,7 +86,6 @@ void RowWriter::write_places_and_normals(const Row& row) {
 
 int64_t RowWriter::write(const Row& row) {
     const uint32_t count = section_.vertices;
-    const auto wanted = [&](FlgVertexAttribute attribute) { return output_.columns[attribute].data != nullptr; };
     // Normals and tangents: outwards and along the curve, turned against each other as the surface leans.
     const auto direction = [&](float out, float along) {
         const Lanes a = out * row.normal, b = out * row.binormal, t = along * row.tangent;
@@ -81,31 +94,29 @@ int64_t RowWriter::write(const Row& row) {
     if (plain_) {
         write_places_and_normals(row);
     } else {
-        if (wanted(FLG_VERTEX_ATTRIBUTE_POSITION)) {
-            store<3>(FLG_VERTEX_ATTRIBUTE_POSITION, count, [&](uint32_t v) {
+        if (wanted(Of::position)) {
+            store<3>(Of::position, count, [&](uint32_t v) {
                 return row.center + (section_.place[0][v] * row.arm[0] + section_.place[1][v] * row.arm[1]);
             });
         }
-        if (wanted(FLG_VERTEX_ATTRIBUTE_NORMAL))
-            store<3>(FLG_VERTEX_ATTRIBUTE_NORMAL, count, direction(row.normal_out, row.normal_along));
+        if (wanted(Of::normal)) store<3>(Of::normal, count, direction(row.normal_out, row.normal_along));
     }
-    if (wanted(FLG_VERTEX_ATTRIBUTE_TANGENT)) {
+    if (wanted(Of::tangent)) {
         const auto tangent = direction(-row.normal_along, row.normal_out);
         const float hand = style_.left_handed ? 1.0f : -1.0f;
-        store<4>(FLG_VERTEX_ATTRIBUTE_TANGENT, count, [&](uint32_t v) {
+        store<4>(Of::tangent, count, [&](uint32_t v) {
             Lanes lanes = tangent(v);
             lanes[3] = hand;
             return lanes;
         });
     }
-    if (wanted(FLG_VERTEX_ATTRIBUTE_COLOR)) {
+    if (wanted(Of::color)) {
         const Lanes color = {row.color[0], row.color[1], row.color[2], row.color[3]};
-        store<4>(FLG_VERTEX_ATTRIBUTE_COLOR, count, [&](uint32_t) { return color; });
+        store<4>(Of::color, count, [&](uint32_t) { return color; });
     }
-    if (wanted(FLG_VERTEX_ATTRIBUTE_UV)) {
-        store<2>(FLG_VERTEX_ATTRIBUTE_UV, count, [&](uint32_t v) {
-            return Lanes{row.along, row.width * section_.around[v], 0, 0};
-        });
+    if (wanted(Of::uv)) {
+        const auto uv = [&](uint32_t v) { return Lanes{row.along, row.width * section_.around[v], 0, 0}; };
+        style_.uv ? store<2>(Of::uv, count, uv) : store<0>(Of::uv, count, uv);
     }
     const int64_t number = vertices_;
     vertices_ += count;
@@ -113,22 +124,22 @@ int64_t RowWriter::write(const Row& row) {
 }
 
 int64_t RowWriter::write_apex(const Row& row, const Lanes& facing) {
-    const auto wanted = [&](FlgVertexAttribute attribute) { return output_.columns[attribute].data != nullptr; };
-    if (wanted(FLG_VERTEX_ATTRIBUTE_POSITION))
-        store<3>(FLG_VERTEX_ATTRIBUTE_POSITION, 1, [&](uint32_t) { return row.center; });
-    if (wanted(FLG_VERTEX_ATTRIBUTE_NORMAL)) store<3>(FLG_VERTEX_ATTRIBUTE_NORMAL, 1, [&](uint32_t) { return facing; });
-    if (wanted(FLG_VERTEX_ATTRIBUTE_TANGENT)) {
+    if (wanted(Of::position)) store<3>(Of::position, 1, [&](uint32_t) { return row.center; });
+    if (wanted(Of::normal)) store<3>(Of::normal, 1, [&](uint32_t) { return facing; });
+    if (wanted(Of::tangent)) {
         // Across what it faces: along the curve where it can be.
         Lanes along = style_.tube() ? row.normal : row.tangent;
         along[3] = style_.left_handed ? 1.0f : -1.0f;
-        store<4>(FLG_VERTEX_ATTRIBUTE_TANGENT, 1, [&](uint32_t) { return along; });
+        store<4>(Of::tangent, 1, [&](uint32_t) { return along; });
     }
-    if (wanted(FLG_VERTEX_ATTRIBUTE_COLOR)) {
+    if (wanted(Of::color)) {
         const Lanes color = {row.color[0], row.color[1], row.color[2], row.color[3]};
-        store<4>(FLG_VERTEX_ATTRIBUTE_COLOR, 1, [&](uint32_t) { return color; });
+        store<4>(Of::color, 1, [&](uint32_t) { return color; });
     }
-    if (wanted(FLG_VERTEX_ATTRIBUTE_UV))
-        store<2>(FLG_VERTEX_ATTRIBUTE_UV, 1, [&](uint32_t) { return Lanes{row.along, 0.5f * row.width, 0, 0}; });
+    if (wanted(Of::uv)) {
+        const auto uv = [&](uint32_t) { return Lanes{row.along, 0.5f * row.width, 0, 0}; };
+        style_.uv ? store<2>(Of::uv, 1, uv) : store<0>(Of::uv, 1, uv);
+    }
     return vertices_++;
 }
 

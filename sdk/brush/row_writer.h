@@ -10,12 +10,19 @@
 namespace flg::brush {
 inline namespace FLG_BRUSH_LIBRARY {
 
-// Where vertices and indices go; checked, with strides. Null data: not wanted.
+// The columns that vertices have.
+enum class Of : uint32_t { position, normal, tangent, color, uv };
+constexpr uint32_t column_kinds = 5;
+
+// Where vertices and indices go; checked, with strides and components, at most 4. Null data: not wanted.
 struct Output {
-    FlgVertexColumn columns[5] = {};  // by FlgVertexAttribute
+    FlgBufferColumn columns[column_kinds] = {};
     void* indices = nullptr;
     bool narrow_indices = false;     // 16 bits
     uint32_t first_index_value = 0;  // the index of the first vertex written
+
+    FlgBufferColumn& operator[](Of kind) { return columns[static_cast<uint32_t>(kind)]; }
+    const FlgBufferColumn& operator[](Of kind) const { return columns[static_cast<uint32_t>(kind)]; }
 };
 
 // x, y, z, and one more.
@@ -58,9 +65,10 @@ private:
     template <class Index>
     void strip_ahead_as(int64_t from);
     void triangle(int64_t a, int64_t b, int64_t c, bool back);
-    // value(v): of the row's vertex v.
-    template <uint32_t components, class Value>
-    void store(FlgVertexAttribute attribute, uint32_t count, Value value);
+    bool wanted(Of kind) const { return output_[kind].data != nullptr; }
+    // value(v): `own` numbers of the row's vertex v; the column's `fill` after them.
+    template <uint32_t own, class Value>
+    void store(Of kind, uint32_t count, Value value);
     void write_places_and_normals(const Row& row);
 
     const Style& style_;

@@ -49,6 +49,11 @@ void store_rows(const FloatRows& from, const FlgBufferColumn& to, char* at, uint
 
 void store(const FloatRows& from, const FlgBufferColumn& to, uint32_t begin, uint32_t rows) {
     char* const at = static_cast<char*>(to.data) + size_t{begin} * to.stride;
+    if (is_of_rows(to.format)) {
+        for (uint32_t r = 0; r < rows; ++r)
+            store_row(to.format, from.data + r * from.stride, to.components, at + size_t{r} * to.stride);
+        return;
+    }
     with_conversion(to.format, [&](auto convert) {
         using Number = decltype(convert(0.0f));
         if (from.stride != to.components || to.stride != to.components * sizeof(Number))

@@ -2,9 +2,10 @@
 #include "curves/arc_length.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
-#include "curves/even_sampler.h"
+#include "curves/step_scale.h"
 #include "runtime/pace.h"
 
 namespace flg {
@@ -17,34 +18,43 @@ struct CurveMeasuring {
     explicit CurveMeasuring(const CurveView& curve) : stream(curve), first(curve.point(0)) {
         measure.extent = first.cwiseAbs().maxCoeff();
     }
-    // Up to `points` points; true at the end.
+    // About `points` points; true at the end.
     bool run(uint32_t points) {
-        for (; points > 0 && !stream.done(); --points)
-            if (stream.advance()) add(stream.segment());
+        while (points > 0 && !stream.done()) {
+            const SegmentStream::Range range = stream.take();
+            points -= std::min(points, range.last - range.first + 1);
+            if (range.first < range.last) add(stream.block(), range);
+        }
         if (!stream.done()) return false;
-        if (measure.length > 0) measure.mean = moment / measure.length;
+        if (measure.length > 0) measure.mean = Vec3(moment[0], moment[1], moment[2]) / measure.length;
         return true;
     }
-    void add(const Segment& segment) {
-        if (measure.length == 0) measure.tangent = segment.tangent_start();
-        measure.length += segment.length();
-        const Vec3 deviation = segment.end() - first;
-        moment += (0.5 * segment.length()) * (segment.start() - first + deviation);
-        measure.extent = std::max(measure.extent, segment.end().cwiseAbs().maxCoeff());
-        const Vec3 across = deviation - deviation.dot(measure.tangent) * measure.tangent;
-        const double across_sq = across.squaredNorm();
-        // Of deviations that are equal but for rounding the first counts, however the curve is turned.
-        constexpr double clearly = 1.0 + 1e-6;
-        if (across_sq > farthest_sq * clearly) {
-            farthest_sq = across_sq;
-            measure.farthest = across;
+    void add(const SegmentBlock& block, SegmentStream::Range range) {
+        if (measure.length == 0) measure.tangent = block.tangents_start[range.first];
+        SegmentBlock::Deviations deviations;
+        block.deviate(range.first, range.last, first, measure.tangent, deviations);
+        double length = measure.length;
+        std::array<double, 3> sum = moment;
+        for (uint32_t j = range.first; j < range.last; ++j) {
+            length += block.lengths[j];
+            for (size_t c = 0; c < 3; ++c) sum[c] += 0.5 * deviations.moments[c][j];
+            // Of deviations that are equal but for rounding the first counts, however the curve is turned.
+            constexpr double clearly = 1.0 + 1e-6;
+            if (deviations.across_sq[j] > farthest_sq * clearly) {
+                farthest_sq = deviations.across_sq[j];
+                const Vec3 deviation = block.points[j + 1] - first;
+                measure.farthest = deviation - deviation.dot(measure.tangent) * measure.tangent;
+            }
         }
+        measure.length = length;
+        moment = sum;
+        measure.extent = std::max(measure.extent, double{deviations.largest});
     }
 
     SegmentStream stream;
     CurveMeasure measure;
     Vec3 first;
-    Vec3 moment = Vec3::Zero();
+    std::array<double, 3> moment{};
     double farthest_sq = 0;
 };
 
@@ -94,10 +104,12 @@ Task<CurveMeasure> measure_curve(Pace& pace, CurveView curve) {
 
 Task<double> measure_steps(Pace& pace, CurveView curve, const float* scales) {
     double length = 0;
-    uint32_t points = 0;
     for (SegmentStream stream(curve); !stream.done();) {
-        if (stream.advance()) length += step_scale(curve, scales, stream.index()).steps(stream.segment().length());
-        if (++points % points_at_once == 0) co_await pace;
+        const SegmentStream::Range range = stream.take();
+        for (uint32_t j = range.first; j < range.last; ++j) {
+            length += step_scale(curve, scales, stream.index_of(j)).steps(stream.block().lengths[j]);
+        }
+        co_await pace;
     }
     co_return length;
 }

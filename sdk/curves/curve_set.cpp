@@ -23,10 +23,21 @@ void CurveSet::allocate_columns(const std::pmr::vector<ColumnLayout>& layout) {
     laid_out_.store(true, std::memory_order_release);
 }
 
+Buffer<float>& CurveSet::allocate_scales() {
+    scales_ = Buffer<float>(curve_count_, memory_);
+    return scales_;
+}
+
 const Column* CurveSet::find(FlgAttribute attribute) const {
     const auto place = std::find_if(columns_.begin(), columns_.end(),
                                     [&](const Column& column) { return column.attribute == attribute; });
     return place == columns_.end() ? nullptr : &*place;
+}
+
+FlgCurveSetScales CurveSet::scales() const {
+    return {.struct_size = sizeof(FlgCurveSetScales),
+            .curve_count = static_cast<uint32_t>(scales_.size()),
+            .scales = scales_.size() > 0 ? scales_.data() : nullptr};
 }
 
 void CurveSet::show_curves(uint32_t curves) noexcept {

@@ -44,6 +44,8 @@ public:
         uint32_t components;
     };
     void allocate_columns(const std::pmr::vector<ColumnLayout>& layout);
+    // Takes memory for one scale a curve, which are to be filled in.
+    Buffer<float>& allocate_scales();
     // Curve `curve` will not change any more. Any thread.
     void complete_curve(uint32_t curve) { complete_[curve].store(true, std::memory_order_release); }
 
@@ -60,6 +62,8 @@ public:
     // Null if there is none.
     const Column* find(FlgAttribute attribute) const;
     Column* find(FlgAttribute attribute) { return const_cast<Column*>(std::as_const(*this).find(attribute)); }
+    // In which size a style was drawn on each curve; none in other sets.
+    FlgCurveSetScales scales() const;
     const float* positions() const { return columns_.front().values.data(); }
 
     // ---- what the host sees ----
@@ -75,6 +79,7 @@ private:
     uint32_t curve_count_ = 0;
     Buffer<uint32_t> offsets_;
     Buffer<uint8_t> flags_;
+    Buffer<float> scales_;
     std::pmr::vector<Column> columns_;
     Buffer<std::atomic<bool>> complete_;
     std::atomic<bool> laid_out_{false};  // all arrays are there, though not their values

@@ -12,17 +12,10 @@
 
 #include "core/moving_frame.h"
 #include "curves/arc_length.h"
-#include "curves/even_sampler.h"
+#include "curves/block_sampler.h"
 #include "filigree/filigree.h"
 
 namespace flg {
-
-// (Samples come in blocks of about this size: small enough for the cache.)
-constexpr uint32_t sample_block = 64;
-
-struct FramedSample : CurveSample {
-    Vec3 normal;  // unit, across the tangent
-};
 
 // How a curve is to be sampled. On closed curves the first point doesn't come again at the end.
 struct SamplingPlan {
@@ -43,36 +36,50 @@ class FramedSampler {
 public:
     explicit FramedSampler(const SamplingPlan& plan);
 
-    // The next of plan.sample_count() samples, `capacity` at most, and as many as `units` last for (see
-    // EvenSampler::next()). Returns how many; to be called again until all have come.
-    uint32_t next(FramedSample* out, uint32_t capacity, uint32_t& units);
+    // The next of plan.sample_count() samples, some at least, and as many as `units` last for (see
+    // BlockSampler::next()). Returns how many; to be called again until all have come.
+    uint32_t next(SampleBlock& out, uint32_t& units);
 
 private:
-    EvenSampler begin() const;
-    bool next_special(FramedSample& out, uint32_t& units);
-    bool next_by_method(FramedSample& out, uint32_t& units);
+    // A sample by itself, for frames that need more than the one before.
+    struct Sample {
+        float start[3], offset[3];
+        Vec3 position, tangent, normal;
+        uint32_t segment = 0;
+        float t = 0;
+    };
+
+    BlockSampler begin() const;
+    Vec3 first_normal(const Vec3& tangent) const;
+    bool place(Sample& out, uint32_t& units);
+    bool next_special(Sample& out, uint32_t& units);
+    bool next_by_method(Sample& out, uint32_t& units);
     bool go_around(uint32_t& units);
-    bool next_twisted(FramedSample& out, uint32_t& units);
-    bool next_frenet(FramedSample& out, uint32_t& units);
-    bool next_supplied(FramedSample& out, uint32_t& units);
-    void begin_frame(const CurveSample& first);
-    void carry_frame(const CurveSample& to);
+    bool next_twisted(Sample& out, uint32_t& units);
+    bool next_frenet(Sample& out, uint32_t& units);
+    bool next_supplied(Sample& out, uint32_t& units);
+    void carry_frame(const Sample& to);
     void take_normal(const Vec3& normal);
 
     SamplingPlan plan_;
-    EvenSampler sampler_;
-    RotationMinimizingFrame frame_;
+    BlockSampler sampler_;
     uint32_t left_;  // samples to come
     bool special_;   // anything but a rotation-minimizing frame on an open curve
+    FrameChain chain_;
+
+    // ---- special ones ----
+    SampleBlock placed_;
+    uint32_t placed_at_ = 0;
+    RotationMinimizingFrame frame_;
     bool been_around_ = false;
     bool has_normal_ = false;  // a Frenet or supplied one, from some sample before
     bool has_ahead_ = false;
     uint32_t next_ = 0;          // index of the sample to come
     double twist_per_step_ = 0;  // radians
     double straight_ = 0;        // tangents that turn by less than this between samples, radians, do not turn
-    FramedSample first_;         // closed: as it was at first
+    Sample first_;               // closed: as it was at first
     Vec3 before_;                // Frenet: the last tangent
-    CurveSample ahead_;          // and the sample to come
+    Sample ahead_;               // and the sample to come
 };
 
 }  // namespace flg

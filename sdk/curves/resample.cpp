@@ -26,18 +26,15 @@ void interpolate_orientation(const float* a, const float* b, float t, float* out
 struct Resampling {
     // True at the end.
     bool run(uint32_t units) {
-        std::array<FramedSample, sample_block> samples;
-        std::array<SamplePlace, sample_block> places;
+        SampleBlock block;
+        std::array<SamplePlace, SampleBlock::capacity> places;
         while (units > 0 && written < count) {
-            const uint32_t filled = sampler.next(samples.data(), sample_block, units);
-            for (uint32_t k = 0; k < filled; ++k) {
-                const FramedSample& sample = samples[k];
-                const size_t at = 3 * static_cast<size_t>(written + k);
-                store_vec3(sample.position, out.positions + at);
-                store_vec3(sample.tangent, out.tangents + at);
-                store_vec3(sample.normal, out.normals + at);
-                places[k] = {sample.segment, sample.t};
-            }
+            const uint32_t filled = sampler.next(block, units);
+            const size_t at = 3 * static_cast<size_t>(written);
+            pack_positions(block, filled, out.positions + at);
+            pack(block.tangent, filled, out.tangents + at);
+            pack(block.normal, filled, out.normals + at);
+            for (uint32_t k = 0; k < filled; ++k) places[k] = {block.segment[k], block.t[k]};
             for (const ColumnPair& column : columns)
                 interpolate_column(column, curve, {places.data(), filled}, written);
             written += filled;

@@ -44,13 +44,14 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
     for (uint32_t c = range.first; c < range.last; ++c) {
         const CurveView curve = curve_view(sampling.in, c);
         const CurveMeasure measure = co_await measure_curve(pace, curve);
+        const double spacing = sampling.spacing_of(c);
         const float* scales = sampling.step_scales ? sampling.step_scales + sampling.in.offsets()[c] : nullptr;
         const double length = scales ? co_await measure_steps(pace, curve, scales) : measure.length;
-        const double exact = sampling.exact && !curve.closed ? exact_step_count(length, sampling.spacing) : 0;
-        const double steps = exact > 0 ? exact : even_step_count(length, sampling.spacing, curve.closed);
+        const double exact = sampling.exact && !curve.closed ? exact_step_count(length, spacing) : 0;
+        const double steps = exact > 0 ? exact : even_step_count(length, spacing, curve.closed);
         if (const PointLimit limit(sampling); steps >= limit.points) {
             throw Failure(FLG_ERROR_LIMIT, "curve %u is %g m long and would get %.0f points %g m apart; %s", c,
-                          measure.length, steps, sampling.spacing, limit.text);
+                          measure.length, steps, spacing, limit.text);
         }
         std::construct_at(&sampling.plans[c], SamplingPlan{.curve = curve,
                                                            .measure = measure,
@@ -58,7 +59,7 @@ Task<void> measure_batch(Pace& pace, Sampling& sampling, uint32_t batch) {
                                                            .frame = sampling.frame,
                                                            .normals = supplied_normals(sampling, c),
                                                            .orientation = first_orientation(sampling.in, c),
-                                                           .exact_step = exact > 0 ? sampling.spacing : 0,
+                                                           .exact_step = exact > 0 ? spacing : 0,
                                                            .step_scales = scales,
                                                            .scaled_length = length});
         pace.advance(curve.count);
@@ -83,7 +84,7 @@ Task<void> lay_out_curves(Pace& pace, Sampling& sampling) {
         point_count += sampling.plans[c / sampling.copies].sample_count();
         if (static_cast<double>(point_count) > limit.points) {
             throw Failure(FLG_ERROR_LIMIT, "the result would have more points, %g m apart, than it may; %s",
-                          sampling.spacing, limit.text);
+                          sampling.spacing_of(c / sampling.copies), limit.text);
         }
         if (c % layout_chunk == 0) co_await pace;
     }

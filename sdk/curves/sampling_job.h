@@ -3,6 +3,8 @@
 // this and nothing more; stylization has the same first half.
 #pragma once
 
+#include <span>
+
 #include "curves/curve_set.h"
 #include "curves/framed_sampler.h"
 #include "curves/resample.h"
@@ -31,7 +33,8 @@ constexpr uint32_t sampled_points_max = uint32_t{1} << 31;
 struct Sampling {
     const CurveSet& in;
     CurveSet& out;
-    double spacing;  // metres
+    double spacing;                      // metres
+    std::span<const float> scales = {};  // factor on the spacing, one a curve of `in`; empty: 1
     FlgFrameMethod frame;
     uint32_t copies;             // how often each curve is in `out`: the copies of curve c begin at c * copies
     uint32_t max_points;         // of `out`; 0: sampled_points_max
@@ -44,6 +47,8 @@ struct Sampling {
         Column* out;
     };
     std::pmr::vector<Carried> carried;
+
+    double spacing_of(uint32_t curve) const { return scales.empty() ? spacing : spacing * double{scales[curve]}; }
 };
 
 // Stage "measure": fills in the plans and lays out the result with the columns POSITION, TANGENT, NORMAL, then the

@@ -4,11 +4,10 @@
 // The derivative's size at both ends is m = 2 chord / (1 + cos a), a being the angle between tangent and chord: with it
 // a cubic follows a circular arc to fourth order (m = 4 R tan(turn / 4)); with tangents along the chord it is the
 // chord's length, and the segment is straight and run through evenly. Arc length is Gauss-Legendre quadrature with
-// three points; its inverse starts from the parabola through the three speeds, and is made exact by Newton steps only
-// where the speed is uneven. The two end derivatives being equally long, their sum and difference are at right angles,
-// and the three speeds follow from three dot products. A block is structure of arrays, so that compilers vectorize its
-// making, and the roots and divisions of one segment do not wait for those of another. All in double: coordinates of
-// 1e30 give squares of 1e60.
+// three points. The two end derivatives being equally long, their sum and difference are at right angles, and the three
+// speeds follow from three dot products. A block is structure of arrays, so that compilers vectorize its making, and
+// the roots and divisions of one segment do not wait for those of another. Coordinates and chords are in double, since
+// coordinates of 1e30 give squares of 1e60; what is relative to the chord is in single precision.
 #pragma once
 
 #include <cmath>
@@ -42,10 +41,24 @@ struct SegmentBlock {
     double chords[size];
     // Set by measure().
     double lengths[size];
-    double magnitudes[size];  // of the derivative at both ends, in units of the chord
-    double speeds_low[size], speeds_middle[size], speeds_high[size];  // at the Gauss points, likewise
+    float magnitudes[size];  // of the derivative at both ends, in units of the chord
+    float speeds_low[size], speeds_middle[size], speeds_high[size];  // at the Gauss points, likewise
 
+    // Takes points from number `first` on, which lie tightly packed.
+    void load(uint32_t first, const float* positions, uint32_t count);
+    // Of the edges 1 to `points`, whose ends are known: directions and chords.
+    void make_edges(uint32_t points);
+    // Where edges 1 to `points` begin: the curve's tangent, and the cosine of the angle between the edges there.
+    void make_vertices(uint32_t points, Vectors& tangents, double* cosines) const;
     void measure(uint32_t count);
+
+    // How far segments are from a point of the curve.
+    struct Deviations {
+        double moments[3][size];  // twice the middle's deviation times the length
+        double across_sq[size];   // of the end, from the line along the tangent
+        float largest;            // coordinate in size
+    };
+    void deviate(uint32_t first, uint32_t last, const Vec3& from, const Vec3& tangent, Deviations& out) const;
 };
 
 // One of a block, valid as long as the block isn't refilled.
@@ -59,59 +72,11 @@ public:
     Vec3 tangent_end() const { return b_->tangents_end[j_]; }
     double length() const { return b_->lengths[j_]; }
 
-    // At t in [0, 1].
-    Vec3 position(double t) const {
-        const double r = 1.0 - t;
-        const double along = t * t * (3.0 - 2.0 * t);
-        const double first = b_->magnitudes[j_] * (t * r * r);
-        const double second = b_->magnitudes[j_] * (t * t * r);
-        return start() + b_->chords[j_] * (along * direction() + (first * tangent_start() - second * tangent_end()));
-    }
-    // Unit.
-    Vec3 tangent(double t) const {
-        const Vec3 d = derivative(t);
-        // In units of the chord nearly all derivatives are next to 1 long. A root and a division there would be half
-        // the cost of a sample; the series is exact to 1e-13.
-        constexpr double near_one = 1e-2;
-        const double e = d.squaredNorm() - 1.0;
-        if (std::abs(e) >= near_one) return d * (1.0 / std::sqrt(1.0 + e));
-        return d * (1.0 + e * (-1.0 / 2 + e * (3.0 / 8 + e * (-5.0 / 16 + e * (35.0 / 128 + e * (-63.0 / 256))))));
-    }
-    // The t with arc length s from the start, s in [0, length()].
-    double parameter_at(double s) const;
-
 private:
-    Vec3 direction() const { return b_->directions[j_]; }
-    // In units of the chord.
-    Vec3 derivative(double t) const {
-        const double along = 6.0 * t * (1.0 - t);
-        const double first = b_->magnitudes[j_] * (1.0 + t * (3.0 * t - 4.0));
-        const double second = b_->magnitudes[j_] * (t * (3.0 * t - 2.0));
-        return along * direction() + (first * tangent_start() + second * tangent_end());
-    }
-    double newton_parameter(double s, double t) const;
-
     const SegmentBlock* b_;
     uint32_t j_;
 };
 
 constexpr double gauss_offset = 0.3872983346207417;  // sqrt(15) / 10: of the outer Gauss points from the middle
-
-inline double Segment::parameter_at(double s) const {
-    constexpr double offset_sq = gauss_offset * gauss_offset;
-    // How far the speed may vary before the parabola isn't good enough: errors stay below 1e-5 of the segment.
-    constexpr double even_speed = 1e-3;
-    const double low = b_->speeds_low[j_], middle = b_->speeds_middle[j_], high = b_->speeds_high[j_];
-    const double slope = (high - low) * (0.5 / gauss_offset);
-    const double bend = (high + low - 2.0 * middle) * (0.5 / offset_sq);
-    double t = s / b_->lengths[j_];
-    const double x = t - 0.5;
-    const double x_sq = x * x;
-    // What a Newton step takes away, with the mean speed, which is middle + bend / 12, in the place of the speed at t.
-    // It is next to 1.
-    t -= 0.5 * slope * (x_sq - 0.25) + bend * ((1.0 / 3.0) * (x_sq * x + 0.125) - (1.0 / 12.0) * t);
-    if (std::abs(slope) + std::abs(bend) > even_speed) t = newton_parameter(s, t);
-    return t < 0.0 ? 0.0 : (t > 1.0 ? 1.0 : t);
-}
 
 }  // namespace flg

@@ -41,10 +41,9 @@ bool SegmentStream::refill() {
         indices_[0] = indices_[carried_];
         next_ = ready_ = 0;
     }
-    const uint32_t points = read_points();
+    const uint32_t points = take_edges();
     const bool open_end = !curve_.closed && cursor_ == curve_.count;
     if (points == 0 && !open_end) return false;
-    make_edges(points);
     make_vertices(points);
     uint32_t count = points;
     ended_ = open_end || around_;
@@ -85,6 +84,26 @@ void SegmentStream::find_closing_edge() {
     }
 }
 
+// The next points and the edges to them, behind edge 0. Mostly no point is repeated, and edges say so.
+uint32_t SegmentStream::take_edges() {
+    const uint32_t ahead = cursor_ < curve_.count ? std::min(curve_.count - cursor_, SegmentBlock::capacity) : 0;
+    if (ahead > 0) {
+        block_.load(2, curve_.raw(cursor_), ahead);
+        block_.make_edges(ahead);
+        const double* chords = block_.chords + 1;
+        if (std::find(chords, chords + ahead, 0.0) == chords + ahead) {
+            indices_[1] = last_read_;
+            for (uint32_t k = 1; k < ahead; ++k) indices_[k + 1] = cursor_ + k - 1;
+            cursor_ += ahead;
+            last_read_ = cursor_ - 1;
+            return ahead;
+        }
+    }
+    const uint32_t points = read_points();
+    block_.make_edges(points);
+    return points;
+}
+
 // Puts the next points that differ from the one before them behind the two of edge 0. A closed curve goes around to its
 // first point, and on to the next different one, which is needed for the tangent at the first.
 uint32_t SegmentStream::read_points() {
@@ -107,37 +126,10 @@ uint32_t SegmentStream::read_points() {
     return points;
 }
 
-void SegmentStream::make_edges(uint32_t points) {
-    const SegmentBlock::Vectors& p = block_.points;
-    SegmentBlock::Vectors& u = block_.directions;
-    for (uint32_t j = 1; j <= points; ++j) {
-        const double x = p.x[j + 1] - p.x[j], y = p.y[j + 1] - p.y[j], z = p.z[j + 1] - p.z[j];
-        const double chord = std::sqrt(x * x + y * y + z * z);
-        const double inverse = 1.0 / chord;
-        block_.chords[j] = chord;
-        u.x[j] = x * inverse;
-        u.y[j] = y * inverse;
-        u.z[j] = z * inverse;
-    }
-}
-
 void SegmentStream::make_vertices(uint32_t points) {
-    const SegmentBlock::Vectors& u = block_.directions;
     double min_cosine = 1;
     std::array<double, SegmentBlock::size> cosines;
-    for (uint32_t j = 1; j <= points; ++j) {
-        const double before = block_.chords[j - 1], after = block_.chords[j];
-        const double cosine = u.x[j - 1] * u.x[j] + u.y[j - 1] * u.y[j] + u.z[j - 1] * u.z[j];
-        // The vector after * u[j - 1] + before * u[j] would be this long.
-        const double x = after * u.x[j - 1] + before * u.x[j];
-        const double y = after * u.y[j - 1] + before * u.y[j];
-        const double z = after * u.z[j - 1] + before * u.z[j];
-        const double inverse = 1.0 / std::sqrt(x * x + y * y + z * z);
-        vertices_.x[j] = x * inverse;
-        vertices_.y[j] = y * inverse;
-        vertices_.z[j] = z * inverse;
-        cosines[j] = cosine;
-    }
+    block_.make_vertices(points, vertices_, cosines.data());
     if (!has_edge_) cosines[1] = -1;  // an open curve's first point
     for (uint32_t j = 1; j <= points; ++j) {
         kinds_[j] = cosines[j] >= corner_cosine ? smooth : corner;

@@ -43,6 +43,22 @@ public:
         current_ = next_++;
         return true;
     }
+    // Instead of advance(), for those who take blocks as they are: all segments that become known by reading on, number
+    // `first` to `last` - 1 of block(). None: to be called again.
+    struct Range {
+        uint32_t first = 0, last = 0;
+    };
+    Range take() {
+        if (!refill()) return {};
+        const Range range{current_, ready_};
+        current_ = ready_ - 1;
+        next_ = ready_;
+        return range;
+    }
+    const SegmentBlock& block() const { return block_; }
+    // As index(), of a segment of the block.
+    uint32_t index_of(uint32_t j) const { return indices_[j]; }
+
     // No segment follows the current one. A curve without length is done before its first.
     bool done() const { return next_ == ready_ && ended_; }
 
@@ -56,8 +72,8 @@ private:
 
     bool refill();
     void find_closing_edge();
+    uint32_t take_edges();
     uint32_t read_points();
-    void make_edges(uint32_t points);
     void make_vertices(uint32_t points);
     void make_tangents(uint32_t count);
 

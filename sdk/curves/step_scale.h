@@ -4,7 +4,10 @@
 //   steps(s) = int_0^s dr / scale(r) = (L / (end - start)) ln(1 + (end - start) s / (start L))
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+
+#include "curves/segment_stream.h"
 
 namespace flg {
 
@@ -21,6 +24,15 @@ struct StepScale {
         const double y = (end - start) / segment_length * steps;
         return y == 0 ? start * steps : start * steps * (std::expm1(y) / y);
     }
+    // The same, but for rounding, which could have it beyond the end.
+    float place(double segment_length, float steps) const {
+        return static_cast<float>(std::min(length(segment_length, double{steps}), segment_length));
+    }
 };
+
+// Of the segment that begins at point `index`; `scales` are the points'.
+inline StepScale step_scale(const CurveView& curve, const float* scales, uint32_t index) {
+    return {scales[index], scales[curve.following(index)]};
+}
 
 }  // namespace flg

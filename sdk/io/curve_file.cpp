@@ -242,17 +242,13 @@ FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const
         const String extension = target.extension();
         const CheckedView curves(view);
         const FlgCurveFileWriteDesc checked = checked_desc(desc, curves);
-        String content;
-        if (extension == ".xyz" || extension == ".txt") {
-            content = write_xyz(curves, checked);
-        } else if (extension == ".obj") {
-            content = write_obj(curves);
-        } else if (extension == ".glb") {
-            content = write_glb(curves, checked);
-        } else {
+        if (extension == ".glb") return write_file(target, write_glb(curves, checked));
+        const bool obj = extension == ".obj";
+        if (!obj && extension != ".xyz" && extension != ".txt")
             fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .xyz .txt .obj .glb", cited(extension).c_str());
-        }
-        write_file(target, content);
+        FileWriter file(target);
+        obj ? write_obj(curves, file) : write_xyz(curves, checked, file);
+        file.finish();
     });
 }
 

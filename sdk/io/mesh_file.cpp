@@ -90,12 +90,16 @@ MeshData read_mesh(const Path& path) {
     return read_placed([&](const Origin& origin) { return read_from(path, origin); }, visit_edges);
 }
 
-String write_mesh(const String& extension, const CheckedMesh& mesh) {
-    if (extension == ".ply") return write_ply(mesh);
-    if (extension == ".obj") return write_obj_mesh(mesh);
-    if (extension == ".off") return write_off(mesh);
-    if (extension == ".glb") return write_glb_mesh(mesh);
-    fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .ply .obj .off .glb", cited(extension).c_str());
+void write_mesh(const Path& target, const CheckedMesh& mesh) {
+    const String extension = target.extension();
+    if (extension == ".ply") return write_file(target, write_ply(mesh));
+    if (extension == ".glb") return write_file(target, write_glb_mesh(mesh));
+    const bool obj = extension == ".obj";
+    if (!obj && extension != ".off")
+        fail(FLG_ERROR_FORMAT, "", "can't be written: %s is none of .ply .obj .off .glb", cited(extension).c_str());
+    FileWriter file(target);
+    obj ? write_obj_mesh(mesh, file) : write_off(mesh, file);
+    file.finish();
 }
 
 }  // namespace
@@ -200,7 +204,7 @@ FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t struct_s
 FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc) {
     return write_to("flgMeshFileWrite", path, desc, [&](const Path& target) {
         const CheckedMesh mesh(view, desc);
-        write_file(target, write_mesh(target.extension(), mesh));
+        write_mesh(target, mesh);
     });
 }
 

@@ -57,6 +57,9 @@ function(flg_install_package)
     endif()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/include/filigree DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development)
+    # The style library: examples for flgStyleCreate, read by flgCurveFileRead.
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/data/styles DESTINATION ${CMAKE_INSTALL_DATADIR}/filigree
+        COMPONENT runtime)
     # With the licence the list of what else is in the libraries, under which licences.
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/sdk/docs/dependencies.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)

@@ -24,9 +24,7 @@ Eigen::Matrix3d scaled_basis(double scale, const std::array<double, 9>& basis) {
     return scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
 }
 
-Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis,
-                             double largest_scale) {
-    const double growth = largest_scale / scale;
+void check_attribute_sizes(const PreparedStyle& style, double scale, double largest_scale) {
     for (const StyleAttribute& attribute : style.attributes) {
         for (uint32_t k = 0; k < attribute.length_count(); ++k) {
             const double largest = largest_scale * attribute.ranges[k].high;
@@ -36,9 +34,16 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
                           static_cast<int>(attribute.attribute), largest);
         }
     }
+}
+
+Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scale, std::array<double, 9> basis,
+                             double largest_scale) {
+    check_attribute_sizes(style, scale, largest_scale);
+    const double growth = largest_scale / scale;
     const Eigen::Matrix3d matrix = scaled_basis(scale, basis);
     AppliedStyle applied;
     applied.displacement = Buffer<Vec3>(style.point_count(), pace.memory());
+    for (Buffer<float>& values : applied.along) values = Buffer<float>(style.point_count(), pace.memory());
     applied.attributes = style.attributes;
     applied.scale = scale;
     co_await each(pace, style.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
@@ -49,6 +54,7 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
                           growth * scaled.norm());
         }
         std::construct_at(&applied.displacement[i], scaled);
+        for (size_t c = 0; c < 3; ++c) applied.along[c][i] = static_cast<float>(scaled[static_cast<int>(c)]);
     });
     co_return applied;
 }

@@ -12,7 +12,8 @@
 namespace flg {
 
 struct AppliedStyle {
-    Buffer<Vec3> displacement;  // metres along the target's tangent, first and second normal, at magnitude 1
+    Buffer<Vec3> displacement;           // metres along the target's tangent, first and second normal, at magnitude 1
+    std::array<Buffer<float>, 3> along;  // the same, as blocks of samples take them
     std::span<const StyleAttribute> attributes;
     double scale = 1;  // of the attributes' lengths
 
@@ -32,6 +33,10 @@ inline Vec3 fitted(const Eigen::Matrix3d& scaled_basis, const Displacement& d, u
 inline Vec3 in_frame(const Vec3& d, const Vec3& tangent, const Vec3& normal) {
     return d.x() * tangent + d.y() * normal + d.z() * tangent.cross(normal);
 }
+
+// Throws what the host is told if the style's attributes would get larger than columns may be, somewhere: at the
+// `largest_scale`.
+void check_attribute_sizes(const PreparedStyle& style, double scale, double largest_scale);
 
 // Row-major: basis times (along tangent, first normal, second normal). The style outlives the result. About 10 ns a
 // point. Throws what the host is told if the style would get larger than coordinates may be, somewhere: at the

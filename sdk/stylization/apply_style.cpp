@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "curves/sampling_job.h"
 #include "runtime/each.h"
+#include "stylization/automatic_scale.h"
 #include "stylization/stroke_fit.h"
 #include "stylization/synthesis.h"
 
@@ -14,14 +15,19 @@ namespace flg {
 
 namespace {
 
-constexpr uint32_t synthesis_chunk = 120;  // units, about 10 us
+constexpr uint32_t synthesis_chunk = 400;  // units, about 10 us
+
+// Of all curves; where each has its own, what that is a factor on.
+double common_scale(const FlgCurveSetStylizeDesc& desc) {
+    return desc.scale > 0 ? double{desc.scale} : 1.0;
+}
 
 // What all branches read, and the columns that they write to beside frames and carried ones; null: not wanted.
 struct Application {
     Application(const StylizeRequest& request, Memory* memory)
         : sampling{.in = *request.target,
                    .out = *request.out,
-                   .spacing = request.style->prepared.spacing() * double{request.desc.scale},
+                   .spacing = request.style->prepared.spacing() * common_scale(request.desc),
                    .frame = request.desc.frame,
                    .copies = request.desc.strokes,
                    .max_points = request.desc.max_points,
@@ -35,6 +41,7 @@ struct Application {
     Sampling sampling;
     Buffer<float> across;  // of each target curve; empty: 1
     AppliedStyle style;
+    ChosenScales chosen;  // empty if the host has given one
     SynthesisInput input;
     bool from_start = false;  // the first stroke along each curve
     bool whole_motifs = false;
@@ -42,7 +49,10 @@ struct Application {
     Column* displacement = nullptr;
     Column* time = nullptr;
     Column* carried_radius = nullptr;      // if it is driven
+    Column* thinned_radius = nullptr;      // the target's, where that is made thinner
     std::pmr::vector<Column*> attributes;  // in the order of the style's
+
+    double scale_of(uint32_t curve) const { return sampling.scales.empty() ? 1.0 : double{sampling.scales[curve]}; }
 };
 
 // The columns that the result gets from the style.
@@ -64,13 +74,34 @@ void find_columns(const StylizeRequest& request, Application& application) {
         application.attributes.push_back(out.find(attribute.attribute));
         if (attribute.attribute == FLG_ATTRIBUTE_SPEED) application.time = out.find(FLG_ATTRIBUTE_TIME);
     }
+    const bool own_radius = application.style.find(FLG_ATTRIBUTE_RADIUS) < application.style.attributes.size();
+    if (own_radius) return;
+    Column* const radius = out.find(FLG_ATTRIBUTE_RADIUS);
+    if (request.desc.scale == 0 && request.desc.magnitude != 0) application.thinned_radius = radius;
     if (!request.drives.drive(FLG_STYLE_DRIVEN_RADIUS)) return;
-    const bool from_style = application.style.find(FLG_ATTRIBUTE_RADIUS) < application.style.attributes.size();
-    if (!from_style) application.carried_radius = out.find(FLG_ATTRIBUTE_RADIUS);
-    if (!from_style && !application.carried_radius) {
+    application.carried_radius = radius;
+    if (!radius) {
         throw Failure(FLG_ERROR_INVALID_ARGUMENT,
                       "desc.drives drive the radius, but neither desc.target nor desc.style has a RADIUS");
     }
+}
+
+// For the host to read.
+Task<void> keep_scales(Pace& pace, const StylizeRequest& request, const Application& application) {
+    const uint32_t copies = application.sampling.copies;
+    Buffer<float>& scales = request.out->allocate_scales();
+    const float common = request.desc.scale;
+    co_await each(pace, scales.size(), Cost::some_ns,
+                  [&](uint32_t c) { scales[c] = common > 0 ? common : application.chosen.scale[c / copies]; });
+}
+
+Task<void> thin_radius(Pace& pace, const Application& application, uint32_t curve, uint32_t out_curve) {
+    if (application.thinned_radius == nullptr) co_return;
+    const Buffer<uint32_t>& offsets = application.sampling.out.offsets();
+    float* const radius = application.thinned_radius->values.data() + offsets[out_curve];
+    const float thinning = application.chosen.thinning[curve];
+    co_await each(pace, offsets[out_curve + 1] - offsets[out_curve], Cost::some_ns,
+                  [=](uint32_t i) { radius[i] *= thinning; });
 }
 
 StylizedColumns stylized_columns(const Application& application, uint32_t out_curve,
@@ -104,7 +135,7 @@ Task<void> fit_strokes(Pace& pace, const PatchGraph& graph, double fit, Applicat
         SamplingPlan& plan = sampling.plans[c];
         StrokeFit stroke{plan.steps};
         if (plan.steps > 0 && !plan.curve.closed) {
-            stroke = fit_stroke(graph, plan.scaled_length / sampling.spacing, plan.steps, fit);
+            stroke = fit_stroke(graph, plan.scaled_length / sampling.spacing_of(c), plan.steps, fit);
         }
         // Exact steps of another length are none.
         if (stroke.steps != plan.steps) plan.exact_step = 0;
@@ -131,6 +162,7 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
         const uint32_t out_curve = c * sampling.copies + stroke;
         column_pairs(sampling, out_curve, pairs);
         kernel.begin({.plan = sampling.plans[c],
+                      .scale = application.scale_of(c),
                       .key = stroke_key(c, stroke),
                       .from_start = application.from_start && stroke == 0,
                       .start_time = start_time(sampling.in, c),
@@ -146,6 +178,7 @@ Task<void> stylize_batch(Pace& pace, Application& application, uint32_t index) {
             co_await pace;
         }
         pace.advance(kernel.written() - written);
+        co_await thin_radius(pace, application, c, out_curve);
         sampling.out.complete_curve(out_curve);
         co_await pace;
     }
@@ -160,6 +193,15 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
     if (!request.drives.empty()) pace.stage("steering");
     application.steering = co_await steer(pace, *request.target, request.drives);
     application.sampling.step_scales = application.steering.scales.data();
+    const double largest_driven = request.drives.largest(FLG_STYLE_DRIVEN_SCALE);
+    if (desc.scale == 0) {
+        application.chosen = co_await choose_scales(pace, prepared, *request.target);
+        const Buffer<float>& scales = application.chosen.scale;
+        application.sampling.scales = {scales.data(), scales.size()};
+        co_await each(pace, scales.size(), Cost::tens_of_ns, [&](uint32_t c) {
+            check_attribute_sizes(prepared, double{scales[c]}, scales[c] * largest_driven);
+        });
+    }
     co_await measure_sampling(pace, application.sampling);
     if (prepared.graph.caps() > 0 || desc.fit > 0) co_await fit_strokes(pace, prepared.graph, desc.fit, application);
     co_await lay_out_sampling(pace, application.sampling, style_columns(request, pace.memory()));
@@ -167,9 +209,10 @@ Task<void> apply_style(Pace& pace, StylizeRequest request) {
     pace.stage("synthesis");
     std::array<double, 9> basis;
     std::copy_n(desc.basis, basis.size(), basis.begin());
-    const double largest_scale = desc.scale * request.drives.largest(FLG_STYLE_DRIVEN_SCALE);
-    application.style = co_await fit_style(pace, prepared, desc.scale, basis, largest_scale);
+    const double scale = common_scale(desc);
+    application.style = co_await fit_style(pace, prepared, scale, basis, scale * largest_driven);
     find_columns(request, application);
+    co_await keep_scales(pace, request, application);
     const auto [cold, hot] = request.drives.temperatures(desc.temperature);
     const std::shared_ptr<PathTrees> trees = request.style->trees(prepared.temperature(cold));
     const std::shared_ptr<PathTrees> hot_trees = request.style->trees(prepared.temperature(hot));

@@ -34,6 +34,7 @@ struct StylizedColumns {
 struct FinishingInput {
     StylizedColumns out;
     const AppliedStyle* style = nullptr;
+    double scale = 1;  // of the style
     CurveView target;
     uint32_t count = 0;  // samples
     uint32_t steps = 0;

@@ -3,20 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "runtime/each.h"
+#include "stylization/smooth_style_curve.h"
+#include "stylization/style_waves.h"
 
 namespace flg {
 
 namespace {
 
-// The flow looks for its end up to t = this times the squared length of the curve at t. The overall bend of a curve, a
-// half wave of its own length, decays as exp(-pi^2 (1 - alpha) t / length^2): with alpha = 1/2 by a fifth at the limit.
-constexpr double max_time = 0.04;
-// t * mean(kappa^2) must change by this factor for a rise or a fall to count; below it is the noise of the sampling.
-constexpr double significant_change = 1.05;
-// Detail that only ends with the search: the length falls below this part of what it was in the last valley.
-constexpr double drastic_shrinking = 0.5;
+// The flow ends when waves have been damped by exp(-this (1 - w)), w being 1/2 for even waves with alpha = 1/2.
+constexpr double damping = 16.0;
+// Straight lines through so many waves at the ends say where the guide ends.
+constexpr double end_waves = 1.5;
+constexpr uint32_t min_end_points = 4;
+constexpr double rounding = 1e-9;
+// Points of the flow that each of the longest waves has; those of the style, where these are fewer.
+constexpr double points_per_wave = 24.0;
+constexpr size_t min_flow_points = 96;
 // Agreement asked of the diffusivity at the critical curvature; it is a margin, not a result.
 constexpr double limit_tolerance = 0.01;
 constexpr uint32_t max_limit_passes = 8;
@@ -44,8 +49,16 @@ struct Flow {
     uint32_t steps = 0;
 };
 
-Task<void> copy(Pace& pace, std::span<const Vec3> from, std::pmr::vector<Vec3>& to) {
-    co_await each(pace, from.size(), Cost::some_ns, [from, out = to.data()](uint32_t i) { out[i] = from[i]; });
+// As many points as `to` has, even in those of `from`.
+Task<void> sample(Pace& pace, std::span<const Vec3> from, std::pmr::vector<Vec3>& to) {
+    const auto last = static_cast<uint32_t>(from.size()) - 1;
+    const double step = static_cast<double>(last) / static_cast<double>(to.size() - 1);
+    co_await each(pace, to.size() - 1, Cost::some_ns, [=, out = to.data()](uint32_t k) {
+        const double along = step * k;
+        const uint32_t i = std::min(static_cast<uint32_t>(along), last - 1);
+        out[k] = from[i] + (along - i) * (from[i + 1] - from[i]);
+    });
+    to.back() = from[last];
 }
 
 // Length and curvatures of the evenly spaced curve.
@@ -67,7 +80,7 @@ Task<void> measure(Pace& pace, Flow& flow) {
 }
 
 Task<void> begin(Pace& pace, std::span<const Vec3> style, Flow& flow) {
-    co_await copy(pace, style, flow.points);
+    co_await sample(pace, style, flow.points);
     flow.time = 0.0;
     flow.critical_bend = max_bend;
     co_await measure(pace, flow);
@@ -136,6 +149,16 @@ Task<void> move_points(Pace& pace, Flow& flow, double ratio, double force) {
     co_await each(pace, last, pass_cost, substitute);
 }
 
+// The arc lengths from the points to the end, in factor.
+Task<void> measure_rests(Pace& pace, Flow& flow) {
+    const uint32_t last = flow.segments();
+    flow.factor[last] = 0.0;
+    co_await each(pace, last, pass_cost, [last, points = flow.points.data(), rests = flow.factor.data()](uint32_t k) {
+        const uint32_t i = last - 1 - k;
+        rests[i] = rests[i + 1] + (points[i + 1] - points[i]).norm();
+    });
+}
+
 // Spaces the points evenly along their polygon.
 Task<void> respace(Pace& pace, Flow& flow) {
     const uint32_t last = flow.segments();
@@ -173,62 +196,129 @@ Task<void> step(Pace& pace, Flow& flow, const GuideFlowParams& params, double en
     co_await measure(pace, flow);
 }
 
-// Leaves the curve as it is in the last valley of t * mean(kappa^2) in `valley`.
-Task<void> find_valley(Pace& pace, std::span<const Vec3> style, Flow& flow, const GuideFlowParams& params,
-                       FlowedGuide& valley) {
+// Straight lines through the points next to an end, by least squares, in its first and last points' numbers.
+struct EndLine {
+    void add(double along, double weight, const Vec3& point) {
+        weights += weight;
+        along_sum += weight * along;
+        along_sq_sum += weight * along * along;
+        points += weight * point;
+        along_points += weight * along * point;
+    }
+    // Where the line is abreast of the tip, or where it ends if the tip is further out.
+    Vec3 end(const Vec3& tip) const {
+        const double determinant = weights * along_sq_sum - along_sum * along_sum;
+        Vec3 start = (along_sq_sum * points - along_sum * along_points) / determinant;
+        const Vec3 slope = (weights * along_points - along_sum * points) / determinant;
+        const double slope_sq = slope.squaredNorm();
+        if (!(slope_sq > 0.0)) return start;
+        return start + std::max(slope.dot(tip - start), 0.0) / slope_sq * slope;
+    }
+
+    double weights = 0.0, along_sum = 0.0, along_sq_sum = 0.0;
+    Vec3 points = Vec3::Zero(), along_points = Vec3::Zero();
+};
+
+// Of the style's first point, or with `step` -1 of its last: where the middle line of the waves ends. Points count less
+// the further they are from the end.
+Task<Vec3> find_end(Pace& pace, std::span<const Vec3> style, int step, double reach) {
+    const auto last = static_cast<uint32_t>(style.size()) - 1;
+    const double points = std::clamp(reach * last, static_cast<double>(min_end_points), static_cast<double>(last + 1));
+    const Vec3* const tip = step > 0 ? style.data() : style.data() + last;
+    EndLine line;
+    co_await each(pace, static_cast<size_t>(points), Cost::some_ns, [=, &line](uint32_t i) {
+        const double part = i / points;
+        const double near = 1.0 - part * part;
+        line.add(i, near * near, tip[static_cast<ptrdiff_t>(i) * step]);
+    });
+    co_return line.end(*tip);
+}
+
+// The style between ends on the middle line of its waves, in place of its tips, spaced evenly.
+Task<void> begin_between_ends(Pace& pace, std::span<const Vec3> style, double reach, Flow& flow) {
+    const uint32_t last = flow.segments();
     co_await begin(pace, style, flow);
-    co_await copy(pace, style, valley.points);
-    valley.length = flow.length;
-    double low = 0.0, peak = 0.0;
-    bool rising = true;
-    while (flow.length != 0.0 && params.alpha < 1.0 && flow.time < max_time * flow.length * flow.length) {
-        // t * mean(kappa^2), with kappa = bend / spacing, spacing = length / segments.
-        const double loss = flow.time * flow.sum_bend_sq * flow.segments() / (flow.length * flow.length);
-        if (rising) {
-            peak = std::max(peak, loss);
-            if (loss * significant_change < peak) {
-                rising = false;
-                low = peak;
-            }
-        }
-        if (!rising && loss < low) {
-            low = loss;
-            valley.time = flow.time;
-            valley.length = flow.length;
-            co_await copy(pace, flow.points, valley.points);
-        } else if (!rising && loss > low * significant_change) {
-            rising = true;
-            peak = loss;
-        }
-        co_await step(pace, flow, params, 0.0);
+    if (style.size() < min_end_points) co_return;
+    flow.points[0] = co_await find_end(pace, style, 1, reach);
+    flow.points[last] = co_await find_end(pace, style, -1, reach);
+    co_await measure_rests(pace, flow);
+    co_await respace(pace, flow);
+    co_await measure(pace, flow);
+}
+
+// Until the waves, shorter as the curve gets shorter, are damped.
+Task<void> damp_waves(Pace& pace, double waves, Flow& flow, const GuideFlowParams& params) {
+    for (double damped = 0.0; damped < damping && flow.length > 0.0;) {
+        const double wave_number = 2.0 * std::numbers::pi * waves / flow.length;
+        const double speed = wave_number * wave_number;
+        const double begin_time = flow.time;
+        co_await step(pace, flow, params, begin_time + (damping - damped) / speed);
+        damped += speed * (flow.time - begin_time);
+        if (damped > damping * (1.0 - rounding)) co_return;
     }
-    // Still losing length at the limit, and most of it already: all of that was detail.
-    if (rising && flow.length < drastic_shrinking * valley.length) {
-        valley.points.swap(flow.points);
-        valley.time = flow.time;
-        valley.length = flow.length;
-    }
+}
+
+Task<void> flow_to(Pace& pace, double end_time, Flow& flow, const GuideFlowParams& params) {
+    while (flow.time < end_time) co_await step(pace, flow, params, end_time);
+}
+
+// 2 G(t) - G(2 t), evenly spaced: what exp(-x) is for a bend becomes 1 - (1 - exp(-x))^2.
+Task<void> give_bends_back(Pace& pace, Flow& flow, const GuideFlowParams& params) {
+    const double time = flow.time;
+    std::pmr::vector<Vec3> once(flow.points.size(), pace.memory());
+    co_await sample(pace, flow.points, once);
+    co_await flow_to(pace, 2.0 * time, flow, params);
+    flow.time = time;
+    co_await each(pace, 1, flow.segments(), pass_cost,
+                  [from = once.data(), out = flow.points.data()](uint32_t i) { out[i] = 2.0 * from[i] - out[i]; });
+    co_await measure_rests(pace, flow);
+    co_await respace(pace, flow);
+    co_await measure(pace, flow);
+}
+
+// As many points as `guide` has, on the smooth curve through the flow's.
+Task<void> refine(Pace& pace, const Flow& flow, std::pmr::vector<Vec3>& guide) {
+    const SmoothStyleCurve curve(flow.points.data(), flow.segments() + 1, flow.length);
+    const double step = flow.length / static_cast<double>(guide.size() - 1);
+    co_await each(pace, guide.size() - 1, Cost::tens_of_ns,
+                  [=, out = guide.data()](uint32_t i) { out[i] = curve.evaluate(step * i).position; });
+    guide.back() = flow.points.back();
+}
+
+// Points that the flow of a style needs.
+size_t flow_points(double waves, size_t style_points) {
+    const double wanted = std::ceil(points_per_wave * waves);
+    return std::min(std::max(static_cast<size_t>(wanted), min_flow_points), style_points);
 }
 
 }  // namespace
 
 Task<FlowedGuide> guide_flow(Pace& pace, std::span<const Vec3> style, GuideFlowParams params) {
-    Flow flow(style.size(), pace.memory());
     FlowedGuide guide{std::pmr::vector<Vec3>(pace.memory())};
-    double end_time = params.time;
-    if (!(end_time > 0.0)) {
-        guide.points.resize(style.size());
-        co_await find_valley(pace, style, flow, params, guide);
-        guide.steps = flow.steps;
-        if (params.smoothing == 1.0 || guide.time == 0.0) co_return guide;
-        end_time = params.smoothing * guide.time;
+    const double waves = params.time > 0.0 || params.alpha == 1.0 ? 0.0 : co_await count_waves(pace, style);
+    Flow flow(waves > 0.0 ? flow_points(waves, style.size()) : style.size(), pace.memory());
+    if (waves == 0.0) {
+        co_await begin(pace, style, flow);
+        co_await flow_to(pace, params.time, flow, params);
+    } else {
+        co_await begin_between_ends(pace, style, end_waves / waves, flow);
+        co_await damp_waves(pace, waves, flow, params);
+        if (params.smoothing != 1.0) {
+            const double end_time = params.smoothing * flow.time;
+            co_await begin_between_ends(pace, style, end_waves * std::sqrt(params.smoothing) / waves, flow);
+            co_await flow_to(pace, end_time, flow, params);
+        }
+        co_await give_bends_back(pace, flow, params);
     }
-    co_await begin(pace, style, flow);
-    while (flow.time < end_time) co_await step(pace, flow, params, end_time);
-    guide.points = std::move(flow.points);
     guide.time = flow.time;
     guide.length = flow.length;
     guide.steps = flow.steps;
+    if (flow.points.size() == style.size()) {
+        guide.points = std::move(flow.points);
+    } else {
+        guide.points.resize(style.size());
+        co_await refine(pace, flow, guide.points);
+    }
     co_return guide;
 }
 

@@ -12,8 +12,13 @@
 // - Implicit steps in place of Euler's: one tridiagonal solve (I - dt (1 - w) d_ss) x' = x. Each new point is a convex
 //   combination of old ones, so the curve never leaves its convex hull, whatever the input and the step.
 // - The tangential term is carried out exactly, by respacing the points evenly after each step.
-// - How far to flow is not in the paper, see `Params::smoothing`.
-// Invariant: first and last point stay.
+// - How far to flow is not in the paper. A wave of length l is damped by exp(-(1 - w) (2 pi / l)^2 t), and l shrinks as
+//   the curve does: the flow ends at the damping wanted for the longest waves of the style, see `style_waves.h`.
+// - There ends stay. A tip is anywhere on a wave, or a hook where a pen was put down: here the guide ends on the middle
+//   line of the last waves, abreast of the tip.
+// - The flow flattens the bends of the guide, too, the less the longer they are. As much time again takes about as much
+//   again, while of waves nothing is left: 2 G(t) - G(2 t) has the style's bends. A term more would overshoot where
+//   scribbles turn back.
 #pragma once
 
 #include <cstdint>
@@ -27,22 +32,19 @@ namespace flg {
 
 struct GuideFlowParams {
     double alpha = 0.5;  // 0 to 1: dL/dt = (alpha - 1) int kappa^2
-    // The flow's time, as a multiple of the one chosen from the style. That one is the last valley of t *
-    // mean(kappa^2) (the share of its length that the curve loses per unit of log t): detail of size r makes a peak
-    // there at t = r^2, the overall bend makes it rise again. A curve without detail has its valley at the start,
-    // and is left as it is.
+    // The flow's time, as a multiple of the one chosen from the style. A style without waves is left as it is.
     double smoothing = 1.0;
-    // Squared metres. Above 0: flow for exactly this time, smoothing has no effect.
+    // Squared metres. Above 0: the bare flow between the style's own ends, for exactly this time.
     double time = 0.0;
     // Growth of t per step; the number of steps is about log(t / spacing^2) / growth, whatever the shape.
-    double growth = 0.1;
+    double growth = 0.6;
 };
 
 struct FlowedGuide {
     std::pmr::vector<Vec3> points;  // as many as the style's
-    double time = 0.0;              // at which they were taken, squared metres
-    double length = 0.0;            // then
-    uint32_t steps = 0;             // all that were made, those beyond `time` too
+    double time = 0.0;              // t, squared metres
+    double length = 0.0;
+    uint32_t steps = 0;  // all that were made, those beyond `time` too
 };
 
 // `style`: at least two points, about evenly spaced. They outlive the task. About 10 ns a point and pass; a step has

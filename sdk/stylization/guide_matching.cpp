@@ -17,13 +17,11 @@ namespace {
 constexpr double cells_without_coarser = 16.0;
 constexpr double cells_of_coarsest = 60.0;
 constexpr uint32_t refinement = 3;
-// Newton's model is trusted above this second derivative of a point's energy; below, the paper's constant 2 replaces
-// it.
+// Newton's model has at least this second derivative of a point's energy, whose plain part is 2.
 constexpr double min_curvature = 0.25;
-constexpr double plain_curvature = 2.0;
 // A point rests when its next move is below this part of the style's spacing; that move is still made, and
 // leaves an error of about its square.
-constexpr double small_move = 0.02;
+constexpr double small_move = 0.005;
 constexpr uint32_t max_descent_steps = 12;
 constexpr uint32_t max_sweeps = 12;
 
@@ -48,7 +46,7 @@ struct Energy {
         result.energy = beta * apart.squaredNorm() + far * late * late;
         result.slope = 2.0 * (far * late - beta * apart.dot(jet.derivative));
         const double second = 2.0 * (far + beta * (jet.derivative.squaredNorm() - apart.dot(jet.second_derivative)));
-        result.curvature = second > min_curvature ? second : plain_curvature;
+        result.curvature = std::max(second, min_curvature);
         const double max_move = style.spacing();
         const double move = std::clamp(-result.slope / result.curvature, -max_move, max_move);
         // Within reach of both ends.

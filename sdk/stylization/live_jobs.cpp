@@ -213,8 +213,7 @@ Task<void> replay_strokes(Pace& pace, LiveReplayRequest request) {
     const std::shared_ptr<PathTrees> trees = co_await warm_trees(pace, *request.style, temperatures[0]);
     const std::shared_ptr<PathTrees> hot_trees = co_await warm_trees(pace, *request.style, temperatures[1]);
     const PreparedStyle& style = request.style->prepared;
-    Replay replay{request, live_settings(request.desc, request.drives), live_columns(style)};
-    replay.settings.style = &style;
+    Replay replay{request, live_settings(request.desc, style, request.drives), live_columns(style)};
     replay.settings.trees = trees.get();
     replay.settings.hot_trees = hot_trees.get();
 

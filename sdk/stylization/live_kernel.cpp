@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "curves/drawn_normal.h"
 #include "curves/segment_stream.h"
+#include "curves/step_scale.h"
 
 namespace flg {
 
@@ -130,8 +131,6 @@ namespace {
 constexpr double place_share = 1e-3;    // of a step: places nearer than this are one
 constexpr double parallel_sine = 1e-4;  // as FramedSampler has it
 
-constexpr uint32_t place_block = 32;
-
 double mean_radius(const Buffer<float>& values) {
     double sum = 0;
     for (float value : values) sum += value;
@@ -172,11 +171,14 @@ LiveKernel::LiveKernel(const LiveSettings& settings, const LiveSamples& samples,
       step_(settings.spacing()) {
     for (const StyleAttribute& attribute : settings.style->attributes) {
         if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) radius_unit_ = mean_radius(attribute.values);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) turns_ = true;
     }
     for (uint32_t k = live_own_columns; k < out.count; ++k) {
         if (out.layout[k].attribute == FLG_ATTRIBUTE_SPEED) speeds_ = out.data[k];
     }
     state_.curve = LiveCurve(settings.smoothing, place_share * step_);
+    state_.chain = FrameChain(step_);
+    displaced_.set_magnitude(settings.magnitude);
 }
 
 void LiveKernel::restore(const LiveState& state) {
@@ -209,51 +211,50 @@ bool LiveKernel::run(uint32_t sample_count, uint32_t& units) {
 
 void LiveKernel::take_segment() {
     state_.segment.load(block_);
+    make_rows(block_, 0, 1, rows_);
     state_.in_segment = true;
-    steered_start_ = steered_by(state_.segment.reading_start);
-    steered_end_ = steered_by(state_.segment.reading_end);
+    steered_start_ = steered_by(settings_.drives, state_.segment.reading_start);
+    steered_end_ = steered_by(settings_.drives, state_.segment.reading_end);
 }
 
-Steered LiveKernel::steered_by(const HandReading& reading) const {
-    return settings_.drives.steer([&](uint32_t k) {
-        const bool by_pressure = settings_.drives.list()[k].attribute == FLG_ATTRIBUTE_PRESSURE;
+Steered steered_by(const StyleDrives& drives, const HandReading& reading) {
+    return drives.steer([&](uint32_t k) {
+        const bool by_pressure = drives.list()[k].attribute == FLG_ATTRIBUTE_PRESSURE;
         return by_pressure ? reading.pressure : reading.speed;
     });
 }
 
-// False if it wasn't followed to its end. All places of a block first, then all frames, so that the long latencies of
-// different points overlap.
+// False if it wasn't followed to its end.
 bool LiveKernel::follow_segment(uint32_t& units) {
-    const Segment segment(block_, 0);
+    const double length = block_.lengths[0];
     const StepScale scale{steered_start_.scale, steered_end_.scale};
     const bool scaled = settings_.drives.drive(FLG_STYLE_DRIVEN_SCALE);
-    const double end = state_.start + (scaled ? scale.steps(segment.length()) : segment.length());
+    const double end = state_.start + (scaled ? scale.steps(length) : length);
     // A point at a segment's end is the next one's, unless there is none.
     const bool last = state_.closing && !state_.curve.has_segment();
     const auto reached = [&](double s) { return last ? s <= end : s < end; };
-    std::array<LivePlace, place_block> places;
     while (reached(state_.points * step_)) {
         const uint32_t room = settings_.max_points - state_.points;
         state_.cut = room == 0;
-        const uint32_t capacity = std::min({units, room, place_block});
+        const uint32_t capacity = std::min({units, room, SampleBlock::capacity});
         if (capacity == 0) return false;
         uint32_t count = 0;
-        for (double s; count < capacity && reached(s = (state_.points + count) * step_);) {
-            LivePlace& place = places[count++];
-            if (only_counts()) continue;
-            const double along = s - state_.start;
-            place.t = segment.parameter_at(scaled ? std::min(scale.length(segment.length(), along), segment.length())
-                                                  : along);
-            place.position = segment.position(place.t);
-            place.tangent = segment.tangent(place.t);
-        }
+        while (count < capacity && reached((state_.points + count) * step_)) samples_made_.row[count++] = 0;
         units -= count;
+        state_.segment_points += count;
         if (only_counts()) {
             state_.points += count;
         } else {
-            for (uint32_t k = 0; k < count; ++k) make_point(places[k]);
+            samples_made_.count = count;
+            find_places(&state_.start, state_.points, step_, samples_made_);
+            for (uint32_t k = 0; scaled && k < count; ++k) {
+                samples_made_.along[k] = scale.place(length, samples_made_.along[k]);
+            }
+            make_points();
         }
     }
+    if (state_.segment_points > dense_points) ++state_.dense_segments;
+    state_.segment_points = 0;
     state_.start = end;
     state_.in_segment = false;
     return true;
@@ -266,9 +267,9 @@ void LiveKernel::begin_walk() {
     state_.blend = SeamBlend(settings_.style->graph.patch, settings_.style->attributes);
 }
 
-void LiveKernel::advance_walk(const Steered& steered) {
+void LiveKernel::advance_walk(uint32_t point, const Steered& steered) {
     const uint32_t from = state_.walk.node();
-    const bool hot = steered.is_hot(settings_.seed, 0, state_.points);
+    const bool hot = steered.is_hot(settings_.seed, 0, point);
     if (!state_.walk.advance(hot)) throw Failure(FLG_ERROR_INTERNAL, "a live stroke's path tree is missing");
     state_.blend.step(from, state_.walk.node(), [this](uint32_t node) { return displacement_of(node); });
 }
@@ -285,19 +286,40 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
     if (size > parallel_sine * up.norm()) state_.frame.set_normal(normal / size);
 }
 
-void LiveKernel::make_point(const LivePlace& place) {
-    const Vec3 &position = place.position, &tangent = place.tangent;
-    const Steered steered = steered_start_.between(steered_end_, static_cast<float>(place.t));
-    if (state_.points == 0) {
-        state_.frame = RotationMinimizingFrame(position, tangent, drawn_normal(samples_.orientations, tangent));
-        begin_walk();
-    } else {
-        state_.frame.step(position, tangent);
-        advance_walk(steered);
+void LiveKernel::make_points() {
+    place_samples(rows_, samples_made_);
+    make_frames();
+    for (uint32_t k = 0; k < samples_made_.count; ++k) {
+        const float t = samples_made_.t[k];
+        const Steered steered = steered_start_.between(steered_end_, t);
+        if (state_.points + k == 0)
+            begin_walk();
+        else
+            advance_walk(state_.points + k, steered);
+        follow_style(k, state_.segment.hand_start.between(state_.segment.hand_end, t), steered);
     }
-    const LiveHand hand = state_.segment.hand_start.between(state_.segment.hand_end, place.t);
-    if (settings_.frame == FLG_FRAME_METHOD_SUPPLIED) take_supplied_normal(hand.up);
-    write(position, tangent, state_.frame.normal(), hand, steered, settings_.magnitude);
+    write();
+}
+
+void LiveKernel::make_frames() {
+    SampleBlock& samples = samples_made_;
+    const auto first_normal = [&] { return drawn_normal(samples_.orientations, samples.tangent_of(0)); };
+    if (settings_.frame != FLG_FRAME_METHOD_SUPPLIED) {
+        if (state_.points == 0) state_.chain.begin(samples, first_normal());
+        state_.chain.follow(samples);
+        return;
+    }
+    for (uint32_t k = 0; k < samples.count; ++k) {
+        if (state_.points + k == 0) {
+            state_.frame = RotationMinimizingFrame(samples.position_of(0), samples.tangent_of(0), first_normal());
+        } else {
+            state_.frame.step(samples.position_of(k), samples.tangent_of(k));
+        }
+        const double t = samples.t[k];
+        take_supplied_normal(state_.segment.hand_start.up +
+                             t * (state_.segment.hand_end.up - state_.segment.hand_start.up));
+        samples.set_normal(k, state_.frame.normal());
+    }
 }
 
 // Of a stroke without length. It has no frame to be displaced in.
@@ -306,29 +328,55 @@ void LiveKernel::make_lone_point() {
         ++state_.points;
         return;
     }
+    const Vec3 place = state_.curve.last_place(), tangent = Vec3::UnitX();
+    float position[3];
+    store_vec3(place, position);
+    samples_made_.count = 1;
+    samples_made_.set_place(0, position, tangent);
+    samples_made_.set_normal(0, drawn_normal(samples_.orientations, tangent));
     begin_walk();
-    const Vec3 tangent = Vec3::UnitX();
-    write(state_.curve.last_place(), tangent, drawn_normal(samples_.orientations, tangent), state_.curve.last_hand(),
-          steered_by(state_.curve.last_reading()), 0.0);
+    follow_style(0, state_.curve.last_hand(), steered_by(settings_.drives, state_.curve.last_reading()));
+    displaced_.set_along(0, Vec3::Zero());
+    write();
 }
 
-void LiveKernel::write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-                       const Steered& steered, double magnitude) {
+// What point k of those that are made copies: attributes as flgCurveSetStylize gives them, sizes times scale. The
+// style's radius makes the hand's.
+void LiveKernel::follow_style(uint32_t k, const LiveHand& hand, const Steered& steered) {
     const uint32_t node = state_.walk.node();
-    const Vec3 displacement =
-        steered.weight() * in_frame(displacement_of(node) + state_.blend.offset(), tangent, frame_normal);
-    const Vec3 displaced = position + magnitude * displacement;
-    Vec3 normal = frame_normal;
+    const size_t at = row() + k;
+    displaced_.set_along(k, displacement_of(node) + state_.blend.offset());
+    displaced_.scale_at(k, static_cast<float>(steered.weight()));
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
-    write_attributes(tangent, steered, normal, radius);
-    const size_t at = row();
-    store_vec3(displaced, out_.data[0] + 3 * at);
-    store_vec3(tangent, out_.data[1] + 3 * at);
-    store_vec3(normal, out_.data[2] + 3 * at);
+    radius *= steered.radius;
+    uint32_t column = live_own_columns;
+    for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
+        const StyleAttribute& attribute = settings_.style->attributes[a];
+        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
+            radius *= state_.blend.value(a, 0, node) / radius_unit_;
+            continue;
+        }
+        state_.blend.write(a, node, settings_.scale * steered.scale, out_.data[column++] + at * attribute.components);
+        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) displaced_.turn_rad[k] = state_.blend.value(a, 0, node);
+    }
     out_.data[3][at] = static_cast<float>(radius);
     out_.data[4][at] = static_cast<float>(node);
-    out_.data[5][at] = static_cast<float>(speeds_ ? motion_time() : hand.time);
-    ++state_.points;
+    out_.data[5][at] = static_cast<float>(hand.time);
+}
+
+// Points that know what they copy. An angle of the style turns the normal.
+void LiveKernel::write() {
+    const uint32_t count = samples_made_.count;
+    const size_t at = row();
+    displace_samples(samples_made_, displaced_);
+    if (turns_) turn_normals(displaced_, samples_made_);
+    pack(displaced_.position, count, out_.data[0] + 3 * at);
+    pack(samples_made_.tangent, count, out_.data[1] + 3 * at);
+    pack(samples_made_.normal, count, out_.data[2] + 3 * at);
+    for (uint32_t k = 0; speeds_ && k < count; ++k, ++state_.points) {
+        out_.data[5][row()] = static_cast<float>(motion_time());
+    }
+    if (!speeds_) state_.points += count;
 }
 
 // Of the point whose position and speed have been written.
@@ -339,25 +387,6 @@ double LiveKernel::motion_time() {
     const double distance = (load_vec3(position) - load_vec3(position - 3)).norm();
     state_.motion_s += distance / (0.5 * (double{speeds_[at - 1]} + double{speeds_[at]}));
     return state_.motion_s;
-}
-
-// As flgCurveSetStylize gives them: sizes times scale, an angle turns the normal. The style's radius makes the hand's.
-void LiveKernel::write_attributes(const Vec3& tangent, const Steered& steered, Vec3& normal, double& radius) {
-    radius *= steered.radius;
-    const size_t at = row();
-    const uint32_t node = state_.walk.node();
-    uint32_t column = live_own_columns;
-    for (size_t a = 0; a < settings_.style->attributes.size(); ++a) {
-        const StyleAttribute& attribute = settings_.style->attributes[a];
-        if (attribute.attribute == FLG_ATTRIBUTE_RADIUS) {
-            radius *= state_.blend.value(a, 0, node) / radius_unit_;
-            continue;
-        }
-        state_.blend.write(a, node, settings_.scale * steered.scale, out_.data[column++] + at * attribute.components);
-        if (attribute.attribute == FLG_ATTRIBUTE_ANGLE) {
-            normal = turned_about(tangent, normal, state_.blend.value(a, 0, node));
-        }
-    }
 }
 
 }  // namespace flg

@@ -22,7 +22,8 @@
 #include <array>
 
 #include "core/moving_frame.h"
-#include "curves/segment_block.h"
+#include "curves/sample_block.h"
+#include "stylization/displaced_block.h"
 #include "stylization/steering.h"
 #include "stylization/style.h"
 #include "stylization/synthesis.h"
@@ -106,6 +107,8 @@ private:
     bool moves_ = false;  // there has been a second place
 };
 
+Steered steered_by(const StyleDrives& drives, const HandReading& reading);
+
 struct LiveSettings {
     const PreparedStyle* style = nullptr;
     PathTrees* trees = nullptr;      // all there
@@ -138,23 +141,20 @@ struct LiveColumns {
 };
 LiveColumns live_columns(const PreparedStyle& style);
 
-// A point to be, on the drawn curve.
-struct LivePlace {
-    Vec3 position, tangent;  // tangent unit
-    double t = 0;            // on the segment that is followed
-};
-
 struct LiveState {
     LiveCurve curve;
     LiveSegment segment;  // being followed if in_segment
     bool in_segment = false;
-    bool closing = false;  // no samples will follow
-    bool cut = false;      // a point was due, and there was no room: the stroke ends before it
-    double start = 0;      // arc length in metres where the segment begins
-    uint32_t samples = 0;  // read
-    uint32_t points = 0;   // made
-    double motion_s = 0;   // TIME of the last point, if the style has SPEED
-    RotationMinimizingFrame frame;
+    bool closing = false;           // no samples will follow
+    bool cut = false;               // a point was due, and there was no room: the stroke ends before it
+    double start = 0;               // arc length in metres where the segment begins
+    uint32_t samples = 0;           // read
+    uint32_t points = 0;            // made
+    uint32_t segment_points = 0;    // of them, on the segment
+    uint32_t dense_segments = 0;    // with more than dense_points
+    double motion_s = 0;            // TIME of the last point, if the style has SPEED
+    FrameChain chain;               // of rotation-minimizing frames
+    RotationMinimizingFrame frame;  // of supplied ones
     StyleWalk walk;
     SeamBlend blend;
 };
@@ -169,6 +169,8 @@ public:
     // Spends units, 1 a point and sample_units a sample, on the first `sample_count` samples; true if all was done that
     // can be.
     static constexpr uint32_t sample_units = 4;
+    // What a push of one sample makes in so little time that it is nothing to be told of.
+    static constexpr uint32_t dense_points = 64;
     bool run(uint32_t sample_count, uint32_t& units);
     // From now on run() goes to the last sample.
     void close() { state_.closing = true; }
@@ -184,16 +186,15 @@ private:
     size_t row() const { return state_.points - out_.first; }
     bool follow_segment(uint32_t& units);
     void take_segment();
-    void make_point(const LivePlace& place);
+    void make_points();
+    void make_frames();
     void make_lone_point();
     void begin_walk();
-    void advance_walk(const Steered& steered);
-    Steered steered_by(const HandReading& reading) const;
+    void advance_walk(uint32_t point, const Steered& steered);
     Vec3 displacement_of(uint32_t node) const;
     void take_supplied_normal(const Vec3& up);
-    void write(const Vec3& position, const Vec3& tangent, const Vec3& frame_normal, const LiveHand& hand,
-               const Steered& steered, double magnitude);
-    void write_attributes(const Vec3& tangent, const Steered& steered, Vec3& normal, double& radius);
+    void follow_style(uint32_t k, const LiveHand& hand, const Steered& steered);
+    void write();
     double motion_time();
 
     LiveSettings settings_;
@@ -201,12 +202,17 @@ private:
     LiveColumns out_;
     Eigen::Matrix3d basis_ = Eigen::Matrix3d::Identity();  // with the scale
     const float* speeds_ = nullptr;                        // the result's, if the style has them
+    bool turns_ = false;                                   // the style has an angle
     double radius_unit_ = 1;                               // the radius attribute's mean
     double step_ = 0;
     LiveState state_;
-    // The segment's.
+    // Of the segment that is followed.
     SegmentBlock block_;
+    SegmentRows rows_;
     Steered steered_start_, steered_end_;
+    // Points that are being made.
+    SampleBlock samples_made_;
+    DisplacedBlock displaced_;
 };
 
 }  // namespace flg

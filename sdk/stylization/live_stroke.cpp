@@ -7,6 +7,7 @@
 
 #include "core/failure.h"
 #include "core/number_text.h"
+#include "stylization/automatic_scale.h"
 
 namespace flg {
 
@@ -90,11 +91,13 @@ const FlgCurveSetView& OneCurveView::show(const LiveColumns& from, uint32_t firs
     return view;
 }
 
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const StyleDrives& drives) {
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style, const StyleDrives& drives) {
     LiveSettings settings;
+    settings.style = &style;
     settings.drives = drives;
     settings.magnitude = desc.magnitude;
-    settings.scale = desc.scale;
+    const double pen_radius = 0.5 * (double{desc.min_radius} + desc.max_radius);
+    settings.scale = desc.scale > 0 ? desc.scale : live_scale(style, pen_radius);
     settings.min_radius = desc.min_radius;
     settings.max_radius = desc.max_radius;
     settings.smoothing = desc.smoothing;
@@ -111,7 +114,7 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       style_(request.style),
       trees_(request.trees),
       hot_trees_(request.hot_trees),
-      settings_(live_settings(request.desc, request.drives)),
+      settings_(live_settings(request.desc, request.style->prepared, request.drives)),
       max_jump_(request.desc.max_jump),
       max_samples_(request.desc.max_samples),
       positions_(size_t{3} * request.desc.max_samples, memory),
@@ -122,7 +125,6 @@ LiveStroke::LiveStroke(const LiveStrokeRequest& request, Memory* memory)
       checkpoints_(request.desc.max_samples / checkpoint_interval + 1, memory),
       samples_{positions_.data(), orientations_.data(), pressures_.data(), times_.data()},
       columns_(live_columns(request.style->prepared)) {
-    settings_.style = &style_->prepared;
     settings_.trees = trees_.get();
     settings_.hot_trees = hot_trees_.get();
     size_t components = 0;
@@ -232,6 +234,21 @@ const FlgCurveSetView& LiveStroke::tip() {
     tip_kernel_.run(sample_count_, units);
     const uint32_t points = tip_kernel_.state().points;
     return tip_view_.show(tip_columns_, 0, points > from.points ? points - first : 0);
+}
+
+uint32_t LiveStroke::waiting_points() const {
+    const LiveState& state = seen();
+    if (!state.in_segment || state.cut) return 0;
+    // To the end of the segment, and from there from sample to sample, as if the hand then steered no further.
+    const double scale = steered_by(settings_.drives, state.segment.reading_end).scale;
+    double length = (state.start + state.segment.chord / scale) - state.points * spacing();
+    for (uint32_t i = state.samples; i < sample_count_; ++i) {
+        const float* position = positions_.data() + 3 * size_t{i};
+        length += (load_vec3(position) - load_vec3(position - 3)).norm() / scale;
+    }
+    const double points = std::ceil(length / spacing());
+    const double room = settings_.max_points - state.points;
+    return static_cast<uint32_t>(std::clamp(points, 0.0, room));
 }
 
 void LiveStroke::begin_end() {

@@ -33,8 +33,8 @@ struct LiveStrokeRequest {
     StyleDrives drives{};
 };
 
-// Without style and trees.
-LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const StyleDrives& drives);
+// Without trees.
+LiveSettings live_settings(const FlgLiveStrokeDesc& desc, const PreparedStyle& style, const StyleDrives& drives);
 
 // One sample of the controller; see FlgLiveSampleView.
 struct LiveSample {
@@ -65,8 +65,8 @@ class LiveStroke {
 public:
     static constexpr uint32_t checkpoint_interval = 6;
     // What keeps a push, and undoing with its checkpoint_interval - 1 samples, below what a frame can spare: a point is
-    // about 0.1 us.
-    static constexpr uint32_t units_per_sample = 64;
+    // about 30 ns.
+    static constexpr uint32_t units_per_sample = 1024;
     // The same for a tip: further than this it doesn't look ahead. More than two samples make.
     static constexpr uint32_t tip_units = 256;
 
@@ -88,9 +88,13 @@ public:
     uint32_t sample_count() const { return sample_count_; }
     uint32_t waiting_samples() const { return sample_count_ - seen().samples; }
     uint32_t point_count() const { return seen().points; }
+    // Due, but not made yet: about as many.
+    uint32_t waiting_points() const;
+    uint32_t dense_samples() const { return seen().dense_segments; }
     // The next point has found no room.
     bool cut() const { return seen().cut; }
     double spacing() const { return settings_.spacing(); }
+    double scale() const { return settings_.scale; }
     const LiveColumns& columns() const { return columns_; }
     const LiveSamples& samples() const { return samples_; }
 

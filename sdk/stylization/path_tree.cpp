@@ -2,19 +2,47 @@
 #include "stylization/path_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
-#include <utility>
+
+#include "core/vector_targets.h"
 
 namespace flg {
 
 namespace {
 
-constexpr uint32_t arity = 4;
-constexpr uint64_t no_key = std::numeric_limits<uint64_t>::max();
+constexpr uint32_t lanes = 8;
+constexpr uint32_t group_size = 32;
+constexpr int32_t infinite = 0x7f800000;
 
-uint64_t make_key(float distance, uint32_t node) {
-    return static_cast<uint64_t>(std::bit_cast<uint32_t>(distance)) << 32 | node;
+struct TreeInMaking {
+    const uint32_t *in_begin, *curve_end;
+    const uint16_t* in_source;
+    const float* in_cost;
+    float temperature;
+    float* distance;
+    uint16_t* next_hop;
+    int32_t *waiting, *least;
+    uint32_t group_count;
+};
+
+}  // namespace
+
+namespace portable {
+#include "stylization/path_tree.inl"
+}  // namespace portable
+
+#ifdef FLG_DISPATCH_VECTORS
+FLG_BEGIN_AVX2
+namespace avx2 {
+#include "stylization/path_tree.inl"
+}  // namespace avx2
+FLG_END_AVX2
+#endif
+
+namespace {
+
+constexpr uint32_t rounded_up(uint32_t count, uint32_t step) {
+    return (count + step - 1) / step * step;
 }
 
 }  // namespace
@@ -22,96 +50,33 @@ uint64_t make_key(float distance, uint32_t node) {
 void PathTreeKernel::begin(const PatchGraph& graph, float temperature, uint32_t destination, uint16_t* next_hop) {
     graph_ = &graph;
     next_hop_ = next_hop;
-    temperature_ = temperature + 0.0f;  // -0 would be the largest key
-    const size_t keys = graph.edge_count() + arity;
+    temperature_ = temperature + 0.0f;  // the bits of -0 would be the largest
+    const uint32_t waiting = rounded_up(graph.node_count, group_size);
+    group_count_ = rounded_up(waiting / group_size, lanes);
     if (distance_.size() < graph.node_count) distance_ = Buffer<float>(graph.node_count, memory_);
-    if (settled_.size() < graph.node_count) settled_ = Buffer<uint8_t>(graph.node_count, memory_);
-    if (heap_.size() < keys) heap_ = Buffer<uint64_t>(keys, memory_);
+    if (waiting_.size() < waiting) waiting_ = Buffer<int32_t>(waiting, memory_);
+    if (least_.size() < group_count_) least_ = Buffer<int32_t>(group_count_, memory_);
     std::fill_n(distance_.data(), graph.node_count, std::numeric_limits<float>::infinity());
-    std::fill_n(settled_.data(), graph.node_count, uint8_t{0});
+    std::fill_n(waiting_.data(), waiting, infinite);
+    std::fill_n(least_.data(), group_count_, infinite);
     std::fill_n(next_hop, graph.node_count, no_hop);
     distance_[destination] = 0;
+    waiting_[destination] = least_[destination / group_size] = 0;
     next_hop[destination] = static_cast<uint16_t>(destination);
-    heap_size_ = 0;
-    std::fill_n(heap_.data(), arity - 1, no_key);
-    held_ = no_key;
-    push(make_key(0, destination));
 }
 
 bool PathTreeKernel::run(uint32_t& units) {
-    while (heap_size_ > 0 || held_ != no_key) {
-        if (units == 0) return false;
-        --units;
-        const uint64_t key = pop();
-        const uint32_t node = static_cast<uint32_t>(key);
-        const float distance = std::bit_cast<float>(static_cast<uint32_t>(key >> 32));
-        if (distance == distance_[node]) settle(node, distance);
-    }
-    return true;
-}
-
-void PathTreeKernel::settle(uint32_t node, float distance) {
-    settled_[node] = 1;
-    if (node > 0 && graph_->curve_end[node - 1] != node) {
-        const uint32_t before = node - 1;
-        const float through = temperature_ + distance;
-        if (through < distance_[before]) {
-            distance_[before] = through;
-            next_hop_[before] = static_cast<uint16_t>(node);
-            push(make_key(through, before));
-        } else if (through == distance_[before] && !settled_[before]) {
-            next_hop_[before] = static_cast<uint16_t>(node);
-        }
-    }
-    const uint32_t end = graph_->in_begin[node + 1];
-    for (uint32_t k = graph_->in_begin[node]; k < end; ++k) {
-        const uint32_t source = graph_->in_source[k];
-        const float through = graph_->in_cost[k] + distance;
-        if (through < distance_[source]) {
-            distance_[source] = through;
-            next_hop_[source] = static_cast<uint16_t>(node);
-            push(make_key(through, source));
-        }
-    }
-}
-
-void PathTreeKernel::push(uint64_t key) {
-    if (key < held_) std::swap(key, held_);
-    if (key == no_key) return;
-    uint64_t* heap = heap_.data();
-    uint32_t at = heap_size_++;
-    heap[at + arity - 1] = no_key;
-    while (at > 0) {
-        const uint32_t parent = (at - 1) / arity;
-        if (heap[parent] <= key) break;
-        heap[at] = heap[parent];
-        at = parent;
-    }
-    heap[at] = key;
-}
-
-uint64_t PathTreeKernel::pop() {
-    uint64_t* heap = heap_.data();
-    const uint64_t top = heap[0];
-    if (held_ <= top) return std::exchange(held_, no_key);
-    const uint64_t key = heap[--heap_size_];
-    const uint32_t size = heap_size_;
-    heap[size] = no_key;
-    if (size == 0) return top;
-    uint32_t at = 0;
-    for (;;) {
-        const uint32_t first = at * arity + 1;
-        if (first >= size) break;
-        const uint64_t* child = heap + first;
-        const uint32_t low = child[1] < child[0] ? 1 : 0;
-        const uint32_t high = child[3] < child[2] ? 3 : 2;
-        const uint32_t least = child[high] < child[low] ? high : low;
-        if (child[least] >= key) break;
-        heap[at] = child[least];
-        at = first + least;
-    }
-    heap[at] = key;
-    return top;
+    const TreeInMaking tree{graph_->in_begin.data(),
+                            graph_->curve_end.data(),
+                            graph_->in_source.data(),
+                            graph_->in_cost.data(),
+                            temperature_,
+                            distance_.data(),
+                            next_hop_,
+                            waiting_.data(),
+                            least_.data(),
+                            group_count_};
+    return FLG_FOR_THIS_MACHINE(settle(tree, units));
 }
 
 }  // namespace flg

@@ -106,6 +106,19 @@ public:
             out[k] = static_cast<float>((k < lengths ? scale : 1.0) * value(index, k, node));
         }
     }
+    // As write(), of nodes from `node` on that are copied as they are: no point is left with an offset.
+    void write_run(size_t index, uint32_t node, uint32_t count, double scale, float* out) const {
+        const StyleAttribute& attribute = attributes_[index];
+        const uint32_t components = attribute.components, lengths = attribute.length_count();
+        const uint32_t angle = attribute.first_angle();
+        const float* values = attribute.values.data() + size_t{node} * components;
+        for (uint32_t k = 0; k < components; ++k) {
+            const double factor = k < lengths ? scale : 1.0, wound = k >= angle ? wound_rad_[index] : 0.0;
+            for (uint32_t i = 0; i < count; ++i) {
+                out[i * components + k] = static_cast<float>(factor * (values[i * components + k] + wound));
+            }
+        }
+    }
 
 private:
     // A run that goes on until its curve ends.

@@ -3,8 +3,8 @@
 //
 // What lives in this room: the paper's stages, each a kernel that can be used and tested by itself, in the order
 // guide_flow, guide_matching, displacement, style_attributes, patch_matrix and
-// patch_graph, path_tree, applied_style, synthesis, seam_blend, finishing; and the two jobs that drive them,
-// prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
+// patch_graph, path_tree, applied_style, displaced_block, synthesis, seam_blend, finishing; the two jobs that drive
+// them, prepare_style and apply_style. What does not: curves as such (curves/), scheduling (runtime/).
 #pragma once
 
 #include <memory>

@@ -53,11 +53,13 @@ Task<double> total_turning(Pace& pace, const CurveView& curve) {
 
 Task<void> sample_points(Pace& pace, StyleCurve& curve, uint32_t count) {
     curve.points.resize(count);
-    EvenSampler sampler(curve.example, curve.measure.length, count - 1);
-    CurveSample sample;
+    BlockSampler sampler(curve.example, curve.measure.length, count - 1);
+    SampleBlock block;
     for (uint32_t i = 0; i < count;) {
         uint32_t units = sample_chunk;
-        while (i < count && sampler.next(sample, units)) curve.points[i++] = sample.position;
+        while (i < count && sampler.next(block, units)) {
+            for (uint32_t k = 0; k < block.count; ++k) curve.points[i++] = block.position_of(k);
+        }
         co_await pace;
     }
 }

@@ -118,6 +118,26 @@ void StyleWalk::draw_destination() {
     hops_ = hot_hops_ = nullptr;
 }
 
+uint32_t StyleWalk::copy_on(uint32_t most) {
+    if (going_home_) return 0;
+    most = std::min(most, samples_left_ - std::min(samples_left_, last_path_));
+    uint32_t copies = 0;
+    if (cap_left_ > 0) {
+        copies = std::min(most, cap_left_ - 1);
+        cap_left_ -= copies;
+    } else if (motif_end_ > 0) {
+        copies = std::min(most, motif_end_ - std::min(motif_end_, node_ + 2));
+    } else if (finishing_) {
+        copies = most;
+    } else if (hops_ != nullptr && hot_trees_ == nullptr) {
+        most = std::min(most, destination_node_ >= node_ ? destination_node_ - node_ : most);
+        while (copies < most && hops_[node_ + copies] == node_ + copies + 1) ++copies;
+    }
+    node_ += copies;
+    samples_left_ -= copies;
+    return copies;
+}
+
 bool StyleWalk::advance(bool hot) {
     if (going_home_) [[unlikely]] {
         node_ = copies_ == 0 ? landing(0) : node_ + 1;
@@ -162,7 +182,8 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
     sampler_.emplace(stroke.plan);
     count_ = stroke.plan.sample_count();
     written_ = 0;
-    block_at_ = block_count_ = 0;
+    block_.count = followed_ = 0;
+    displaced_.set_magnitude(input_.magnitude);
     node_known_ = true;
     finishing_.reset();
     steered_.fill({.scale = stroke.across});
@@ -184,25 +205,14 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
 
 bool SynthesisKernel::run(uint32_t n) {
     while (written_ < count_) {
-        if (block_at_ == block_count_) {
+        if (followed_ == block_.count) {
             if (n == 0) return false;
-            block_at_ = 0;
-            block_count_ = sampler_->next(block_.data(), sample_block, n);
+            followed_ = 0;
+            if (sampler_->next(block_, n) == 0) return false;
             if (stroke_.steered) steer_block();
         }
-        const uint32_t first = block_at_;
-        bool out_of_units = false;
-        while (block_at_ < block_count_ && !out_of_units) {
-            if (find_node(n)) {
-                write(block_[block_at_], steered_[block_at_]);
-                ++block_at_;
-            } else {
-                out_of_units = true;
-            }
-        }
-        write_carried(first);
-        if (stroke_.steered) steer_carried_radii(first);
-        if (out_of_units) return false;
+        if (!follow_style(n)) return false;
+        write_block();
     }
     return finish(n);
 }
@@ -222,10 +232,10 @@ bool SynthesisKernel::advance() {
 }
 
 void SynthesisKernel::steer_block() {
-    for (uint32_t k = 0; k < block_count_; ++k) {
-        const FramedSample& sample = block_[k];
-        const Steered& next = stroke_.steered[stroke_.plan.curve.following(sample.segment)];
-        steered_[k] = stroke_.steered[sample.segment].between(next, sample.t);
+    for (uint32_t k = 0; k < block_.count; ++k) {
+        const uint32_t segment = block_.segment[k];
+        const Steered& next = stroke_.steered[stroke_.plan.curve.following(segment)];
+        steered_[k] = stroke_.steered[segment].between(next, block_.t[k]);
         steered_[k].scale *= stroke_.across;
         if (written_ + k < first_steered_.size()) std::construct_at(&first_steered_[written_ + k], steered_[k]);
     }
@@ -233,7 +243,7 @@ void SynthesisKernel::steer_block() {
 
 // At the sample to come: of a closed curve, behind the last one, the first.
 const Steered& SynthesisKernel::steered() const {
-    return block_at_ < block_count_ ? steered_[block_at_] : first_steered_[0];
+    return followed_ < block_.count ? steered_[followed_] : first_steered_[0];
 }
 
 std::span<const Steered> SynthesisKernel::first_steered() const {
@@ -242,7 +252,8 @@ std::span<const Steered> SynthesisKernel::first_steered() const {
 }
 
 bool SynthesisKernel::is_hot() const {
-    return input_.hot_trees && steered().is_hot(input_.seed, stroke_.key, written_);
+    const uint32_t sample = written_ + (followed_ < block_.count ? followed_ : 0);
+    return input_.hot_trees && steered().is_hot(input_.seed, stroke_.key, sample);
 }
 
 std::span<const Vec3> SynthesisKernel::all_displacements() const {
@@ -294,22 +305,112 @@ bool SynthesisKernel::find_node(uint32_t& units) {
     return true;
 }
 
-// The carried columns of the block's samples that were just written, from `first` on.
-void SynthesisKernel::write_carried(uint32_t first) {
+// Along the style for all samples of the block, unless the units do not suffice for a path tree that is missing.
+bool SynthesisKernel::follow_style(uint32_t& units) {
+    while (followed_ < block_.count) {
+        if (!find_node(units)) return false;
+        if (blend_.points_left() > 0) {
+            copy_blended();
+        } else {
+            const uint32_t node = walk_.node();
+            walk_.copy_on(block_.count - followed_ - 1);
+            copy_style(node, walk_.node() + 1 - node);
+        }
+        node_known_ = false;
+    }
+    return true;
+}
+
+// The style as it is, from a node on.
+void SynthesisKernel::copy_style(uint32_t node, uint32_t count) {
+    const AppliedStyle& style = *input_.style;
+    for (int c = 0; c < 3; ++c) std::copy_n(style.along[c].data() + node, count, displaced_.along[c] + followed_ + 1);
+    for (uint32_t k = 0; k < count; ++k) nodes_[followed_ + k] = static_cast<float>(node + k);
+    for (size_t a = 0; a < style.attributes.size(); ++a) {
+        const uint32_t components = style.attributes[a].components;
+        float* const out = stroke_.out.attributes[a] + size_t{written_ + followed_} * components;
+        if (!stroke_.steered) {
+            blend_.write_run(a, node, count, attribute_scale(a, 0), out);
+            continue;
+        }
+        for (uint32_t k = 0; k < count; ++k) {
+            blend_.write_run(a, node + k, 1, attribute_scale(a, followed_ + k), out + size_t{k} * components);
+        }
+    }
+    if (angle_ < style.attributes.size()) {
+        for (uint32_t k = 0; k < count; ++k) displaced_.turn_rad[followed_ + k] = blend_.value(angle_, 0, node + k);
+    }
+    followed_ += count;
+}
+
+// The style's point that the walk stands at, and what is left of the last seam.
+void SynthesisKernel::copy_blended() {
+    const AppliedStyle& style = *input_.style;
+    const uint32_t node = walk_.node();
+    displaced_.set_along(followed_, style.displacement[node] + blend_.offset());
+    nodes_[followed_] = static_cast<float>(node);
+    for (size_t a = 0; a < style.attributes.size(); ++a) {
+        const size_t at = size_t{written_ + followed_} * style.attributes[a].components;
+        blend_.write(a, node, attribute_scale(a, followed_), stroke_.out.attributes[a] + at);
+    }
+    if (angle_ < style.attributes.size()) displaced_.turn_rad[followed_] = blend_.value(angle_, 0, node);
+    ++followed_;
+}
+
+double SynthesisKernel::attribute_scale(size_t attribute, uint32_t k) const {
+    const AppliedStyle& style = *input_.style;
+    return stroke_.scale * style.scale * steered_[k].size(style.attributes[attribute].attribute);
+}
+
+void SynthesisKernel::write_block() {
+    const StylizedColumns& out = stroke_.out;
+    const uint32_t count = block_.count;
+    const size_t at = 3 * static_cast<size_t>(written_);
+    // A target without length has no frame to be displaced in.
+    if (stroke_.plan.steps == 0) displaced_.set_along(0, Vec3::Zero());
+    if (stroke_.steered) {
+        for (uint32_t k = 0; k < count; ++k) {
+            displaced_.scale_at(k, static_cast<float>(displacement_scale(steered_[k])));
+        }
+    } else {
+        displaced_.scale(count, static_cast<float>(displacement_scale(steered_[0])));
+    }
+    if (!displace_samples(block_, displaced_)) {
+        for (uint32_t k = 0; k < count; ++k) {
+            const Vec3 displacement = displaced_.displacement_of(k);
+            check_position(block_.position_of(k) + input_.magnitude * displacement, input_.magnitude);
+        }
+    }
+    if (written_ == 0) {
+        first_tangent_ = block_.tangent_of(0);
+        first_normal_ = block_.normal_of(0);
+        first_displacement_ = displaced_.displacement_of(0);
+    }
+    last_displacement_ = displaced_.displacement_of(count - 1);
+    if (angle_ < input_.style->attributes.size()) turn_normals(displaced_, block_);
+    pack(displaced_.position, count, out.frames.positions + at);
+    pack(block_.tangent, count, out.frames.tangents + at);
+    pack(block_.normal, count, out.frames.normals + at);
+    if (out.displacement) pack(displaced_.displacement, count, out.displacement + at);
+    std::copy_n(nodes_.data(), count, out.style_index + written_);
+    write_carried();
+    if (stroke_.steered) steer_carried_radii();
+    written_ += count;
+}
+
+void SynthesisKernel::write_carried() {
     if (stroke_.carried.empty()) return;
-    const uint32_t count = block_at_ - first;
-    std::array<SamplePlace, sample_block> places;
-    for (uint32_t k = 0; k < count; ++k) places[k] = {block_[first + k].segment, block_[first + k].t};
+    std::array<SamplePlace, SampleBlock::capacity> places;
+    for (uint32_t k = 0; k < block_.count; ++k) places[k] = {block_.segment[k], block_.t[k]};
     for (const ColumnPair& column : stroke_.carried) {
-        interpolate_column(column, stroke_.plan.curve, {places.data(), count}, written_ - count);
+        interpolate_column(column, stroke_.plan.curve, {places.data(), block_.count}, written_);
     }
 }
 
 // The target's radii: those of the style are steered with the other attributes.
-void SynthesisKernel::steer_carried_radii(uint32_t first) {
+void SynthesisKernel::steer_carried_radii() {
     if (stroke_.out.carried_radius == nullptr) return;
-    const uint32_t count = block_at_ - first;
-    for (uint32_t k = 0; k < count; ++k) stroke_.out.carried_radius[written_ - count + k] *= steered_[first + k].radius;
+    for (uint32_t k = 0; k < block_.count; ++k) stroke_.out.carried_radius[written_ + k] *= steered_[k].radius;
 }
 
 bool SynthesisKernel::make_tree(uint32_t& units) {
@@ -326,44 +427,9 @@ bool SynthesisKernel::make_tree(uint32_t& units) {
     return true;
 }
 
-// A target without length has no frame to be displaced in.
-Vec3 SynthesisKernel::displaced_in(const FramedSample& sample, const Vec3& d) const {
-    if (stroke_.plan.steps == 0) return Vec3::Zero();
-    return in_frame(d, sample.tangent, sample.normal);
-}
-
-void SynthesisKernel::write(const FramedSample& sample, const Steered& steered) {
-    const StylizedColumns& out = stroke_.out;
-    const Vec3 displacement =
-        steered.weight() * displaced_in(sample, input_.style->displacement[walk_.node()] + blend_.offset());
-    const size_t at = 3 * static_cast<size_t>(written_);
-    const Vec3 position = sample.position + input_.magnitude * displacement;
-    check_position(position, input_.magnitude);
-    store_vec3(position, out.frames.positions + at);
-    store_vec3(sample.tangent, out.frames.tangents + at);
-    store_vec3(sample.normal, out.frames.normals + at);
-    if (out.displacement) store_vec3(displacement, out.displacement + at);
-    out.style_index[written_] = static_cast<float>(walk_.node());
-    write_attributes(sample, steered);
-    if (written_ == 0) {
-        first_ = sample;
-        first_displacement_ = displacement;
-    }
-    last_displacement_ = displacement;
-    ++written_;
-    node_known_ = false;
-}
-
-void SynthesisKernel::write_attributes(const FramedSample& sample, const Steered& steered) {
-    const AppliedStyle& style = *input_.style;
-    for (size_t a = 0; a < style.attributes.size(); ++a) {
-        const size_t at = size_t{written_} * style.attributes[a].components;
-        const double scale = style.scale * steered.size(style.attributes[a].attribute);
-        blend_.write(a, walk_.node(), scale, stroke_.out.attributes[a] + at);
-    }
-    if (angle_ == style.attributes.size()) return;
-    const Vec3 normal = turned_about(sample.tangent, sample.normal, blend_.value(angle_, 0, walk_.node()));
-    store_vec3(normal, stroke_.out.frames.normals + 3 * static_cast<size_t>(written_));
+Vec3 SynthesisKernel::in_first_frame(const Vec3& displacement) const {
+    const Steered& steered = stroke_.steered ? first_steered_[0] : steered_[0];
+    return in_frame(displacement_scale(steered) * displacement, first_tangent_, first_normal_);
 }
 
 // Once all samples are written.
@@ -376,12 +442,12 @@ bool SynthesisKernel::finish(uint32_t& units) {
         if (closed) {
             // The curve's first sample, and what of the last seam is not over there.
             if (!find_node(units)) return false;
-            const double weight = stroke_.steered ? first_steered_[0].weight() : 1.0;
-            first_displacement_ += weight * displaced_in(first_, blend_.offset());
+            first_displacement_ += in_first_frame(blend_.offset());
             last_displacement_ = first_displacement_;
         }
         const FinishingInput finishing{.out = stroke_.out,
                                        .style = input_.style,
+                                       .scale = stroke_.scale,
                                        .target = stroke_.plan.curve,
                                        .count = count_,
                                        .steps = stroke_.plan.steps,

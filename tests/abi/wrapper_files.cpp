@@ -54,7 +54,8 @@ bool brush_meshes_work(const filigree::CurveSetView& view) {
     filigree::BrushMeshSizes sizes = filigree::brush_mesh_sizes(desc);
     std::vector<float> positions(3 * sizes.vertex_count);
     std::vector<uint32_t> indices(sizes.index_count);
-    const FlgVertexColumn column = {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0};
+    const FlgBufferColumn column = {
+        FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0, {}, 0, 0};
     filigree::BrushMeshOutput output;
     output.set_columns({&column, 1});
     output.vertex_capacity = sizes.vertex_count;

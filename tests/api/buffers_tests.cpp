@@ -86,6 +86,70 @@ TEST(Buffers, NumbersThatAFormatHoldsAreExact) {
         ASSERT_EQ(halves[static_cast<size_t>(e + 24)], e < -14 ? 1 << (e + 24) : (e + 15) << 10) << e;
 }
 
+// Rows of one column, all their components in the format.
+template <class Number>
+std::vector<Number> written_rows(const std::vector<float>& values, uint32_t components, FlgAttribute attribute,
+                                 FlgNumberFormat format, uint32_t numbers_a_row) {
+    const FlgColumn from = {attribute, components, values.data(), 0, 0};
+    const auto rows = static_cast<uint32_t>(values.size() / components);
+    std::vector<Number> numbers(size_t{rows} * numbers_a_row);
+    const std::vector<FlgBufferColumn> to = {column_to(attribute, format, numbers.data())};
+    const FlgBufferOutput output = output_of(to, rows);
+    FlgColumnsWriteDesc desc = flgColumnsWriteDefaults();
+    desc.columns = &from;
+    desc.column_count = 1;
+    desc.row_count = rows;
+    desc.output = &output;
+    EXPECT_EQ(flgColumnsWrite(&desc), FLG_OK) << flgErrorGetMessage();
+    return numbers;
+}
+
+TEST(Buffers, OctahedralDirectionsPointWhereTheyDid) {
+    std::mt19937 random(7);
+    std::normal_distribution<float> normal;
+    std::vector<float> values = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 1, 1, 0, 1, -1, -1e-6f};
+    for (int i = 0; i < 30000; ++i) values.push_back(100 * normal(random));
+    const std::vector<int16_t> packed =
+        written_rows<int16_t>(values, 3, FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_OCTAHEDRAL16, 2);
+    for (size_t row = 0; row < values.size() / 3; ++row) {
+        const double x = packed[2 * row] / 32767.0, y = packed[2 * row + 1] / 32767.0;
+        double back[3] = {x, y, 1 - std::abs(x) - std::abs(y)};
+        if (back[2] < 0) {
+            back[0] = std::copysign(1 - std::abs(y), x);
+            back[1] = std::copysign(1 - std::abs(x), y);
+        }
+        const float* const d = &values[3 * row];
+        const double cross[3] = {d[1] * back[2] - d[2] * back[1], d[2] * back[0] - d[0] * back[2],
+                                 d[0] * back[1] - d[1] * back[0]};
+        const double dot = d[0] * back[0] + d[1] * back[1] + d[2] * back[2];
+        ASSERT_LT(std::atan2(std::hypot(cross[0], cross[1], cross[2]), dot), 7e-5) << row;
+    }
+    EXPECT_EQ(written_rows<int16_t>({0, 0, 0}, 3, FLG_ATTRIBUTE_TANGENT, FLG_NUMBER_FORMAT_OCTAHEDRAL16, 2),
+              (std::vector<int16_t>{0, 0}));
+}
+
+TEST(Buffers, SrgbBytesAreTheNearest) {
+    std::vector<float> values;
+    for (int i = 0; i <= 400000; ++i) values.push_back(static_cast<float>(i) / 400000);
+    for (int e = -149; e < 0; ++e) values.push_back(std::ldexp(1.0f, e));
+    while (values.size() % 4 != 3) values.push_back(0.2f);
+    values.push_back(0.75f);  // the last row's alpha
+    const std::vector<uint8_t> bytes =
+        written_rows<uint8_t>(values, 4, FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_SRGB8, 4);
+    for (size_t i = 0; i < bytes.size(); ++i) {
+        const double v = values[i];
+        if (i % 4 == 3) {
+            ASSERT_NEAR(bytes[i], 255 * v, 0.5001) << v;
+            continue;
+        }
+        const double srgb = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+        ASSERT_NEAR(bytes[i], 255 * srgb, 0.5005) << v;
+    }
+    const std::vector<float> odd = {-1, 2, nan, inf, -inf, inf, 0.5f, nan};
+    EXPECT_EQ(written_rows<uint8_t>(odd, 4, FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_SRGB8, 4),
+              (std::vector<uint8_t>{0, 255, 0, 255, 0, 255, 188, 0}));
+}
+
 TEST(Buffers, FloatsKeepAllBits) {
     std::mt19937 random(5);
     std::vector<float> values(1000);
@@ -315,6 +379,14 @@ TEST(Buffers, RefusedColumnsLeaveEverythingAlone) {
                    "output.columns[0].format is 2, which attribute 0 cannot have");
     expect_refused([](Source& s) { s.to[1].format = FLG_NUMBER_FORMAT_UINT16; }, "output.columns[1].format is 5");
     expect_refused([](Source& s) { s.to[2].format = FLG_NUMBER_FORMAT_SNORM8; }, "output.columns[2].format is 3");
+    expect_refused([](Source& s) { s.to[0].format = FLG_NUMBER_FORMAT_OCTAHEDRAL16; },
+                   "output.columns[0].format is 9, which attribute 0 cannot have");
+    expect_refused([](Source& s) { s.to[1].format = FLG_NUMBER_FORMAT_SRGB8; },
+                   "output.columns[1].format is 10, which attribute 4 cannot have");
+    expect_refused([](Source& s) { s.to[1].format = FLG_NUMBER_FORMAT_OCTAHEDRAL16, s.to[1].components = 2; },
+                   "output.columns[1].components is 2, must be 0 or 3");
+    expect_refused([](Source& s) { s.to[2].format = FLG_NUMBER_FORMAT_SRGB8, s.to[2].components = 5; },
+                   "output.columns[2].components is 5, must be 0 to 4");
     expect_refused([](Source& s) { s.to[0].data = nullptr; }, "output.columns[0].data is null");
     expect_refused([](Source& s) { s.to[0].data = s.at(2); }, "must be aligned to 4 bytes");
     expect_refused([](Source& s) { s.to[1].data = s.at(13); }, "must be aligned to 2 bytes");

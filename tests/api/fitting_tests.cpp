@@ -172,6 +172,18 @@ TEST_F(Fitting, WholeMotifsFillTheLength) {
     }
 }
 
+// Sizes that the SDK chooses: a line gets the example's proportion, and so one motif, however long it is.
+TEST_F(Fitting, EachCurveIsFittedInItsOwnSize) {
+    desc.fit = 1;
+    desc.scale = 0;
+    learn(0, 0);
+    for (const double length : {0.3, 4.0, 50.0}) {
+        const std::vector<float> index = indices(length);
+        ASSERT_EQ(index.size(), size_t{info.point_count}) << length;
+        for (size_t i = 0; i < index.size(); ++i) ASSERT_EQ(index[i], static_cast<float>(i)) << i;
+    }
+}
+
 TEST_F(Fitting, FitChoosesBetweenStretchingAndCopying) {
     learn(1.2f, 0.8f);
     const double motif = info.point_count - info.start_cap_points - info.end_cap_points - 1;

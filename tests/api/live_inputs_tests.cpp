@@ -62,28 +62,59 @@ TEST(LiveStrokeInput, TeleportsAreRefused) {
         host, [](Samples& s) { s[0].position[0] = 1e30f; }, FLG_ERROR_LIMIT, "max_jump is 1 m");
 }
 
+constexpr uint32_t most_points = 1024;  // of a push of one sample
+
+// A way of less than three times as many points as a push makes is caught up with in three samples, and the stroke says
+// how far it is behind.
+TEST(LiveStrokeInput, AStrokeThatIsBehindSaysSoAndCatchesUp) {
+    LiveHost host;
+    const FlgLiveStroke stroke = host.begin();
+    Samples samples = drawn(24);
+    host.push(stroke, samples.data(), 10);
+    EXPECT_EQ(host.info(stroke).dense_samples, 0u);
+    EXPECT_EQ(host.info(stroke).waiting_points, 0u);
+    const float step = host.info(stroke).spacing;
+
+    LiveHost other;
+    other.live.max_points = 100'000;
+    other.live.max_jump = 1e6f;
+    for (size_t i = 10; i < 24; ++i) samples[i].position[0] += 2900 * step;
+    const FlgLiveStroke jumping = other.begin();
+    other.push(jumping, samples.data(), 12);
+    const uint32_t waiting = other.info(jumping).waiting_points;
+    EXPECT_NEAR(waiting, 2900.0 - most_points, 60.0);
+    other.push(jumping, samples.data() + 12, 1);
+    EXPECT_NEAR(other.info(jumping).waiting_points, static_cast<double>(waiting) - most_points, 60.0);
+    other.push(jumping, samples.data() + 13, 2);
+    EXPECT_EQ(other.info(jumping).waiting_points, 0u);
+    EXPECT_EQ(other.info(jumping).waiting_samples, 0u);
+    EXPECT_EQ(other.info(jumping).dense_samples, 1u);
+    ASSERT_EQ(flgLiveStrokeUndo(other.context, jumping, 6, nullptr), FLG_OK);
+    EXPECT_EQ(other.info(jumping).dense_samples, 0u);
+}
+
 // Long ways that are allowed are followed in slices, by the samples after them, and by the end's job.
 TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
     LiveHost host;
     host.live.max_jump = 1e6f;
-    host.live.max_points = 100'000;
+    host.live.max_points = 1'000'000;
     const FlgLiveStroke stroke = host.begin();
     Samples samples = drawn(40);
-    for (size_t i = 20; i < 40; ++i) samples[i].position[0] += 100;
+    for (size_t i = 20; i < 40; ++i) samples[i].position[0] += 1000;
     uint32_t before = 0;
     for (const LiveSample& sample : samples) {
         host.push(stroke, &sample, 1);
         const uint32_t points = host.info(stroke).point_count;
-        EXPECT_LE(points - before, 64u);
+        EXPECT_LE(points - before, most_points);
         before = points;
     }
     EXPECT_GT(host.info(stroke).waiting_samples, 10u);
-    EXPECT_GT(before, 18u * 64u);
+    EXPECT_GT(before, 18u * most_points);
     const LiveHost::Ended ended = host.end(stroke);
     host.finish(100);
     EXPECT_EQ(host.info(stroke).waiting_samples, 0u);
     const Heard live = heard_of(host.view_of(ended.stylized));
-    EXPECT_GT(live.points(), static_cast<size_t>(100 / host.info(stroke).spacing));
+    EXPECT_GT(live.points(), static_cast<size_t>(1000 / host.info(stroke).spacing));
     EXPECT_TRUE(host.replay(host.live, ended.samples) == live);
     // Undone while much is waiting, the state is the same too.
     const FlgLiveStroke other = host.begin();
@@ -97,15 +128,15 @@ TEST(LiveStrokeInput, WorkOfAPushIsBounded) {
 // A style so fine that every sample makes more points than a push delivers: nothing is lost and nothing moves.
 TEST(LiveStrokeInput, WhatIsDueIsDeliveredInOrderAtAnyScale) {
     LiveHost host;
-    host.live.scale = 0.002f;
-    host.live.max_points = 1u << 17;
+    host.live.scale = 0.0002f;
+    host.live.max_points = 1u << 21;
     const Samples samples = drawn(120);
     const FlgLiveStroke stroke = host.begin();
     Heard heard;
     for (const LiveSample& sample : samples) {
         const size_t before = heard.points();
         heard.add(host.push(stroke, &sample, 1));
-        ASSERT_LE(heard.points() - before, 64u);
+        ASSERT_LE(heard.points() - before, most_points);
     }
     EXPECT_GT(host.info(stroke).waiting_samples, 10u);
     EXPECT_TRUE(host.push_in_bursts(host.begin(), samples, {120}) == heard);
@@ -324,7 +355,7 @@ TEST(LiveStrokeInput, RefusesEachBadDescriptor) {
     refused([](auto& d) { d.style = {}; }, FLG_ERROR_INVALID_HANDLE, "desc.style is null");
     refused([](auto& d) { d.magnitude = NAN; }, invalid, "desc.magnitude is nan");
     refused([](auto& d) { d.temperature = -1; }, invalid, "desc.temperature is -1");
-    refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
+    refused([](auto& d) { d.scale = -1; }, invalid, "desc.scale is -1");
     refused([](auto& d) { d.min_radius = -1; }, invalid, "desc.min_radius is -1");
     refused([](auto& d) { d.max_radius = INFINITY; }, invalid, "desc.max_radius is inf");
     refused([](auto& d) { d.smoothing = -1; }, invalid, "desc.smoothing is -1");

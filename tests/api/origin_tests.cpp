@@ -462,8 +462,8 @@ TEST(Origin, BrushMeshesAreAlike) {
         FlgBrushMeshSizes sizes = flgBrushMeshSizesDefaults();
         ASSERT_EQ(flgBrushMeshGetSizes(&desc, nullptr, &sizes), FLG_OK) << flgErrorGetMessage();
         std::vector<float> positions(3 * sizes.vertex_count);
-        const FlgVertexColumn column = {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0,
-                                        0};
+        const FlgBufferColumn column = {
+            FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0, {}, 0, 0};
         FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
         output.columns = &column;
         output.column_count = 1;

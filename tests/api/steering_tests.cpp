@@ -96,6 +96,24 @@ TEST_F(Steering, AConstantScaleIsThatScale) {
     }
 }
 
+TEST_F(Steering, ScaleIsAFactorOnTheChosenOne) {
+    desc.target = line(20, 40, 1, 1).create(host);
+    desc.scale = 0;
+    const FlgStyleDrive half{painted, FLG_STYLE_DRIVEN_SCALE, 0, 1, 1, 0.5f};
+    desc.drives = &half;
+    desc.drive_count = 1;
+    const FlgCurveSet result = stylize(host, desc);
+    FlgCurveSetScales chosen = flgCurveSetScalesDefaults();
+    ASSERT_EQ(flgCurveSetGetScales(host.context, result, &chosen), FLG_OK);
+    const Heard driven = heard_of(host.view_of(result));
+    desc.scale = 0.5f * chosen.scales[0];
+    const Heard expected = stylized({});
+    ASSERT_EQ(driven.of(FLG_ATTRIBUTE_STYLE_INDEX), expected.of(FLG_ATTRIBUTE_STYLE_INDEX));
+    for (size_t i = 0; i < 3 * expected.points(); ++i) {
+        EXPECT_NEAR(driven.of(FLG_ATTRIBUTE_POSITION)[i], expected.of(FLG_ATTRIBUTE_POSITION)[i], 1e-4) << i;
+    }
+}
+
 // Steps are as long as the scale where they are: with a scale that goes from a to b along L, point k lies at
 // a L / (b - a) (exp((b - a) k step / L) - 1).
 TEST_F(Steering, ScaleStretchesTheSteps) {

@@ -319,7 +319,7 @@ TEST(StylizeApi, RefusesEachBadArgument) {
     refused([](auto& d) { d.magnitude = INFINITY; }, invalid, "desc.magnitude is inf");
     refused([](auto& d) { d.temperature = -1; }, invalid, "desc.temperature is -1");
     refused([](auto& d) { d.temperature = NAN; }, invalid, "desc.temperature is nan");
-    refused([](auto& d) { d.scale = 0; }, invalid, "desc.scale is 0");
+    refused([](auto& d) { d.scale = NAN; }, invalid, "desc.scale is nan");
     refused([](auto& d) { d.scale = -2; }, invalid, "desc.scale is -2");
     refused([](auto& d) { d.start = static_cast<FlgStyleStart>(3); }, invalid, "desc.start is 3");
     refused([](auto& d) { d.frame = static_cast<FlgFrameMethod>(3); }, invalid, "desc.frame is 3");

@@ -19,7 +19,7 @@ struct Call {
     FlgBrushMeshSizes sizes = flgBrushMeshSizesDefaults();
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
-    std::vector<FlgVertexColumn> columns;
+    std::vector<FlgBufferColumn> columns;
     FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
     FlgBrushMeshState state = flgBrushMeshStateDefaults();
     bool growing = false;
@@ -137,13 +137,17 @@ TEST(BrushRefusals, Buffers) {
                    "output.columns[0].format is 2, which");
     expect_refused([](Call& c) { c.columns[0].format = FLG_NUMBER_FORMAT_UINT32; },
                    "output.columns[0].format is 6, which");
-    expect_refused([](Call& c) { c.columns[1].attribute = FLG_VERTEX_ATTRIBUTE_POSITION; },
-                   "[1].attribute is 0 once more");
+    expect_refused([](Call& c) { c.columns[1].attribute = FLG_ATTRIBUTE_POSITION; }, "[1].attribute is 0 once more");
     expect_refused([](Call& c) { c.columns[0].data = static_cast<char*>(c.columns[0].data) + 2; },
                    "must be aligned to 4 bytes");
     expect_refused([](Call& c) { c.columns[0].stride = 8; }, "output.columns[0].stride is 8 bytes");
     expect_refused([](Call& c) { c.columns[0].stride = 14; }, "output.columns[0].stride is 14 bytes");
-    expect_refused([](Call& c) { c.columns[0].attribute = FLG_VERTEX_ATTRIBUTE_UV; }, "but desc.uv is 0");
+    expect_refused([](Call& c) { c.columns[0].attribute = FLG_ATTRIBUTE_UV; }, "but desc.uv is 0");
+    expect_refused([](Call& c) { c.columns[0].attribute = FLG_ATTRIBUTE_RADIUS; },
+                   "vertices of brush meshes don't have");
+    expect_refused([](Call& c) { c.columns[0].components = 5; }, "output.columns[0].components is 5, must be 0 to 4");
+    expect_refused([](Call& c) { c.columns[0].fill[1] = NAN; }, "output.columns[0].fill[1] is nan");
+    expect_refused([](Call& c) { c.columns[0].reserved = 1; }, "output.columns[0].reserved is 1");
     expect_refused([](Call& c) { --c.output.vertex_capacity; }, "output.vertex_capacity is");
     expect_refused([](Call& c) { --c.output.index_capacity; }, "output.index_capacity is");
     expect_refused([](Call& c) { c.output.indices = reinterpret_cast<char*>(c.indices.data()) + 1; },
@@ -241,12 +245,12 @@ TEST(BrushFormats, ColumnsInSmallFormatsAreTheFloatsRounded) {
     };
     std::vector<Small> small(mesh.vertices.size(), Small{{}, {}, {}, {}, {}, 0x1234});
     std::vector<uint16_t> indices(mesh.indices.size());
-    const FlgVertexColumn columns[] = {
-        {FLG_VERTEX_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_UNORM8, small[0].color, sizeof(Small), 0},
-        {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT16, small[0].position, sizeof(Small), 0},
-        {FLG_VERTEX_ATTRIBUTE_UV, FLG_NUMBER_FORMAT_FLOAT16, small[0].uv, sizeof(Small), 0},
-        {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_SNORM16, small[0].normal, sizeof(Small), 0},
-        {FLG_VERTEX_ATTRIBUTE_TANGENT, FLG_NUMBER_FORMAT_SNORM8, small[0].tangent, sizeof(Small), 0}};
+    const FlgBufferColumn columns[] = {
+        {FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_UNORM8, small[0].color, sizeof(Small), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT16, small[0].position, sizeof(Small), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_UV, FLG_NUMBER_FORMAT_FLOAT16, small[0].uv, sizeof(Small), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_SNORM16, small[0].normal, sizeof(Small), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_TANGENT, FLG_NUMBER_FORMAT_SNORM8, small[0].tangent, sizeof(Small), 0, {}, 0, 0}};
     FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
     output.columns = columns;
     output.column_count = 5;
@@ -271,6 +275,50 @@ TEST(BrushFormats, ColumnsInSmallFormatsAreTheFloatsRounded) {
     }
 }
 
+TEST(BrushFormats, PackedRowsAndFilledNumbers) {
+    const Stroke stroke = bent_stroke();
+    const FlgBrushMeshDesc desc = desc_of(stroke);
+    const BrushMesh mesh = mesh_of(desc);
+    struct Packed {
+        float place[4];
+        int16_t normal[2], tangent[2];
+        uint8_t color[4];
+        float uv[2];
+        float across[2];
+    };
+    std::vector<Packed> packed(mesh.vertices.size());
+    FlgBufferColumn columns[] = {
+        {FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, packed[0].place, sizeof(Packed), 4, {7, 7, 7, 1}, 0, 0},
+        {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_OCTAHEDRAL16, packed[0].normal, sizeof(Packed), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_TANGENT, FLG_NUMBER_FORMAT_OCTAHEDRAL16, packed[0].tangent, sizeof(Packed), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_SRGB8, packed[0].color, sizeof(Packed), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_UV, FLG_NUMBER_FORMAT_FLOAT32, packed[0].uv, sizeof(Packed), 0, {0.25f, 0.5f}, 1, 0}};
+    FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
+    output.columns = columns;
+    output.column_count = 5;
+    output.vertex_capacity = packed.size();
+    ASSERT_EQ(flgBrushMeshWrite(&desc, nullptr, &output, nullptr), FLG_OK) << flgErrorGetMessage();
+    for (size_t v = 0; v < packed.size(); ++v) {
+        const Vertex& exact = mesh.vertices[v];
+        int16_t direction[2];
+        to_octahedral16(exact.normal, direction);
+        ASSERT_EQ(std::memcmp(packed[v].normal, direction, sizeof direction), 0) << v;
+        to_octahedral16(exact.tangent, direction);
+        ASSERT_EQ(std::memcmp(packed[v].tangent, direction, sizeof direction), 0) << v;
+        ASSERT_EQ(std::memcmp(packed[v].place, exact.position, sizeof exact.position), 0) << v;
+        ASSERT_EQ(packed[v].place[3], 1) << v;
+        for (int k = 0; k < 3; ++k) ASSERT_EQ(packed[v].color[k], to_srgb8(exact.color[k])) << v;
+        ASSERT_EQ(packed[v].color[3], to_unorm8(exact.color[3])) << v;
+        ASSERT_EQ(packed[v].uv[0], 0.25f);
+        ASSERT_EQ(packed[v].uv[1], 0.5f);
+    }
+    columns[0].components = 2;
+    columns[0].data = packed[0].across;
+    ASSERT_EQ(flgBrushMeshWrite(&desc, nullptr, &output, nullptr), FLG_OK) << flgErrorGetMessage();
+    for (size_t v = 0; v < packed.size(); ++v)
+        ASSERT_EQ(std::memcmp(packed[v].across, mesh.vertices[v].position, 2 * sizeof(float)), 0) << v;
+}
+
 TEST(BrushFormats, ColumnsAloneHaveTheBitsOfAll) {
     const Stroke stroke = bent_stroke();
     for (const FlgBrushShape shape : {FLG_BRUSH_SHAPE_TUBE, FLG_BRUSH_SHAPE_RIBBON}) {
@@ -279,7 +327,7 @@ TEST(BrushFormats, ColumnsAloneHaveTheBitsOfAll) {
         const BrushMesh mesh = mesh_of(desc);
         std::vector<Vertex> alone(mesh.vertices.size());
         std::memset(static_cast<void*>(alone.data()), 0x5a, alone.size() * sizeof(Vertex));
-        for (const FlgVertexColumn& column : columns_of(alone, true)) {
+        for (const FlgBufferColumn& column : columns_of(alone, true)) {
             FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
             output.columns = &column;
             output.column_count = 1;

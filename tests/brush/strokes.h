@@ -120,14 +120,14 @@ struct BrushMesh {
     }
 };
 
-inline std::vector<FlgVertexColumn> columns_of(std::vector<Vertex>& vertices, bool uv) {
+inline std::vector<FlgBufferColumn> columns_of(std::vector<Vertex>& vertices, bool uv) {
     Vertex* const first = vertices.data();
-    std::vector<FlgVertexColumn> columns = {
-        {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, first->position, sizeof(Vertex), 0},
-        {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, first->normal, sizeof(Vertex), 0},
-        {FLG_VERTEX_ATTRIBUTE_TANGENT, FLG_NUMBER_FORMAT_FLOAT32, first->tangent, sizeof(Vertex), 0},
-        {FLG_VERTEX_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_FLOAT32, first->color, sizeof(Vertex), 0}};
-    if (uv) columns.push_back({FLG_VERTEX_ATTRIBUTE_UV, FLG_NUMBER_FORMAT_FLOAT32, first->uv, sizeof(Vertex), 0});
+    std::vector<FlgBufferColumn> columns = {
+        {FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, first->position, sizeof(Vertex), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, first->normal, sizeof(Vertex), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_TANGENT, FLG_NUMBER_FORMAT_FLOAT32, first->tangent, sizeof(Vertex), 0, {}, 0, 0},
+        {FLG_ATTRIBUTE_COLOR, FLG_NUMBER_FORMAT_FLOAT32, first->color, sizeof(Vertex), 0, {}, 0, 0}};
+    if (uv) columns.push_back({FLG_ATTRIBUTE_UV, FLG_NUMBER_FORMAT_FLOAT32, first->uv, sizeof(Vertex), 0, {}, 0, 0});
     return columns;
 }
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "curves/block_sampler.h"
 #include "curves/curve_inputs.h"
-#include "curves/even_sampler.h"
 
 namespace flg {
 namespace {
@@ -45,19 +45,22 @@ TEST(StepScale, SamplesAreASteadyStepApart) {
                         [&](Pace& pace) { return measure_steps(pace, curve.view(), scales.data()); }),
                 length, 1e-12);
     constexpr uint32_t count = 64;
-    EvenSampler sampler(curve.view(), length, count, scales.data());
+    BlockSampler sampler(curve.view(), length, count, scales.data());
     const auto steps_to = [](double x) {
         if (x <= 1) return StepScale{1, 1 - 0.5 * x}.steps(x);
         if (x <= 3) return StepScale{1, 0.5}.steps(1) + StepScale{2, 2 - 0.5 * (x - 1)}.steps(x - 1);
         return StepScale{1, 0.5}.steps(1) + StepScale{2, 1}.steps(2) + StepScale{1, 1 + 2 * (x - 3)}.steps(x - 3);
     };
     uint32_t units = 1000;
-    CurveSample sample;
-    for (uint32_t k = 0; k <= count; ++k) {
-        ASSERT_TRUE(sampler.next(sample, units));
-        EXPECT_NEAR(steps_to(sample.position.x()), length * k / count, 1e-9) << k;
+    SampleBlock block;
+    for (uint32_t k = 0; k <= count;) {
+        ASSERT_TRUE(sampler.next(block, units));
+        // Places within a segment are floats.
+        for (uint32_t j = 0; j < block.count; ++j, ++k) {
+            EXPECT_NEAR(steps_to(block.position_of(j).x()), length * k / count, 1e-6) << k;
+        }
     }
-    EXPECT_EQ(sample.position.x(), 4);
+    EXPECT_EQ(block.position_of(block.count - 1).x(), 4);
 }
 
 }  // namespace

@@ -122,6 +122,7 @@ private:
     void release_any();
     void make_curves();
     void resample();
+    void simplify();
     void make_style();
     void keep_style();
     void stylize();

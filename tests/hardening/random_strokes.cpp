@@ -27,6 +27,18 @@ void RandomHost::resample() {
     returned(flgCurveSetResample(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
 }
 
+void RandomHost::simplify() {
+    FlgCurveSetSimplifyDesc desc = flgCurveSetSimplifyDefaults();
+    const float tolerances[] = {number(0, 0.1), number(0, 1), number(-1, 1)};
+    desc.curves = any<FlgCurveSet>(curve_set);
+    desc.level_count = 1 + draw(chance(8) ? 3 : 2);
+    desc.tolerances = maybe(tolerances);
+    desc.ribbons = draw(2);
+    odd(desc);
+    if (desc.level_count > 3) return;  // the array has no more
+    returned(flgCurveSetSimplify(at(), maybe(&desc), out<FlgCurveSet>(curve_set), job_out()));
+}
+
 void RandomHost::make_style() {
     FlgStyleDesc desc = flgStyleDefaults();
     const FlgStyleAttribute attribute = {choice<FlgAttribute>(14), choice<FlgMetric>(4), number(0, 1), 0};
@@ -68,6 +80,7 @@ void RandomHost::stylize() {
     desc.magnitude = number(-1, 1);
     desc.temperature = number(0, 3);
     desc.scale = number(0.3, 2);
+    if (chance(5)) desc.scale = 0;
     desc.frame = choice<FlgFrameMethod>(3);
     desc.start = choice<FlgStyleStart>(3);
     desc.strokes = chance(10) ? draw(2000) : 1 + draw(2);

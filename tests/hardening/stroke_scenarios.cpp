@@ -42,8 +42,8 @@ void sweep(Calls& calls, const FlgCurveSetView& view) {
         FLG_CALL(calls, flgBrushMeshGetSizes, &desc, &state, &sizes);
         std::vector<float> positions(3 * sizes.vertex_count);
         std::vector<uint32_t> indices(sizes.index_count);
-        const FlgVertexColumn column = {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0,
-                                        0};
+        const FlgBufferColumn column = {
+            FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0, {}, 0, 0};
         FlgBrushMeshOutput output = FLG_INIT(calls, flgBrushMeshOutputInit);
         output.columns = &column;
         output.column_count = 1;
@@ -93,6 +93,7 @@ void make_contexts(Calls& calls) {
     FLG_INIT(calls, flgLogInit);
     FLG_INIT(calls, flgProfilerInit);
     FLG_INIT(calls, flgStyleInfoInit);
+    FLG_INIT(calls, flgCurveSetScalesInit);
     FLG_INIT(calls, flgSurfaceReportInit);
     FLG_INIT(calls, flgTangleHistoryInit);
     FLG_INIT(calls, flgTangleSeedPlacesInit);
@@ -146,8 +147,16 @@ void make_curves(Calls& calls) {
     const FlgBufferOutput output = output_to_buffers(calls, {{FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32},
                                                              {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_SNORM16}});
     FLG_CALL(calls, flgCurveSetWrite, calls.context, even, &output, nullptr, calls.job());
+    FlgCurveSetSimplifyDesc simplify = FLG_INIT(calls, flgCurveSetSimplifyDescInit);
+    const float tolerances[] = {0.01f, 0.1f};
+    simplify.curves = even;
+    simplify.level_count = 2;
+    simplify.tolerances = tolerances;
+    FlgCurveSet fewer{};
+    FLG_CALL(calls, flgCurveSetSimplify, calls.context, &simplify, calls.out(fewer), calls.job());
     calls.finish();
     calls.note(framed);
+    calls.note(fewer);
     note_buffers(calls, output);
 
     FLG_CALL(calls, flgCurveSetRelease, calls.context, even);
@@ -209,6 +218,14 @@ void stylize_curves(Calls& calls) {
     calls.finish();
     calls.note(one);
     FLG_DRAW(calls, flgDebugDrawCurveSet, one);
+    desc.scale = 0;
+    FlgCurveSet fitting{};
+    FLG_CALL(calls, flgCurveSetStylize, calls.context, &desc, calls.out(fitting), calls.job());
+    calls.finish();
+    calls.note(fitting);
+    FlgCurveSetScales scales = flgCurveSetScalesDefaults();
+    FLG_CALL(calls, flgCurveSetGetScales, calls.context, fitting, &scales);
+    calls.note(scales.scales, scales.curve_count * sizeof(float));
     desc.target = one;
     desc.strokes = 1;
     desc.scale = 0.5f;

@@ -81,11 +81,12 @@ TEST(CurveColumns, TextRoundTripsExactly) {
     // The radius is where readers that know nothing of columns look for it.
     EXPECT_EQ(slurp(folder.at("a.xyz")).rfind("# columns x y z radius tangent_0 tangent_1 tangent_2 nx ny nz red", 0),
               0u);
-    // And without being asked for there is nothing else.
+    // And without being asked for there are colours, and nothing else.
     ASSERT_EQ(write_all(folder.at("b.xyz"), rich, 0), FLG_OK);
     const Read plain = read(folder.at("b.xyz"));
-    EXPECT_EQ(plain.columns.size(), 2u);
+    EXPECT_EQ(plain.columns.size(), 3u);
     EXPECT_EQ(plain.column(FLG_ATTRIBUTE_RADIUS), rich.values[3].second);
+    EXPECT_EQ(plain.column(FLG_ATTRIBUTE_COLOR), rich.values[4].second);
 }
 
 TEST(CurveColumns, GltfRoundTripsExactly) {

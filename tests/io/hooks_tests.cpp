@@ -361,6 +361,45 @@ TEST(FileHooks, MemoryAndFilesOfTheHostGiveTheSameBytes) {
     }
 }
 
+// Text leaves while it is made: a file may be larger than the memory.
+TEST(FileHooks, TextIsWrittenInParts) {
+    constexpr uint32_t count = 200'000;
+    std::vector<float> positions(size_t{3} * count);
+    for (size_t i = 0; i < positions.size(); ++i) positions[i] = 0.001f * static_cast<float>(i);
+    const uint32_t offsets[] = {0, count};
+    const std::vector<uint32_t> triangles(size_t{3} * count, 0);
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0};
+    FlgCurveSetView curves{};
+    curves.struct_size = sizeof curves;
+    curves.curve_count = 1;
+    curves.curve_offsets = offsets;
+    curves.columns = &column;
+    curves.column_count = 1;
+    FlgMeshView mesh{};
+    mesh.struct_size = sizeof mesh;
+    mesh.columns = &column;
+    mesh.column_count = 1;
+    mesh.vertex_count = mesh.triangle_count = count;
+    mesh.triangles = triangles.data();
+    for (const char* name : {"lines.xyz", "lines.obj", "mesh.obj", "mesh.off"}) {
+        CountedMemory memory;
+        MemoryFiles files;
+        FlgFileHooks hooks = flgFileHooksDefaults();
+        hooks.allocator = &memory.hook;
+        hooks.files = &files.hook;
+        FlgCurveFileWriteDesc curve_desc = flgCurveFileWriteDefaults();
+        FlgMeshFileWriteDesc mesh_desc = flgMeshFileWriteDefaults();
+        curve_desc.hooks = mesh_desc.hooks = &hooks;
+        const bool of_curves = name[0] == 'l';
+        ASSERT_EQ(of_curves ? flgCurveFileWrite(name, &curves, &curve_desc) : flgMeshFileWrite(name, &mesh, &mesh_desc),
+                  FLG_OK)
+            << flgIoErrorGetMessage();
+        EXPECT_GT(files.files.at(name).size(), 2'000'000u) << name;
+        EXPECT_LT(memory.largest, 200'000) << name;
+        EXPECT_EQ(memory.live, 0) << name;
+    }
+}
+
 TEST(FileHooks, EachAllocationMayFail) {
     for (const Format& format : formats) {
         SCOPED_TRACE(format.name);

@@ -43,6 +43,40 @@ TEST(Xyz, ClosedCurvesDoNotRepeatTheirFirstPoint) {
     EXPECT_NE(curves.warnings.find("repeated at the end"), std::string::npos);
 }
 
+TEST(Xyz, ColorsAreCommentsToOthers) {
+    const Folder folder;
+    const Read curves = read(folder.put("a.xyz",
+                                        "0 0 0\n# color 1 0.5 0.25\n1 0 0\n# color blue\n# color 1 2\n2 0 0\n\n"
+                                        "3 0 0\n#color 0 0 1 0.5\n4 0 0\n"));
+    ASSERT_EQ(curves.result, FLG_OK) << curves.error;
+    EXPECT_EQ(curves.column(FLG_ATTRIBUTE_COLOR),
+              (Floats{1, 1, 1, 1, 1, 0.5f, 0.25f, 1, 1, 0.5f, 0.25f, 1, 1, 0.5f, 0.25f, 1, 0, 0, 1, 0.5f}));
+    EXPECT_TRUE(curves.column(FLG_ATTRIBUTE_RADIUS).empty());
+    EXPECT_TRUE(read(folder.put("b.xyz", "0 0 0\n1 0 0\n# color blue\n")).column(FLG_ATTRIBUTE_COLOR).empty());
+    const Read closed =
+        read(folder.put("c.xyz", "# closed\n# color 1 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n# color 0 1 0\n"));
+    EXPECT_EQ(closed.column(FLG_ATTRIBUTE_COLOR), (Floats{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}));
+}
+
+TEST(Xyz, ColorsAreKeptWithoutAsking) {
+    const Folder folder;
+    const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0};
+    const std::vector<float> colors = {1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5f, 0, 1, 0, 0.5f, 0, 1};
+    const uint32_t offsets[] = {0, 3, 4};
+    const FlgColumn columns[] = {{FLG_ATTRIBUTE_POSITION, 3, positions.data(), 0, 0},
+                                 {FLG_ATTRIBUTE_COLOR, 4, colors.data(), 0, 0}};
+    FlgCurveSetView view = {};
+    view.struct_size = sizeof view;
+    view.curve_count = 2;
+    view.curve_offsets = offsets;
+    view.columns = columns;
+    view.column_count = 2;
+    const std::string path = folder.at("a.xyz");
+    ASSERT_EQ(flgCurveFileWrite(path.c_str(), &view, nullptr), FLG_OK) << flgIoErrorGetMessage();
+    EXPECT_EQ(slurp(path), "# color 1 0 0 1\n0 0 0\n1 0 0\n# color 0 0.5 0 1\n2 0 0\n\n3 0 0\n");
+    EXPECT_EQ(read(path).column(FLG_ATTRIBUTE_COLOR), colors);
+}
+
 TEST(Xyz, RefusesWithTheLine) {
     const Folder folder;
     const auto refuse = [&](const char* text, const char* place, const char* reason) {

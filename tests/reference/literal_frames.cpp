@@ -129,4 +129,27 @@ std::vector<FramedPoint> resample(const std::vector<Vec3>& points, bool closed, 
     return out;
 }
 
+std::vector<FramedPoint> resample_polyline(const std::vector<Vec3>& points, int steps, const Vec3& first_normal) {
+    std::vector<double> lengths{0.0};
+    for (size_t i = 1; i < points.size(); ++i) lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
+    std::vector<Vec3> even;
+    size_t k = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double s = lengths.back() * i / steps;
+        while (k + 2 < points.size() && lengths[k + 1] < s) ++k;
+        const double t = std::min(1.0, (s - lengths[k]) / (lengths[k + 1] - lengths[k]));
+        even.push_back((1 - t) * points[k] + t * points[k + 1]);
+    }
+    std::vector<FramedPoint> out;
+    for (size_t i = 0; i < even.size(); ++i) {
+        const size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, even.size() - 1);
+        const Vec3 tangent = (even[after] - even[before]).normalized();
+        Vec3 normal = first_normal;
+        if (i > 0) normal = Eigen::Quaterniond::FromTwoVectors(out.back().tangent, tangent) * out.back().normal;
+        normal = (normal - normal.dot(tangent) * tangent).normalized();
+        out.push_back({even[i], tangent, normal});
+    }
+    return out;
+}
+
 }  // namespace flg::literal

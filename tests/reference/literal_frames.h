@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Resampling and moving frames, the slow and plain way: every quantity stored, arc length by fine sums, its inverse by
-// bisection, frames by parallel transport in tiny steps. Oracle of sdk/curves and baseline of the benchmarks.
+// bisection, frames by parallel transport in tiny steps. Oracle of sdk/curves.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,11 @@ Vec3 transport(const std::function<Vec3(double)>& tangent, double u0, double u1,
 // No twist correction.
 std::vector<FramedPoint> resample(const std::vector<Vec3>& points, bool closed, int steps, const Vec3& first_normal);
 
-// Length of that curve.
+// An open polyline itself, at steps + 1 points even in arc length: what the paper begins with, and the baseline of the
+// benchmarks. Tangents are central differences, frames are transported from sample to sample.
+std::vector<FramedPoint> resample_polyline(const std::vector<Vec3>& points, int steps, const Vec3& first_normal);
+
+// Length of the smooth curve.
 double curve_length(const std::vector<Vec3>& points, bool closed);
 
 }  // namespace flg::literal

@@ -120,6 +120,34 @@ TEST_F(RendererTest, SunCastsAShadowOnTheGround) {
     EXPECT_GT(darker, 300u);
 }
 
+// A strand covers little of the lamp from far away; a wide band covers it all.
+TEST_F(RendererTest, StrandsThrowNoFlecksOnTubesFarBelow) {
+    Scene scene;
+    scene.ground = false;
+    scene.sun_direction = {0, 0, 1};
+    renderer.set_scene(scene);
+    Target target(renderer, picture_size, picture_size);
+    const auto brightness_below = [&](float gap, float radius, bool casts) {
+        Curves below = straight(1.0f, 20, {0, 0, 1}), above;
+        above.add({0, -0.5f, gap});
+        above.add({0, 0.5f, gap});
+        above.end();
+        const CurvesId tube = renderer.upload(below.view(), {.shape = Shape::tube, .radius = 0.04f});
+        const CurvesId strand =
+            renderer.upload(above.view(), {.shape = Shape::tube, .radius = radius, .casts_shadow = casts});
+        // Past the strand, from the side.
+        const Camera camera{{2, 0, 2}, {0, 0, 0.04f}, {0, 1, 0}, default_fov_y_rad};
+        const Image image = picture(target, camera);
+        renderer.remove(tube);
+        renderer.remove(strand);
+        const auto pixel = image.at(picture_size / 2, picture_size / 2);
+        return pixel[0] + pixel[1] + pixel[2];
+    };
+    EXPECT_LE(brightness_below(0.6f, 0.012f, false) - brightness_below(0.6f, 0.012f, true), 12) << "a fleck";
+    EXPECT_GE(brightness_below(0.6f, 0.2f, false) - brightness_below(0.6f, 0.2f, true), 60) << "a band far away";
+    EXPECT_GE(brightness_below(0.06f, 0.012f, false) - brightness_below(0.06f, 0.012f, true), 40) << "a strand near by";
+}
+
 TEST_F(RendererTest, RibbonsLookTheSameFromBothSides) {
     Target target(renderer, picture_size, picture_size);
     const auto seen = [&](float side) {

@@ -68,8 +68,8 @@ void expect_trajectory(const Attractor& attractor, const Curve& curve) {
 }
 
 TEST(Scenes, StylesHaveTheirCountsAndNoRepeatedPoints) {
-    ASSERT_GE(style_names().size(), 6u);
-    for (const std::string& name : style_names()) {
+    ASSERT_EQ(library_names().size(), 24u);
+    for (const std::string& name : library_names()) {
         const Curve style = make_style(name);
         EXPECT_GE(style.points.size(), 150u) << name;
         EXPECT_LE(style.points.size(), 600u) << name;
@@ -80,8 +80,8 @@ TEST(Scenes, StylesHaveTheirCountsAndNoRepeatedPoints) {
 }
 
 TEST(Scenes, StylesDifferFromEachOtherAndFromTheirMirrorImage) {
-    for (const std::string& name : style_names()) {
-        for (const std::string& other : style_names()) {
+    for (const std::string& name : library_names()) {
+        for (const std::string& other : library_names()) {
             EXPECT_EQ(same_bits(make_style(name), make_style(other)), name == other);
         }
         // Drawn by hand: the second half is not the first half again.
@@ -114,7 +114,7 @@ TEST(Scenes, UnknownNamesGiveNothing) {
 }
 
 TEST(Scenes, SameNameSameBits) {
-    for (const std::string& name : style_names()) EXPECT_TRUE(same_bits(make_style(name), make_style(name))) << name;
+    for (const std::string& name : library_names()) EXPECT_TRUE(same_bits(make_style(name), make_style(name))) << name;
     for (const std::string& name : target_names()) {
         EXPECT_TRUE(same_bits(make_target(name, 5000), make_target(name, 5000))) << name;
     }

@@ -167,6 +167,57 @@ expect strokes.count 2
     EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
+// While a slider moves the picture is made anew, and the settings follow when it is let go.
+TEST(Studio, ShowsTheGuideWhileItsSlidersMove) {
+    const Folder folder;
+    const Outcome outcome = play_text(folder, R"(open builtin:ball
+wait
+click "Guide"
+wait
+expect strokes.guides 1
+expect strokes.displacement > 0.05
+drag 0.4,0.4 0.5,0.42 0.6,0.4
+wait
+slide "Smoothing" 0
+wait
+expect strokes.guides > 1
+expect strokes.smoothing < 0.1
+expect strokes.displacement < 0.05
+slide "Closeness" 0.8
+wait
+expect strokes.beta 0.8 0.1
+expect strokes.looks 1
+click "Apply to layer"
+wait
+expect strokes.looks 1
+drag 0.4,0.5 0.5,0.52 0.6,0.5
+wait
+expect strokes.looks 1
+expect strokes.count 2
+)");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+// A straight line drawn as a style: said, and strokes stay as they are drawn.
+TEST(Studio, SaysThatAStraightStyleHasNothingToLearn) {
+    const Folder folder;
+    const Outcome outcome = play_text(folder, R"(open builtin:ball
+wait
+click "Guide"
+key s
+drag 0.05,0.85 0.3,0.85
+wait
+expect strokes.styles 1
+expect strokes.displacement 0
+drag 0.4,0.5 0.5,0.52 0.6,0.5
+wait
+expect strokes.count 1
+expect strokes.points < 20000
+shot plain all
+)");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST(Studio, ValuesAreTypedAfterADoubleClick) {
     const Folder folder;
     const Outcome outcome = play_text(folder, R"(click "Radius value" double

@@ -129,6 +129,23 @@ TEST_F(Replay, TakesTheOptionsOfStylize) {
                    {"--patch"});
 }
 
+// One style is made, by the options that `stylize` has.
+TEST_F(Replay, MakesTheGuideThatStylizeMakes) {
+    const std::vector<std::string> style = {"--style", "builtin:curls", "--beta", "0.4", "--quiet"};
+    done(with(with({"replay", "builtin:s_curve", "-o", "a.xyz", "--fast", "--guide-smoothing", "0.1", "--save-guide",
+                    "replayed.xyz"},
+                   style),
+              {}));
+    done(with(with({"stylize", "--target", "builtin:s_curve", "-o", "b.xyz", "--smoothing", "0.1", "--save-guide",
+                    "stylized.xyz"},
+                   style),
+              {}));
+    EXPECT_GT(folder.read("replayed.xyz").size(), 1000u);
+    EXPECT_EQ(folder.read("replayed.xyz"), folder.read("stylized.xyz"));
+    expect_refused({"replay", "builtin:flourish", "--style", "builtin:loops", "-o", "out.xyz", "--save-guide", "g.pdf"},
+                   2, {"g.pdf"});
+}
+
 TEST_F(Replay, RefusesBadUsageAndBadFiles) {
     expect_refused({"replay", "builtin:flourish", "-o", "out.xyz"}, 2, {"--style"});
     expect_refused({"replay", "none.tilt", "--style", "builtin:loops", "-o", "out.xyz"}, 1, {"none.tilt"});

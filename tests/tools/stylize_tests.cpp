@@ -2,6 +2,8 @@
 // filigree stylize: its files, its report, and that nothing but the input decides about the bits.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -262,6 +264,34 @@ TEST_F(Stylize, SizesAreEachStrokesOwn) {
     EXPECT_LT(radius[2], 0.3 * 0.02);  // thinner, so that turns stay apart
 }
 
+TEST_F(Stylize, TheLibraryIsListedAndWritten) {
+    const std::string list = done({"styles"}).out;
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 24);
+    EXPECT_TRUE(folder.list().empty());
+    EXPECT_EQ(done({"styles", "-o", "library"}).out, list);
+    done({"stylize", "--style", "builtin:hearts", "--target", "builtin:s_curve", "-o", "a.xyz"});
+    done({"stylize", "--style", "library/hearts.xyz", "--target", "builtin:s_curve", "-o", "b.xyz"});
+    EXPECT_EQ(folder.read("a.xyz"), folder.read("b.xyz"));
+
+    // The SDK's copies are these.
+    size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FLG_SOURCES "/sdk/data/styles")) {
+        if (entry.path().extension() != ".xyz") continue;
+        ++files;
+        std::ifstream stream(entry.path());
+        const std::string kept{std::istreambuf_iterator<char>(stream), {}};
+        const std::vector<std::string> theirs = lines_of(kept);
+        const std::vector<std::string> ours = lines_of(folder.read("library/" + entry.path().filename().string()));
+        ASSERT_EQ(ours.size(), theirs.size()) << entry.path();
+        for (size_t i = 0; i < ours.size(); ++i) {
+            const std::vector<double> a = numbers_of<double>(ours[i]), b = numbers_of<double>(theirs[i]);
+            ASSERT_EQ(a.size(), b.size()) << entry.path() << ", line " << i + 1;
+            for (size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-6) << entry.path() << ", line " << i + 1;
+        }
+    }
+    EXPECT_EQ(files, 24u);
+}
+
 TEST_F(Stylize, ASketchKeepsItsColoursAndItsBrushesShapes) {
     const std::string sketch = FLG_SOURCES "/samples/data/snail.tilt";
     const std::vector<std::string> commands[] = {
@@ -297,6 +327,22 @@ TEST_F(Stylize, ASketchKeepsItsColoursAndItsBrushesShapes) {
                    2, {"--quantize", "a.glb", "--as"});
     expect_refused({"stylize", "--style", "builtin:loops", "--target", sketch, "-o", "a.glb", "--tolerance", "-1"}, 2,
                    {"--tolerance", "-1"});
+}
+
+TEST_F(Stylize, ToleranceLeavesTheLinesThePointsThatTheyNeed) {
+    std::vector<uint64_t> counts;
+    for (const char* tolerance : {"auto", "0", "0.0005", "0.01"}) {
+        done({"stylize", "--style", "builtin:curls", "--target", "builtin:spiral", "-o", "out.xyz", "--columns",
+              "--tolerance", tolerance, "--report", "report.json", "--save-path", "path.txt"});
+        counts.push_back(report().at("counts").at("written_points"));
+        const std::vector<std::string> lines = lines_of(folder.read("out.xyz"));
+        EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& l) { return !l.empty() && l[0] != '#'; }),
+                  static_cast<ptrdiff_t>(counts.back()));
+        EXPECT_EQ(report().at("counts").at("result_points"), counts[0]);
+    }
+    EXPECT_EQ(counts[1], counts[0]);
+    EXPECT_LT(counts[2], counts[1]);
+    EXPECT_LT(counts[3], counts[2]);
 }
 
 TEST_F(Stylize, RadiiAreCarriedOver) {
@@ -443,8 +489,11 @@ TEST_F(Stylize, EveryKindOfColumnGoesFromFileToFile) {
     }
     EXPECT_EQ(folder.read("out.xyz").rfind("# columns x y z radius nx ny nz", 0), std::string::npos);
     EXPECT_EQ(folder.read("out.xyz").rfind("# columns x y z radius tangent_0", 0), 0u);
-    // Without --columns the lines are plain.
-    for (const std::string& line : lines_of(folder.read("again.xyz"))) ASSERT_EQ(numbers_of<float>(line).size(), 4u);
+    // Without --columns the lines are plain; colours are comments.
+    for (const std::string& line : lines_of(folder.read("again.xyz"))) {
+        if (line.starts_with("# color ")) continue;
+        ASSERT_EQ(numbers_of<float>(line).size(), 4u);
+    }
     expect_refused(
         {"stylize", "--style", "style.xyz", "--target", "builtin:flourish", "-o", "x.xyz", "--attributes", "user1"}, 1,
         {"no column", "USER + 1"});

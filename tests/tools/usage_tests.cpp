@@ -54,7 +54,7 @@ TEST_F(Usage, NumbersOutOfRangeExitWithTwo) {
                                                                     {"--patch", {"0", "1025", "-3", "1.5"}},
                                                                     {"--alpha", {"-0.1", "1.1", "nan"}},
                                                                     {"--beta", {"0", "1", "nan"}},
-                                                                    {"--scale", {"0", "-1", "1e-50", "nan", "inf"}},
+                                                                    {"--scale", {"-1", "1e-50", "nan", "inf"}},
                                                                     {"--frame", {"bishop"}},
                                                                     {"--start", {"end"}},
                                                                     {"--as", {"cloud"}}};

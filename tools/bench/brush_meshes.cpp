@@ -32,9 +32,9 @@ struct Buffers {
         vertices.resize(std::max(vertices.size(), size_t{sizes.first_vertex + sizes.vertex_count}));
         indices.resize(std::max(indices.size(), size_t{sizes.first_index + sizes.index_count}));
         Vertex* const first = vertices.data() + sizes.first_vertex;
-        const FlgVertexColumn columns[] = {
-            {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, first->position, sizeof(Vertex), 0},
-            {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, first->normal, sizeof(Vertex), 0}};
+        const FlgBufferColumn columns[] = {
+            {FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, first->position, sizeof(Vertex), 0, {}, 0, 0},
+            {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, first->normal, sizeof(Vertex), 0, {}, 0, 0}};
         FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
         output.columns = columns;
         output.column_count = 2;

@@ -40,9 +40,9 @@ struct TubeMesh {
         positions.resize(3 * sizes.vertex_count);
         normals.resize(3 * sizes.vertex_count);
         triangles.resize(sizes.index_count);
-        const FlgVertexColumn columns[] = {
-            {FLG_VERTEX_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0},
-            {FLG_VERTEX_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, normals.data(), 0, 0}};
+        const FlgBufferColumn columns[] = {
+            {FLG_ATTRIBUTE_POSITION, FLG_NUMBER_FORMAT_FLOAT32, positions.data(), 0, 0, {}, 0, 0},
+            {FLG_ATTRIBUTE_NORMAL, FLG_NUMBER_FORMAT_FLOAT32, normals.data(), 0, 0, {}, 0, 0}};
         FlgBrushMeshOutput output = flgBrushMeshOutputDefaults();
         output.columns = columns;
         output.column_count = 2;

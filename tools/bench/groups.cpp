@@ -19,6 +19,7 @@ const std::vector<Group>& groups() {
         {"stylization", "hair", run_hair},
         {"stylization", "ribbon", run_ribbon},
         {"stylization", "brush_meshes", run_brush_meshes},
+        {"stylization", "simplify", run_simplify},
         {"stylization", "buffers", run_buffers},
         {"runtime", "ticks", run_ticks},
         {"live strokes", "live", run_live},

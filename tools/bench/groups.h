@@ -18,6 +18,7 @@ std::vector<Row> run_hair();
 std::vector<Row> run_ribbon();
 std::vector<Row> run_brush_meshes();
 std::vector<Row> run_buffers();
+std::vector<Row> run_simplify();
 std::vector<Row> run_cutting();
 std::vector<Row> run_inflation();
 std::vector<Row> run_tangles();

@@ -14,7 +14,7 @@ namespace flg::bench {
 namespace {
 
 constexpr uint32_t kStrands = 2000, kStrandPoints = 100;
-constexpr double kBarMs = 60.0, kRatioBar = 1.5;
+constexpr double kBarMs = 15.0, kRatioBar = 1.9;
 constexpr float kRadiusWeight = 1.0f;
 constexpr int kHairRuns = 9;
 

@@ -8,7 +8,7 @@
 #include "bench/groups.h"
 #include "bench/host.h"
 #include "curves/arc_length.h"
-#include "curves/even_sampler.h"
+#include "curves/block_sampler.h"
 #include "reference/literal_matching.h"
 #include "runtime/run_now.h"
 #include "stylization/guide_matching.h"
@@ -52,12 +52,12 @@ Sampled sampled(const FlgCurveSetView& view, uint32_t points) {
     Sampled style{std::vector<Vec3>(points)};
     style.length =
         run_now(std::pmr::new_delete_resource(), [&](Pace& pace) { return measure_curve(pace, curve); }).length;
-    EvenSampler sampler(curve, style.length, points - 1);
-    CurveSample sample;
-    for (Vec3& point : style.points) {
+    BlockSampler sampler(curve, style.length, points - 1);
+    SampleBlock block;
+    for (uint32_t i = 0; i < points;) {
         uint32_t units = ~0u;
-        sampler.next(sample, units);
-        point = sample.position;
+        sampler.next(block, units);
+        for (uint32_t k = 0; k < block.count; ++k) style.points[i++] = block.position_of(k);
     }
     return style;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Preparing a style of 600 points (guide, matching, displacement, patch graph) within one frame of a VR headset (90
-// Hz). The paper's own implementation takes 5.5 s.
+// Preparing a style of 600 points (guide, matching, displacement, patch graph) within 1.5 ms of
+// processor time. The paper's own implementation takes 5.5 s.
 #include <algorithm>
 
 #include "bench/groups.h"
@@ -10,7 +10,7 @@ namespace flg::bench {
 namespace {
 
 constexpr uint32_t kStylePoints = 600;
-constexpr double kBarMs = 11.0;
+constexpr double kBarMs = 1.5;
 constexpr int kPrepareRuns = 15;
 
 }  // namespace

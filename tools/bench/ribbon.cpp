@@ -12,7 +12,7 @@ namespace flg::bench {
 namespace {
 
 constexpr uint32_t kTargetPoints = 369'400, kStylePoints = 600;
-constexpr double kBarMs = 150.0;
+constexpr double kBarMs = 30.0;
 constexpr float kAngleWeight = 0.01f;
 // The ribbon of the style sways to and fro around its curve.
 constexpr double kSways = 4.0, kSwayRad = 2.0;

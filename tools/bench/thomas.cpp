@@ -11,7 +11,7 @@ namespace flg::bench {
 namespace {
 
 constexpr uint32_t kTargetPoints = 369'400, kStylePoints = 600;
-constexpr double kColdBarMs = 100.0, kWarmBarMs = 40.0;
+constexpr double kColdBarMs = 25.0, kWarmBarMs = 12.0;
 [[maybe_unused]] constexpr double kLiteralBar = 20.0;
 constexpr int kThomasRuns = 7;
 

@@ -4,6 +4,7 @@
 #include "bench/bench.h"
 #include "bench/stage_inputs.h"
 #include "core/random.h"
+#include "reference/literal_frames.h"
 #include "reference/literal_synthesis.h"
 
 namespace flg::bench {
@@ -62,8 +63,9 @@ LiteralTimes literal_stylize(Host& host, FlgStyle style, const char* name, const
     times.all_ms =
         times.paths_ms + time_ms([&] {
             std::vector<Vec3> points;
+            points.reserve(target.points.size());
             for (const scenes::Point& p : target.points) points.emplace_back(p.x, p.y, p.z);
-            const auto framed = literal::resample(points, target.closed, static_cast<int>(count) - 1, Vec3::UnitY());
+            const auto framed = literal::resample_polyline(points, static_cast<int>(count) - 1, Vec3::UnitY());
             const double factor = scale_for(info, length_of(target), count);
             literal::displace(framed, literal::copied_displacement(displacement, indices, static_cast<int>(patch)),
                               factor);

@@ -28,12 +28,9 @@ void ApplyOptions::add_to(CLI::App& app, const std::map<std::string, FlgFrameMet
         ->check(at_least_zero());
     app.add_option_function<std::string>(
            "--scale",
-           [this](const std::string& text) {
-               scale_.reset();
-               if (text != kAuto) scale_ = static_cast<float>(std::stod(text));
-           },
-           "Size of the style on the curves, > 0; 1 = as drawn. auto: each curve gets it in the proportion that the "
-           "example has, and finer where its stroke is thin; its line is thinner than the stroke then")
+           [this](const std::string& text) { scale_ = text == kAuto ? 0.0f : static_cast<float>(std::stod(text)); },
+           "Size of the style on the curves, > 0; 1 = as drawn. auto or 0: each curve gets it in the proportion that "
+           "the example has, and as wide as its stroke where it has a radius; its line is thinner than the stroke then")
         ->type_name("S|auto")
         ->default_str(kAuto)
         ->check(auto_or(above_zero()));
@@ -72,8 +69,8 @@ std::array<float, 2> ApplyOptions::temperatures() const {
 void ApplyOptions::describe(Report& report) const {
     report.parameters["sigma"] = as_written(magnitude_);
     report.parameters["tau"] = as_written(temperature_);
-    if (scale_) {
-        report.parameters["scale"] = as_written(*scale_);
+    if (scale_ > 0.0f) {
+        report.parameters["scale"] = as_written(scale_);
     } else {
         report.parameters["scale"] = kAuto;
     }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,8 @@ public:
 
     // Along the curves: the same twice, unless it is driven.
     std::array<float, 2> temperatures() const;
-    // None: the target's curves decide (relative_size.h).
-    std::optional<float> scale() const { return scale_; }
+    // 0: the SDK decides, as FlgCurveSetStylizeDesc::scale says.
+    float scale() const { return scale_; }
 
     // Into FlgCurveSetStylizeDesc or FlgLiveStrokeDesc; not the scale.
     template <class Desc>
@@ -41,7 +40,7 @@ public:
 private:
     // The SDK's defaults are the commands'.
     float magnitude_ = flgCurveSetStylizeDefaults().magnitude, temperature_ = flgCurveSetStylizeDefaults().temperature;
-    std::optional<float> scale_;
+    float scale_ = 0.0f;
     FlgFrameMethod frame_ = flgCurveSetStylizeDefaults().frame;
     FlgStyleStart start_ = flgCurveSetStylizeDefaults().start;
     std::vector<float> basis_;  // empty: the identity

@@ -81,11 +81,11 @@ inline CLI::Validator between_including(double low, double high) {
     return number_that([=](double v) { return v >= low && v <= high; }, "a number from 0 to 1");
 }
 
-// The word auto, or what `number` lets pass.
+// The word auto, 0 that means the same, or what `number` lets pass.
 inline CLI::Validator auto_or(const CLI::Validator& number) {
     return CLI::Validator(
         [number](std::string& text) {
-            if (text == "auto") return std::string();
+            if (text == "auto" || text == "0") return std::string();
             const std::string fault = number(text);
             return fault.empty() ? fault : fault + ", nor auto";
         },

@@ -17,6 +17,7 @@ struct Command {
 
 Command add_info(CLI::App& program, const CommonOptions& common);
 Command add_stylize(CLI::App& program, const CommonOptions& common);
+Command add_styles(CLI::App& program, const CommonOptions& common);
 Command add_replay(CLI::App& program, const CommonOptions& common);
 std::vector<Command> add_mesh(CLI::App& program, const CommonOptions& common);
 Command add_geodesic(CLI::App& program, const CommonOptions& common);

@@ -31,13 +31,6 @@ void JoinedCurves::add(const FlgCurveSetView& set, uint32_t curve) {
     flags_.push_back(set.curve_flags == nullptr ? uint8_t{0} : set.curve_flags[curve]);
 }
 
-void JoinedCurves::scale_radii(float factor) {
-    for (size_t k = 0; k < columns_.size(); ++k) {
-        if (columns_[k].attribute != FLG_ATTRIBUTE_RADIUS) continue;
-        for (size_t i = last_begin(); i < offsets_.back(); ++i) values_[k][i] *= factor;
-    }
-}
-
 void JoinedCurves::set_color(const float* rgba) {
     const auto is_color = [](const FlgColumn& column) { return column.attribute == FLG_ATTRIBUTE_COLOR; };
     if (std::any_of(columns_.begin(), columns_.end(), is_color)) return;

@@ -14,8 +14,6 @@ class JoinedCurves {
 public:
     // Adds a curve of a set. Columns and origin are those of the first curve; all must have the columns.
     void add(const FlgCurveSetView& set, uint32_t curve);
-    // One value for all points of the last curve: multiplies its radii, if it has any.
-    void scale_radii(float factor);
     // One colour for all points of the last curve; sets that have colours keep theirs.
     void set_color(const float* rgba);
 

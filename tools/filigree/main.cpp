@@ -103,9 +103,9 @@ int main(int argc, char** argv) {
     // Common options may also follow the command.
     program.fallthrough();
 
-    std::vector<flg::cli::Command> commands = {flg::cli::add_info(program, common),
-                                               flg::cli::add_stylize(program, common),
-                                               flg::cli::add_replay(program, common)};
+    std::vector<flg::cli::Command> commands = {
+        flg::cli::add_info(program, common), flg::cli::add_stylize(program, common),
+        flg::cli::add_styles(program, common), flg::cli::add_replay(program, common)};
     for (flg::cli::Command& command : flg::cli::add_mesh(program, common)) commands.push_back(std::move(command));
     commands.push_back(flg::cli::add_geodesic(program, common));
     commands.push_back(flg::cli::add_path(program, common));

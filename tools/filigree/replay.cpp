@@ -12,6 +12,7 @@
 
 #include "apply_options.h"
 #include "choices.h"
+#include "chosen_scales.h"
 #include "command.h"
 #include "counting_pool.h"
 #include "documents/failure.h"
@@ -21,9 +22,7 @@
 #include "documents/text_file.h"
 #include "filigree/filigree_live.h"
 #include "joined_curves.h"
-#include "relative_size.h"
 #include "style_options.h"
-#include "styled_curves.h"
 #include "stylize_output.h"
 #include "support/brush_shape.h"
 #include "support/curve_source.h"
@@ -52,7 +51,7 @@ const std::map<std::string, FlgFrameMethod> kFrames = {{"rmf", FLG_FRAME_METHOD_
 struct Options {
     StyleOptions style;
     ApplyOptions apply;
-    std::string strokes, output;
+    std::string strokes, output, save_guide;
     bool fast = false;
     FlgLiveStrokeDesc live = flgLiveStrokeDefaults();
     std::optional<float> min_radius, max_radius;
@@ -113,15 +112,16 @@ float full_radius(const FlgCurveSetView& view, uint32_t curve) {
     return radius;
 }
 
-// Sizes are the recorded stroke's, unless --scale gives one; radii likewise, unless they are given.
-Recording record(const Options& options, const RelativeSize& relative, const FlgCurveSetView& view, uint32_t curve,
-                 uint64_t& retimed) {
-    const CurveSize size = relative.of(view, curve);
-    Recording recording = {samples_of(view, curve, retimed), options.apply.scale().value_or(size.scale),
-                           options.live.min_radius, options.live.max_radius, std::nullopt};
-    if (!options.apply.scale()) {
-        const float radius = full_radius(view, curve);
-        recording.max_radius = radius > 0.0f ? size.thickness * radius : relative.radius_at(size.scale);
+// Sizes are the recorded stroke's, whose length is known already, unless --scale gives one; radii likewise, unless they
+// are given.
+Recording record(const Options& options, const std::optional<ChosenScales>& chosen, const FlgCurveSetView& view,
+                 uint32_t curve, uint64_t& retimed) {
+    Recording recording = {samples_of(view, curve, retimed), options.apply.scale(), options.live.min_radius,
+                           options.live.max_radius, std::nullopt};
+    if (chosen) {
+        recording.scale = chosen->scales[curve];
+        const float radius = full_radius(view, curve), thinned = chosen->radius_at(recording.scale);
+        recording.max_radius = radius > 0.0f ? std::min(radius, thinned) : thinned;
         recording.min_radius = kLightest * recording.max_radius;
     }
     if (options.min_radius) recording.min_radius = *options.min_radius;
@@ -278,6 +278,7 @@ void run_replay(Options options, const CommonOptions& common) {
     StylizeOutput output = {};
     output.curves = options.output;
     output.surface = options.surface;
+    output.guide = options.save_guide;
     output.check_paths();
     options.style.check_usage();
     require_writable(common.report);
@@ -298,10 +299,12 @@ void run_replay(Options options, const CommonOptions& common) {
     check(flgStyleGetInfo(context, options.live.style, &info), options.style.subject());
     const FlgCurveSetView& view = strokes.view();
     std::copy(std::begin(view.origin), std::end(view.origin), options.live.origin);
-    const RelativeSize relative = relative_size_of(context, options.live.style);
+    std::optional<ChosenScales> chosen;
+    if (options.apply.scale() == 0.0f)
+        chosen = choose_scales(session, options.live.style, view, options.strokes, report);
     uint64_t retimed = 0;
     std::vector<Recording> recordings;
-    for (uint32_t c = 0; c < view.curve_count; ++c) recordings.push_back(record(options, relative, view, c, retimed));
+    for (uint32_t c = 0; c < view.curve_count; ++c) recordings.push_back(record(options, chosen, view, c, retimed));
     reserve(view, recordings, info.spacing, options.live);
 
     const std::vector<FlgCurveGeometry> brushes = samples::shapes_of_strokes(strokes);
@@ -383,6 +386,7 @@ Command add_replay(CLI::App& program, const CommonOptions& common) {
                     "Radius at pressure 1, metres, >= 0. Default: from the recorded stroke; with a --scale given 0.005")
         ->check(at_least_zero());
     o->surface.add_to(*app);
+    app->add_option("--save-guide", o->save_guide, "Write the style's guide")->type_name("G.xyz");
     return {app, [o, &common] { run_replay(*o, common); }};
 }
 

@@ -97,7 +97,7 @@ StyleOptions::StyleOptions() : desc_(flgStyleDefaults()) {}
 
 void StyleOptions::add_to(CLI::App& app, const std::string& smoothing) {
     std::string names;
-    for (const std::string& name : scenes::style_names()) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : scenes::library_names()) names += (names.empty() ? "" : ", ") + name;
     app.add_option("--style", style_,
                    "The example: all curves of a file as one style, or builtin:NAME (" + names + ")");
     app.add_option("--style-file", style_file_,

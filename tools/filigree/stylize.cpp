@@ -8,6 +8,7 @@
 
 #include "apply_options.h"
 #include "choices.h"
+#include "chosen_scales.h"
 #include "command.h"
 #include "documents/failure.h"
 #include "documents/progress.h"
@@ -15,7 +16,6 @@
 #include "documents/session.h"
 #include "documents/text_file.h"
 #include "style_options.h"
-#include "styled_curves.h"
 #include "stylize_output.h"
 #include "support/brush_shape.h"
 
@@ -98,30 +98,28 @@ void run_stylize(const Options& options, const CommonOptions& common) {
     std::vector<FlgCurveGeometry> shapes;
     for (const FlgCurveGeometry shape : samples::shapes_of_strokes(target))
         shapes.insert(shapes.end(), desc.strokes, shape);
-    std::optional<float> scale = options.apply.scale();
+    desc.scale = options.apply.scale();
     if (options.displacement) {
         session.finish(jobs, report);
         jobs.clear();
-        scale = *options.displacement / std::max(style_info(context, desc.style).displacement_rms, kStraight);
+        desc.scale = *options.displacement / std::max(style_info(context, desc.style).displacement_rms, kStraight);
     }
-    if (scale) {
-        desc.scale = *scale;
-        check(flgCurveSetCreate(context, &target_view, &desc.target), options.target);
-        FlgCurveSet result = {};
-        FlgJob stylize_job = {};
-        check(flgCurveSetStylize(context, &desc, &result, &stylize_job), options.target);
-        jobs.push_back({stylize_job, options.target});
-        session.finish(jobs, report);
-        options.style.save(context, desc.style, report);
-        FlgCurveSetView view = flgCurveSetViewDefaults();
-        check(flgCurveSetGetView(context, result, &view), "result");
-        output.write(context, desc.style, {view, shapes, std::nullopt}, report);
-    } else {
-        session.finish(jobs, report);
-        options.style.save(context, desc.style, report);
-        StyledCurves styled = style_by_size(session, desc, target_view, options.target, report);
-        output.write(context, desc.style, {styled.curves.view(), shapes, styled.default_radius}, report);
+    check(flgCurveSetCreate(context, &target_view, &desc.target), options.target);
+    FlgCurveSet result = {};
+    FlgJob stylize_job = {};
+    check(flgCurveSetStylize(context, &desc, &result, &stylize_job), options.target);
+    jobs.push_back({stylize_job, options.target});
+    session.finish(jobs, report);
+    options.style.save(context, desc.style, report);
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    check(flgCurveSetGetView(context, result, &view), "result");
+    std::optional<float> default_radius;
+    if (desc.scale == 0.0f) {
+        const ChosenScales chosen = scales_of(context, desc.style, result);
+        chosen.describe(report);
+        default_radius = chosen.radius_at(chosen.median());
     }
+    output.write(context, desc.style, {view, shapes, default_radius}, report);
     StyleOptions::describe_caps(style_info(context, desc.style), report);
     report.write();
 }

@@ -88,6 +88,21 @@ void add_runs(const FlgCurveSetView& result, Report& report) {
     report.quality["jumps"] = jumps;
 }
 
+// The same curves with the points that they need.
+FlgCurveSetView simplified(FlgContext context, const FlgCurveSetView& curves, float tolerance) {
+    FlgCurveSetSimplifyDesc desc = flgCurveSetSimplifyDefaults();
+    desc.tolerances = &tolerance;
+    check(flgCurveSetCreate(context, &curves, &desc.curves), "result");
+    FlgCurveSet fewer = {};
+    FlgJob job = {};
+    check(flgCurveSetSimplify(context, &desc, &fewer, &job), "result");
+    constexpr double kNoEnd = 1e9;
+    check(flgContextRun(context, &job, 1, kNoEnd), "result");
+    FlgCurveSetView view = flgCurveSetViewDefaults();
+    check(flgCurveSetGetView(context, fewer, &view), "result");
+    return view;
+}
+
 }  // namespace
 
 void StylizeOutput::check_paths() const {
@@ -137,9 +152,12 @@ void StylizeOutput::write(FlgContext context, FlgStyle style, const StylizedCurv
         check(flgCurveSetGetView(context, set, &guide_view), "guide");
         if (flgCurveFileWrite(guide.c_str(), &guide_view, &desc) != FLG_OK) throw InputError(flgIoErrorGetMessage());
     }
+    const auto tolerance = surface.line_tolerance(curves, all_columns, result.shapes);
+    const FlgCurveSetView written = tolerance ? simplified(context, result.view, *tolerance) : result.view;
+    report.counts["written_points"] = written.curve_offsets[written.curve_count];
     if (!matching.empty()) write_text_file(matching, matching_text(info));
     if (!path.empty()) write_text_file(path, path_text(result.view));
-    surface.write(curves, result.view, desc, result.shapes, diagonal, report);
+    surface.write(curves, written, desc, result.shapes, diagonal, report);
 }
 
 }  // namespace flg::cli

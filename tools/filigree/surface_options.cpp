@@ -33,8 +33,10 @@ void SurfaceOptions::add_to(CLI::App& app) {
                tolerance_.reset();
                if (text != "auto") tolerance_ = static_cast<float>(std::stod(text));
            },
-           "How far ribbons and tubes may be from exact ones, metres, >= 0: more makes smaller files. 0: every point. "
-           "auto: 1/10000 of the diagonal of the whole, or what a file of 40 MB takes")
+           "How far curves, ribbons and tubes may be from exact ones, metres, >= 0: more makes smaller files. 0: every "
+           "point. auto: lines with every point; surfaces within 1/10000 of the diagonal of the whole, or what a file "
+           "of "
+           "40 MB takes")
         ->type_name("D|auto")
         ->default_str("auto")
         ->check(auto_or(at_least_zero()));
@@ -52,8 +54,19 @@ void SurfaceOptions::describe(Report& report) const {
 void SurfaceOptions::check_usage(const std::string& file, bool all_columns) const {
     if (is_surface() && !file.ends_with(".glb")) throw UsageError(file + ": only .glb holds ribbons and tubes");
     const bool lines = as_ == Shapes::lines || all_columns || !file.ends_with(".glb");
-    if (lines && tolerance_) throw UsageError("--tolerance: " + file + " holds lines; it is for ribbons and tubes");
     if (lines && quantize_) throw UsageError("--quantize: " + file + " holds lines; it is for ribbons and tubes");
+}
+
+bool SurfaceOptions::holds_lines(const std::string& file, bool all_columns,
+                                 const std::vector<FlgCurveGeometry>& shapes) const {
+    const bool by_shapes = as_ == Shapes::automatic && !all_columns && file.ends_with(".glb");
+    return !is_surface() && (!by_shapes || shapes.empty());
+}
+
+std::optional<float> SurfaceOptions::line_tolerance(const std::string& file, bool all_columns,
+                                                    const std::vector<FlgCurveGeometry>& shapes) const {
+    if (!tolerance_ || *tolerance_ == 0 || !holds_lines(file, all_columns, shapes)) return {};
+    return tolerance_;
 }
 
 void SurfaceOptions::write(const std::string& file, const FlgCurveSetView& view, FlgCurveFileWriteDesc desc,
@@ -61,13 +74,12 @@ void SurfaceOptions::write(const std::string& file, const FlgCurveSetView& view,
     desc.quantize = quantize_;
     if (as_ == Shapes::ribbon) desc.geometry = FLG_CURVE_GEOMETRY_RIBBON;
     if (as_ == Shapes::tube) desc.geometry = FLG_CURVE_GEOMETRY_TUBE;
-    const bool by_shapes = as_ == Shapes::automatic && desc.all_columns == 0 && file.ends_with(".glb");
     const std::vector<uint8_t> geometries(shapes.begin(), shapes.end());
-    if (by_shapes && !geometries.empty()) desc.geometries = geometries.data();
+    const bool surface = !holds_lines(file, desc.all_columns != 0, shapes);
+    if (surface && !is_surface()) desc.geometries = geometries.data();
     desc.tolerance = tolerance_.value_or(kToleranceShare * diagonal);
-    const bool surface = desc.geometries != nullptr || desc.geometry != FLG_CURVE_GEOMETRY_LINES;
-    if (!surface && (tolerance_ || quantize_)) {
-        throw UsageError(std::string(quantize_ ? "--quantize: " : "--tolerance: ") + file +
+    if (!surface && quantize_) {
+        throw UsageError("--quantize: " + file +
                          " would hold lines, as the target has no brushes; give --as ribbon or tube");
     }
     for (int round = 0;; ++round) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a .glb of curves holds: lines, or surfaces, and how exact these are.
+// What a file of curves holds: lines, or in .glb surfaces, and how exact these are.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,6 +20,9 @@ public:
 
     // Whether ribbons or tubes were asked for.
     bool is_surface() const { return as_ == Shapes::ribbon || as_ == Shapes::tube; }
+    // Of lines, if they are to have the points alone that they need. `shapes` as in write().
+    std::optional<float> line_tolerance(const std::string& file, bool all_columns,
+                                        const std::vector<FlgCurveGeometry>& shapes) const;
     // Throws UsageError where they have no place.
     void check_usage(const std::string& file, bool all_columns) const;
 
@@ -29,6 +32,8 @@ public:
                const std::vector<FlgCurveGeometry>& shapes, float diagonal, Report& report) const;
 
 private:
+    bool holds_lines(const std::string& file, bool all_columns, const std::vector<FlgCurveGeometry>& shapes) const;
+
     Shapes as_ = Shapes::automatic;
     std::optional<float> tolerance_;
     bool quantize_ = false;

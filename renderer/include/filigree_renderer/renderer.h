@@ -52,6 +52,9 @@ struct Options {
     // Maximum device memory for the renderer, bytes; 0 = four fifths of the device's own. Exceeding it throws, and
     // nothing changes. A window's own images belong to the system and do not count.
     uint64_t memory_limit_bytes = 0;
+    // Points of curves in one device buffer, at least 128; uploads with more are divided, and drawn as if they were
+    // not. 0 = as many as the device allows: 8 million on lavapipe.
+    uint32_t max_points = 0;
     // For shader authors: folder with the files of shaders/, compiled at startup in place of the built-in ones. Only in
     // programs linked with filigree_shader_compiler; others throw. Empty: built in.
     std::string shader_folder;

@@ -9,7 +9,9 @@
 namespace flg::studio::splines {
 namespace {
 
-constexpr const char* kStyles[] = {"loops", "curls", "braid", "knots", "wave", "knit", "zigzag", "tremor"};
+constexpr const char* kStyles[] = {
+    "loops", "curls",  "braid",     "knots",  "wave",    "knit", "zigzag",   "tremor", "bubbles", "clouds", "fret",
+    "grass", "hearts", "heartbeat", "leaves", "ripples", "rope", "rosettes", "script", "scrolls", "stars",  "thorns"};
 constexpr uint32_t kMaxPoints = 2'000'000;
 // Turns what was drawn above the curve to its side.
 constexpr float kFlat[9] = {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f};

@@ -18,7 +18,7 @@ void LivePen::begin(const StrokeDocument& document, const Stroke& like) {
     stroke_ = {};
     if (like.drawn != nullptr) stroke_.size = like.drawn->size;
     down_ = true;
-    const filigree::Style* style = style_cache_.get(document, settings.style, settings.patch);
+    const filigree::Style* style = style_cache_.get(document, settings);
     if (style == nullptr) return;
     const float rms = style_cache_.info(*style).displacement_rms;
     if (!(rms > 0.0f) || !style_cache_.warm(*style, settings.temperature)) return;

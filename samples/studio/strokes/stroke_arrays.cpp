@@ -54,12 +54,19 @@ samples::LiveSample live_sample(const StrokeSample& sample) {
     return live;
 }
 
+float swing_m(const StrokeSettings& settings) {
+    constexpr float kRadiusPerSwing = 0.14f;  // as FlgLiveStrokeDesc::scale has it
+    const float mean_radius = 0.5f * (1.0f + kLightest) * 0.001f * settings.radius_mm;
+    return settings.scale_cm > 0.0f ? 0.01f * settings.scale_cm : mean_radius / kRadiusPerSwing;
+}
+
 FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms, float size) {
     FlgLiveStrokeDesc desc = flgLiveStrokeDefaults();
     const float larger = size > 0.0f ? size : 1.0f;
     desc.magnitude = settings.styled ? settings.magnitude : 0.0f;
     desc.temperature = settings.temperature;
     desc.scale = rms > 0.0f ? 0.01f * larger * settings.scale_cm / rms : 1.0f;
+    if (settings.scale_cm == 0.0f) desc.scale = 0.0f;
     desc.max_radius = 0.001f * larger * settings.radius_mm * (size > 0.0f && !settings.styled ? kThickness : 1.0f);
     desc.min_radius = size > 0.0f ? 0.0f : kLightest * desc.max_radius;
     desc.smoothing = kHandSmoothing_s;

@@ -30,6 +30,9 @@ samples::LiveSample live_sample(const StrokeSample& sample);
 
 constexpr float kHandSmoothing_s = 0.02f;  // of a mouse's steps
 
+// How far the style swings off a stroke of this hand, root mean square, metres.
+float swing_m(const StrokeSettings& settings);
+
 // A live stroke with these settings; `rms` of the style at scale 1, metres, `size` of DrawnStroke.
 FlgLiveStrokeDesc live_desc(const StrokeSettings& settings, float rms, float size);
 

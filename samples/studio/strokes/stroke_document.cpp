@@ -69,6 +69,8 @@ nlohmann::json to_json(const StrokeSettings& s) {
             {"magnitude", s.magnitude},
             {"temperature", s.temperature},
             {"patch", s.patch},
+            {"smoothing", s.smoothing},
+            {"beta", s.beta},
             {"radius_mm", s.radius_mm},
             {"seed", s.seed},
             {"color", to_json(s.color)},
@@ -83,10 +85,12 @@ StrokeSettings to_settings(const nlohmann::json& json) {
     // Documents of version 0.1 had a shape "raw", and called what is upright standing.
     s.styled = json.value("styled", json.at("shape") != "raw");
     s.upright = json.value("upright", json.value("standing", false));
-    s.scale_cm = std::clamp(json.at("scale_cm").get<float>(), 0.01f, 100.0f);
+    s.scale_cm = std::clamp(json.at("scale_cm").get<float>(), 0.0f, 100.0f);
     s.magnitude = std::clamp(json.at("magnitude").get<float>(), 0.0f, 10.0f);
     s.temperature = std::clamp(json.at("temperature").get<float>(), 0.0f, 100.0f);
     s.patch = std::clamp(json.at("patch").get<int>(), 1, 64);
+    s.smoothing = std::clamp(json.value("smoothing", s.smoothing), 0.001f, 1000.0f);
+    s.beta = std::clamp(json.value("beta", s.beta), 0.001f, 0.999f);
     s.radius_mm = std::clamp(json.at("radius_mm").get<float>(), 0.01f, 1000.0f);
     s.seed = json.at("seed").get<int>();
     s.color = to_vec3(json.at("color"));

@@ -42,10 +42,12 @@ struct StrokeSettings {
     bool styled = true;           // else the stroke alone
     StrokeShape shape = StrokeShape::tube;
     bool upright = false;    // the style swings away from what it lies on, not along it
-    float scale_cm = 1.6f;   // how far the style swings off the stroke, root mean square
+    float scale_cm = 1.6f;   // how far the style swings off the stroke, root mean square; 0: what fits its radius
     float magnitude = 1.0f;  // 0: the stroke alone
     float temperature = 0.0f;
     int patch = 10;
+    // How the guide of the example is made and matched, as in FlgStyleDesc.
+    float smoothing = 1.0f, beta = 0.2f;
     float radius_mm = 2.2f;
     int seed = 1;
     glm::vec3 color{0.90f, 0.13f, 0.03f}, color_end{0.50f, 0.02f, 0.22f};  // linear RGB

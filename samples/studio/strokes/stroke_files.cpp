@@ -93,7 +93,7 @@ std::shared_ptr<DrawnStroke> read_stroke(const FlgCurveSetView& view, uint32_t c
 bool is_stroke_file(const std::string& path) {
     if (path.starts_with("builtin:")) {
         const std::string name = path.substr(8, path.find(':', 8) - 8);
-        for (const auto* list : {&scenes::style_names(), &scenes::target_names(), &scenes::scene_names()})
+        for (const auto* list : {&scenes::library_names(), &scenes::target_names(), &scenes::scene_names()})
             if (std::find(list->begin(), list->end(), name) != list->end()) return true;
         return false;
     }

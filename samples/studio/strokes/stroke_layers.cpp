@@ -140,7 +140,7 @@ StrokeLayers::Shown* StrokeLayers::find(uint32_t layer, uint32_t id) {
 
 void StrokeLayers::start(const StrokeDocument& document, const StrokeLayer& layer, Shown& shown) {
     const Stroke& first = shown.wanted.front();
-    const filigree::Style* style = style_cache_.get(document, first.settings->style, first.settings->patch);
+    const filigree::Style* style = style_cache_.get(document, *first.settings);
     shown.failed = style == nullptr;
     shown.coming_of = shown.wanted;
     if (style == nullptr) return;

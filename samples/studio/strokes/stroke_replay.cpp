@@ -40,7 +40,7 @@ void StrokeReplay::update(const StrokeDocument& document) {
         return;
     }
     if (sample_ == 0) {
-        const filigree::Style* style = style_cache_.get(document, stroke.settings->style, stroke.settings->patch);
+        const filigree::Style* style = style_cache_.get(document, *stroke.settings);
         if (style == nullptr) return stop();
         // The pen has to be warm before it is put down.
         if (!(style_cache_.info(*style).displacement_rms > 0.0f) ||

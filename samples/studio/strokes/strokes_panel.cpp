@@ -41,6 +41,7 @@ void StrokesWorkspace::panel() {
     draw_styles();
     draw_colors();
     draw_sizes();
+    draw_guide();
     draw_apply();
     draw_layers();
 }
@@ -105,7 +106,7 @@ void StrokesWorkspace::style_button(const std::string& name, const char* said) {
 void StrokesWorkspace::draw_styles() {
     if (!ui::section("Style")) return;
     int number = 0;
-    for (const std::string& name : scenes::style_names()) {
+    for (const std::string& name : scenes::library_names()) {
         if (number++ % kStylesInARow != 0) ui::same_row();
         style_button(name, ("Style " + name + ", built in.").c_str());
     }
@@ -156,8 +157,14 @@ void StrokesWorkspace::draw_sizes() {
         // Of what was opened sizes may be beyond those of what is drawn here.
         scaled_length("Radius", &next_.radius_mm, 0.001f, 0.2f, 30.0f, "Half the thickness of a stroke. Keys [ and ].",
                       true, true);
-        scaled_length("Style size", &next_.scale_cm, 0.01f, 0.1f, 10.0f,
-                      "How far the style swings off the stroke. More makes wider and fewer turns.", true, next_.styled);
+        bool fits = next_.scale_cm == 0.0f;
+        if (!fits) {
+            scaled_length("Style size", &next_.scale_cm, 0.01f, 0.1f, 10.0f,
+                          "How far the style swings off the stroke. More makes wider and fewer turns.", true,
+                          next_.styled);
+        }
+        if (ui::toggle("Size fits radius", &fits, "The style swings so far that its turns stay apart.", next_.styled))
+            next_.scale_cm = fits ? 0.0f : StrokeSettings().scale_cm;
         ui::slider("Magnitude", &next_.magnitude, 0.0f, 3.0f, "%.2f x",
                    "Strength of the style. 0 is the plain stroke, 1 matches the example, more exaggerates it.", false,
                    next_.styled);
@@ -179,6 +186,37 @@ void StrokesWorkspace::draw_sizes() {
     ui::toggle("Upright", &next_.upright,
                "The style stands up from the surface, like a fence. Off: it lies on the surface, like an ornament.",
                next_.styled);
+}
+
+void StrokesWorkspace::draw_guide() {
+    if (!ui::section("Guide", false)) return;
+    StrokeSettings shown = next_;
+    const auto slider = [](const char* label, float* at, float* setting, float low, float high, const char* format,
+                           const char* said, bool logarithmic, bool enabled) {
+        if (!ui::slider(label, at, std::min(low, *at), std::max(high, *at), format, said, logarithmic, enabled) &&
+            !ui::active() && !ui::released())
+            *at = *setting;  // something else changed it
+        if (!ui::active()) *setting = *at;
+    };
+    slider("Smoothing", &smoothing_, &next_.smoothing, 0.02f, 20.0f, "%.2f x",
+           "How far the example is smoothed to its guide. Less leaves large waves in the guide, more makes them style.",
+           true, next_.styled);
+    slider(
+        "Closeness", &beta_, &next_.beta, 0.01f, 0.99f, "%.2f",
+        "How guide and example are matched. More: each point of the guide takes what is nearest. Less: pieces of the "
+        "guide take equal shares of the example.",
+        false, next_.styled);
+    shown.smoothing = smoothing_;
+    shown.beta = beta_;
+    guide_.update(document_, shown);
+    const float unit = app_.scale, height = 5.5f * ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({ImGui::GetContentRegionAvail().x, height});
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ui::mark_last("Guide picture");
+    ui::tip("The example, the guide made of it, and the displacement between them, which is what a style learns.");
+    guide_.draw(*ImGui::GetWindowDrawList(), {low.x, low.y}, {high.x, high.y}, unit);
+    if (guide_.nothing_to_learn()) ui::hint("Nothing to learn: the example is straight, or too short.");
 }
 
 void StrokesWorkspace::draw_apply() {

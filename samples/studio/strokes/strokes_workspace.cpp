@@ -9,6 +9,7 @@
 #include <map>
 
 #include "strokes/standing_strokes.h"
+#include "strokes/stroke_arrays.h"
 #include "strokes/stroke_files.h"
 #include "workspaces.h"
 
@@ -35,6 +36,7 @@ std::unique_ptr<Workspace> make_strokes(AppContext& app) {
 StrokesWorkspace::StrokesWorkspace(AppContext& app)
     : Workspace(app),
       style_cache_(app),
+      guide_(app, style_cache_),
       layers_(app, style_cache_),
       pen_(app, style_cache_),
       replay_(app, style_cache_) {
@@ -95,7 +97,7 @@ void StrokesWorkspace::redo() {
 }
 
 void StrokesWorkspace::update() {
-    style_cache_.forget_drawn(document_);
+    style_cache_.forget(document_, next_);
     replay_.update(document_);
     layers_.update(document_, replay_.layer());
     if (lifts_pen_ && !layers_.busy()) {
@@ -105,7 +107,7 @@ void StrokesWorkspace::update() {
     // Its example may have been undone.
     if (!style_cache_.has(document_, next_.style)) next_.style = StrokeSettings().style;
     // So that the next stroke can begin at once.
-    const filigree::Style* style = style_cache_.get(document_, next_.style, next_.patch);
+    const filigree::Style* style = style_cache_.get(document_, next_);
     if (!pen_.down()) lift_m_ = lift(style);  // one for all of a stroke, also if its style gets ready meanwhile
     is_warm_ = style == nullptr ||
                (style_cache_.info(*style).displacement_rms > 0.0f && style_cache_.warm(*style, next_.temperature));
@@ -116,7 +118,7 @@ float StrokesWorkspace::lift(const filigree::Style* style) {
     const float rms = style != nullptr ? style_cache_.info(*style).displacement_rms : 0.0f;
     if (!next_.styled || tool_ != Tool::draw || !(rms > 0.0f)) return asked;
     const glm::vec2 reach = style_cache_.reach(document_, next_.style);
-    const float swing = 0.01f * next_.scale_cm / rms * next_.magnitude * (next_.upright ? reach.y : reach.x);
+    const float swing = swing_m(next_) / rms * next_.magnitude * (next_.upright ? reach.y : reach.x);
     return std::max(asked, swing + 0.001f * next_.radius_mm);
 }
 
@@ -504,6 +506,10 @@ double StrokesWorkspace::count(const std::string& name) const {
     if (name == "lift_mm") return 1e3 * static_cast<double>(lift_m_);
     if (name == "radius_mm") return static_cast<double>(next_.radius_mm);
     if (name == "seed") return next_.seed;
+    if (name == "smoothing") return static_cast<double>(next_.smoothing);
+    if (name == "beta") return static_cast<double>(next_.beta);
+    if (name == "guides") return guide_.made();
+    if (name == "displacement") return static_cast<double>(guide_.displacement());
     if (name == "selected") return static_cast<double>(selected_.size());
     if (name == "looks") {
         std::set<SettingsPtr> looks;
@@ -513,7 +519,8 @@ double StrokesWorkspace::count(const std::string& name) const {
     }
     if (name == "points") return static_cast<double>(layers_.point_count());
     throw StudioError(
-        "strokes has the values count, layers, styles, selected, looks, lift_mm, radius_mm, seed and points, not " +
+        "strokes has the values count, layers, styles, selected, looks, lift_mm, radius_mm, seed, smoothing, beta, "
+        "guides, displacement and points, not " +
         name + ".");
 }
 

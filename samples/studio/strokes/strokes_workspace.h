@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "strokes/guide_picture.h"
 #include "strokes/live_pen.h"
 #include "strokes/stroke_replay.h"
 
@@ -40,7 +41,9 @@ public:
     std::span<const Export> exports() const override;
     void write(const Export& what, const std::string& path) override;
     render::Box box() const override;
-    bool busy() const override { return layers_.busy() || replay_.layer() != 0 || lifts_pen_ || !is_warm_; }
+    bool busy() const override {
+        return layers_.busy() || replay_.layer() != 0 || lifts_pen_ || !is_warm_ || guide_.busy();
+    }
     void device_lost() override;
     double count(const std::string& name) const override;
 
@@ -83,19 +86,22 @@ private:
     void draw_styles();
     void draw_colors();
     void draw_sizes();
+    void draw_guide();
     void draw_apply();
     void draw_layers();
     void style_button(const std::string& name, const char* said);
 
     StyleCache style_cache_;
+    GuidePicture guide_;
     StrokeDocument document_;
     StrokeLayers layers_;
     LivePen pen_;
     StrokeReplay replay_;
     std::vector<StrokeDocument> undone_from_, redone_from_;
-    StrokeSettings next_;           // of the next stroke
-    bool keeps_colors_ = false;     // of strokes that settings are applied to
-    std::set<StrokePtr> selected_;  // what was recorded stays, whatever it is made to look like
+    StrokeSettings next_;                   // of the next stroke
+    float smoothing_ = 1.0f, beta_ = 0.2f;  // where the sliders are: the settings follow when they are let go
+    bool keeps_colors_ = false;             // of strokes that settings are applied to
+    std::set<StrokePtr> selected_;          // what was recorded stays, whatever it is made to look like
 
     Tool tool_ = Tool::draw;
     Ground ground_ = Ground::mesh;

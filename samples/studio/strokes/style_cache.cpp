@@ -5,15 +5,19 @@
 #include <algorithm>
 
 #include "scenes/scenes.h"
+#include "strokes/flat_plane.h"
 #include "support/curve_arrays.h"
 
 namespace flg::studio {
 namespace {
 
 constexpr float kLength = 3.5f;  // of a preview, of its height
+// A displacement below this share of the guide's length cannot be seen.
+constexpr float kUnseenShare = 1e-5f;
+constexpr size_t kKept = 32;  // styles that nothing is drawn with
 
 bool is_builtin_style(const std::string& name) {
-    const std::vector<std::string>& names = scenes::style_names();
+    const std::vector<std::string>& names = scenes::library_names();
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -30,23 +34,12 @@ std::vector<glm::vec3> points_of(const StrokeDocument& document, const std::stri
 // The first of them, on the plane of the two directions along which they spread most; 0 to 1.
 std::vector<glm::vec3> flattened(const std::vector<glm::vec3>& points) {
     if (points.empty()) return {};
-    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-    for (const glm::vec3& p : points) mean += Eigen::Vector3f(p.x, p.y, p.z) / static_cast<float>(points.size());
-    Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
-    for (const glm::vec3& p : points) {
-        const Eigen::Vector3f d = Eigen::Vector3f(p.x, p.y, p.z) - mean;
-        spread += d * d.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(spread);
-    Eigen::Vector3f along = solver.eigenvectors().col(2), across = solver.eigenvectors().col(1);
-    if (along[0] < 0.0f) along = -along;  // from left to right, as it was drawn
-    if (across[1] < 0.0f) across = -across;
+    const FlatPlane plane(points);
     std::vector<glm::vec3> flat;
     glm::vec2 low(1e30f), high(-1e30f);
     const size_t least = points.size() / 5;
     for (const glm::vec3& p : points) {
-        const Eigen::Vector3f d = Eigen::Vector3f(p.x, p.y, p.z) - mean;
-        const glm::vec2 at(along.dot(d), -across.dot(d));
+        const glm::vec2 at = plane.flat(p);
         // As much of it as can be made out.
         const glm::vec2 size = glm::max(high, at) - glm::min(low, at);
         if (flat.size() > least && size.x > kLength * size.y) break;
@@ -92,33 +85,62 @@ bool StyleCache::has(const StrokeDocument& document, const std::string& name) co
     return document.find_style(name) != nullptr || is_builtin_style(name);
 }
 
-const filigree::Style* StyleCache::get(const StrokeDocument& document, const std::string& name, int patch) {
-    Entry& entry = styles_[{name, patch}];
-    const DrawnStyle* drawn = document.find_style(name);
-    if (!has(document, name)) return nullptr;
-    if (entry.style && (drawn == nullptr || entry.drawn == drawn->stroke)) return &entry.style;
-    const std::vector<glm::vec3> points = points_of(document, name);
-    const uint32_t offsets[] = {0, static_cast<uint32_t>(points.size())};
-    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &points[0].x, 0, 0};
+std::vector<glm::vec3> StyleCache::example(const StrokeDocument& document, const std::string& name) const {
+    return points_of(document, name);
+}
+
+filigree::Style StyleCache::prepare(const std::vector<glm::vec3>& example, const StrokeSettings& settings,
+                                    Jobs::Done done, Jobs::Shown shown) {
+    const uint32_t offsets[] = {0, static_cast<uint32_t>(example.size())};
+    const FlgColumn column = {FLG_ATTRIBUTE_POSITION, 3, &example[0].x, 0, 0};
     FlgCurveSetView view = flgCurveSetViewDefaults();
     view.curve_count = 1;
     view.curve_offsets = offsets;
     view.columns = &column;
     view.column_count = 1;
-    const filigree::CurveSet example = app_.context.curve_set(view);
+    const filigree::CurveSet set = app_.context.curve_set(view);
     FlgStyleDesc desc = flgStyleDefaults();
-    desc.style = example.get();
-    desc.patch = static_cast<uint32_t>(patch);
+    desc.style = set.get();
+    desc.patch = static_cast<uint32_t>(settings.patch);
+    desc.smoothing = settings.smoothing;
+    desc.beta = settings.beta;
     filigree::Job job;
-    entry = {app_.context.style(desc, &job), drawn ? drawn->stroke : nullptr};
-    app_.jobs.add("Learning style " + name, std::move(job));
+    filigree::Style style = app_.context.style(desc, &job);
+    app_.jobs.add("Learning style " + settings.style, std::move(job), std::move(done), shown);
+    return style;
+}
+
+const filigree::Style* StyleCache::get(const StrokeDocument& document, const StrokeSettings& settings) {
+    if (!has(document, settings.style)) return nullptr;
+    Entry& entry = styles_[key_of(settings)];
+    const DrawnStyle* drawn = document.find_style(settings.style);
+    if (entry.style && (drawn == nullptr || entry.drawn == drawn->stroke)) return &entry.style;
+    entry.drawn = drawn ? drawn->stroke : nullptr;
+    entry.style = prepare(points_of(document, settings.style), settings, [this, key = key_of(settings)](const auto&) {
+        const auto found = styles_.find(key);
+        if (found == styles_.end() || !has_nothing_to_learn(found->second.style)) return;
+        app_.notices.add(Weight::warning,
+                         "Style " + std::get<0>(key) + " has nothing to learn: its example is straight, or too short.");
+    });
     return &entry.style;
 }
 
-FlgStyleInfo StyleCache::info(const filigree::Style& style) const {
+FlgStyleInfo StyleCache::read_info(const filigree::Style& style) const {
     FlgStyleInfo info{};
     info.struct_size = sizeof info;
-    if (flgStyleGetInfo(app_.context.get(), style.get(), &info) != FLG_OK) info.displacement_rms = 0.0f;
+    if (flgStyleGetInfo(app_.context.get(), style.get(), &info) != FLG_OK) info = {};
+    return info;
+}
+
+bool StyleCache::has_nothing_to_learn(const filigree::Style& style) const {
+    const FlgStyleInfo info = read_info(style);
+    return info.guide_length > 0.0f && info.displacement_rms <= kUnseenShare * info.guide_length;
+}
+
+FlgStyleInfo StyleCache::info(const filigree::Style& style) const {
+    FlgStyleInfo info = read_info(style);
+    // Nothing to learn is nothing at any size.
+    if (info.displacement_rms <= kUnseenShare * info.guide_length) info.displacement_rms = info.guide_length;
     return info;
 }
 
@@ -139,12 +161,17 @@ bool StyleCache::warm(const filigree::Style& style, float temperature) {
     return false;
 }
 
-void StyleCache::forget_drawn(const StrokeDocument& document) {
+void StyleCache::forget(const StrokeDocument& document, const StrokeSettings& next) {
     std::erase_if(styles_, [&](const auto& item) {
         if (item.second.drawn == nullptr) return false;
-        const DrawnStyle* drawn = document.find_style(item.first.first);
+        const DrawnStyle* drawn = document.find_style(std::get<0>(item.first));
         return drawn == nullptr || drawn->stroke != item.second.drawn;
     });
+    if (styles_.size() <= kKept) return;
+    std::set<Key> used{key_of(next)};
+    for (const StrokeLayer& layer : document.layers)
+        for (const Stroke& stroke : layer.strokes) used.insert(key_of(*stroke.settings));
+    std::erase_if(styles_, [&](const auto& item) { return !used.contains(item.first); });
 }
 
 glm::vec2 StyleCache::reach(const StrokeDocument& document, const std::string& name) {

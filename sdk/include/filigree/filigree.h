@@ -386,12 +386,13 @@ typedef enum FlgAttribute {
     FLG_ATTRIBUTE_WIDTH = 11,        /* 1, metres, >= 0: of a ribbon */
     FLG_ATTRIBUTE_SPEED = 12,        /* 1, metres a second, > 0: of a motion along the curve */
     FLG_ATTRIBUTE_DISPLACEMENT = 13, /* 3, metres: what the style adds at magnitude 1 */
-    /* In no curve set: what skins and fields hand to the host's buffers (filigree_buffers.h). */
+    /* In no curve set: what skins, fields and brush meshes hand to the host's buffers (filigree_buffers.h). */
     FLG_ATTRIBUTE_JOINTS = 32,       /* 4 whole numbers: joints that move a vertex */
     FLG_ATTRIBUTE_WEIGHTS = 33,      /* 4, 0 to 1: of these joints, the largest first */
     FLG_ATTRIBUTE_PART = 34,         /* 1 whole number: the part that a vertex lies on */
     FLG_ATTRIBUTE_VALUE = 35,        /* 1: a field's */
     FLG_ATTRIBUTE_LABEL = 36,        /* 1 whole number: a field's nearest source */
+    FLG_ATTRIBUTE_UV = 37,           /* 2: texture coordinates of a brush mesh (filigree_brush.h) */
     FLG_ATTRIBUTE_USER = 64,         /* this and above: the host's own, 1 to 16 floats, interpolated linearly */
     FLG_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
 } FlgAttribute;
@@ -417,8 +418,32 @@ typedef enum FlgNumberFormat {
     FLG_NUMBER_FORMAT_UINT32 = 6,  /* whole numbers, indices */
     FLG_NUMBER_FORMAT_UNORM16 = 7, /* 0 to 1 as 0 to 65535 */
     FLG_NUMBER_FORMAT_UINT8 = 8,   /* whole numbers */
+    /* A direction of 3 floats as two SNORM16, 4 bytes. With n = |x| + |y| + |z| these are (x, y) / n where z >= 0, else
+     * ((1 - |y|) sign x, (1 - |x|) sign y), x and y divided by n before. Off by at most 7e-5 radians; of any length, 0
+     * becomes (0, 0, 1). */
+    FLG_NUMBER_FORMAT_OCTAHEDRAL16 = 9,
+    FLG_NUMBER_FORMAT_SRGB8 = 10,  /* linear colour as the nearest byte of its sRGB value; alpha as UNORM8 */
     FLG_NUMBER_FORMAT_FORCE_32BIT = 0x7fffffff
 } FlgNumberFormat;
+
+/* Where a column goes in the host's buffers, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones;
+ * SNORM8 and SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; OCTAHEDRAL16 for NORMAL and TANGENT; UNORM8
+ * and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the host's own; SRGB8 for COLOR; UINT8, UINT16 and UINT32 for the
+ * whole ones: JOINTS, PART, LABEL. */
+typedef struct FlgBufferColumn {
+    FlgAttribute attribute; /* each at most once */
+    FlgNumberFormat format;
+    void* data;             /* of the first row written; aligned to the numbers' size, 2 of OCTAHEDRAL16 */
+    uint32_t stride;        /* bytes between rows, a multiple of the numbers' size; 0 = tightly packed */
+    /* Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has. Of
+     * OCTAHEDRAL16 0 or 3, which become two; of SRGB8 at most 4. */
+    uint32_t components;
+    /* Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1. Each
+     * finite and at most 1e30 in size; 0 for whole numbers, which can't be filled. */
+    float fill[4];
+    uint32_t optional;      /* nonzero: without such a column all components are `fill`. 0: it is refused */
+    uint32_t reserved;
+} FlgBufferColumn;
 
 enum {
     FLG_CURVE_CLOSED = 1 /* the last point joins the first, which is not repeated */
@@ -497,6 +522,31 @@ FLG_API FlgResult flgCurveSetResampleDescInit(FlgCurveSetResampleDesc* desc, uin
 FLG_API FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set,
                                       FlgJob* out_job);
 
+typedef struct FlgCurveSetSimplifyDesc {
+    uint32_t struct_size;
+    uint32_t level_count;    /* 1 to 16. Default 1 */
+    const FlgJobOptions* job;
+    FlgCurveSet curves;
+    /* One a level, metres, >= 0: how far a point that is left out may be from the line that is left, at the same arc
+     * length, plus how far its RADIUS may differ. 0 keeps what is not on a straight line. A pixel at distance d covers
+     * 2 d tan(fov / 2) / height metres. No default. */
+    const float* tolerances;
+    float color_tolerance;   /* how far COLOR may differ, a component; >= 0. Default 0.01 */
+    /* Nonzero: the rims of ribbons stay within the tolerance, in place of the radius: needs RADIUS, TANGENT and NORMAL.
+     * Default 0. */
+    uint32_t ribbons;
+    uint32_t reserved;
+} FlgCurveSetSimplifyDesc;
+
+FLG_API FlgResult flgCurveSetSimplifyDescInit(FlgCurveSetSimplifyDesc* desc, uint32_t struct_size);
+
+/* Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of one
+ * result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all levels, and a
+ * level is a range of it. Ends stay, at least every 1024th point, and three points of closed curves. Cost: about
+ * 50 ns a point and level; up to 10 us where few points can be left out of wild curves. */
+FLG_API FlgResult flgCurveSetSimplify(FlgContext context, const FlgCurveSetSimplifyDesc* desc, FlgCurveSet* out_set,
+                                      FlgJob* out_job);
+
 /* ---- Styles -------------------------------------------------------------------------------------------------- */
 
 /* Distance between two values of an attribute, sec. 5. */
@@ -540,13 +590,13 @@ typedef struct FlgStyleDesc {
      * one spacing, and one patch graph leads from any to any other (Fig. 3). Curves too short for a patch are never
      * jumped to; at least one must be long enough. */
     FlgCurveSet style;
-    /* The unstyled form: one open curve for each style curve, in order. Null: computed by the length-preserving flow of
-     * sec. 4.1. */
+    /* The unstyled form: one open curve for each style curve, in order. Null: made by the flow of sec. 4.1, along the
+     * middle line of the style's waves; a style without waves is its own guide. */
     FlgCurveSet guide;
     /* How much of its length the guide keeps in the flow, 0 to 1: dL/dt = (alpha - 1) int kappa^2. 0 is plain curve
      * shortening; 1 keeps the length and removes little. Default 0.5. */
     float alpha;
-    /* How far the flow smooths, as a multiple of the amount chosen from the style; > 0. Default 1. */
+    /* How long the flow lasts, as a multiple of the time that the style's waves ask for; > 0. Default 1. */
     float smoothing;
     /* Weight of closeness against evenness in the matching of guide and style, in (0, 1), sec. 4.2. Nothing is cut off
      * at any weight: from one point of the guide to the next the matching goes on along the style by at most 1.4 times
@@ -575,7 +625,7 @@ typedef struct FlgStyleDesc {
 FLG_API FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint32_t struct_size);
 
 /* Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
- * flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points. */
+ * flgCurveSetStylize at once; its job then waits for this one. Cost: below 2 ms of work for 600 points. */
 FLG_API FlgResult flgStyleCreate(FlgContext context, const FlgStyleDesc* desc, FlgStyle* out_style, FlgJob* out_job);
 
 typedef struct FlgStyleInfo {
@@ -669,7 +719,16 @@ typedef struct FlgCurveSetStylizeDesc {
      * does not depend on the style's size. Displacements and attributes blend over p points between runs (see
      * flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0. */
     float temperature;
-    /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1. */
+    /* Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. 0 = chosen for each target curve by
+     * itself, and kept for the host to read (flgCurveSetGetScales): s = size of the target curve / size of the guide,
+     * the proportion that the example has. Size is D (D / L)^(1/3), with L the curve's length and D sqrt(12) times the
+     * root mean square distance of its points from their centre: the length if it is straight, less where it winds. If
+     * the target has a RADIUS, of mean r along the curve, the style swings as wide as the stroke was painted: 1.2 r /
+     * FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.25 s. That RADIUS is then made thinner where the
+     * style's turns would touch: multiplied by one factor for each curve, so that its mean is 0.14 * scale *
+     * displacement_rms at most; but not if the style has a RADIUS, nor at magnitude 0. The choice depends neither on
+     * place, direction or unit of style and target nor on the other curves. A curve without length has scale 1.
+     * Default 1. */
     float scale;
     FlgFrameMethod frame;
     /* Key for all random choices. Default 1. */
@@ -735,6 +794,21 @@ FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint3
  * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
 FLG_API FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set,
                                      FlgJob* out_job);
+
+/* In which size a style was drawn on each curve of a result. */
+typedef struct FlgCurveSetScales {
+    uint32_t struct_size;
+    uint32_t curve_count; /* of the result; 0 for sets that no style was applied to */
+    const float* scales;  /* curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none.
+                             They live until the set is released */
+} FlgCurveSetScales;
+
+FLG_API FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint32_t struct_size);
+
+/* The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0. Times
+ * FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.14 of that is a good radius for curves that
+ * have none. FLG_NOT_READY until the result is published, its job's error if that failed. Cost: tens of nanoseconds. */
+FLG_API FlgResult flgCurveSetGetScales(FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales);
 
 /* ---- Defaults by value --------------------------------------------------------------------------------------- */
 /* The struct is filled in the host's code, at the host's size: safe with any library version. */
@@ -821,6 +895,18 @@ static inline FlgStyleDesc flgStyleDefaults(void) {
     FlgStyleDesc desc;
     flgStyleDescInit(&desc, (uint32_t)sizeof desc);
     return desc;
+}
+
+static inline FlgCurveSetSimplifyDesc flgCurveSetSimplifyDefaults(void) {
+    FlgCurveSetSimplifyDesc desc;
+    flgCurveSetSimplifyDescInit(&desc, (uint32_t)sizeof desc);
+    return desc;
+}
+
+static inline FlgCurveSetScales flgCurveSetScalesDefaults(void) {
+    FlgCurveSetScales scales;
+    flgCurveSetScalesInit(&scales, (uint32_t)sizeof scales);
+    return scales;
 }
 
 static inline FlgCurveSetStylizeDesc flgCurveSetStylizeDefaults(void) {

@@ -385,9 +385,6 @@ using BrushJoin = FlgBrushJoin;
 /// In what texture coordinates are measured.
 using BrushUv = FlgBrushUv;
 
-/// What a column of vertices holds, and its components:
-using VertexAttribute = FlgVertexAttribute;
-
 /// How triangles are refined.
 using Subdivision = FlgSubdivision;
 
@@ -451,6 +448,12 @@ using StageTime = FlgStageTime;
 /// One column. Input columns may be strided; result columns are tightly packed.
 using Column = FlgColumn;
 
+/// Where a column goes in the host's buffers, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones;
+/// SNORM8 and SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; OCTAHEDRAL16 for NORMAL and TANGENT; UNORM8
+/// and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the host's own; SRGB8 for COLOR; UINT8, UINT16 and UINT32 for
+/// the whole ones: JOINTS, PART, LABEL.
+using BufferColumn = FlgBufferColumn;
+
 /// An attribute that a style transfers along with its shape. The style curves need a column for it; otherwise
 /// flgStyleCreate refuses them, or its job does if another job still makes them. Values are sampled where the matching
 /// leads, angles between points the shorter way and unwrapped along the curve. A SPEED must be above 0.
@@ -467,19 +470,11 @@ using StyleDrive = FlgStyleDrive;
 /// What a call of flgBrushMeshWrite writes.
 using BrushMeshSizes = FlgBrushMeshSizes;
 
-/// Where a column of vertices goes; several may be interleaved. Only the components are written, nothing between.
-using VertexColumn = FlgVertexColumn;
-
 /// At weights (1 - u - v, u, v) of the triangle's corners; u, v >= 0 and u + v <= 1 (clipped within 1e-5).
 using SurfacePoint = FlgSurfacePoint;
 
 /// A point on a branch's axis, with the slice across it.
 using AxisSample = FlgAxisSample;
-
-/// Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and SNORM16
-/// for NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the
-/// host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
-using BufferColumn = FlgBufferColumn;
 
 /// Part of a border. Loops are the closed borders of the seeds' regions, taken together, including surface borders.
 /// They are ordered by their least edges, as flgSurfaceSampleBorders gives them. `begin` and `end` are fractions of the
@@ -618,6 +613,30 @@ struct StyleInfo {
 
 private:
     FlgStyleInfo c_;
+};
+
+/// In which size a style was drawn on each curve of a result.
+struct CurveSetScales {
+    /// of the result; 0 for sets that no style was applied to
+    uint32_t curve_count{};
+    /// curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none. They live until the
+    /// set is released
+    Span<const float> scales;
+
+    /// Empty.
+    CurveSetScales() { flgCurveSetScalesInit(&c_, detail::size_of<FlgCurveSetScales>); }
+    /// Of the C struct.
+    CurveSetScales(const FlgCurveSetScales& c) : c_(c) {
+        curve_count = c.curve_count;
+        scales = detail::span(c.scales, curve_count);
+    }
+    /// The C struct, for C functions.
+    const FlgCurveSetScales& get() const noexcept { return c_; }
+    /// The C struct.
+    operator FlgCurveSetScales() const noexcept { return c_; }
+
+private:
+    FlgCurveSetScales c_;
 };
 
 /// A drawn shape: ring 0 is its outer contour, the other rings are its holes. Rings may have either orientation and may
@@ -1601,6 +1620,19 @@ struct CurveSetResampleDesc : FlgCurveSetResampleDesc {
     }
 };
 
+/// FlgCurveSetSimplifyDesc with its defaults.
+struct CurveSetSimplifyDesc : FlgCurveSetSimplifyDesc {
+    /// The defaults.
+    CurveSetSimplifyDesc() { flgCurveSetSimplifyDescInit(this, detail::size_of<FlgCurveSetSimplifyDesc>); }
+    /// Of the C struct.
+    CurveSetSimplifyDesc(const FlgCurveSetSimplifyDesc& c) : FlgCurveSetSimplifyDesc(c) {}
+    /// The defaults, with curves.
+    CurveSetSimplifyDesc(FlgCurveSet curves_) {
+        flgCurveSetSimplifyDescInit(this, detail::size_of<FlgCurveSetSimplifyDesc>);
+        curves = curves_;
+    }
+};
+
 /// How a style is prepared (Minarcik, Fiser, Sykora: Example-Based Authoring of Expressive Space Curves, sec. 4.1 to
 /// 4.4).
 struct StyleDesc : FlgStyleDesc {
@@ -1674,12 +1706,12 @@ struct BrushMeshOutput : FlgBrushMeshOutput {
     /// Of the C struct.
     BrushMeshOutput(const FlgBrushMeshOutput& c) : FlgBrushMeshOutput(c) {}
     /// Sets columns and column_count. The array must live until the descriptor is used.
-    void set_columns(Span<const FlgVertexColumn> values) {
+    void set_columns(Span<const FlgBufferColumn> values) {
         columns = values.data();
         column_count = detail::count(values.size());
     }
     /// A list would end before the descriptor is used.
-    void set_columns(std::initializer_list<FlgVertexColumn>) = delete;
+    void set_columns(std::initializer_list<FlgBufferColumn>) = delete;
 };
 
 /// FlgStraightSkeletonDesc with its defaults.
@@ -2729,6 +2761,32 @@ public:
         return detail::made(result, CurveSet(context_, out_set));
     }
 
+    /// Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of one
+    /// result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all levels,
+    /// and a level is a range of it. Ends stay, at least every 1024th point, and three points of closed curves. Cost:
+    /// about 50 ns a point and level; up to 10 us where few points can be left out of wild curves.
+    /// Calls flgCurveSetSimplify.
+    Result<CurveSet> simplify(CurveSetSimplifyDesc desc = {}, Job* out_job = nullptr) const {
+        desc.curves = handle_;
+        FlgCurveSet out_set{};
+        FlgJob job_made{};
+        const FlgResult result = flgCurveSetSimplify(context_, &desc, &out_set, out_job ? &job_made : nullptr);
+        if (out_job) *out_job = Job(context_, job_made);
+        return detail::made(result, CurveSet(context_, out_set));
+    }
+
+    /// The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0. Times
+    /// FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.14 of that is a good radius for curves
+    /// that have none. FLG_NOT_READY until the result is published, its job's error if that failed. Cost: tens of
+    /// nanoseconds.
+    /// Calls flgCurveSetGetScales.
+    Result<CurveSetScales> scales() const {
+        FlgCurveSetScales out_scales;
+        flgCurveSetScalesInit(&out_scales, detail::size_of<FlgCurveSetScales>);
+        const FlgResult result = flgCurveSetGetScales(context_, handle_, &out_scales);
+        return detail::made(result, CurveSetScales(out_scales));
+    }
+
     /// Starts a job that writes the columns of curves. Cost: that of flgColumnsWrite.
     /// Calls flgCurveSetWrite.
     Result<Job> write(const BufferOutput& output, const FlgJobOptions* job = nullptr) const {
@@ -3390,7 +3448,7 @@ public:
     /// changes no other result. It looks ahead by at most 256 points, fewer only where samples wait (4 less for each
     /// sample read); beyond that the tip stops short of the hand. Allocates nothing. The view and its arrays live until
     /// the next call of this function for this stroke, or the stroke's release. Works after flgLiveStrokeEnd too, until
-    /// its job is published: then there is no tip any more. Cost: about 0.5 us, and 0.1 us a point.
+    /// its job is published: then there is no tip any more. Cost: about 0.5 us, and 30 ns a point.
     /// Calls flgLiveStrokeGetTip.
     Result<CurveSetView> tip() const {
         FlgCurveSetView out_tip;
@@ -3615,7 +3673,8 @@ public:
     /// frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4
     /// floats. Lines of one point are written with that point twice; ribbons and tubes omit zero-length curves. Errors:
     /// FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE,
-    /// FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8.
+    /// FLG_ERROR_LIMIT (.glb: 2 GiB). Text leaves while it is made, in parts of 64 KiB, and may be of any size; above 2
+    /// GiB it can't be read again. Cost: .glb 0.1 us a point, text 0.5 to 0.8.
     /// Calls flgCurveFileWrite.
     static Result<bool> write(const char* path, const FlgCurveSetView& view, const CurveFileWriteDesc& desc =
         CurveFileWriteDesc()) {
@@ -3686,7 +3745,8 @@ public:
     /// Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null.
     /// .ply and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else
     /// area-weighted ones. Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range),
-    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: 0.2 to 0.5 us a triangle.
+    /// FLG_ERROR_FORMAT for another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us
+    /// a triangle.
     /// Calls flgMeshFileWrite.
     static Result<bool> write(const char* path, const FlgMeshView& view, const MeshFileWriteDesc& desc =
         MeshFileWriteDesc()) {
@@ -3964,7 +4024,7 @@ public:
     }
 
     /// Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
-    /// flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points.
+    /// flgCurveSetStylize at once; its job then waits for this one. Cost: below 2 ms of work for 600 points.
     /// Calls flgStyleCreate.
     Result<Style> style(const StyleDesc& desc, Job* out_job = nullptr) const {
         FlgStyle out_style{};

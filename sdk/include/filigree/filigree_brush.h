@@ -137,33 +137,22 @@ FLG_API FlgResult flgBrushMeshSizesInit(FlgBrushMeshSizes* sizes, uint32_t struc
 FLG_API FlgResult flgBrushMeshGetSizes(const FlgBrushMeshDesc* desc, const FlgBrushMeshState* state,
                                        FlgBrushMeshSizes* out_sizes);
 
-/* What a column of vertices holds, and its components: */
-typedef enum FlgVertexAttribute {
-    FLG_VERTEX_ATTRIBUTE_POSITION = 0, /* 3, metres: FLOAT32, FLOAT16 */
-    FLG_VERTEX_ATTRIBUTE_NORMAL = 1,   /* 3, unit length: FLOAT32, FLOAT16, SNORM16, SNORM8 */
-    FLG_VERTEX_ATTRIBUTE_TANGENT = 2,  /* 4: unit length, across the normal, along the first texture coordinate; then
-                                          the sign of the bitangent, w * cross(normal, tangent). FLOAT32, FLOAT16,
-                                          SNORM16, SNORM8 */
-    FLG_VERTEX_ATTRIBUTE_COLOR = 3,    /* 4, linear RGBA: FLOAT32, FLOAT16, UNORM8 */
-    FLG_VERTEX_ATTRIBUTE_UV = 4,       /* 2: FLOAT32, FLOAT16 */
-    FLG_VERTEX_ATTRIBUTE_FORCE_32BIT = 0x7fffffff
-} FlgVertexAttribute;
-
-/* Where a column of vertices goes; several may be interleaved. Only the components are written, nothing between. */
-typedef struct FlgVertexColumn {
-    FlgVertexAttribute attribute; /* each at most once */
-    FlgNumberFormat format; /* see the attribute */
-    void* data;      /* of the first vertex written; aligned to the numbers' size */
-    uint32_t stride; /* bytes between vertices, a multiple of the numbers' size; 0 = tightly packed */
-    uint32_t reserved;
-} FlgVertexColumn;
+/* The columns that vertices have, as FLG_ATTRIBUTE_...; others are refused. Rows have at most 4 numbers.
+ *
+ *     POSITION   3, metres
+ *     NORMAL     3, unit length
+ *     TANGENT    4: unit length, across the normal, along the first texture coordinate; then the sign of the
+ *                bitangent, w * cross(normal, tangent)
+ *     COLOR      4, linear RGBA
+ *     UV         2; if desc.uv is 0, filled where `optional`, else refused
+ */
 
 /* The buffers. They must not overlap each other, nor the input. Written from front to back and never read: mapped
  * memory of a graphics card will do. */
 typedef struct FlgBrushMeshOutput {
     uint32_t struct_size;
     uint32_t column_count;          /* 0 to 5 */
-    const FlgVertexColumn* columns; /* those that are wanted */
+    const FlgBufferColumn* columns; /* those that are wanted */
     uint64_t vertex_capacity;       /* vertices that every column has room for */
     void* indices;                  /* null: not wanted */
     uint64_t index_capacity;        /* indices that `indices` has room for */

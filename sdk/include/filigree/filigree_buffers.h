@@ -36,23 +36,6 @@
 extern "C" {
 #endif
 
-/* Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and SNORM16 for
- * NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the
- * host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL. */
-typedef struct FlgBufferColumn {
-    FlgAttribute attribute; /* each at most once */
-    FlgNumberFormat format;
-    void* data;             /* of the first row written; aligned to the numbers' size */
-    uint32_t stride;        /* bytes between rows, a multiple of the numbers' size; 0 = tightly packed */
-    /* Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has. */
-    uint32_t components;
-    /* Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1. Each
-     * finite and at most 1e30 in size; 0 for whole numbers, which can't be filled. */
-    float fill[4];
-    uint32_t optional;      /* nonzero: without such a column all components are `fill`. 0: it is refused */
-    uint32_t reserved;
-} FlgBufferColumn;
-
 /* The buffers, and which part of a result they get. */
 typedef struct FlgBufferOutput {
     uint32_t struct_size;

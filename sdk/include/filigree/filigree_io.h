@@ -10,9 +10,11 @@
  *
  * Curve formats, by extension:
  *   .xyz .txt     text: `x y z [radius]` per line, blank line between curves, `# closed` on the line before a closed
- *                 one; anything else after # is ignored. All points of a curve have a radius or none; if only some
- *                 curves do, the others get 0.005 m. A line `# columns x y z NAME ...` before the first point instead
- *                 names the contents of all lines, each number by a name from the list below
+ *                 one, `# color r g b a` (linear; without a: 1) on the line before the points that have this colour, up
+ *                 to the next such line; anything else after # is ignored. Points before the first colour are white.
+ *                 All points of a curve have a radius or none; if only some curves do, the others get 0.005 m. A line
+ *                 `# columns x y z NAME ...` before the first point instead names the contents of all lines, each
+ *                 number by a name from the list below
  *   .obj          lines (`l`); read and written. Edges (`l a b`) that chain are joined; colours and radii are lost
  *   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS, and with NORMAL,
  *                 _TIME, _PRESSURE, _STYLE_INDEX, _RADII, _ANGLE, _WIDTH, _SPEED, _DISPLACEMENT and _USERN (1 to 4
@@ -180,7 +182,7 @@ typedef struct FlgCurveFileWriteDesc {
     float default_radius;      /* metres, > 0, for curves without a RADIUS column. Default 0.005 */
     uint32_t tube_sides;       /* 3 to 64. Default 8 */
     uint32_t all_columns;      /* nonzero: .xyz and lines in .glb hold all columns of the view (.glb except TANGENT
-                                  and ORIENTATION), else positions, radii and, in .glb, colours. Default 0 */
+                                  and ORIENTATION), else positions, radii and colours. Default 0 */
     uint32_t reserved;
     float tolerance;           /* metres, >= 0: how far ribbons and tubes may deviate from those with all points and
                                   `tube_sides` sides. Makes the file smaller. Default 0: every point, every side */
@@ -199,7 +201,8 @@ FLG_API FlgResult flgCurveFileWriteDescInit(FlgCurveFileWriteDesc* desc, uint32_
  * reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more than 4 floats. Lines of one
  * point are written with that point twice; ribbons and tubes omit zero-length curves.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no curves at all), FLG_ERROR_FORMAT for another extension,
- * FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
+ * FLG_ERROR_FILE, FLG_ERROR_LIMIT (.glb: 2 GiB). Text leaves while it is made, in parts of 64 KiB, and may be of any
+ * size; above 2 GiB it can't be read again. Cost: .glb 0.1 us a point, text 0.5 to 0.8. */
 FLG_API FlgResult flgCurveFileWrite(const char* path, const FlgCurveSetView* view, const FlgCurveFileWriteDesc* desc);
 
 /* ---- Meshes -------------------------------------------------------------------------------------------------- */
@@ -304,7 +307,7 @@ FLG_API FlgResult flgMeshFileWriteDescInit(FlgMeshFileWriteDesc* desc, uint32_t 
 /* Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be null. .ply
  * and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else area-weighted ones.
  * Errors: FLG_ERROR_INVALID_ARGUMENT (also for no triangles, and for indices out of range), FLG_ERROR_FORMAT for
- * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (2 GiB). Cost: 0.2 to 0.5 us a triangle. */
+ * another extension, FLG_ERROR_FILE, FLG_ERROR_LIMIT (.ply, .glb: 2 GiB). Cost: 0.2 to 0.5 us a triangle. */
 FLG_API FlgResult flgMeshFileWrite(const char* path, const FlgMeshView* view, const FlgMeshFileWriteDesc* desc);
 
 /* ---- Skinned models ------------------------------------------------------------------------------------------ */

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <system_error>
 
 #include "io/base/failure.h"
@@ -186,13 +187,6 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     fail(FLG_ERROR_FILE, "", "can't be written: %s", std::generic_category().message(error).c_str());
 }
 
-void write_to_host(const Path& path, std::string_view content) {
-    HostHandle file(path);
-    check_host(file.open(FLG_FILE_ACCESS_WRITE), "", "opened", "open");
-    file.write(content);
-    file.close();
-}
-
 // Where a file of this name is: renaming over a symbolic link would replace the link.
 std::filesystem::path followed(std::filesystem::path path) {
     constexpr int max_links = 40;  // as the kernel has it
@@ -216,26 +210,75 @@ File open_beside(const std::filesystem::path& path, std::filesystem::path& tempo
 
 }  // namespace
 
-void write_file(const Path& name, std::string_view content) {
+// The host's file, or the temporary one.
+class FileWriter::Target {
+public:
+    explicit Target(const Path& path) {
+        if (path.host()) {
+            host_.emplace(path);
+            check_host(host_->open(FLG_FILE_ACCESS_WRITE), "", "opened", "open");
+            return;
+        }
+        path_ = followed(os_path(path));
+        if (std::filesystem::is_directory(path_)) fail_writing(EISDIR);
+        file_ = open_beside(path_, temporary_);
+    }
+    ~Target() {
+        if (!host_) discard();
+    }
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+
+    void write(std::string_view content) {
+        if (host_) return host_->write(content);
+        if (std::fwrite(content.data(), 1, content.size(), file_.get()) != content.size()) fail_writing(errno);
+    }
+    void finish() {
+        if (host_) return host_->close();
+        if (std::fclose(file_.release()) != 0) fail_writing(errno);
+        std::error_code error;
+        std::filesystem::rename(temporary_, path_, error);
+        if (error) fail_writing(error.value());
+        temporary_.clear();
+    }
+
+private:
+    void discard() noexcept {
+        file_.reset();
+        std::error_code ignored;
+        if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+    }
+
+    std::optional<HostHandle> host_;
+    std::filesystem::path path_, temporary_;
+    File file_{nullptr, std::fclose};
+};
+
+FileWriter::FileWriter(const Path& path) : target_(make_owned<Target>(path)) {}
+FileWriter::~FileWriter() = default;
+
+void FileWriter::write_out() {
+    target_->write(text);
+    text.clear();
+}
+
+void FileWriter::append(std::string_view content) {
+    write_out();
+    target_->write(content);
+}
+
+void FileWriter::finish() {
+    write_out();
+    target_->finish();
+}
+
+void write_file(const Path& path, std::string_view content) {
     if (content.size() > max_bytes) {
         fail(FLG_ERROR_LIMIT, "", "would take %zu bytes, more than the limit of 2 GiB", content.size());
     }
-    if (name.host()) return write_to_host(name, content);
-    const std::filesystem::path path = followed(os_path(name));
-    if (std::filesystem::is_directory(path)) fail_writing(EISDIR);
-    std::filesystem::path temporary;
-    File file = open_beside(path, temporary);
-    int error = 0;
-    if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size()) error = errno;
-    if (std::fclose(file.release()) != 0 && error == 0) error = errno;
-    std::error_code renamed;
-    if (error == 0) std::filesystem::rename(temporary, path, renamed);
-    if (error == 0 && renamed) error = renamed.value();
-    if (error != 0) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        fail_writing(error);
-    }
+    FileWriter file(path);
+    file.append(content);
+    file.finish();
 }
 
 bool file_exists(const Path& path) {

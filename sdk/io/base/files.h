@@ -67,8 +67,33 @@ inline std::string_view as_text(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Writes a temporary file beside `path`, or beside what it links to, and renames it; on failure nothing is left behind
-// and all is as it was. The host's functions see to that themselves. Refuses more than max_bytes.
+// Writes a temporary file beside `path`, or beside what it links to, and renames it when it is finished; else nothing
+// is left behind and all is as it was. The host's functions see to that themselves.
+class FileWriter {
+public:
+    explicit FileWriter(const Path& path);
+    ~FileWriter();
+    FileWriter(const FileWriter&) = delete;
+    FileWriter& operator=(const FileWriter&) = delete;
+
+    // What comes next. drain() lets it leave once it is long.
+    String text;
+    void drain() {
+        if (text.size() >= drained_bytes) write_out();
+    }
+    // After the text.
+    void append(std::string_view content);
+    void finish();
+
+private:
+    static constexpr size_t drained_bytes = size_t{1} << 16;
+    class Target;
+    void write_out();
+
+    Owned<Target> target_;
+};
+
+// The same of content that is there as a whole. Refuses more than max_bytes.
 void write_file(const Path& path, std::string_view content);
 
 bool file_exists(const Path& path);

@@ -217,15 +217,17 @@ private:
         SweptPiece& piece = pieces_[number];
         brush::Output output;
         output.first_index_value = static_cast<uint32_t>(piece.vertex_count());
-        const auto add_column = [&](FlgVertexAttribute attribute, Vector<float>& values, uint32_t components) {
+        const auto add_column = [&](brush::Of kind, Vector<float>& values, uint32_t components) {
             const size_t before = values.size();
             values.resize(before + components * counts.vertices);
-            const auto stride = static_cast<uint32_t>(components * sizeof(float));
-            output.columns[attribute] = {attribute, FLG_NUMBER_FORMAT_FLOAT32, values.data() + before, stride, 0};
+            FlgBufferColumn& column = output[kind];
+            column.data = values.data() + before;
+            column.stride = static_cast<uint32_t>(components * sizeof(float));
+            column.components = components;
         };
-        add_column(FLG_VERTEX_ATTRIBUTE_POSITION, piece.positions, 3);
-        add_column(FLG_VERTEX_ATTRIBUTE_NORMAL, piece.normals, 3);
-        if (view_.color) add_column(FLG_VERTEX_ATTRIBUTE_COLOR, piece.colors, 4);
+        add_column(brush::Of::position, piece.positions, 3);
+        add_column(brush::Of::normal, piece.normals, 3);
+        if (view_.color) add_column(brush::Of::color, piece.colors, 4);
         const size_t before = piece.indices.size();
         piece.indices.resize(before + counts.indices);
         output.indices = piece.indices.data() + before;

@@ -155,23 +155,25 @@ CurveData read_obj(std::string_view text, const Origin& origin) {
     return ObjReader(origin).read(text);
 }
 
-String write_obj(const CheckedView& view) {
-    constexpr size_t usual_point = 48;
-    String text;
-    text.reserve(view.point_count() * usual_point);
+void write_obj(const CheckedView& view, FileWriter& file) {
+    String& text = file.text;
     for (size_t i = 0; i < view.point_count(); ++i) {
         text += 'v';
         for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', view.position.at(i)[k], view.origin()[k]);
         text += '\n';
+        file.drain();
     }
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
         text += 'l';
-        for (size_t i = view.begin(c); i < view.end(c); ++i) text.append(" ").append(to_text(i + 1));
+        for (size_t i = view.begin(c); i < view.end(c); ++i) {
+            text.append(" ").append(to_text(i + 1));
+            file.drain();
+        }
         // A curve of one point has it twice: the format has no shorter lines.
         if (view.closed(c) || view.end(c) - view.begin(c) == 1) text.append(" ").append(to_text(view.begin(c) + 1));
         text += '\n';
+        file.drain();
     }
-    return text;
 }
 
 namespace {
@@ -276,15 +278,14 @@ MeshData read_obj_mesh(std::string_view text, const Origin& origin) {
     return ObjMeshReader(origin).read(text);
 }
 
-String write_obj_mesh(const CheckedMesh& mesh) {
-    constexpr size_t usual_line = 36;
-    String text;
-    text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
+void write_obj_mesh(const CheckedMesh& mesh, FileWriter& file) {
+    String& text = file.text;
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
         text += 'v';
         for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', mesh.position.at(i)[k], mesh.origin()[k]);
         if (mesh.color) append_numbers(text, mesh.color.at(i), 3);
         text += '\n';
+        file.drain();
     }
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         if (mesh.regions() && (t == 0 || mesh.region(t) != mesh.region(t - 1))) {
@@ -293,8 +294,8 @@ String write_obj_mesh(const CheckedMesh& mesh) {
         text += 'f';
         for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(to_text(mesh.triangle(t)[k] + 1));
         text += '\n';
+        file.drain();
     }
-    return text;
 }
 
 }  // namespace flg::io

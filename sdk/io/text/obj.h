@@ -7,15 +7,16 @@
 #include "core/origin.h"
 #include "io/base/checked_views.h"
 #include "io/base/curve_data.h"
+#include "io/base/files.h"
 #include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
 CurveData read_obj(std::string_view text, const Origin& origin);
-String write_obj(const CheckedView& view);
+void write_obj(const CheckedView& view, FileWriter& file);
 
 MeshData read_obj_mesh(std::string_view text, const Origin& origin);
-String write_obj_mesh(const CheckedMesh& mesh);
+void write_obj_mesh(const CheckedMesh& mesh, FileWriter& file);
 
 }  // namespace flg::io

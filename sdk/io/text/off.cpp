@@ -133,22 +133,22 @@ MeshData read_off(std::string_view text, const Origin& origin) {
     return OffReader(text, origin).read();
 }
 
-String write_off(const CheckedMesh& mesh) {
-    constexpr size_t usual_line = 36;
-    String text = String(mesh.color ? "COFF\n" : "OFF\n") + to_text(mesh.vertex_count()) + " " +
-                  to_text(mesh.triangle_count()) + " 0\n";
-    text.reserve((mesh.vertex_count() + mesh.triangle_count()) * usual_line);
+void write_off(const CheckedMesh& mesh, FileWriter& file) {
+    String& text = file.text;
+    text.append(mesh.color ? "COFF\n" : "OFF\n").append(to_text(mesh.vertex_count())).append(" ");
+    text.append(to_text(mesh.triangle_count())).append(" 0\n");
     for (size_t i = 0; i < mesh.vertex_count(); ++i) {
         for (size_t k = 0; k < 3; ++k) append_coordinate(text += ' ', mesh.position.at(i)[k], mesh.origin()[k]);
         if (mesh.color) append_numbers(text, mesh.color.at(i), 4);
         text += '\n';
+        file.drain();
     }
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         text += '3';
         for (uint32_t k = 0; k < 3; ++k) text.append(" ").append(to_text(mesh.triangle(t)[k]));
         text += '\n';
+        file.drain();
     }
-    return text;
 }
 
 }  // namespace flg::io

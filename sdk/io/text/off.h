@@ -6,12 +6,13 @@
 
 #include "core/origin.h"
 #include "io/base/checked_views.h"
+#include "io/base/files.h"
 #include "io/base/memory.h"
 #include "io/base/mesh_data.h"
 
 namespace flg::io {
 
 MeshData read_off(std::string_view text, const Origin& origin);
-String write_off(const CheckedMesh& mesh);
+void write_off(const CheckedMesh& mesh, FileWriter& file);
 
 }  // namespace flg::io

@@ -2,9 +2,13 @@
 // The grammar is that of filigree_io.h: `x y z [radius]` a line, blank lines between curves, `# closed` before a closed
 // one. A # ends the line's numbers. Within a curve either all points have a radius or none; if only some curves have
 // one, the others get default_radius and a warning. Behind `# columns x y z NAME...` lines have these columns instead.
+// Without that, `# color r g b a` lines colour the points that follow: what reads `x y z [radius]` alone skips them.
 #include "io/text/xyz.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "io/text/text_lines.h"
@@ -16,6 +20,8 @@ namespace {
 constexpr std::string_view closed_word = "closed";
 
 constexpr std::string_view columns_word = "columns";
+constexpr std::string_view color_word = "color";
+constexpr size_t channels = 4;
 constexpr const char* coordinates[] = {"x", "y", "z"};
 constexpr size_t max_names = 256;
 
@@ -26,7 +32,7 @@ Vector<std::string_view> comment_words(std::string_view line) {
     Vector<std::string_view> words;
     std::string_view word = cursor.word().substr(1);
     for (word = word.empty() ? cursor.word() : word; !word.empty(); word = cursor.word()) {
-        if (words.size() == 1 && words[0] != columns_word) return {};
+        if (words.size() == 1 && words[0] != columns_word && words[0] != color_word) return {};
         words.push_back(word);
     }
     return words;
@@ -40,6 +46,20 @@ bool says_closed(std::span<const std::string_view> words) {
 bool says_columns(std::span<const std::string_view> words) {
     return words.size() > std::size(coordinates) && words[0] == columns_word &&
            std::equal(std::begin(coordinates), std::end(coordinates), words.begin() + 1);
+}
+
+using Color = std::array<float, channels>;
+
+// `# color r g b [a]`; what else begins with that word is a comment like others.
+std::optional<Color> says_color(std::span<const std::string_view> words) {
+    if (words.empty() || words[0] != color_word || words.size() < channels || words.size() > channels + 1) return {};
+    Color color = {0, 0, 0, 1};
+    for (size_t k = 1; k < words.size(); ++k) {
+        const char* const end = words[k].data() + words[k].size();
+        const auto [stop, error] = std::from_chars(words[k].data(), end, color[k - 1]);
+        if (error != std::errc() || stop != end || !(std::abs(color[k - 1]) <= max_coordinate)) return {};
+    }
+    return color;
 }
 
 class XyzReader {
@@ -60,6 +80,12 @@ public:
                     announce_columns(std::span(words).subspan(1), lines.number());
                     continue;
                 }
+                if (const std::optional<Color> color = says_color(words); color && !declared_) {
+                    color_points();
+                    color_ = *color;
+                    colored_ = true;
+                    continue;
+                }
                 line = line.substr(0, line.find('#'));
                 LineCursor cursor(line, lines.number());
                 // Only a comment: as if the line were not there.
@@ -77,6 +103,7 @@ public:
             data_.warnings.push_back("line " + to_text(closed_line_) + ": no curve follows `# closed`");
         }
         fill_radii();
+        if (colored_) color_points();
         data_.warn(repeated_ends_, "curve", "closed, and the first point repeated at the end, left out");
         return std::move(data_);
     }
@@ -88,6 +115,12 @@ private:
         }
         closed_next_ = true;
         closed_line_ = line;
+    }
+
+    // The points since the colour changed.
+    void color_points() {
+        while (data_.colors.size() < channels * data_.point_count())
+            data_.colors.insert(data_.colors.end(), color_.begin(), color_.end());
     }
 
     // A number of a line, behind the coordinates.
@@ -182,6 +215,7 @@ private:
         if (closed_next_ && last > begin && std::equal(points + 3 * begin, points + 3 * begin + 3, points + 3 * last)) {
             data_.positions.resize(3 * last);
             if (has_radius_) curve_radii_.pop_back();
+            data_.colors.resize(std::min(data_.colors.size(), channels * last));
             for (VertexColumn& column : data_.columns) column.values.resize(column.values.size() - column.components);
             repeated_ends_.add(data_.curve_count());
         }
@@ -217,6 +251,8 @@ private:
     size_t radius_curves_ = 0;
     Vector<Place> places_;
     bool declared_ = false;  // by `# columns`
+    bool colored_ = false;   // by `# color`
+    Color color_ = {1, 1, 1, 1};
     bool in_curve_ = false;
     bool has_radius_ = false;
     bool closed_next_ = false;
@@ -224,15 +260,22 @@ private:
     Tally repeated_ends_;
 };
 
+// Of a point, unless it is that of the one before it.
+const float* say_color(String& text, const float* color, const float* before) {
+    if (before && std::equal(color, color + channels, before)) return before;
+    append_numbers((text += "# ") += color_word, color, channels);
+    text += '\n';
+    return color;
+}
+
 }  // namespace
 
 CurveData read_xyz(std::string_view text, const Origin& origin) {
     return XyzReader(origin).read(text);
 }
 
-String write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
-    constexpr size_t usual_number = 12;
-    String text;
+void write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc, FileWriter& file) {
+    String& text = file.text;
     // What is written behind the coordinates: the radius first, where plain readers look for it.
     Vector<FlgColumn> columns;
     for (const FlgColumn& column : view.columns()) {
@@ -240,29 +283,28 @@ String write_xyz(const CheckedView& view, const FlgCurveFileWriteDesc& desc) {
         if (column.attribute == FLG_ATTRIBUTE_RADIUS || column.attribute == FLG_ATTRIBUTE_POSITION) continue;
         if (desc.all_columns) columns.push_back(column);
     }
-    size_t numbers = std::size(coordinates);
     if (desc.all_columns) text += "# columns x y z";
     for (const FlgColumn& column : columns) {
-        numbers += column.components;
         for (uint32_t k = 0; desc.all_columns && k < column.components; ++k) {
             text += ' ' + column_name(column.attribute, column.components, k);
         }
     }
     if (desc.all_columns) text += '\n';
-    text.reserve(view.point_count() * numbers * usual_number);
+    const float* color = nullptr;  // as it was said last
     for (uint32_t c = 0; c < view.curve_count(); ++c) {
         if (c != 0) text += '\n';
         if (view.closed(c)) text += "# closed\n";
         for (size_t i = view.begin(c); i < view.end(c); ++i) {
+            if (view.color && !desc.all_columns) color = say_color(text, view.color.at(i), color);
             for (size_t k = 0; k < std::size(coordinates); ++k) {
                 if (k > 0) text += ' ';
                 append_coordinate(text, view.position.at(i)[k], view.origin()[k]);
             }
             for (const FlgColumn& column : columns) append_numbers(text, resolved(column).at(i), column.components);
             text += '\n';
+            file.drain();
         }
     }
-    return text;
 }
 
 }  // namespace flg::io

@@ -55,13 +55,13 @@ namespace Filigree
             {
                 FiligreeException.Check(Native.flgBrushMeshGetSizes(from, at, &sizes));
                 FlgBrushMeshOutput output = Native.flgBrushMeshOutputDefaults();
-                FlgVertexColumn* columns = stackalloc FlgVertexColumn[2];
+                FlgBufferColumn* columns = stackalloc FlgBufferColumn[2];
                 if (sizes.vertex_count > 0) // a curve's first point is no mesh yet
                 {
                     uint stride = (uint)(memory.Length / vertices.Length);
                     byte* next = bytes + sizes.first_vertex * stride;
-                    columns[0] = new FlgVertexColumn { attribute = FlgVertexAttribute.Position, data = next };
-                    columns[1] = new FlgVertexColumn { attribute = FlgVertexAttribute.Normal, data = next + 12 };
+                    columns[0] = new FlgBufferColumn { attribute = FlgAttribute.Position, data = next };
+                    columns[1] = new FlgBufferColumn { attribute = FlgAttribute.Normal, data = next + 12 };
                     columns[0].stride = columns[1].stride = stride;
                     output.columns = columns;
                     output.column_count = 2;

@@ -97,22 +97,6 @@ namespace Filigree
     }
 
     /// <summary>
-    /// Where a column of vertices goes; several may be interleaved. Only the components are written, nothing between.
-    /// </summary>
-    public unsafe partial struct FlgVertexColumn
-    {
-        /// <summary>each at most once</summary>
-        public FlgVertexAttribute attribute;
-        /// <summary>see the attribute</summary>
-        public FlgNumberFormat format;
-        /// <summary>of the first vertex written; aligned to the numbers' size</summary>
-        public void* data;
-        /// <summary>bytes between vertices, a multiple of the numbers' size; 0 = tightly packed</summary>
-        public uint stride;
-        public uint reserved;
-    }
-
-    /// <summary>
     /// The buffers. They must not overlap each other, nor the input. Written from front to back and never read: mapped
     /// memory of a graphics card will do.
     /// </summary>
@@ -122,7 +106,7 @@ namespace Filigree
         /// <summary>0 to 5</summary>
         public uint column_count;
         /// <summary>those that are wanted</summary>
-        public FlgVertexColumn* columns;
+        public FlgBufferColumn* columns;
         /// <summary>vertices that every column has room for</summary>
         public ulong vertex_capacity;
         /// <summary>null: not wanted</summary>

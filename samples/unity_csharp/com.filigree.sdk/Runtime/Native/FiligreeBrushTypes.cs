@@ -55,22 +55,4 @@ namespace Filigree
         /// <summary>FLG_BRUSH_UV_METRES: metres</summary>
         Metres = 1,
     }
-
-    /// <summary>What a column of vertices holds, and its components:</summary>
-    public enum FlgVertexAttribute
-    {
-        /// <summary>FLG_VERTEX_ATTRIBUTE_POSITION: 3, metres: FLOAT32, FLOAT16</summary>
-        Position = 0,
-        /// <summary>FLG_VERTEX_ATTRIBUTE_NORMAL: 3, unit length: FLOAT32, FLOAT16, SNORM16, SNORM8</summary>
-        Normal = 1,
-        /// <summary>
-        /// FLG_VERTEX_ATTRIBUTE_TANGENT: 4: unit length, across the normal, along the first texture coordinate; then
-        /// the sign of the bitangent, w * cross(normal, tangent). FLOAT32, FLOAT16, SNORM16, SNORM8
-        /// </summary>
-        Tangent = 2,
-        /// <summary>FLG_VERTEX_ATTRIBUTE_COLOR: 4, linear RGBA: FLOAT32, FLOAT16, UNORM8</summary>
-        Color = 3,
-        /// <summary>FLG_VERTEX_ATTRIBUTE_UV: 2: FLOAT32, FLOAT16</summary>
-        Uv = 4,
-    }
 }

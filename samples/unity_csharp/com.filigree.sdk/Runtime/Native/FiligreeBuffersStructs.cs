@@ -5,34 +5,6 @@ using System;
 
 namespace Filigree
 {
-    /// <summary>
-    /// Where a column goes, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole ones; SNORM8 and
-    /// SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS,
-    /// VALUE and the host's own; UINT8, UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
-    /// </summary>
-    public unsafe partial struct FlgBufferColumn
-    {
-        /// <summary>each at most once</summary>
-        public FlgAttribute attribute;
-        public FlgNumberFormat format;
-        /// <summary>of the first row written; aligned to the numbers' size</summary>
-        public void* data;
-        /// <summary>bytes between rows, a multiple of the numbers' size; 0 = tightly packed</summary>
-        public uint stride;
-        /// <summary>
-        /// Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has.
-        /// </summary>
-        public uint components;
-        /// <summary>
-        /// Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1.
-        /// Each finite and at most 1e30 in size; 0 for whole numbers, which can't be filled.
-        /// </summary>
-        public fixed float fill[4];
-        /// <summary>nonzero: without such a column all components are `fill`. 0: it is refused</summary>
-        public uint optional;
-        public uint reserved;
-    }
-
     /// <summary>The buffers, and which part of a result they get.</summary>
     public unsafe partial struct FlgBufferOutput
     {

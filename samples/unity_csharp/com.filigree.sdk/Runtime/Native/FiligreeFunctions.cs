@@ -229,11 +229,24 @@ namespace Filigree
             FlgContext context, FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
 
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetSimplifyDescInit(FlgCurveSetSimplifyDesc* desc, uint struct_size);
+
+        /// <summary>
+        /// Starts a job that keeps the points that curves need, with all their columns: levels of detail as ranges of
+        /// one result. With n curves, curve c at level l is curve l * n + c of the result: one vertex buffer holds all
+        /// levels, and a level is a range of it. Ends stay, at least every 1024th point, and three points of closed
+        /// curves. Cost: about 50 ns a point and level; up to 10 us where few points can be left out of wild curves.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetSimplify(
+            FlgContext context, FlgCurveSetSimplifyDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleDescInit(FlgStyleDesc* desc, uint struct_size);
 
         /// <summary>
         /// Starts a job that prepares a style: guide, matching, displacement, patch graph. The handle can be passed to
-        /// flgCurveSetStylize at once; its job then waits for this one. Cost: below 11 ms of work for 600 points.
+        /// flgCurveSetStylize at once; its job then waits for this one. Cost: below 2 ms of work for 600 points.
         /// </summary>
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgStyleCreate(
@@ -305,6 +318,19 @@ namespace Filigree
         [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveSetStylize(
             FlgContext context, FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set, FlgJob* out_job);
+
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetScalesInit(FlgCurveSetScales* scales, uint struct_size);
+
+        /// <summary>
+        /// The scale of each curve that flgCurveSetStylize has made: the one given, or the one chosen for scale 0.
+        /// Times FlgStyleInfo::displacement_rms it is how far the style swings, metres; 0.14 of that is a good radius
+        /// for curves that have none. FlgResult.NotReady until the result is published, its job's error if that failed.
+        /// Cost: tens of nanoseconds.
+        /// </summary>
+        [DllImport(Library.Filigree, CallingConvention = Cdecl, ExactSpelling = true)]
+        public static extern FlgResult flgCurveSetGetScales(
+            FlgContext context, FlgCurveSet set, FlgCurveSetScales* out_scales);
 
         public static FlgStyleInfo flgStyleInfoDefaults()
         {
@@ -401,6 +427,20 @@ namespace Filigree
         {
             FlgStyleDesc made;
             flgStyleDescInit(&made, (uint)sizeof(FlgStyleDesc));
+            return made;
+        }
+
+        public static FlgCurveSetSimplifyDesc flgCurveSetSimplifyDefaults()
+        {
+            FlgCurveSetSimplifyDesc made;
+            flgCurveSetSimplifyDescInit(&made, (uint)sizeof(FlgCurveSetSimplifyDesc));
+            return made;
+        }
+
+        public static FlgCurveSetScales flgCurveSetScalesDefaults()
+        {
+            FlgCurveSetScales made;
+            flgCurveSetScalesInit(&made, (uint)sizeof(FlgCurveSetScales));
             return made;
         }
 

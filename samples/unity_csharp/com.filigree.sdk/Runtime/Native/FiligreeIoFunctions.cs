@@ -10,9 +10,11 @@
 //
 // Curve formats, by extension:
 //   .xyz .txt     text: `x y z [radius]` per line, blank line between curves, `# closed` on the line before a closed
-//                 one; anything else after # is ignored. All points of a curve have a radius or none; if only some
-//                 curves do, the others get 0.005 m. A line `# columns x y z NAME ...` before the first point instead
-//                 names the contents of all lines, each number by a name from the list below
+//                 one, `# color r g b a` (linear; without a: 1) on the line before the points that have this colour, up
+//                 to the next such line; anything else after # is ignored. Points before the first colour are white.
+//                 All points of a curve have a radius or none; if only some curves do, the others get 0.005 m. A line
+//                 `# columns x y z NAME ...` before the first point instead names the contents of all lines, each
+//                 number by a name from the list below
 //   .obj          lines (`l`); read and written. Edges (`l a b`) that chain are joined; colours and radii are lost
 //   .gltf .glb    LINES (joined where they chain), LINE_STRIP, LINE_LOOP, with COLOR_0 and _RADIUS, and with NORMAL,
 //                 _TIME, _PRESSURE, _STYLE_INDEX, _RADII, _ANGLE, _WIDTH, _SPEED, _DISPLACEMENT and _USERN (1 to 4
@@ -108,8 +110,9 @@ namespace Filigree
         /// frames by double reflection. Colours in .glb are clamped to 0 to 1; .glb cannot hold USER columns of more
         /// than 4 floats. Lines of one point are written with that point twice; ribbons and tubes omit zero-length
         /// curves. Errors: FlgResult.ErrorInvalidArgument (also for no curves at all), FlgResult.ErrorFormat for
-        /// another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB). Cost: .glb 0.1 us a point, text 0.5 to
-        /// 0.8.
+        /// another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (.glb: 2 GiB). Text leaves while it is made, in
+        /// parts of 64 KiB, and may be of any size; above 2 GiB it can't be read again. Cost: .glb 0.1 us a point, text
+        /// 0.5 to 0.8.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgCurveFileWrite(
@@ -176,8 +179,8 @@ namespace Filigree
         /// Writes a mesh to .ply, .obj, .off or .glb, completely or not at all, as flgCurveFileWrite. `desc` may be
         /// null. .ply and .glb keep every bit of positions; text has 9 digits. .glb gets normals: the column's, else
         /// area-weighted ones. Errors: FlgResult.ErrorInvalidArgument (also for no triangles, and for indices out of
-        /// range), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (2 GiB).
-        /// Cost: 0.2 to 0.5 us a triangle.
+        /// range), FlgResult.ErrorFormat for another extension, FlgResult.ErrorFile, FlgResult.ErrorLimit (.ply, .glb:
+        /// 2 GiB). Cost: 0.2 to 0.5 us a triangle.
         /// </summary>
         [DllImport(Library.Io, CallingConvention = Cdecl, ExactSpelling = true)]
         public static extern FlgResult flgMeshFileWrite(byte* path, FlgMeshView* view, FlgMeshFileWriteDesc* desc);

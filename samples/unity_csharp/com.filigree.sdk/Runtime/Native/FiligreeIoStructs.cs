@@ -163,7 +163,7 @@ namespace Filigree
         public uint tube_sides;
         /// <summary>
         /// nonzero: .xyz and lines in .glb hold all columns of the view (.glb except TANGENT and ORIENTATION), else
-        /// positions, radii and, in .glb, colours. Default 0
+        /// positions, radii and colours. Default 0
         /// </summary>
         public uint all_columns;
         public uint reserved;

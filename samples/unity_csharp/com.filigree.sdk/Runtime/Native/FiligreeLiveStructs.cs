@@ -15,7 +15,11 @@ namespace Filigree
         public float magnitude;
         /// <summary>the style must be warm at this temperature</summary>
         public float temperature;
-        /// <summary>&gt; 0</summary>
+        /// <summary>
+        /// &gt; 0, or 0 = chosen from the radii, as a stroke's length is not known while it is drawn: the mean of the
+        /// two radii below becomes 0.14 of the style's swing, scale * displacement_rms, so that turns stay apart. 1 if
+        /// both are 0 or the style has no displacement. FlgLiveStrokeInfo::scale has the one chosen. Default 1.
+        /// </summary>
         public float scale;
         /// <summary>Radius at pressure 0 and at pressure 1, metres, &gt;= 0. Default 0.001 and 0.005.</summary>
         public float min_radius;
@@ -103,5 +107,17 @@ namespace Filigree
         /// nonzero: the samples need more than max_points points; the stroke ends before its samples do
         /// </summary>
         public uint cut;
+        /// <summary>of the style: FlgLiveStrokeDesc::scale, or the one chosen for 0</summary>
+        public float scale;
+        /// <summary>
+        /// about how many points the samples so far still have to get; usually 0. Every sample to come makes 1,024 of
+        /// them at most: see Delivery
+        /// </summary>
+        public uint waiting_points;
+        /// <summary>
+        /// samples from which on the stroke has had more than 64 points to the next: pushing them takes longer. A
+        /// larger scale or more samples a second make it fewer
+        /// </summary>
+        public uint dense_samples;
     }
 }

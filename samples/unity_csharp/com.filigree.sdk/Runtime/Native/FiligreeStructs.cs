@@ -285,6 +285,36 @@ namespace Filigree
     }
 
     /// <summary>
+    /// Where a column goes in the host's buffers, and as what. Formats: FLOAT32 and FLOAT16 for all numbers but whole
+    /// ones; SNORM8 and SNORM16 for NORMAL, TANGENT, ORIENTATION and the host's own; OCTAHEDRAL16 for NORMAL and
+    /// TANGENT; UNORM8 and UNORM16 for COLOR, PRESSURE, WEIGHTS, VALUE and the host's own; SRGB8 for COLOR; UINT8,
+    /// UINT16 and UINT32 for the whole ones: JOINTS, PART, LABEL.
+    /// </summary>
+    public unsafe partial struct FlgBufferColumn
+    {
+        /// <summary>each at most once</summary>
+        public FlgAttribute attribute;
+        public FlgNumberFormat format;
+        /// <summary>of the first row written; aligned to the numbers' size, 2 of OCTAHEDRAL16</summary>
+        public void* data;
+        /// <summary>bytes between rows, a multiple of the numbers' size; 0 = tightly packed</summary>
+        public uint stride;
+        /// <summary>
+        /// Numbers a row, at most 16: the leading ones, or more, `fill` after them. 0: as many as the result has. Of
+        /// OCTAHEDRAL16 0 or 3, which become two; of SRGB8 at most 4.
+        /// </summary>
+        public uint components;
+        /// <summary>
+        /// Numbers that the result lacks; beyond the fourth: 0. (0, 0, 0, 1) makes positions homogeneous, and alpha 1.
+        /// Each finite and at most 1e30 in size; 0 for whole numbers, which can't be filled.
+        /// </summary>
+        public fixed float fill[4];
+        /// <summary>nonzero: without such a column all components are `fill`. 0: it is refused</summary>
+        public uint optional;
+        public uint reserved;
+    }
+
+    /// <summary>
     /// Curves in flat arrays: curve c has the points curve_offsets[c] to curve_offsets[c + 1] - 1 of every column. For
     /// input the host owns the arrays, which must live for the call; for results the set owns them until it is
     /// released.
@@ -319,6 +349,29 @@ namespace Filigree
         public float spacing;
         /// <summary>Frame written to the result's TANGENT and NORMAL columns.</summary>
         public FlgFrameMethod frame;
+    }
+
+    public unsafe partial struct FlgCurveSetSimplifyDesc
+    {
+        public uint struct_size;
+        /// <summary>1 to 16. Default 1</summary>
+        public uint level_count;
+        public FlgJobOptions* job;
+        public FlgCurveSet curves;
+        /// <summary>
+        /// One a level, metres, &gt;= 0: how far a point that is left out may be from the line that is left, at the
+        /// same arc length, plus how far its RADIUS may differ. 0 keeps what is not on a straight line. A pixel at
+        /// distance d covers 2 d tan(fov / 2) / height metres. No default.
+        /// </summary>
+        public float* tolerances;
+        /// <summary>how far COLOR may differ, a component; &gt;= 0. Default 0.01</summary>
+        public float color_tolerance;
+        /// <summary>
+        /// Nonzero: the rims of ribbons stay within the tolerance, in place of the radius: needs RADIUS, TANGENT and
+        /// NORMAL. Default 0.
+        /// </summary>
+        public uint ribbons;
+        public uint reserved;
     }
 
     /// <summary>
@@ -368,8 +421,8 @@ namespace Filigree
         /// </summary>
         public FlgCurveSet style;
         /// <summary>
-        /// The unstyled form: one open curve for each style curve, in order. Null: computed by the length-preserving
-        /// flow of sec. 4.1.
+        /// The unstyled form: one open curve for each style curve, in order. Null: made by the flow of sec. 4.1, along
+        /// the middle line of the style's waves; a style without waves is its own guide.
         /// </summary>
         public FlgCurveSet guide;
         /// <summary>
@@ -378,7 +431,7 @@ namespace Filigree
         /// </summary>
         public float alpha;
         /// <summary>
-        /// How far the flow smooths, as a multiple of the amount chosen from the style; &gt; 0. Default 1.
+        /// How long the flow lasts, as a multiple of the time that the style's waves ask for; &gt; 0. Default 1.
         /// </summary>
         public float smoothing;
         /// <summary>
@@ -503,7 +556,18 @@ namespace Filigree
         /// between runs (see flgCurveSetStylize): this shrinks shorter runs, at high temperatures. Default 0.
         /// </summary>
         public float temperature;
-        /// <summary>Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. Default 1.</summary>
+        /// <summary>
+        /// Size of the style on the target, above 0 and at most 1e30: 1 = as drawn. 0 = chosen for each target curve by
+        /// itself, and kept for the host to read (flgCurveSetGetScales): s = size of the target curve / size of the
+        /// guide, the proportion that the example has. Size is D (D / L)^(1/3), with L the curve's length and D
+        /// sqrt(12) times the root mean square distance of its points from their centre: the length if it is straight,
+        /// less where it winds. If the target has a RADIUS, of mean r along the curve, the style swings as wide as the
+        /// stroke was painted: 1.2 r / FlgStyleInfo::displacement_rms, but at least s / 8 and at most 1.25 s. That
+        /// RADIUS is then made thinner where the style's turns would touch: multiplied by one factor for each curve, so
+        /// that its mean is 0.14 * scale * displacement_rms at most; but not if the style has a RADIUS, nor at
+        /// magnitude 0. The choice depends neither on place, direction or unit of style and target nor on the other
+        /// curves. A curve without length has scale 1. Default 1.
+        /// </summary>
         public float scale;
         public FlgFrameMethod frame;
         /// <summary>Key for all random choices. Default 1.</summary>
@@ -557,5 +621,18 @@ namespace Filigree
         /// whole one at any fit. 0: copies, cut off where a target ends. Not with exact_spacing. Default 0.
         /// </summary>
         public float fit;
+    }
+
+    /// <summary>In which size a style was drawn on each curve of a result.</summary>
+    public unsafe partial struct FlgCurveSetScales
+    {
+        public uint struct_size;
+        /// <summary>of the result; 0 for sets that no style was applied to</summary>
+        public uint curve_count;
+        /// <summary>
+        /// curve_count factors on the style, as FlgCurveSetStylizeDesc::scale; null if there are none. They live until
+        /// the set is released
+        /// </summary>
+        public float* scales;
     }
 }

@@ -163,6 +163,8 @@ namespace Filigree
         Value = 35,
         /// <summary>FLG_ATTRIBUTE_LABEL: 1 whole number: a field's nearest source</summary>
         Label = 36,
+        /// <summary>FLG_ATTRIBUTE_UV: 2: texture coordinates of a brush mesh (filigree_brush.h)</summary>
+        Uv = 37,
         /// <summary>FLG_ATTRIBUTE_USER: this and above: the host's own, 1 to 16 floats, interpolated linearly</summary>
         User = 64,
     }
@@ -191,6 +193,16 @@ namespace Filigree
         Unorm16 = 7,
         /// <summary>FLG_NUMBER_FORMAT_UINT8: whole numbers</summary>
         Uint8 = 8,
+        /// <summary>
+        /// FLG_NUMBER_FORMAT_OCTAHEDRAL16: A direction of 3 floats as two SNORM16, 4 bytes. With n = |x| + |y| + |z|
+        /// these are (x, y) / n where z &gt;= 0, else ((1 - |y|) sign x, (1 - |x|) sign y), x and y divided by n
+        /// before. Off by at most 7e-5 radians; of any length, 0 becomes (0, 0, 1).
+        /// </summary>
+        Octahedral16 = 9,
+        /// <summary>
+        /// FLG_NUMBER_FORMAT_SRGB8: linear colour as the nearest byte of its sRGB value; alpha as UNORM8
+        /// </summary>
+        Srgb8 = 10,
     }
 
     /// <summary>Which moving frame to carry along a curve.</summary>
