@@ -18,7 +18,7 @@ struct StylizeRequest {
     StyleDrives drives{};
 };
 
-// Stages "steering" if there are drives, "measure", "synthesis".
+// Stages "steering" if there are drives, "size" if the host leaves that to the SDK, "measure", "synthesis".
 Task<void> apply_style(Pace& pace, StylizeRequest request);
 
 }  // namespace flg

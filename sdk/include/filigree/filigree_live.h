@@ -99,7 +99,7 @@ typedef struct FlgLiveStrokeDesc {
     float smoothing;
     /* Maximum distance between consecutive samples, metres, > 0; longer jumps are refused. Default 1. */
     float max_jump;
-    /* Capacity in samples (1 to 2^20) and points (1 to 2^24): about 280 bytes a sample, 44 a point and 4 for each
+    /* Capacity in samples (1 to 2^20) and points (1 to 2^24): about 400 bytes a sample, 44 a point and 4 for each
      * component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536. */
     uint32_t max_samples;
     uint32_t max_points; /* points beyond this are cut off, see FlgLiveStrokeInfo */

@@ -36,7 +36,7 @@ namespace Filigree
         /// </summary>
         public float max_jump;
         /// <summary>
-        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 280 bytes a sample, 44 a point and 4 for each
+        /// Capacity in samples (1 to 2^20) and points (1 to 2^24): about 400 bytes a sample, 44 a point and 4 for each
         /// component of the style's attributes; 257 more points for the tip. Default 16,384 and 65,536.
         /// </summary>
         public uint max_samples;
