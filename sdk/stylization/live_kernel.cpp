@@ -289,9 +289,10 @@ void LiveKernel::take_supplied_normal(const Vec3& up) {
 void LiveKernel::make_points() {
     place_samples(rows_, samples_made_);
     make_frames();
+    const bool driven = !settings_.drives.empty();
     for (uint32_t k = 0; k < samples_made_.count; ++k) {
         const float t = samples_made_.t[k];
-        const Steered steered = steered_start_.between(steered_end_, t);
+        const Steered steered = driven ? steered_start_.between(steered_end_, t) : Steered{};
         if (state_.points + k == 0)
             begin_walk();
         else
@@ -346,7 +347,7 @@ void LiveKernel::follow_style(uint32_t k, const LiveHand& hand, const Steered& s
     const uint32_t node = state_.walk.node();
     const size_t at = row() + k;
     displaced_.set_along(k, displacement_of(node) + state_.blend.offset());
-    displaced_.scale_at(k, static_cast<float>(steered.weight()));
+    if (!settings_.drives.empty()) displaced_.scale_at(k, static_cast<float>(steered.weight()));
     double radius = settings_.min_radius + (settings_.max_radius - settings_.min_radius) * hand.pressure;
     radius *= steered.radius;
     uint32_t column = live_own_columns;
