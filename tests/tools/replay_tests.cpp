@@ -131,15 +131,10 @@ TEST_F(Replay, TakesTheOptionsOfStylize) {
 
 // One style is made, by the options that `stylize` has.
 TEST_F(Replay, MakesTheGuideThatStylizeMakes) {
-    const std::vector<std::string> style = {"--style", "builtin:curls", "--beta", "0.4", "--quiet"};
-    done(with(with({"replay", "builtin:s_curve", "-o", "a.xyz", "--fast", "--guide-smoothing", "0.1", "--save-guide",
-                    "replayed.xyz"},
-                   style),
-              {}));
-    done(with(with({"stylize", "--target", "builtin:s_curve", "-o", "b.xyz", "--smoothing", "0.1", "--save-guide",
-                    "stylized.xyz"},
-                   style),
-              {}));
+    done({"replay", "builtin:s_curve", "-o", "a.xyz", "--fast", "--style", "builtin:curls", "--beta", "0.4",
+          "--guide-smoothing", "0.1", "--save-guide", "replayed.xyz"});
+    done({"stylize", "--target", "builtin:s_curve", "-o", "b.xyz", "--style", "builtin:curls", "--beta", "0.4",
+          "--smoothing", "0.1", "--save-guide", "stylized.xyz"});
     EXPECT_GT(folder.read("replayed.xyz").size(), 1000u);
     EXPECT_EQ(folder.read("replayed.xyz"), folder.read("stylized.xyz"));
     expect_refused({"replay", "builtin:flourish", "--style", "builtin:loops", "-o", "out.xyz", "--save-guide", "g.pdf"},

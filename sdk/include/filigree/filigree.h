@@ -518,7 +518,7 @@ FLG_API FlgResult flgCurveSetResampleDescInit(FlgCurveSetResampleDesc* desc, uin
 /* Starts a job that redistributes points evenly by arc length along a smooth curve through the given points and carries
  * a moving frame along. The curve is a G1 cubic that keeps straight runs straight, circles round to fourth order, and
  * turns of more than 50 degrees as corners. Other columns are interpolated linearly; orientations are normalized.
- * Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 100 ns a point. */
+ * Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 50 ns a point. */
 FLG_API FlgResult flgCurveSetResample(FlgContext context, const FlgCurveSetResampleDesc* desc, FlgCurveSet* out_set,
                                       FlgJob* out_job);
 
@@ -791,7 +791,7 @@ FLG_API FlgResult flgCurveSetStylizeDescInit(FlgCurveSetStylizeDesc* desc, uint3
  * NORMAL about its tangent. With SPEED the result has TIME, starting at the target's first TIME value, or 0; each
  * step takes its length divided by the mean speed of its ends. Results obey the limits of curve sets: if a
  * coordinate, a length or a time would exceed 1e30, the job fails with FLG_ERROR_INVALID_ARGUMENT and names it.
- * Cost: about 100 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
+ * Cost: about 50 ns a point of the result, and once for each style and temperature the path trees, 0.1 ms each. */
 FLG_API FlgResult flgCurveSetStylize(FlgContext context, const FlgCurveSetStylizeDesc* desc, FlgCurveSet* out_set,
                                      FlgJob* out_job);
 

@@ -2749,7 +2749,7 @@ public:
     /// Starts a job that redistributes points evenly by arc length along a smooth curve through the given points and
     /// carries a moving frame along. The curve is a G1 cubic that keeps straight runs straight, circles round to fourth
     /// order, and turns of more than 50 degrees as corners. Other columns are interpolated linearly; orientations are
-    /// normalized. Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 100 ns a
+    /// normalized. Consecutive repeated points count once. A zero-length curve becomes one point. Cost: about 50 ns a
     /// point.
     /// Calls flgCurveSetResample.
     Result<CurveSet> resample(CurveSetResampleDesc desc = {}, Job* out_job = nullptr) const {
@@ -4061,7 +4061,7 @@ public:
     /// precision of 1e-4 rad after 150 turns. ANGLE also turns the result's NORMAL about its tangent. With SPEED the
     /// result has TIME, starting at the target's first TIME value, or 0; each step takes its length divided by the mean
     /// speed of its ends. Results obey the limits of curve sets: if a coordinate, a length or a time would exceed 1e30,
-    /// the job fails with FLG_ERROR_INVALID_ARGUMENT and names it. Cost: about 100 ns a point of the result, and once
+    /// the job fails with FLG_ERROR_INVALID_ARGUMENT and names it. Cost: about 50 ns a point of the result, and once
     /// for each style and temperature the path trees, 0.1 ms each.
     /// Calls flgCurveSetStylize.
     Result<CurveSet> stylize(const CurveSetStylizeDesc& desc, Job* out_job = nullptr) const {

@@ -55,8 +55,9 @@ std::optional<Color> says_color(std::span<const std::string_view> words) {
     if (words.empty() || words[0] != color_word || words.size() < channels || words.size() > channels + 1) return {};
     Color color = {0, 0, 0, 1};
     for (size_t k = 1; k < words.size(); ++k) {
-        const char* const end = words[k].data() + words[k].size();
-        const auto [stop, error] = std::from_chars(words[k].data(), end, color[k - 1]);
+        const char* const begin = words[k].data();
+        const char* const end = begin + words[k].size();
+        const auto [stop, error] = std::from_chars(begin, end, color[k - 1]);
         if (error != std::errc() || stop != end || !(std::abs(color[k - 1]) <= max_coordinate)) return {};
     }
     return color;

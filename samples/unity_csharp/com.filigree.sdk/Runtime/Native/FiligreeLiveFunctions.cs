@@ -46,7 +46,7 @@
 // Delivery         Points come one sample late. A sample of a hand that moves at most 64 steps a sample (with steps of
 //                  1 mm, 5 m/s at 90 Hz) takes under 8 us; samples that need more points than that are counted in
 //                  FlgLiveStrokeInfo::dense_samples, and take in proportion longer. Each pushed sample makes at most
-//                  1,024 points, which keeps every push under 60 us of processor time, however far the hand jumps and
+//                  1,024 points, some 50 us of processor time, however far the hand jumps and
 //                  however fine the style is. What is left waits (waiting_samples, waiting_points): later samples make
 //                  it in order, 1,024 points each, so that the points of a jump of 3,072 steps are there 3 samples
 //                  later, and the job of flgLiveStrokeEnd makes the last.
