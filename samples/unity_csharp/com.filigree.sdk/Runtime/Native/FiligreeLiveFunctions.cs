@@ -28,7 +28,7 @@
 //                  or than both caps; what passes max_points.
 // Caps             A stroke begins with its style's start cap (FlgStyleDesc). It has no end cap: points never move, and
 //                  the end is not known before it is there.
-// Steering         `drives`, as flgCurveSetStylize has them: by the hand's pressure and its speed.
+// Steering         `drives`, as flgCurveSetStylize has them: by the hand's pressure and its speed; 10 ns a point more.
 // Radius           min_radius + (max_radius - min_radius) * pressure; if the style has a RADIUS attribute, multiplied
 //                  by that attribute relative to its mean over the style, and by what drives the radius.
 // Time             When the hand was there, in seconds since the first sample. If the style has a SPEED attribute: when
