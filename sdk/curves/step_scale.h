@@ -16,8 +16,9 @@ struct StepScale {
 
     // What a segment of this length is worth in usual lengths.
     double steps(double length) const {
-        const double x = (end - start) / start;
-        return x == 0 ? length / start : length / start * (std::log1p(x) / x);
+        // It is the same from either end.
+        const double least = std::min(start, end), x = (std::max(start, end) - least) / least;
+        return x == 0 ? length / least : length / least * (std::log1p(x) / x);
     }
     // How far along the segment so many of them reach.
     double length(double segment_length, double steps) const {

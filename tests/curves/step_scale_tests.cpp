@@ -25,6 +25,7 @@ TEST(StepScale, StepsAreTheIntegralOfTheInverseScale) {
         EXPECT_EQ(scale.length(length, 0), 0);
     }
     EXPECT_NEAR((StepScale{1e-6, 1e6}.steps(7)), 7 / 1e6 * std::log(1e12), 1e-15);
+    EXPECT_NEAR((StepScale{1e20, 1}.steps(7)), 7 / 1e20 * std::log(1e20), 1e-30);
 }
 
 TEST(StepScale, ConstantScalesDivideTheLength) {
