@@ -2,6 +2,7 @@
 #include "stylization/applied_style.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/failure.h"
 #include "runtime/each.h"
@@ -22,6 +23,10 @@ size_t AppliedStyle::find(FlgAttribute attribute) const {
 
 Eigen::Matrix3d scaled_basis(double scale, const std::array<double, 9>& basis) {
     return scale * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(basis.data());
+}
+
+double fitted_bend(const Eigen::Matrix3d& scaled_basis, const PreparedStyle& style) {
+    return style.bend * (scaled_basis.norm() / std::sqrt(3.0));
 }
 
 void check_attribute_sizes(const PreparedStyle& style, double scale, double largest_scale) {
@@ -46,6 +51,7 @@ Task<AppliedStyle> fit_style(Pace& pace, const PreparedStyle& style, double scal
     for (Buffer<float>& values : applied.along) values = Buffer<float>(style.point_count(), pace.memory());
     applied.attributes = style.attributes;
     applied.scale = scale;
+    applied.bend = fitted_bend(matrix, style);
     co_await each(pace, style.point_count(), Cost::tens_of_ns, [&](uint32_t i) {
         const Vec3 scaled = fitted(matrix, style.displacement, i);
         if (!(growth * scaled.cwiseAbs().maxCoeff() <= coordinate_max)) {

@@ -16,6 +16,7 @@ struct AppliedStyle {
     std::array<Buffer<float>, 3> along;  // the same, as blocks of samples take them
     std::span<const StyleAttribute> attributes;
     double scale = 1;  // of the attributes' lengths
+    double bend = 0;   // PreparedStyle::bend, scaled likewise
 
     // Where in `attributes` it is; their number if the style doesn't transfer it.
     size_t find(FlgAttribute attribute) const;
@@ -33,6 +34,9 @@ inline Vec3 fitted(const Eigen::Matrix3d& scaled_basis, const Displacement& d, u
 inline Vec3 in_frame(const Vec3& d, const Vec3& tangent, const Vec3& normal) {
     return d.x() * tangent + d.y() * normal + d.z() * tangent.cross(normal);
 }
+
+// PreparedStyle::bend as it is applied.
+double fitted_bend(const Eigen::Matrix3d& scaled_basis, const PreparedStyle& style);
 
 // Throws what the host is told if the style's attributes would get larger than columns may be, somewhere: at the
 // `largest_scale`.

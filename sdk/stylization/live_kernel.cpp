@@ -264,7 +264,8 @@ void LiveKernel::begin_walk() {
     state_.walk = StyleWalk(settings_.trees, settings_.from_start, settings_.seed, 0, StyleWalk::endless);
     state_.walk.heat(settings_.hot_trees);
     state_.walk.begin_with_cap();
-    state_.blend = SeamBlend(settings_.style->graph.patch, settings_.style->attributes);
+    state_.blend =
+        SeamBlend(settings_.style->graph.patch, fitted_bend(basis_, *settings_.style), settings_.style->attributes);
 }
 
 void LiveKernel::advance_walk(uint32_t point, const Steered& steered) {

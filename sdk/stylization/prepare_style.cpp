@@ -2,6 +2,7 @@
 #include "stylization/prepare_style.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/failure.h"
 #include "runtime/each.h"
@@ -176,6 +177,10 @@ Task<void> prepare_style(Pace& pace, StyleRequest request) {
 
     pace.stage("patch_graph");
     co_await make_graph(pace, request, curves.back().measure.length);
+    double sum = 0;
+    co_await each(pace, prepared.point_count(), Cost::some_ns,
+                  [&](uint32_t point) { sum += prepared.squared_bend(point); });
+    prepared.bend = std::sqrt(sum / prepared.point_count());
     pace.advance(1);
 }
 

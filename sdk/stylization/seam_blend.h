@@ -7,11 +7,13 @@
 // with rare shapes a seam is a step of up to ten mean steps, and a turn. Departure: the gaps at a seam in value and in
 // step,
 //   g = d[i + 1] + what is left of the blend before - d[j],   h = the step to that - (d[j + 1] - d[j]),
-// are added to the copy that begins there and fade by Hermite's cubic over p points, p being the patch size:
-//   (3 r^2 - 2 r^3) g + (1 - r) r^2 p h,   r from 1 at j to 0 at the p-th point behind it;
+// are added to the copy that begins there and fade by Hermite's cubic over n points:
+//   (3 r^2 - 2 r^3) g + (1 - r) r^2 n h,   r from 1 at j to 0 at the n-th point behind it;
 // from there on the copy is exact again. So a result goes on at a seam where it was and as it went. It needs the past
-// only: live strokes blend alike. Where runs are shorter than p, at high temperatures, blends run into each other and
-// shrink the displacement.
+// only: live strokes blend alike. n is the patch size p, or as many as keep what is added from bending more,
+//   6 |g| / n^2 + 4 |h| / n,
+// than the style does by itself (root mean square), up to 4 p. Where a blend is not over, n is p. Where runs are shorter
+// than p, at high temperatures, blends run into each other and shrink the displacement.
 //
 // The last seam of a closed curve has to meet the style again at whatever phase of its waves. It is cross-faded: the
 // run that is left goes on beside the one that is taken, with weights 3 r^2 - 2 r^3 and the rest, so that nothing
@@ -27,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "core/vec.h"
@@ -38,9 +41,10 @@ namespace flg {
 class SeamBlend {
 public:
     SeamBlend() = default;
-    // Over so many points, at least 1. The attributes outlive the blend.
-    explicit SeamBlend(uint32_t points, std::span<const StyleAttribute> attributes = {})
-        : attributes_(attributes), points_(points) {}
+    // Over so many points, at least 1, or more where they bend less than `bend`, metres. The attributes outlive the
+    // blend.
+    explicit SeamBlend(uint32_t points, double bend = 0, std::span<const StyleAttribute> attributes = {})
+        : attributes_(attributes), bend_(bend), points_(points) {}
 
     // To the next sample, from node `from` to node `to`; `displacement(node)` is the style's. A node that is jumped
     // from has one behind it on the same style curve, and so has one that is jumped to.
@@ -65,7 +69,7 @@ public:
             left_run_ = {from + 1, curve_end_[from] - 1};
             taken_run_ = {to, curve_end_[to] - 1};
         }
-        left_ = span_ = points_;
+        left_ = span_ = fades_ || left_ > 0 ? points_ : length();
         per_span_ = 1.0 / span_;
         shares_ = {1, 0};
     }
@@ -151,6 +155,15 @@ private:
         const ValueRange range = attribute.ranges[component];
         return std::clamp<double>(copied + offset(index, component, shares), range.low, range.high);
     }
+    // Of a blend, so that it bends no more than the style.
+    uint32_t length() const {
+        constexpr uint32_t max_patches = 4;
+        if (!(bend_ > 0)) return points_;
+        const double g = gap_.norm(), h = step_gap_.norm();
+        const double points = (2 * h + std::sqrt(4 * h * h + 6 * g * bend_)) / bend_;
+        if (!(points < max_patches * points_)) return max_patches * points_;
+        return std::max(points_, static_cast<uint32_t>(std::ceil(points)));
+    }
     void find_attribute_gaps(uint32_t from, uint32_t to, const Shares& shares_at_from);
 
     struct Gap {
@@ -158,6 +171,7 @@ private:
     };
 
     std::span<const StyleAttribute> attributes_;
+    double bend_ = 0;
     Vec3 gap_ = Vec3::Zero(), step_gap_ = Vec3::Zero();
     std::array<std::array<Gap, attribute_components_max>, style_attributes_max> gaps_{};
     std::array<double, style_attributes_max> wound_rad_{};  // whole turns since the curve's start; an attribute has one

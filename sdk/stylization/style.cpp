@@ -15,6 +15,19 @@ constexpr double unseen_share = 1e-5;
 
 }  // namespace
 
+double PreparedStyle::squared_bend(uint32_t point) const {
+    const bool inner =
+        point > 0 && point + 1 < point_count() && graph.curve_end[point - 1] == graph.curve_end[point + 1];
+    if (!inner) return 0;
+    double sum = 0;
+    for (const Buffer<double>* d :
+         {&displacement.along_tangent, &displacement.along_normal, &displacement.along_binormal}) {
+        const double second = (*d)[point - 1] - 2 * (*d)[point] + (*d)[point + 1];
+        sum += second * second;
+    }
+    return sum;
+}
+
 bool Style::has_nothing_to_learn() const {
     return prepared.displacement_rms < unseen_share * prepared.guide_length;
 }

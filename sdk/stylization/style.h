@@ -32,10 +32,13 @@ struct PreparedStyle {
     Buffer<float> matching;                     // arc lengths on the style curve, metres
     double style_length = 0, guide_length = 0;  // metres, of all curves together
     double displacement_rms = 0;                // metres
+    double bend = 0;                            // root mean square of the displacement's second differences, metres
     double matching_energy = 0;                 // square metres, mean over the points
     uint32_t flow_steps = 0;
 
     uint32_t point_count() const { return displacement.size(); }
+    // The displacement's second difference at a point, squared; 0 at the ends of its curve.
+    double squared_bend(uint32_t point) const;
     // Of neighbouring points of the guide, metres: each curve is sampled as nearly so as whole steps allow.
     double spacing() const { return guide_length / (point_count() - guide->curve_count()); }
     // Metres; `units` of temperature_unit.

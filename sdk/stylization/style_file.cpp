@@ -352,6 +352,9 @@ void read_content(Reader& in, bool has_caps, PreparedStyle& style, Memory* memor
     if (in.left() > 0) throw Failure(FLG_ERROR_FORMAT, "data goes on for %zu bytes behind the style", in.left());
     check_values(style);
     complete_graph(graph, style.guide->offsets(), memory);
+    double sum = 0;
+    for (uint32_t point = 0; point < style.point_count(); ++point) sum += style.squared_bend(point);
+    style.bend = std::sqrt(sum / style.point_count());
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ void SynthesisKernel::begin(const StrokeInput& stroke) {
         walk_.end_with_cap();
         if (stroke.whole_motifs) walk_.take_motifs();
     }
-    blend_ = SeamBlend(input_.trees->graph().patch, input_.style->attributes);
+    blend_ = SeamBlend(input_.trees->graph().patch, input_.style->bend, input_.style->attributes);
     angle_ = input_.style->find(FLG_ATTRIBUTE_ANGLE);
 }
 

@@ -40,6 +40,26 @@ TEST(SeamBlend, GapsInValueAndStepFadeByACubicOverAPatch) {
     EXPECT_EQ(blend.points_left(), 0u);
 }
 
+// What is added bends by 6 |g| / n^2 + 4 |h| / n at most.
+TEST(SeamBlend, WideGapsFadeOverAsManyPointsAsBendLittle) {
+    const auto points = [](double gap, double bend) {
+        SeamBlend blend(4, bend);
+        blend.step(0, 10, [gap](uint32_t node) { return Vec3(node < 10 ? gap : 0.0, 0, 0); });
+        return blend.points_left();
+    };
+    EXPECT_EQ(points(1, 0), 4u);
+    EXPECT_EQ(points(1, 6), 4u);
+    EXPECT_EQ(points(1, 6.0 / 63), 8u);
+    EXPECT_EQ(points(1, 6.0 / 65), 9u);
+    EXPECT_EQ(points(1, 1e-6), 16u);
+    EXPECT_EQ(points(0, 1e-6), 4u);
+    // A blend that is not over is not made longer.
+    SeamBlend blend(4, 6.0 / 64);
+    blend.step(0, 10, [](uint32_t node) { return Vec3(node < 10 ? 1.0 : 0.0, 0, 0); });
+    blend.step(10, 20, [](uint32_t node) { return Vec3(node < 20 ? 1.0 : 0.0, 0, 0); });
+    EXPECT_EQ(blend.points_left(), 4u);
+}
+
 TEST(SeamBlend, ASeamWithinABlendGoesOnFromWhereThatIsAndAsItWent) {
     SeamBlend blend(4);
     blend.step(8, 60, two_lines);

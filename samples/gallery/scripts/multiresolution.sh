@@ -18,10 +18,10 @@ paint() {  # IN OUT
             print $1, $2, $3, mix(color[c + 1], color[c + 4]), mix(color[c + 2], color[c + 5]), mix(color[c + 3], color[c + 6]), 1
         }' most="$(wc -l < index.txt)" "$1" > "$2"
 }
-filigree stylize --style curly.xyz --multiresolution 3:1 --save-guide guide.xyz --save-matching index.txt --target line.xyz --scale 1 --start random --tau 0.5 --columns -o small.xyz
-filigree stylize --style curly.xyz --multiresolution 60:1 --target line.xyz --scale 1 --start random --tau 0.5 --columns -o large.xyz
-filigree stylize --style curly.xyz --multiresolution 3:1,60:0.3 --target line.xyz --scale 1 --start random --tau 0.5 --columns -o two.xyz
-filigree stylize --style curly.xyz --multiresolution 3:1 --target guide.xyz --scale 1 --columns -o example.xyz
+filigree stylize --style curly.xyz --smoothing 300 --multiresolution 3:1 --save-guide guide.xyz --save-matching index.txt --target line.xyz --scale 1 --start random --tau 0.3 --columns -o small.xyz
+filigree stylize --style curly.xyz --smoothing 300 --multiresolution 60:1 --target line.xyz --scale 1 --start random --tau 0.05 --columns -o large.xyz
+filigree stylize --style curly.xyz --smoothing 300 --multiresolution 3:1,60:0.3 --target line.xyz --scale 1 --start random --tau 0.1 --columns -o two.xyz
+filigree stylize --style curly.xyz --smoothing 300 --multiresolution 3:1 --target guide.xyz --scale 1 --columns -o example.xyz
 for name in example small large two; do paint $name.xyz $name.painted.xyz; done
 
 cat > picture.json <<'END'
